@@ -56,7 +56,7 @@ package evaluation
             {
                 _agent.moveTo(i, 1, 0);
                 _agent.heading = i;
-                _greatLand.boundingStructures.tightestFit(_agent.shape).place(_agent.worldPlacement(), _placed);
+                _greatLand.boundingStructures.tightestFit(_agent.shape).place(_agent.freshPlacement(), _placed);
             }
         }
 

@@ -45,7 +45,7 @@ package support
                 return pieces;
             }
             var corners:Vector.<Number> = new Vector.<Number>();
-            EveryTriangle.place(agent.worldPlacement(), model, corners);
+            EveryTriangle.place(agent.freshPlacement(), model, corners);
             for (var i:int = 0; i < corners.length; i += 9)
             {
                 pieces.push({radius: 0, points: corners.slice(i, i + 9)});

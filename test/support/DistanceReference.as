@@ -80,7 +80,7 @@ package support
         private function cornersOf(agent:Agent, at:Agent):Vector.<Number>
         {
             var hierarchy:ModelTree = _greatLand.hierarchies.treeOf(agent.shape);
-            var placement:Placement = agent.worldPlacement();
+            var placement:Placement = agent.freshPlacement();
             var corners:Vector.<Number> = new Vector.<Number>();
             for each (var vertex:int in hierarchy.boxTree.triangles)
             {

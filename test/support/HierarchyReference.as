@@ -58,7 +58,7 @@ package support
         {
             if (node.isLeaf || depth == 1)
             {
-                out.push(node.bounds.place(agent.worldPlacement()));
+                out.push(node.bounds.place(agent.freshPlacement()));
                 return;
             }
             collect(agent, node.left, depth - 1, out);

@@ -83,18 +83,18 @@ package support
 
         private function ofTriangles(agent:Agent, origin:Vector3D, direction:Vector3D):Number
         {
-            EveryTriangle.place(agent.worldPlacement(), _models[agent.shape], _corners);
+            EveryTriangle.place(agent.freshPlacement(), _models[agent.shape], _corners);
             return RayReference.firstTriangle(_corners, origin, direction);
         }
 
         private function isInside(agent:Agent, origin:Vector3D):Boolean
         {
             var model:Model = _models[agent.shape];
-            if (!_greatLand.boundingStructures.tightestFit(agent.shape).place(agent.worldPlacement()).contains(origin))
+            if (!_greatLand.boundingStructures.tightestFit(agent.shape).place(agent.freshPlacement()).contains(origin))
             {
                 return false;
             }
-            var at:Placement = agent.worldPlacement();
+            var at:Placement = agent.freshPlacement();
             var x:Number = (origin.x - at.x) / at.size;
             var y:Number = (origin.y - at.y) / at.size;
             var z:Number = (origin.z - at.z) / at.size;

@@ -149,8 +149,8 @@ package support
 
         private static function moveInto(agent:Agent, model:Model, at:int, outer:Agent):void
         {
-            var from:Placement = agent.worldPlacement();
-            var to:Placement = outer.worldPlacement();
+            var from:Placement = agent.freshPlacement();
+            var to:Placement = outer.freshPlacement();
             var x:Number = from.size * model.vertices[at];
             var y:Number = from.size * model.vertices[at + 1];
             var z:Number = from.size * model.vertices[at + 2];

@@ -64,7 +64,7 @@ export class AgentPlace {
 		this.#bodyRevision = agent.$bodyRevision;
 		this.size = placement.size;
 		// by indices, because destructuring the list is slower
-		agent.$worldPlacement().readQuaternion(turn);
+		agent.$freshPlacement().readQuaternion(turn);
 		if (this.#isYUp) this.quaternion.set(turn[0], turn[2], -turn[1], turn[3]);
 		else this.quaternion.set(turn[0], turn[1], turn[2], turn[3]);
 		return true;

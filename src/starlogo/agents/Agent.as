@@ -64,7 +64,7 @@ package starlogo.agents
         private static var sCreated:int = 0;
         private static var sMatrix:Vector.<Number> = new Matrix3D().rawData;
 
-        /** @private The agent's place in the world. Its rotation may be stale: see <code>worldPlacement</code>. */
+        /** @private The agent's place in the world. Its rotation may be stale: see <code>freshPlacement</code>. */
         engine var placement:Placement = new Placement();
 
         /**
@@ -417,7 +417,7 @@ package starlogo.agents
         public function getMatrix(out:Matrix3D = null):Matrix3D
         {
             out ||= new Matrix3D();
-            worldPlacement().readMatrix(sMatrix);
+            freshPlacement().readMatrix(sMatrix);
             out.copyRawDataFrom(sMatrix);
             return out;
         }
@@ -531,8 +531,8 @@ package starlogo.agents
             return "agent " + idNumber + " (breed \"" + breed + "\", shape \"" + shape + "\")";
         }
 
-        /** @private The agent's place in the world. Its rotation is up to date. */
-        engine function worldPlacement():Placement
+        /** @private <code>placement</code>, with the rotation brought up to date. */
+        engine function freshPlacement():Placement
         {
             if (_turn != null)
             {

@@ -24,7 +24,7 @@ package starlogo.agents
             requireName(agent, "breed", value);
             if (Breeds.isReserved(value) || (agent.idNumber != 0 && agent.isOfWorld))
             {
-                var reason:String = value == Breeds.ANY_BREED ? "it stands for any breed" : "it is for the ground and the edges of the world alone";
+                var reason:String = value == Breeds.ANY_BREED ? "it stands for any breed" : "the ground and the edges of the world have their own breeds";
                 throw new ArgumentError(agent + ": breed must not be \"" + value + "\": " + reason);
             }
         }

@@ -79,7 +79,7 @@ package starlogo.debug
             }
             // A Matrix3D is not used, because it has single precision.
             var lines:Vector.<Number> = linesOfModel(agent, choice, collider);
-            return placePoints(agent.worldPlacement(), lines, 0, lines.length, all, all.length);
+            return placePoints(agent.freshPlacement(), lines, 0, lines.length, all, all.length);
         }
 
         private function linesOfModel(agent:Agent, choice:BaseShapeChoice, collider:Collider):Vector.<Number>

@@ -1,6 +1,6 @@
 // A walk is read in this order:
 // 1. WalkQueries.walk: reads the options into a Walk, moves the agent to where the Walk ends, and copies its Footing
-// 2. WalkMover.go: carried by a platform, pushed out of overlaps, piece by piece along the ground, a fall, and a clearance at the end
+// 2. WalkMover.go: carried by a platform, pushed out of overlaps, leg by leg along the ground, a fall, and a clearance at the end
 // 3. Slider: each way of a walk is a slide, or goes straight up or down
 // 4. CoreSweep: how such a way starts (startMotion), what stops it first (findFirstObstacle), and when (findTouchTime)
 // 5. BodyCore: what stops it is what its core meets, and not what the body only touches
@@ -18,8 +18,8 @@ package starlogo.queries
     use namespace engine;
 
     /**
-     * Moves agents, and answers how far something can go, for games that load no other questions. AgentQueries, which has them all, says what
-     * holds for each.
+     * Moves agents, and answers how far something can go, for games that load no other questions. The rules for all
+     * questions are at AgentQueries.
      */
     public final class AgentMotions
     {
@@ -193,7 +193,7 @@ package starlogo.queries
          * <code>slopeDegrees</code>, and at most half as far sideways as the agent may fall, or half its size. The agent ends a clearance
          * above the ground, as with <code>slide()</code>.</p>
          *
-         * <p>A walk that is longer than the agent goes in pieces of the agent's size, 64 at most.</p>
+         * <p>A walk that is longer than the agent goes in legs of the agent's size, 64 at most.</p>
          *
          * @param agent the agent that walks. While its model is loading it touches nothing
          * @param dx how far along x, in patches

@@ -12,7 +12,7 @@ package starlogo.queries
     use namespace engine;
 
     /**
-     * Answers which agents are near, for games that load no other questions. AgentQueries, which has them all, says what holds for each.
+     * Answers which agents are near, for games that load no other questions. The rules for all questions are at AgentQueries.
      */
     public final class AgentPlaces
     {
@@ -177,19 +177,19 @@ package starlogo.queries
                 degrees:Number = 360):Collector
         {
             requireNotNegative("radius", radius);
-            var found:Collector = _seen.beginSearch(wanted, radius * radius, asker, filter);
-            var cone:Cone = degrees < 360 ? _cone.setTo(asker.worldPlacement(), degrees / 2) : null;
+            var collector:Collector = _seen.beginSearch(wanted, radius * radius, asker, filter);
+            var cone:Cone = degrees < 360 ? _cone.setTo(asker.freshPlacement(), degrees / 2) : null;
             var search:NearSearch = NearSearch(_searches.current);
-            search.find(found, x, y, z, cone);
-            return found;
+            search.find(collector, x, y, z, cone);
+            return collector;
         }
 
         private function count(asker:Agent, x:Number, y:Number, z:Number, radius:Number, filter:AgentFilter):int
         {
             requireNotNegative("radius", radius);
-            var found:Collector = _seen.beginSearch(Collector.ALL, radius * radius, asker, filter);
+            var collector:Collector = _seen.beginSearch(Collector.ALL, radius * radius, asker, filter);
             var search:NearSearch = NearSearch(_searches.current);
-            return search.count(found, x, y, z);
+            return search.count(collector, x, y, z);
         }
     }
 }

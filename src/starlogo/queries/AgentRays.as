@@ -20,7 +20,7 @@ package starlogo.queries
     use namespace engine;
 
     /**
-     * Answers what a ray meets, for games that load no other questions. AgentQueries, which has them all, says what holds for each.
+     * Answers what a ray meets, for games that load no other questions. The rules for all questions are at AgentQueries.
      */
     public final class AgentRays
     {
@@ -83,10 +83,10 @@ package starlogo.queries
          */
         public function cast(origin:Vector3D, direction:Vector3D, maxDistance:Number = Infinity, filter:AgentFilter = null, hit:RayHit = null):RayHit
         {
-            var found:Collector = begin(1, requireOrigin(origin), direction, maxDistance, filter);
+            var collector:Collector = begin(1, requireOrigin(origin), direction, maxDistance, filter);
             var hits:Hits = beginHits();
-            collect(found, hits);
-            if (hits.end(found) == 0)
+            collect(collector, hits);
+            if (hits.end(collector) == 0)
             {
                 return null;
             }
@@ -124,18 +124,18 @@ package starlogo.queries
         public function castAll(origin:Vector3D, direction:Vector3D, maxDistance:Number = Infinity, filter:AgentFilter = null,
                 out:Vector.<RayHit> = null, allSurfaces:Boolean = false):Vector.<RayHit>
         {
-            var found:Collector = begin(Collector.ALL, requireOrigin(origin), direction, maxDistance, filter);
+            var collector:Collector = begin(Collector.ALL, requireOrigin(origin), direction, maxDistance, filter);
             var listed:Vector.<RayHit> = out || new Vector.<RayHit>();
             var hits:Hits = beginHits();
             if (allSurfaces)
             {
-                collectSurfaces(found, hits);
+                collectSurfaces(collector, hits);
             }
             else
             {
-                collect(found, hits);
+                collect(collector, hits);
             }
-            _spare.resize(listed, hits.end(found));
+            _spare.resize(listed, hits.end(collector));
             for (var i:int = 0; i < listed.length; i++)
             {
                 write(hits, i, listed[i]);
@@ -169,19 +169,19 @@ package starlogo.queries
             }
             var rowA:int = _seen.rowOf(a);
             var rowB:int = _seen.rowOf(b);
-            var found:Collector = begin(1, from, towards, distance, filter);
-            for (var row:int = found.nextCandidate(_search); row >= 0; row = found.nextCandidate(_search))
+            var collector:Collector = begin(1, from, towards, distance, filter);
+            for (var row:int = collector.nextCandidate(_search); row >= 0; row = collector.nextCandidate(_search))
             {
                 if (row != rowA && row != rowB && _rowRays.findHit(row, _ray, _entry))
                 {
-                    found.add(row, _entry.distance);
-                    if (found.hasEnoughOfAny)
+                    collector.add(row, _entry.distance);
+                    if (collector.hasEnoughOfAny)
                     {
                         break;
                     }
                 }
             }
-            return found.end() == 0;
+            return collector.end() == 0;
         }
 
         // Finds the middle of an agent's extents as it is now. While the model is loading it is the agent's place.
@@ -214,10 +214,10 @@ package starlogo.queries
             _ray.aim(origin, direction);
             requireNotNegative("maxDistance", maxDistance);
             _ray.to = maxDistance;
-            var found:Collector = _seen.beginSearch(wanted, maxDistance, null, filter);
+            var collector:Collector = _seen.beginSearch(wanted, maxDistance, null, filter);
             _search.begin(_seen.treeOfExtents(), _ray.x, _ray.y, _ray.z);
             _search.moveAlong(_ray.directionX, _ray.directionY, _ray.directionZ, maxDistance);
-            return found;
+            return collector;
         }
 
         // The hits of a question that begins now: none yet.
@@ -229,27 +229,27 @@ package starlogo.queries
         }
 
         // Finds the rows that the ray meets, and keeps how it meets them.
-        private function collect(found:Collector, out:Hits):void
+        private function collect(collector:Collector, out:Hits):void
         {
-            for (var row:int = found.nextCandidate(_search); row >= 0; row = found.nextCandidate(_search))
+            for (var row:int = collector.nextCandidate(_search); row >= 0; row = collector.nextCandidate(_search))
             {
                 if (_rowRays.findHit(row, _ray, _entry))
                 {
-                    found.add(row, _entry.distance);
+                    collector.add(row, _entry.distance);
                     out.addEntry(row, _ray, _entry);
-                    _ray.to = found.limit;
+                    _ray.to = collector.limit;
                 }
             }
         }
 
         // Finds the rows that the ray meets, and keeps all surfaces that it crosses.
-        private function collectSurfaces(found:Collector, out:Hits):void
+        private function collectSurfaces(collector:Collector, out:Hits):void
         {
-            for (var row:int = found.nextCandidate(_search); row >= 0; row = found.nextCandidate(_search))
+            for (var row:int = collector.nextCandidate(_search); row >= 0; row = collector.nextCandidate(_search))
             {
                 if (_rowSurfaces.findSurfaces(row, _ray, out))
                 {
-                    found.add(row, out.firstKeyOf(row));
+                    collector.add(row, out.firstKeyOf(row));
                 }
             }
         }

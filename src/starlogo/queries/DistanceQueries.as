@@ -62,13 +62,13 @@ package starlogo.queries
         {
             requirePoint(point);
             _point.center.setTo(point.x, point.y, point.z);
-            var found:Number = measure(_seen.bodyOf(agent), _pointBody.read(_point), out, null);
-            if (found == 0)
+            var distance:Number = measure(_seen.bodyOf(agent), _pointBody.read(_point), out, null);
+            if (distance == 0)
             {
-                // without the rounding of the point that was found, which stands in the game's point if that is out too
+                // without the rounding of that point, which stands in the game's point if that is out too
                 copyTo(out, _point.center);
             }
-            return found;
+            return distance;
         }
 
         private function measure(a:Body, b:Body, pointA:Vector3D, pointB:Vector3D):Number

@@ -1,6 +1,5 @@
 package starlogo.queries
 {
-    import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
     import starlogo.collision.Contact;
@@ -40,8 +39,7 @@ package starlogo.queries
         // The body of a question.
         private var _bodies:PerQuestion;
 
-        // A motion, how it ends at the first row that stops it, and how a slide ends.
-        private var _motion:Vector3D = new Vector3D();
+        // How a motion ends at the first row that stops it, and how a slide ends.
         private var _first:MotionResult = new MotionResult();
         private var _slid:SlideResult = new SlideResult();
 
@@ -57,35 +55,34 @@ package starlogo.queries
         /** See AgentMotions.castShape. */
         public function castShape(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            return cast(bodyOfStructure(structure), null, dx, dy, dz, filter, hit);
+            return cast(currentBody().readStructure(structure).aim(dx, dy, dz), filter, hit);
         }
 
         /** See AgentMotions.castShapeAll. */
         public function castShapeAll(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter,
                 out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
-            return castAll(bodyOfStructure(structure), null, dx, dy, dz, filter, out);
+            return castAll(currentBody().readStructure(structure).aim(dx, dy, dz), filter, out);
         }
 
         /** See AgentMotions.castAgent. */
         public function castAgent(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            return cast(bodyOfCastAgent(agent), agent, dx, dy, dz, filter, hit);
+            return cast(currentBody().readCastAgent(agent).aim(dx, dy, dz), filter, hit);
         }
 
         /** See AgentMotions.castAgentAll. */
         public function castAgentAll(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
-            return castAll(bodyOfCastAgent(agent), agent, dx, dy, dz, filter, out);
+            return castAll(currentBody().readCastAgent(agent).aim(dx, dy, dz), filter, out);
         }
 
         /** See AgentMotions.moveUntilTouch. */
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact):Number
         {
             _seen.requireMovable(agent, "moveUntilTouch");
-            var body:MovingBody = MovingBody(_bodies.current);
-            body.readAgent(agent);
-            findStops(body, agent, dx, dy, dz, filter, 1, _motion, _first);
+            var body:MovingBody = currentBody().readAgent(agent).aim(dx, dy, dz);
+            findStops(body, filter, 1, _first);
             if (_first.isStopped)
             {
                 _touches.goIntoTouch(body, _first);
@@ -101,7 +98,7 @@ package starlogo.queries
                 if (_first.isStopped)
                 {
                     contact.read(_first.contact);
-                    contact.approachSpeed = Math.max(0, -_first.contact.along(_motion));
+                    contact.approachSpeed = Math.max(0, -_first.contact.along(body.motion));
                 }
             }
             return _first.fraction;
@@ -119,30 +116,19 @@ package starlogo.queries
             return moveSliding(agent, dx, dy, 0, filter, SlideLimits.LEVEL);
         }
 
-        private function bodyOfStructure(structure:BoundingStructure):MovingBody
+        // The body of the question that begins now.
+        private function currentBody():MovingBody
         {
-            var body:MovingBody = MovingBody(_bodies.current);
-            body.readStructure(structure);
-            return body;
-        }
-
-        private function bodyOfCastAgent(agent:Agent):MovingBody
-        {
-            var body:MovingBody = MovingBody(_bodies.current);
-            body.readCastAgent(agent);
-            return body;
+            return MovingBody(_bodies.current);
         }
 
         private function moveSliding(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, limits:SlideLimits):Number
         {
             _seen.requireMovable(agent, "slide");
-            var body:MovingBody = MovingBody(_bodies.current);
-            body.readAgent(agent);
-            requireMotion(dx, dy, dz, agent);
-            body.collectRowsWithin(Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, agent, filter);
-            _motion.setTo(dx, dy, dz);
-            _slider.slide(body, body.rows, body.from, _motion, limits, _slid);
-            _recovery.restoreClearance(body, body.rows, _slid.place);
+            var body:MovingBody = currentBody().readAgent(agent).aim(dx, dy, dz);
+            body.collectRowsWithin(body.motion.length, 0, 0, filter);
+            _slider.slide(body, body.rows, body.from, body.motion, limits, _slid);
+            _recovery.restoreClearance(body, _slid.place);
             if (limits.staysLevel)
             {
                 // the clearance leads off slopes by their normals
@@ -155,15 +141,15 @@ package starlogo.queries
             return _slid.fraction;
         }
 
-        private function cast(body:MovingBody, asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
+        private function cast(body:MovingBody, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            return findStops(body, asker, dx, dy, dz, filter, 1, _motion, _first) == 0 ? null : write(0, hit || new ShapeHit());
+            return findStops(body, filter, 1, _first) == 0 ? null : write(0, hit || new ShapeHit());
         }
 
-        private function castAll(body:MovingBody, asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
+        private function castAll(body:MovingBody, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
             var hits:Vector.<ShapeHit> = out || new Vector.<ShapeHit>();
-            _spare.resize(hits, findStops(body, asker, dx, dy, dz, filter, Collector.ALL, _motion, _first));
+            _spare.resize(hits, findStops(body, filter, Collector.ALL, _first));
             for (var i:int = 0; i < hits.length; i++)
             {
                 write(i, hits[i]);
@@ -171,15 +157,12 @@ package starlogo.queries
             return hits;
         }
 
-        // Finds the rows that stop a body on a straight way, each as if the others were not there. The asker is null if a structure is cast. The motion and
-        // its end at the first row are written once the filter has been asked, because its accepts may ask other questions. Returns how many hits there are.
-        private function findStops(body:MovingBody, asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, wanted:int, motion:Vector3D,
-                first:MotionResult):int
+        // Finds the rows that stop a body on a straight way, each as if the others were not there. The filter's accepts is called first, because it may ask
+        // other questions, which use the same hits. Returns how many hits there are.
+        private function findStops(body:MovingBody, filter:AgentFilter, wanted:int, first:MotionResult):int
         {
-            requireMotion(dx, dy, dz, asker);
-            body.collectRowsAlong(dx, dy, dz, asker, filter);
-            motion.setTo(dx, dy, dz);
-            return _hits.end(_touches.findTouches(body, motion, wanted, _hits, first));
+            body.collectRowsAlong(filter);
+            return _hits.end(_touches.findTouches(body, wanted, _hits, first));
         }
 
         // Writes how the body touches a row of the answer.

@@ -1,9 +1,10 @@
 // This room answers questions about agents in space: what is near, what touches, what a ray meets, how far something can go. A class for each
 // kind of questions (AgentPlaces, TouchQueries, AgentRays, MoveQueries, WalkQueries) searches the trees of a SeenAgents, tests what it finds, and gives
 // it to a Collector. DistanceQueries measures two bodies without a search. AgentQueries has all questions, and passes them on: its head is a list of
-// them. LevelShapes, with LevelChoice and LevelCollider, gives agents shapes without a GreatLand. The folder trees/ has the trees and their searches,
-// rays/ how a ray meets a row, and the hits of rays and casts, motion/ how a body moves among rows. A filter's accepts may ask while a question is under
-// way: PerQuestion says what that one has afterwards. Read this file first, then AgentRays for a ray, or AgentMotions for a motion or a walk.
+// them. LevelShapes, with LevelChoice and LevelCollider, gives agents shapes without a GreatLand. The folder trees/ has the trees, their searches, and the
+// Collector, which has an answer while it is searched for, with its RowFilter; rays/ how a ray meets a row, and the hits of rays and casts; motion/ how a
+// body moves among rows. A filter's accepts may ask while a question is under way: PerQuestion says what that one has afterwards. Read this file first,
+// then AgentRays for a ray, or AgentMotions for a motion or a walk.
 package starlogo.queries
 {
     import flash.errors.IllegalOperationError;
@@ -55,8 +56,8 @@ package starlogo.queries
         private var _terrain:Terrain = null;
 
         // Trees of the places and of the extents. Each is built when a question first needs it.
-        private var _places:RowTree = new RowTree();
-        private var _extents:RowTree = new RowTree();
+        private var _placeTree:RowTree = new RowTree();
+        private var _extentTree:RowTree = new RowTree();
         private var _isUpdated:Boolean = false;
 
         // The body of an agent that has changed since the last update.
@@ -112,22 +113,22 @@ package starlogo.queries
         {
             requireGiven("agents", agents);
             requireOutsideFilter("update");
-            var found:NarrowPhase = _source.findNarrowPhase();
-            var isOther:Boolean = found !== narrowPhase;
-            var next:AgentTable = isOther ? new AgentTable(found.choice) : table;
+            var newPhase:NarrowPhase = _source.findNarrowPhase();
+            var isOther:Boolean = newPhase !== narrowPhase;
+            var next:AgentTable = isOther ? new AgentTable(newPhase.choice) : table;
             next.read(agents);
             next.readWorld(terrain == null ? null : terrain.worldAgent, null);
             table = next;
-            narrowPhase = found;
+            narrowPhase = newPhase;
             if (isOther)
             {
                 for (var i:int = 0; i < _needs.length; i++)
                 {
-                    _needs[i](found);
+                    _needs[i](newPhase);
                 }
             }
-            _places.makeStale();
-            _extents.makeStale();
+            _placeTree.makeStale();
+            _extentTree.makeStale();
             _isUpdated = true;
         }
 
@@ -147,8 +148,8 @@ package starlogo.queries
                 throw new ArgumentError(agent + " is not in the list of the last update");
             }
             table.readRow(row);
-            _places.refresh(row);
-            _extents.refresh(row);
+            _placeTree.refresh(row);
+            _extentTree.refresh(row);
         }
 
         /**
@@ -217,7 +218,7 @@ package starlogo.queries
             }
         }
 
-        /** @private Where an agent is now, and how it is turned. Throws an error if the agent is not placed. */
+        /** @private Where an agent is now, and its size. Its rotation may be stale: see Agent.freshPlacement. Throws an error if the agent is not placed. */
         engine function placementOf(agent:Agent):Placement
         {
             requirePlaced(agent);
@@ -259,7 +260,7 @@ package starlogo.queries
         /** @private Returns the tree of the places, and builds it first if it is stale. Throws an error before the first update. */
         engine function treeOfPlaces():RowTree
         {
-            return prepare(_places, table.places, null);
+            return prepare(_placeTree, table.places, null);
         }
 
         /**
@@ -269,7 +270,7 @@ package starlogo.queries
         engine function treeOfExtents():RowTree
         {
             table.refreshWorld();
-            return prepare(_extents, table.extents, table.extents);
+            return prepare(_extentTree, table.extents, table.extents);
         }
 
         private function prepare(tree:RowTree, points:Points, sizes:Extents):RowTree

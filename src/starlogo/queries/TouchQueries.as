@@ -79,13 +79,13 @@ package starlogo.queries
         private function find(asker:Agent, body:Body, wanted:int, filter:AgentFilter):Collector
         {
             var table:AgentTable = _seen.table;
-            var found:Collector = _seen.beginSearch(wanted, Infinity, asker, filter);
+            var collector:Collector = _seen.beginSearch(wanted, Infinity, asker, filter);
             if (body.shape == null)
             {
-                return found;
+                return collector;
             }
             _search.beginAround(_seen.treeOfExtents(), body);
-            for (var row:int = found.nextCandidate(_search); row >= 0; row = found.nextCandidate(_search))
+            for (var row:int = collector.nextCandidate(_search); row >= 0; row = collector.nextCandidate(_search))
             {
                 if (_seen.narrowPhase.areTouching(body, table.bodyOf(row)))
                 {
@@ -93,14 +93,14 @@ package starlogo.queries
                     var toY:Number = table.places.y[row] - body.placement.y;
                     var toZ:Number = table.places.z[row] - body.placement.z;
                     // the ground has no place, so it comes last
-                    found.add(row, row == ListedAgents.GROUND_ROW ? Infinity : toX * toX + toY * toY + toZ * toZ);
-                    if (found.hasEnoughOfAny)
+                    collector.add(row, row == ListedAgents.GROUND_ROW ? Infinity : toX * toX + toY * toY + toZ * toZ);
+                    if (collector.hasEnoughOfAny)
                     {
                         break;
                     }
                 }
             }
-            return found;
+            return collector;
         }
     }
 }

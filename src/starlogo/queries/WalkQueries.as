@@ -22,8 +22,8 @@ package starlogo.queries
         // Ground as steep as the limit is not too steep, although its normal has rounding errors. A fraction of the limit's cosine.
         private static const SLOPE_ROUNDING:Number = 1e-9;
 
-        // A piece of a walk is as long as the agent. Endless walks have no more pieces than this.
-        private static const MOST_PIECES:int = 64;
+        // A leg of a walk is as long as the agent, or longer if the walk would have more legs than this.
+        private static const MOST_LEGS:int = 64;
 
         private static const UP:Vector3D = new Vector3D(0, 0, 1);
 
@@ -90,12 +90,11 @@ package starlogo.queries
             var size:Number = _seen.placementOf(agent).size;
             requireMotion(dx, dy, 0, agent);
             var length:Number = Math.sqrt(dx * dx + dy * dy);
-            out.agent = agent;
             out.options = options;
             out.walkableZ = (1 - SLOPE_ROUNDING) * Trigonometry.cosine(options.slopeDegrees);
-            out.pieceCount = Math.min(MOST_PIECES, Math.max(1, Math.ceil(length / size)));
-            out.pieceMotion.setTo(dx / out.pieceCount, dy / out.pieceCount, 0);
-            out.pieceLength = length / out.pieceCount;
+            out.legCount = Math.min(MOST_LEGS, Math.max(1, Math.ceil(length / size)));
+            out.legMotion.setTo(dx / out.legCount, dy / out.legCount, 0);
+            out.legLength = length / out.legCount;
         }
     }
 }

@@ -85,7 +85,7 @@ package starlogo.search
                 return;
             }
             takeShape(shape);
-            placement.copyRotation(shape.isUpright ? UPRIGHT : agent.worldPlacement());
+            placement.copyRotation(shape.isUpright ? UPRIGHT : agent.freshPlacement());
             placement.size = size;
             findExtents();
         }

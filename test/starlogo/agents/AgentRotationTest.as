@@ -83,7 +83,7 @@ package starlogo.agents
                 reference.readQuaternion(q);
                 var agent:Agent = new Agent("bear");
                 agent.setQuaternion(q[0], q[1], q[2], q[3]);
-                assertTrue("pole " + i, differenceOf(agent.worldPlacement(), reference) < 2e-15);
+                assertTrue("pole " + i, differenceOf(agent.freshPlacement(), reference) < 2e-15);
                 var byAngles:Placement = new Placement();
                 byAngles.setRotation(agent.heading, agent.pitch, agent.roll);
                 lossByAngles = Math.max(lossByAngles, differenceOf(byAngles, reference));
@@ -129,7 +129,7 @@ package starlogo.agents
                 assertEquals("the same rotation " + i, revision, agent.revision);
                 var other:Agent = new Agent("bear");
                 other.setQuaternion(found[0], found[1], found[2], found[3]);
-                assertTrue("in another agent " + i, agent.worldPlacement().hasRotationOf(other.worldPlacement()));
+                assertTrue("in another agent " + i, agent.freshPlacement().hasRotationOf(other.freshPlacement()));
                 assertEquals("again " + i, found.join(), agent.getQuaternion().join());
                 // other turns are read from the rotation
                 agent.heading += 90;
@@ -280,7 +280,7 @@ package starlogo.agents
 
         private static function difference(a:Agent, b:Agent):Number
         {
-            return differenceOf(a.worldPlacement(), b.worldPlacement());
+            return differenceOf(a.freshPlacement(), b.freshPlacement());
         }
 
         // The largest of the entries'.

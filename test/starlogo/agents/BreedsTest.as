@@ -212,6 +212,9 @@ package starlogo.agents
                 assertEquals(NAMES[0], _agents[0].breed);
             }
             assertThrows(ArgumentError, /"\*": it stands for any breed$/, setBreed, _agents[0], "*");
+            var reason:RegExp = /: the ground and the edges of the world have their own breeds$/;
+            assertThrows(ArgumentError, reason, setBreed, _agents[0], Collision.EDGE);
+            assertThrows(ArgumentError, reason, setBreed, new Terrain(2, 2).agent, "sheep");
             var queries:AgentQueries = new AgentQueries(new BinCollider());
             queries.update(_agents);
             assertEquals("no agent is of it", 0, queries.countNear(_agents[0], Infinity, AgentFilter.ofBreeds("*")));

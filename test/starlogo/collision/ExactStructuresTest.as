@@ -215,7 +215,7 @@ package starlogo.collision
             _other = agent(_random.chance(0.4) ? 0.2 : 1);
             _other.collideAs = KINDS[i % 3];
             _other.moveTo(_random.between(-1.3, 1.3), _random.between(-1.3, 1.3), _random.between(-0.8, 1.8));
-            EveryTriangle.place(_tree.worldPlacement(), sModels[_tree.shape], _corners);
+            EveryTriangle.place(_tree.freshPlacement(), sModels[_tree.shape], _corners);
         }
 
         private function agent(size:Number):Agent
@@ -292,7 +292,7 @@ package starlogo.collision
         {
             var model:Model = sModels[_tree.shape];
             var at:Vector3D = structure is Box ? Box(structure).center : new Vector3D(_own[0], _own[1], _own[2]);
-            var m:Object = _tree.worldPlacement();
+            var m:Object = _tree.freshPlacement();
             var x:Number = (at.x - m.x) / m.size;
             var y:Number = (at.y - m.y) / m.size;
             var z:Number = (at.z - m.z) / m.size;

@@ -118,7 +118,7 @@ package starlogo.collision
                 var nearest:Number = Infinity;
                 for each (var agent:Agent in agents)
                 {
-                    EveryTriangle.place(agent.worldPlacement(), models[agent.shape], corners);
+                    EveryTriangle.place(agent.freshPlacement(), models[agent.shape], corners);
                     for (var at:int = 0; at < corners.length; at += 9)
                     {
                         nearest = Math.min(nearest, PlainDistance.alongRay(origin, direction, corners, at));
@@ -282,8 +282,8 @@ package starlogo.collision
         {
             var cornersA:Vector.<Number> = new Vector.<Number>();
             var cornersB:Vector.<Number> = new Vector.<Number>();
-            EveryTriangle.place(a.worldPlacement(), modelA, cornersA);
-            EveryTriangle.place(b.worldPlacement(), modelB, cornersB);
+            EveryTriangle.place(a.freshPlacement(), modelA, cornersA);
+            EveryTriangle.place(b.freshPlacement(), modelB, cornersB);
             var least:Number = Infinity;
             for (var i:int = 0; i < cornersA.length && least > 0; i += 9)
             {

@@ -455,7 +455,7 @@ package starlogo.queries
             var vertices:Vector.<Number> = sModels[agent.shape].vertices;
             var at:int = 3 * _random.integer(0, vertices.length / 3 - 1);
             var point:Sphere = new Sphere(new Vector3D(vertices[at], vertices[at + 1], vertices[at + 2]), 0);
-            _direction = Sphere(point.place(agent.worldPlacement())).center.subtract(_origin);
+            _direction = Sphere(point.place(agent.freshPlacement())).center.subtract(_origin);
         }
 
         private function distancesOf(queries:AgentQueries):Vector.<Number>

@@ -206,7 +206,7 @@ package starlogo.queries
         {
             var corners:Vector.<Number> = new Vector.<Number>();
             var model:Model = QuestionModels.of(agent.shape);
-            EveryTriangle.place(agent.worldPlacement(), model, corners);
+            EveryTriangle.place(agent.freshPlacement(), model, corners);
             return corners;
         }
 

@@ -153,7 +153,7 @@ package starlogo.queries
                     check(asked, a, ball, "pair " + i);
                     if (!asked.areTouching)
                     {
-                        var placed:Sphere = Sphere(fit.place(ball.worldPlacement()));
+                        var placed:Sphere = Sphere(fit.place(ball.freshPlacement()));
                         var fromCenter:Number = pairs.treeLimits.exact ? reference.fromTriangles(a, placed.center)
                             : reference.fromNodes(a, pairs.treeLimits.maxDepth, placed.center);
                         assertNear("pair " + i, fromCenter - placed.radius, asked.closest.distance, a, ball);

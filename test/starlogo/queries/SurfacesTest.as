@@ -216,7 +216,7 @@ package starlogo.queries
         private function trianglesOf(agent:Agent):Array
         {
             var corners:Vector.<Number> = new Vector.<Number>();
-            EveryTriangle.place(agent.worldPlacement(), sModels[agent.shape], corners);
+            EveryTriangle.place(agent.freshPlacement(), sModels[agent.shape], corners);
             var found:Array = [];
             var sides:Array = [];
             var unit:Vector3D = unitDirection();
@@ -302,7 +302,7 @@ package starlogo.queries
                 addNodes(node.right, levels - 1, agent, parts);
                 return;
             }
-            var at:Placement = agent.worldPlacement();
+            var at:Placement = agent.freshPlacement();
             var box:Box = Box(node.bounds);
             var unit:Vector3D = unitDirection();
             var from:Vector3D = _origin.subtract(new Vector3D(at.x, at.y, at.z));
@@ -634,7 +634,7 @@ package starlogo.queries
                 var vertices:Vector.<Number> = sModels[other.shape].vertices;
                 var at:int = 3 * _random.integer(0, vertices.length / 3 - 1);
                 var point:Sphere = new Sphere(new Vector3D(vertices[at], vertices[at + 1], vertices[at + 2]), 0);
-                _direction = Sphere(point.place(other.worldPlacement())).center;
+                _direction = Sphere(point.place(other.freshPlacement())).center;
             }
             _direction.decrementBy(_origin);
             if (_random.chance(0.2) || _direction.length == 0)

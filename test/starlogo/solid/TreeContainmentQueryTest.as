@@ -87,7 +87,7 @@ package starlogo.solid
         private static function boxIn(agent:Agent, size:Number, x:Number, y:Number, z:Number):Box
         {
             var cube:Box = new Box(new Vector3D(x, y, z + size / 2), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, size / 2, size / 2, size / 2);
-            return Box(cube.place(agent.worldPlacement()));
+            return Box(cube.place(agent.freshPlacement()));
         }
 
         private static function isWithin(box:Box, walls:Box):Boolean

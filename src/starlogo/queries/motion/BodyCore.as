@@ -105,10 +105,10 @@ package starlogo.queries.motion
             isFlat = shrink * body.whole.leastHalf < FLAT_SLOPS * slop;
         }
 
-        /** Becomes the core of a body that stands at a place. */
-        public function beginStanding(body:MovingBody, rows:IntList, place:Vector3D):void
+        /** Becomes the core of a body that stands at a place, among its rows. */
+        public function beginStanding(body:MovingBody, place:Vector3D):void
         {
-            begin(body, rows, place, NO_MOTION);
+            begin(body, body.rows, place, NO_MOTION);
         }
 
         /**
@@ -167,7 +167,7 @@ package starlogo.queries.motion
                 && Math.abs(moved.z - z - other.z) <= moved.halfZ + other.halfZ + Math.abs(z) + slop;
         }
 
-        /** Whether the whole body touches a row when it stands at a place. */
+        /** Whether the whole body touches a row when it stands at a place. It compares their extents first. */
         public function bodyTouches(row:int, place:Vector3D):Boolean
         {
             return isNear(body.moveTo(place), body.bodyOf(row), RelativeMotion.NONE) && body.touches(row, place);
@@ -181,7 +181,7 @@ package starlogo.queries.motion
 
         /**
          * Whether the whole body overlaps a row that the core touches. If a concave body has something exactly between two of its sides, the core may
-         * touch that, but the body does not overlap it. So the row is made smaller instead, and must touch the body then. In the ground, a piece of
+         * touch that, but the body does not overlap it. So the row is made smaller instead, and must touch the body then. In the ground, a part of
          * the body must be deep.
          */
         public function bodyOverlaps(row:int, place:Vector3D):Boolean

@@ -45,7 +45,7 @@ package starlogo.queries.motion
          */
         public function startMotion(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, out:MotionState):void
         {
-            out.startPlace.copyFrom(from);
+            out.from.copyFrom(from);
             out.pushes.clear();
             out.planes.clear();
             out.obstacles.copyFrom(rows);
@@ -78,15 +78,15 @@ package starlogo.queries.motion
             }
             if (!state.isImpactKnown)
             {
-                findFirstObstacle(state.core, state.obstacles, state.startPlace, motion, state.impact);
+                findFirstObstacle(state.core, state.obstacles, state.from, motion, state.impact);
             }
             out.row = state.impact.row;
             out.fraction = 1;
             if (out.isStopped)
             {
                 out.contact.copyFrom(state.impact.contact);
-                out.fraction = findTouchTime(state.core, state.startPlace, motion, state.impact);
-                setAlong(state.startPlace, motion, state.impact.time, out.corePlace);
+                out.fraction = findTouchTime(state.core, state.from, motion, state.impact);
+                setAlong(state.from, motion, state.impact.time, out.corePlace);
             }
         }
 
@@ -94,11 +94,11 @@ package starlogo.queries.motion
          * Finds which row a core meets first. Of rows with the same <code>comparedTime</code>, the first one in their order counts.
          *
          * @param from where the motion begins
-         * @param out receives the answer
          * @param countsInside whether a row stops the core at the beginning if one of the two is inside of the other there
+         * @param out receives the answer
          * @return whether anything is met
          */
-        public function findFirstImpact(core:BodyCore, rows:IntList, from:Vector3D, motion:Vector3D, out:Impact, countsInside:Boolean = false):Boolean
+        public function findFirstImpact(core:BodyCore, rows:IntList, from:Vector3D, motion:Vector3D, countsInside:Boolean, out:Impact):Boolean
         {
             out.row = -1;
             out.time = out.comparedTime = RelativeMotion.NEVER;
@@ -121,7 +121,7 @@ package starlogo.queries.motion
          */
         public function findFirstObstacle(core:BodyCore, obstacles:IntList, from:Vector3D, motion:Vector3D, out:Impact):void
         {
-            while (findFirstImpact(core, obstacles, from, motion, out) && core.body.passesOneWay(out.row, out.contact))
+            while (findFirstImpact(core, obstacles, from, motion, false, out) && core.body.passesOneWay(out.row, out.contact))
             {
                 obstacles.remove(out.row);
             }
@@ -181,7 +181,7 @@ package starlogo.queries.motion
         // nor motions that a one-way obstacle may stop first. Returns whether the core certainly overlaps nothing.
         private function findImpactIfFree(core:BodyCore, obstacles:IntList, from:Vector3D, motion:Vector3D, out:Impact):Boolean
         {
-            return !core.isFlat && (!findFirstImpact(core, obstacles, from, motion, out, true) || out.time > 0 && !core.body.isOneWay(out.row));
+            return !core.isFlat && (!findFirstImpact(core, obstacles, from, motion, true, out) || out.time > 0 && !core.body.isOneWay(out.row));
         }
 
         // Finds the plane that the motion crosses at the steepest angle. Its contact is without a triangle, because the plane stands for all triangles of the

@@ -52,18 +52,23 @@ package starlogo.queries.motion
             return !isTooHigh(walk, contact, place) && findFaceBehind(walk, contact, row, out);
         }
 
-        // Whether an edge is more than a step above the lowest point of the agent, where the piece began or at its place.
+        // Whether an edge is more than a step above the lowest point of the agent, where the leg began or at its place.
         private static function isTooHigh(walk:Walk, contact:ContactPoint, place:Vector3D):Boolean
         {
             var body:Body = walk.body.whole;
             var bottom:Number = body.z - body.halfZ - body.placement.z;
-            return contact.z > Math.min(walk.pieceStart.z, place.z) + bottom + walk.options.stepHeight + walk.closeDepth;
+            return contact.z > Math.min(walk.legStart.z, place.z) + bottom + walk.options.stepHeight + walk.closeDepth;
         }
 
         // Finds the normal of the face behind an edge. Returns whether there is a face that is not too steep.
         private function findFaceBehind(walk:Walk, contact:ContactPoint, row:int, out:Vector3D):Boolean
         {
             var across:Number = Math.sqrt(contact.normalX * contact.normalX + contact.normalY * contact.normalY);
+            if (!(across > 0))
+            {
+                // a ceiling has nothing behind it
+                return false;
+            }
             var behind:Number = BEHIND_EDGE * walk.body.extent;
             // the ray begins outside of all faces that are not too steep
             var above:Number = 2 * behind / walk.walkableZ;

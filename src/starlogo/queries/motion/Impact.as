@@ -3,7 +3,7 @@ package starlogo.queries.motion
     import starlogo.convex.ContactPoint;
 
     /**
-     * What the core of a body meets on a motion, as a record. CoreSweep writes it.
+     * What the core of a body meets on a motion, as a record. CoreSweep writes it. A slide removes it, or turns its normal (Slider).
      *
      * @private
      */

@@ -5,7 +5,7 @@ package starlogo.queries.motion
 
     /**
      * How a straight motion of a body ends, as a record. CoreSweep.findStop() writes it, except for the place, which depends on the question. It writes
-     * the contact only if something stops the body, and the core's place only if the core meets a row.
+     * the contact only if something stops the body, and the core's place only if the core meets a row. TouchSweep takes pushes out of it.
      *
      * @private
      */

@@ -15,7 +15,7 @@ package starlogo.queries.motion
         public var core:BodyCore = new BodyCore();
 
         /** Where the body starts. It differs from where the motion should start if the body was pushed out of something. */
-        public var startPlace:Vector3D = new Vector3D();
+        public var from:Vector3D = new Vector3D();
 
         /** The pushes out of shallow overlaps: each along the normal of a contact, by its depth. */
         public var pushes:ContactList = new ContactList();

@@ -16,9 +16,9 @@ package starlogo.queries.motion
     import starlogo.convex.RelativeMotion;
     import starlogo.data.IntList;
     import starlogo.engine;
-    import starlogo.geometry.Placement;
     import starlogo.queries.AgentFilter;
     import starlogo.queries.SeenAgents;
+    import starlogo.queries.requireMotion;
     import starlogo.queries.trees.Collector;
     import starlogo.queries.trees.SweptBoxSearch;
     import starlogo.search.Body;
@@ -52,8 +52,12 @@ package starlogo.queries.motion
         /** The rows that count and are near its way, in the order of the list. Read only. */
         public var rows:IntList = new IntList();
 
-        /** Where it begins. Read only. */
+        /** The agent whose body it is, which does not count among the rows; null for the body of a structure. Read only. */
+        public var agent:Agent = null;
+
+        /** Where it begins, and the motion that is wanted. Read only. */
         public var from:Vector3D = new Vector3D();
+        public var motion:Vector3D = new Vector3D();
 
         private var _seen:SeenAgents;
 
@@ -76,42 +80,51 @@ package starlogo.queries.motion
          * Becomes the body of an agent, as it is now.
          *
          * @param turn by how many degrees it is turned
+         * @return this body, as from all methods that make it another one
          * @throws ArgumentError if the agent is null, has no place, or its model is unknown or lacks data that is needed
          */
-        public function readAgent(agent:Agent, turn:Number = 0):void
+        public function readAgent(agent:Agent, turn:Number = 0):MovingBody
         {
             _seen.requirePlaced(agent);
-            whole.copyFrom(_seen.bodyOf(agent));
+            this.agent = agent;
+            copyBody(_seen.bodyOf(agent));
             if (turn != 0 && hasShape)
             {
                 whole.turn(agent, turn);
             }
-            begin();
+            return this;
+        }
+
+        private function copyBody(other:Body):MovingBody
+        {
+            whole.copyFrom(other);
+            from.setTo(whole.placement.x, whole.placement.y, whole.placement.z);
+            return this;
         }
 
         /**
          * Becomes the body of an agent that is cast. A sphere, box, capsule or hull becomes the body of a structure, so that an agent and the same
          * structure meet the same, to the last bit.
          */
-        public function readCastAgent(agent:Agent):void
+        public function readCastAgent(agent:Agent):MovingBody
         {
             readAgent(agent);
-            if (hasShape && whole.form < ModelShape.TREE)
-            {
-                readStructure(whole.shape.structure, whole.placement);
-            }
+            return hasShape && whole.form < ModelShape.TREE ? copyBody(_structureBody.read(whole.shape.structure, whole.placement)) : this;
         }
 
-        /** Becomes the body of a structure. See <code>StructureBody.read()</code>. */
-        public function readStructure(structure:BoundingStructure, at:Placement = null):void
+        /** Becomes the body of a structure in the world. See <code>StructureBody.read()</code>. */
+        public function readStructure(structure:BoundingStructure):MovingBody
         {
-            whole.copyFrom(_structureBody.read(structure, at));
-            begin();
+            agent = null;
+            return copyBody(_structureBody.read(structure));
         }
 
-        private function begin():void
+        /** Sets the motion that is wanted. Returns this body. Throws a RangeError that names the first of the three that is not in the world. */
+        public function aim(dx:Number, dy:Number, dz:Number):MovingBody
         {
-            from.setTo(whole.placement.x, whole.placement.y, whole.placement.z);
+            requireMotion(dx, dy, dz, agent);
+            motion.setTo(dx, dy, dz);
+            return this;
         }
 
         /** Whether it has a shape: false while the model of its agent is loading. */
@@ -127,23 +140,19 @@ package starlogo.queries.motion
         }
 
         /**
-         * Finds the rows near a straight motion.
+         * Finds the rows near the wanted motion, if it is straight.
          *
-         * @param dx the motion along x
-         * @param dy along y
-         * @param dz along z
-         * @param asker the agent that moves, which does not count; null for a structure
          * @param filter the agents that count; null for all. Its <code>accepts</code> is called, which may ask other questions
          */
-        public function collectRowsAlong(dx:Number, dy:Number, dz:Number, asker:Agent, filter:AgentFilter):void
+        public function collectRowsAlong(filter:AgentFilter):void
         {
-            var found:Collector = _seen.beginSearch(Collector.ALL, 1, asker, filter);
+            var collector:Collector = _seen.beginSearch(Collector.ALL, 1, agent, filter);
             rows.count = 0;
             if (hasShape)
             {
                 _search.beginAround(_seen.treeOfExtents(), moveTo(from));
-                _search.moveAlong(dx, dy, dz, 1);
-                found.endWithRows(_search, rows);
+                _search.moveAlong(motion.x, motion.y, motion.z, 1);
+                collector.endWithRows(_search, rows);
             }
         }
 
@@ -153,18 +162,17 @@ package starlogo.queries.motion
          * @param range how far it may go in any direction
          * @param up how much farther it may go upwards
          * @param down how much farther it may go downwards
-         * @param asker the agent that moves, which does not count
          * @param filter the agents that count; null for all. Its <code>accepts</code> is called, which may ask other questions
          */
-        public function collectRowsWithin(range:Number, up:Number, down:Number, asker:Agent, filter:AgentFilter):void
+        public function collectRowsWithin(range:Number, up:Number, down:Number, filter:AgentFilter):void
         {
-            var found:Collector = _seen.beginSearch(Collector.ALL, 1, asker, filter);
+            var collector:Collector = _seen.beginSearch(Collector.ALL, 1, agent, filter);
             rows.count = 0;
             if (hasShape)
             {
                 _search.beginAround(_seen.treeOfExtents(), moveTo(from));
                 _search.widen(range, up, down);
-                found.endWithRows(_search, rows);
+                collector.endWithRows(_search, rows);
             }
         }
 

@@ -25,8 +25,8 @@ package starlogo.queries.motion
     {
         private static const MOST_ROUNDS:int = 30;
 
-        // In place of a number of pushes: the body cannot be pushed out.
-        private static const BLOCKED:int = -1;
+        // The depth of a push out of an overlap that is not shallow. No push leads out of it.
+        private static const TOO_DEEP:Number = Infinity;
 
         // From this round on contacts have to separate. Contacts of parts of a body may point sideways, round after round.
         private static const FIRST_SEPARATING_ROUND:int = 2;
@@ -40,12 +40,12 @@ package starlogo.queries.motion
         // The core of a body that stands, with its tolerances.
         private var _core:BodyCore = new BodyCore();
 
-        // Where the pushes begin.
+        // Where pushes begin, and the pushes off what the body touches.
         private var _before:Vector3D = new Vector3D();
+        private var _pushesOff:ContactList = new ContactList();
 
-        // The contact of an overlap, or of this push, and that of the last push.
+        // The contact of an overlap, or of this push.
         private var _contact:ContactPoint = new ContactPoint();
-        private var _last:ContactPoint = new ContactPoint();
 
         // A place where the body touches a row.
         private var _touching:Vector3D = new Vector3D();
@@ -58,28 +58,27 @@ package starlogo.queries.motion
          */
         public function leaveOverlaps(state:MotionState):void
         {
-            if (replaceObstacles(state, false) && !pushFree(state.core, state.obstacles, state.startPlace, false, state.pushes))
+            if (replaceDeep(state) && !pushOut(state.core, state.obstacles, state.from, state.pushes))
             {
-                state.pushes.clear();
-                replaceObstacles(state, true);
+                replaceAll(state);
             }
             if (state.core.isFlat && state.planes.count == 0)
             {
                 // its core is as flat, and a sweep touches across a wider gap than a body that stands
-                pushFree(state.core, state.obstacles, state.startPlace, true, null);
+                pushOff(state.core, state.obstacles, state.from);
             }
         }
 
         /**
-         * Leads a body that stands a clearance off the rows that it touches, if there is room. A flat body is led also off those that it is close to. Rows
-         * that it overlaps deeply do not count, nor one-way rows that it passes.
+         * Leads a body that stands a clearance off those of its rows that it touches, if there is room. A flat body is led also off those that it is
+         * close to. Rows that it overlaps deeply do not count, nor one-way rows that it passes.
          *
          * @param place the place of the body, which changes
          */
-        public function restoreClearance(body:MovingBody, rows:IntList, place:Vector3D):void
+        public function restoreClearance(body:MovingBody, place:Vector3D):void
         {
-            _core.beginStanding(body, rows, place);
-            pushFree(_core, rows, place, true, null);
+            _core.beginStanding(body, place);
+            pushOff(_core, body.rows, place);
         }
 
         /**
@@ -94,7 +93,7 @@ package starlogo.queries.motion
         {
             var sum:Number = 0;
             deepest.depth = 0;
-            _core.beginStanding(body, body.rows, place);
+            _core.beginStanding(body, place);
             for (var i:int = 0; i < body.rows.count; i++)
             {
                 if (measureOverlap(_core, body.rows.numbers[i], place, _contact))
@@ -109,56 +108,62 @@ package starlogo.queries.motion
             return sum;
         }
 
-        // Pushes a body off the rows that it only touches, or else out of the shallow overlaps of its core. Goes from one row to the other until no more
-        // pushes are needed. A list, which may be null, receives the pushes. Returns whether the body gets free. If not, it is where it was.
-        private function pushFree(core:BodyCore, rows:IntList, place:Vector3D, isOff:Boolean, out:ContactList):Boolean
+        // Pushes a body out of the rows that its core overlaps a little. Returns whether its core gets free.
+        private function pushOut(core:BodyCore, rows:IntList, place:Vector3D, pushes:ContactList):Boolean
         {
-            var round:int = 0;
-            var count:int;
-            _before.copyFrom(place);
-            _last.setNormal(0, 0, 0);
-            do
-            {
-                count = pushRound(core, rows, place, round, isOff, _last, out);
-                round++;
-            }
-            while (count > 0 && round < MOST_ROUNDS);
-            if (count != 0)
-            {
-                place.copyFrom(_before);
-            }
-            return count == 0;
+            return push(core, rows, place, false, pushes);
         }
 
-        // Pushes a body from each row once, if needed. The contact of the last push becomes that of the newest. Returns the number of pushes; BLOCKED if a
-        // row is too deep, or pushes back.
-        private function pushRound(core:BodyCore, rows:IntList, place:Vector3D, round:int, isOff:Boolean, last:ContactPoint, out:ContactList):int
+        // Pushes a body off the rows that it touches, if it gets a clearance off all of them.
+        private function pushOff(core:BodyCore, rows:IntList, place:Vector3D):void
         {
-            var count:int = 0;
-            for (var i:int = 0; i < rows.count; i++)
+            push(core, rows, place, true, _pushesOff);
+        }
+
+        // Pushes a body off the rows that it touches, or else out of those that its core overlaps: from one row after the other, round and round, until all are
+        // free of pushes. Returns whether this succeeds. If not, the body is where it was, and there are no pushes.
+        private function push(core:BodyCore, rows:IntList, place:Vector3D, isOff:Boolean, pushes:ContactList):Boolean
+        {
+            var last:ContactPoint = null;
+            var freeInTurn:int = 0;
+            _before.copyFrom(place);
+            pushes.clear();
+            for (var i:int = 0; freeInTurn < rows.count; i++)
             {
-                var row:int = rows.numbers[i];
-                if (isOff ? findPushOff(core, row, place, round, last, _contact) : findPushOut(core, row, place, round, last, _contact))
+                var row:int = rows.numbers[int(i % rows.count)];
+                var separates:Boolean = i >= FIRST_SEPARATING_ROUND * rows.count;
+                freeInTurn++;
+                if (isOff ? findPushOff(core, row, place, separates, last, _contact) : findPushOut(core, row, place, separates, last, _contact))
                 {
-                    if (!(_contact.depth < Infinity) || areOpposite(_contact, last))
+                    if (i >= MOST_ROUNDS * rows.count || !(_contact.depth < TOO_DEEP) || leadsBack(_contact, last))
                     {
-                        return BLOCKED;
+                        place.copyFrom(_before);
+                        pushes.clear();
+                        return false;
                     }
                     _contact.push(place, _contact.depth);
-                    last.copyFrom(_contact);
-                    if (out != null)
-                    {
-                        out.add(_contact, row);
-                    }
-                    count++;
+                    last = pushes.contacts[pushes.add(_contact, row)];
+                    freeInTurn = 0;
                 }
             }
-            return count;
+            return true;
+        }
+
+        // Lets planes stand for obstacles that the core overlaps deeply. Returns whether it overlapped others.
+        private function replaceDeep(state:MotionState):Boolean
+        {
+            return replace(state, false);
+        }
+
+        // Lets planes stand for all obstacles that the core overlaps.
+        private function replaceAll(state:MotionState):void
+        {
+            replace(state, true);
         }
 
         // Lets planes stand for obstacles that the core overlaps: for deep overlaps, and also for shallow ones if they are to count. These are obstacles no
         // longer, nor are one-way rows that the body passes. Returns whether obstacles are left that the core overlapped.
-        private function replaceObstacles(state:MotionState, alsoShallow:Boolean):Boolean
+        private function replace(state:MotionState, alsoShallow:Boolean):Boolean
         {
             var obstacles:IntList = state.obstacles;
             var isLeft:Boolean = false;
@@ -166,8 +171,8 @@ package starlogo.queries.motion
             while (i < obstacles.count)
             {
                 var row:int = obstacles.numbers[i];
-                var isOverlapped:Boolean = state.core.coreTouches(row, state.startPlace);
-                if (isOverlapped && (state.core.body.passesOneWayAt(row, state.startPlace) || addPlane(row, state, alsoShallow)))
+                var isOverlapped:Boolean = state.core.coreTouches(row, state.from);
+                if (isOverlapped && (state.core.body.passesOneWayAt(row, state.from) || addPlane(row, state, alsoShallow)))
                 {
                     obstacles.remove(row);
                 }
@@ -186,8 +191,8 @@ package starlogo.queries.motion
         private function addPlane(row:int, state:MotionState, alsoShallow:Boolean):Boolean
         {
             var core:BodyCore = state.core;
-            if (!findOverlap(core.body, row, state.startPlace, alsoShallow, _contact) || core.narrow(row, state.startPlace)
-                    || !core.bodyOverlaps(row, state.startPlace))
+            if (!findOverlap(core.body, row, state.from, alsoShallow, _contact) || core.narrow(row, state.from)
+                    || !core.bodyOverlaps(row, state.from))
             {
                 return false;
             }
@@ -208,22 +213,22 @@ package starlogo.queries.motion
             return !body.isShallow(row, out);
         }
 
-        // Finds the push out of a row that the core overlaps: along the contact's normal by its depth, which is Infinity if the overlap is deep. Returns whether
+        // Finds the push out of a row that the core overlaps: along the contact's normal by its depth. Returns whether
         // the core overlaps the row.
-        private static function findPushOut(core:BodyCore, row:int, place:Vector3D, round:int, last:ContactPoint, out:ContactPoint):Boolean
+        private static function findPushOut(core:BodyCore, row:int, place:Vector3D, separates:Boolean, last:ContactPoint, out:ContactPoint):Boolean
         {
             if (!core.coreTouches(row, place))
             {
                 return false;
             }
-            findContactInRound(core.body, row, place, round, last, out);
-            out.depth = core.body.isShallow(row, out) ? out.depth + core.clearance : Infinity;
+            findContactOfPush(core.body, row, place, separates, last, out);
+            out.depth = core.body.isShallow(row, out) ? out.depth + core.clearance : TOO_DEEP;
             return true;
         }
 
         // Finds the push off a row that the body touches: along the contact's normal by its depth. Returns whether there is one: not if the body overlaps the
         // row deeply, or passes it.
-        private function findPushOff(core:BodyCore, row:int, place:Vector3D, round:int, last:ContactPoint, out:ContactPoint):Boolean
+        private function findPushOff(core:BodyCore, row:int, place:Vector3D, separates:Boolean, last:ContactPoint, out:ContactPoint):Boolean
         {
             var body:MovingBody = core.body;
             // mostly it is known faster that the core touches the row than how deep the overlap is
@@ -231,7 +236,7 @@ package starlogo.queries.motion
             {
                 return false;
             }
-            findContactInRound(body, row, _touching, round, last, out);
+            findContactOfPush(body, row, _touching, separates, last, out);
             var most:Number = SLOPS_OF_TOUCH * core.slop;
             if (out.depth > most && !body.isShallow(row, out))
             {
@@ -243,13 +248,13 @@ package starlogo.queries.motion
         }
 
         // Finds the contact with a row that the body touches at a place. It does not lead back against the last push if another contact does not.
-        private static function findContactInRound(body:MovingBody, row:int, place:Vector3D, round:int, last:ContactPoint, out:ContactPoint):void
+        private static function findContactOfPush(body:MovingBody, row:int, place:Vector3D, separates:Boolean, last:ContactPoint, out:ContactPoint):void
         {
-            if (round < FIRST_SEPARATING_ROUND)
+            if (!separates)
             {
                 body.findContact(row, place, out);
             }
-            if (round >= FIRST_SEPARATING_ROUND || areOpposite(out, last))
+            if (separates || leadsBack(out, last))
             {
                 body.findSeparatingContact(row, place, out);
             }
@@ -274,10 +279,10 @@ package starlogo.queries.motion
             return body.bodyOf(row).form != ModelShape.TREE || out.depth <= body.whole.halfAlong(out);
         }
 
-        // Whether a body that has both contacts is between two rows.
-        private static function areOpposite(a:ContactPoint, b:ContactPoint):Boolean
+        // Whether a push leads back against the last one, which is null at first. Then the body is between two rows.
+        private static function leadsBack(push:ContactPoint, last:ContactPoint):Boolean
         {
-            return a.normalX * b.normalX + a.normalY * b.normalY + a.normalZ * b.normalZ < OPPOSITE;
+            return last != null && push.normalX * last.normalX + push.normalY * last.normalY + push.normalZ * last.normalZ < OPPOSITE;
         }
 
         // Finds where the body touches a row: at its place, or if it is flat, half of a clearance beside its place along an axis. Returns whether it

@@ -1,11 +1,13 @@
 package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
+    import starlogo.agents.Agent;
     import starlogo.agents.PlatformLink;
     import starlogo.data.IntList;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Trigonometry;
+    import starlogo.queries.AgentFilter;
     import starlogo.queries.SeenAgents;
     import starlogo.queries.trees.Collector;
 
@@ -56,7 +58,7 @@ package starlogo.queries.motion
             if (row >= 0 && _seen.table.shapes[row] != null)
             {
                 walk.carryTurn = findMotion(link, _seen.table.bodyOf(row).placement, walk.carry);
-                if ((walk.carryTurn != 0 || walk.carry.length > 0) && isAdmitted(row, walk))
+                if ((walk.carryTurn != 0 || walk.carry.length > 0) && isAdmitted(row, link.agent, walk.options.filter))
                 {
                     return row;
                 }
@@ -66,15 +68,15 @@ package starlogo.queries.motion
             return -1;
         }
 
-        // Whether the filter of a walk admits a row. Its accepts is called.
-        private function isAdmitted(row:int, walk:Walk):Boolean
+        // Whether the filter of an agent that walks admits a row. Its accepts is called.
+        private function isAdmitted(row:int, asker:Agent, filter:AgentFilter):Boolean
         {
-            var found:Collector = _seen.beginSearch(1, 0, walk.agent, walk.options.filter);
-            if (found.filter.mayAdmit(row))
+            var collector:Collector = _seen.beginSearch(1, 0, asker, filter);
+            if (collector.filter.mayAdmit(row))
             {
-                found.add(row, 0);
+                collector.add(row, 0);
             }
-            return found.end() > 0;
+            return collector.end() > 0;
         }
 
         // Finds how a platform carries an agent to where the platform is now: the motion, which it writes, and the turn about the z axis, which it returns.

@@ -43,11 +43,10 @@ package starlogo.queries.motion
             var planes:ContactList = _state.planes;
             var impact:Impact = _state.impact;
             out.metWall = false;
-            out.floor.setNormal(0, 0, -1);
             out.floorRow = -1;
             _remaining.begin(motion, limits);
             _sweep.startMotion(body, rows, from, _remaining.motion, _state);
-            out.place.copyFrom(_state.startPlace);
+            out.place.copyFrom(_state.from);
             if (!_state.isImpactKnown)
             {
                 _remaining.beginCorner();
@@ -99,7 +98,7 @@ package starlogo.queries.motion
             {
                 fraction = Math.max(out.fraction + _state.core.clearance / out.contact.along(motion), 0);
             }
-            CoreSweep.setAlong(_state.startPlace, motion, fraction, out.place);
+            CoreSweep.setAlong(_state.from, motion, fraction, out.place);
         }
 
         /** Whether a row, one of those near the way of a body, would stop a straight motion. */
@@ -109,16 +108,16 @@ package starlogo.queries.motion
             return _sweep.meets(_state.core, row, from, motion);
         }
 
-        // Finds what stops the rest of a motion next.
-        private function sweepRest(place:Vector3D, rest:Vector3D, out:MotionState):void
+        // Finds what stops the rest of a motion next. The state receives the impact.
+        private function sweepRest(place:Vector3D, rest:Vector3D, state:MotionState):void
         {
             if (rest.lengthSquared > 0)
             {
-                _sweep.findFirstObstacle(out.core, out.obstacles, place, rest, out.impact);
+                _sweep.findFirstObstacle(state.core, state.obstacles, place, rest, state.impact);
             }
             else
             {
-                out.impact.row = -1;
+                state.impact.row = -1;
             }
         }
 
@@ -187,7 +186,7 @@ package starlogo.queries.motion
         // Whether a motion from this corner is stopped in it.
         private function meetsInCorner(state:MotionState, place:Vector3D, motion:Vector3D):Boolean
         {
-            return _sweep.findFirstImpact(state.core, state.obstacles, place, motion, _without) && isInCorner(state.core, _without, motion)
+            return _sweep.findFirstImpact(state.core, state.obstacles, place, motion, false, _without) && isInCorner(state.core, _without, motion)
                 && !state.core.body.passesOneWay(_without.row, _without.contact);
         }
 

@@ -15,8 +15,9 @@ package starlogo.queries.motion
      * Finds where a straight motion of a body first touches rows, for casts and moveUntilTouch. A row that the body would go into stops it. A row that
      * it only touches, leaves or runs along does not stop it, because the core of the body is swept (CoreSweep).
      *
-     * <p>The motion is tested from where pushes out of all rows together have led the body (CoreSweep.startMotion). A row alone may push it farther. But the
-     * motion ends where it would end without pushes, though no deeper in what the body was pushed out of.</p>
+     * <p>Each row is tested alone, from where the body begins. If the body overlaps one of them a little there, it is tested again, from the start to which
+     * pushes out of all rows together lead the body (CoreSweep.startMotion). The answers are as without pushes: each push is taken out of the time of a touch
+     * and of the end of the motion. But the end is no deeper in what the body was pushed out of.</p>
      *
      * @private
      */
@@ -35,12 +36,12 @@ package starlogo.queries.motion
         private var _seen:SeenAgents;
         private var _sweep:CoreSweep = new CoreSweep();
 
-        // The state of a motion among all rows.
-        private var _stateOfAll:MotionState = new MotionState();
+        // How the motion starts among all rows.
+        private var _start:MotionState = new MotionState();
 
-        // A row alone as a list, the state of the motion with it, and the answer.
+        // A row alone as a list, how the motion starts with it, and the answer.
         private var _rowAlone:IntList = new IntList();
-        private var _stateOfRow:MotionState = new MotionState();
+        private var _alone:MotionState = new MotionState();
         private var _touch:MotionResult = new MotionResult();
 
         // The way from the computed end of a motion to where the core touches.
@@ -53,38 +54,38 @@ package starlogo.queries.motion
         }
 
         /**
-         * Finds the rows near the way of a body from <code>body.from</code> that stop a motion, each as if the others were not there.
+         * Finds the rows of a body that stop its motion, each as if the others were not there.
          *
-         * @param motion the whole motion
+         * @param body has begun, and has the motion and the rows near its way
          * @param wanted how many of the first ones are wanted, or Collector.ALL
          * @param hits receives how the body touches each row
          * @param first receives the answer for the first row, or the free end of the motion
          * @return the wanted rows, with their times as keys
          */
-        public function findTouches(body:MovingBody, motion:Vector3D, wanted:int, hits:Hits, first:MotionResult):Collector
+        public function findTouches(body:MovingBody, wanted:int, hits:Hits, first:MotionResult):Collector
         {
-            var found:Collector = _seen.beginSearch(wanted, Infinity, null, null);
-            _stateOfAll.startPlace.copyFrom(body.from);
-            _stateOfAll.pushes.clear();
-            if (addTouches(body, motion, _stateOfAll, found, hits, first))
+            var collector:Collector = _seen.beginSearch(wanted, Infinity, null, null);
+            _start.from.copyFrom(body.from);
+            _start.pushes.clear();
+            if (addTouches(body, _start, collector, hits, first))
             {
                 // a floor may be many rows: what is pushed out of one of them does not run into the next
-                _sweep.startMotion(body, body.rows, body.from, motion, _stateOfAll);
-                if (!_stateOfAll.startPlace.equals(body.from))
+                _sweep.startMotion(body, body.rows, body.from, body.motion, _start);
+                if (!_start.from.equals(body.from))
                 {
-                    found = _seen.beginSearch(wanted, Infinity, null, null);
-                    addTouches(body, motion, _stateOfAll, found, hits, first);
+                    collector = _seen.beginSearch(wanted, Infinity, null, null);
+                    addTouches(body, _start, collector, hits, first);
                 }
             }
             if (!first.isStopped)
             {
-                setEnd(body.from, motion, 1, _stateOfAll, first.place);
+                setEnd(body, 1, _start, first.place);
             }
-            return found;
+            return collector;
         }
 
-        // Adds the rows that stop the body. The state among all rows has the start. Returns whether another start may change the answer.
-        private function addTouches(body:MovingBody, motion:Vector3D, ofAll:MotionState, found:Collector, hits:Hits, first:MotionResult):Boolean
+        // Adds the rows that stop the body from a start. Returns whether another start may change the answer.
+        private function addTouches(body:MovingBody, start:MotionState, collector:Collector, hits:Hits, first:MotionResult):Boolean
         {
             var mayPush:Boolean = false;
             hits.begin();
@@ -95,11 +96,11 @@ package starlogo.queries.motion
             for (var i:int = 0; i < body.rows.count; i++)
             {
                 var row:int = body.rows.numbers[i];
-                findTouch(body, row, motion, ofAll, _stateOfRow, _touch);
-                mayPush ||= mayPushChange(_stateOfRow, ofAll, _touch);
+                findTouch(body, row, start, _alone, _touch);
+                mayPush ||= mayPushChange(_alone, start, _touch);
                 if (_touch.isStopped)
                 {
-                    found.add(row, _touch.fraction);
+                    collector.add(row, _touch.fraction);
                     hits.add(row, _touch.fraction).copyFrom(_touch.contact);
                     if (!first.isStopped || _touch.fraction < first.fraction)
                     {
@@ -110,30 +111,29 @@ package starlogo.queries.motion
             return mayPush;
         }
 
-        // Finds whether and when a row stops a motion of a body from where the body begins, as if there were no others. The state among all rows has the
-        // start, and that of the row receives how the motion starts with it alone. Rounding may hide the touch at its place: see goIntoTouch.
-        private function findTouch(body:MovingBody, row:int, motion:Vector3D, ofAll:MotionState, ofRow:MotionState, out:MotionResult):void
+        // Finds whether and when a row stops the body from a start, as if there were no others. Another state receives how the motion starts there with the
+        // row alone, which may push the body farther. Rounding may hide the touch at its place: see goIntoTouch.
+        private function findTouch(body:MovingBody, row:int, start:MotionState, alone:MotionState, out:MotionResult):void
         {
             _rowAlone.count = 0;
             _rowAlone.add(row);
-            _sweep.findStop(body, _rowAlone, ofAll.startPlace, motion, ofRow, out);
+            _sweep.findStop(body, _rowAlone, start.from, body.motion, alone, out);
             if (out.isStopped)
             {
                 if (!out.isDeep)
                 {
                     out.contact.depth = 0;
-                    leaveOutPush(motion, ofRow, out);
+                    leaveOutPush(body, alone, out);
                 }
-                setEnd(body.from, motion, out.fraction, ofAll, out.place);
-                pushBack(body.from, ofRow, out.place);
+                setEnd(body, out.fraction, start, out.place);
+                pushBack(body.from, alone, out.place);
             }
         }
 
-        // Whether a start that pushes out of all rows lead to may change the answer for a row: the row alone pushes the body, or stops it at once in a
-        // shallow overlap.
-        private static function mayPushChange(ofRow:MotionState, ofAll:MotionState, touch:MotionResult):Boolean
+        // Whether another start may change the answer for a row: the row alone pushes the body, or stops it at once in a shallow overlap.
+        private static function mayPushChange(alone:MotionState, start:MotionState, touch:MotionResult):Boolean
         {
-            return !ofRow.startPlace.equals(ofAll.startPlace) || (touch.fraction == 0 && !touch.isDeep);
+            return !alone.from.equals(start.from) || (touch.fraction == 0 && !touch.isDeep);
         }
 
         /**
@@ -165,6 +165,7 @@ package starlogo.queries.motion
             }
             var free:Number = 0;
             var touching:Number = 1;
+            // times are counted from where the core touches backwards, so that the last one is exactly there
             for (i = 0; i < HALVINGS; i++)
             {
                 var middle:Number = (free + touching) / 2;
@@ -182,13 +183,13 @@ package starlogo.queries.motion
         }
 
         // Takes the push out of a time of touch: without it the body would have touched earlier.
-        private static function leaveOutPush(motion:Vector3D, state:MotionState, out:MotionResult):void
+        private static function leaveOutPush(body:MovingBody, state:MotionState, out:MotionResult):void
         {
-            var from:Vector3D = state.core.body.from;
+            var from:Vector3D = body.from;
             var contact:ContactPoint = out.contact;
-            var push:Number = contact.normalX * (state.startPlace.x - from.x) + contact.normalY * (state.startPlace.y - from.y)
-                + contact.normalZ * (state.startPlace.z - from.z);
-            var along:Number = contact.along(motion);
+            var push:Number = contact.normalX * (state.from.x - from.x) + contact.normalY * (state.from.y - from.y)
+                + contact.normalZ * (state.from.z - from.z);
+            var along:Number = contact.along(body.motion);
             out.fraction = Math.max(0, Math.min(1, out.fraction + push / along));
             if (-out.fraction * along < state.core.slop && state.core.bodyTouches(out.row, from))
             {
@@ -197,11 +198,11 @@ package starlogo.queries.motion
             }
         }
 
-        // Sets where a fraction of a motion ends without pushes, but no deeper in what the body was pushed out of among all rows.
-        private static function setEnd(from:Vector3D, motion:Vector3D, fraction:Number, ofAll:MotionState, out:Vector3D):void
+        // Sets where a fraction of the motion ends without pushes, but no deeper in what the body was pushed out of at its start.
+        private static function setEnd(body:MovingBody, fraction:Number, start:MotionState, out:Vector3D):void
         {
-            CoreSweep.setAlong(from, motion, fraction, out);
-            pushBack(from, ofAll, out);
+            CoreSweep.setAlong(body.from, body.motion, fraction, out);
+            pushBack(body.from, start, out);
         }
 
         // Pushes a place back where a body is deeper than it was at the beginning in what it was pushed out of. Without this, motions that are shorter than

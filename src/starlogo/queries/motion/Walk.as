@@ -1,7 +1,6 @@
 package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
-    import starlogo.agents.Agent;
     import starlogo.convex.ContactPoint;
     import starlogo.queries.Footing;
     import starlogo.queries.SeenAgents;
@@ -14,21 +13,18 @@ package starlogo.queries.motion
      */
     public final class Walk
     {
-        /** The agent that walks. */
-        public var agent:Agent;
-
-        /** Its options. */
+        /** The options of the walk. */
         public var options:WalkOptions;
 
-        /** Its body, and the rows near the walk. */
+        /** The body of the agent, and the rows near the walk. */
         public var body:MovingBody;
 
-        /** The number of pieces. A walk that is longer than the agent goes in pieces, because the ground may be even only so far. */
-        public var pieceCount:int = 1;
+        /** The number of legs. A walk that is longer than the agent goes in legs of its size, because the ground may be even only so far. */
+        public var legCount:int = 1;
 
-        /** The motion of a piece on the ground plane, and its length. */
-        public var pieceMotion:Vector3D = new Vector3D();
-        public var pieceLength:Number = 0;
+        /** The motion of a leg on the ground plane, and its length. */
+        public var legMotion:Vector3D = new Vector3D();
+        public var legLength:Number = 0;
 
         /** The least z of the normal of a surface that is not too steep to stand on. */
         public var walkableZ:Number = 1;
@@ -40,8 +36,8 @@ package starlogo.queries.motion
         public var carry:Vector3D = new Vector3D();
         public var carryTurn:Number = 0;
 
-        /** Where the present piece begins. */
-        public var pieceStart:Vector3D = new Vector3D();
+        /** Where the present leg begins. */
+        public var legStart:Vector3D = new Vector3D();
 
         /** Where the agent is now. */
         public var place:Vector3D = new Vector3D();

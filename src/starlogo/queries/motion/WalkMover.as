@@ -12,7 +12,8 @@ package starlogo.queries.motion
      * the agent, it tries the same way a step higher, and goes down again. At the end it goes down to the ground, or falls. The method
      * <code>go()</code> shows the order.
      *
-     * <p>Steps take the walk to its next place, <code>Walk.place</code>, and return whether the agent stands there. Then the walk has the floor too.</p>
+     * <p>Steps take the walk to its next place, <code>Walk.place</code>, and return whether the agent stands there. Then the walk has the floor too. If the
+     * agent does not stand after <code>stepUp()</code>, or a method that begins with "stand", the walk is where it was.</p>
      *
      * @private
      */
@@ -52,19 +53,19 @@ package starlogo.queries.motion
         }
 
         /**
-         * Goes a walk. A platform carries the agent first. Then it is pushed out of what it overlaps, goes the pieces of its way, and falls if it does not
+         * Goes a walk. A platform carries the agent first. Then it is pushed out of what it overlaps, goes the legs of its way, and falls if it does not
          * stand.
          *
-         * @param link what the agent stood on after its last walk
-         * @param walk has the agent, the options and the way. It receives where it ends, how far the agent was pushed, and which part of the motion it
+         * @param link the agent, and what it stood on after its last walk
+         * @param walk has the options and the way. It receives where it ends, how far the agent was pushed, and which part of the motion it
          *     has made
          * @return whether the agent stands at the end
          */
         public function go(link:PlatformLink, walk:Walk):Boolean
         {
             begin(link, walk);
-            var stands:Boolean = goPieces(walk, recover(walk)) || fall(walk);
-            _recovery.restoreClearance(walk.body, walk.body.rows, walk.place);
+            var stands:Boolean = goLegs(walk, recover(walk)) || fall(walk);
+            _recovery.restoreClearance(walk.body, walk.place);
             return stands;
         }
 
@@ -72,7 +73,7 @@ package starlogo.queries.motion
         private function begin(link:PlatformLink, walk:Walk):void
         {
             var platform:int = _platforms.find(link, walk);
-            walk.body.readAgent(walk.agent, walk.carryTurn);
+            walk.body.readAgent(link.agent, walk.carryTurn);
             walk.place.copyFrom(walk.body.from);
             walk.closeDepth = CLOSE_DEPTH * walk.body.extent;
             collectRows(walk, 0);
@@ -87,15 +88,14 @@ package starlogo.queries.motion
         {
             var options:WalkOptions = walk.options;
             // the way on the steepest slope, how far a slide after a fall goes sideways, and the way of the platform, whatever their directions
-            var range:Number = walk.pieceCount * walk.pieceLength / walk.walkableZ + widthAfterFall(walk) + walk.carry.length;
-            walk.body.collectRowsWithin(range + distance, walk.pieceCount * options.stepHeight, walk.pieceCount * options.snap + options.fall, walk.agent,
-                    options.filter);
+            var range:Number = walk.legCount * walk.legLength / walk.walkableZ + widthAfterFall(walk) + walk.carry.length;
+            walk.body.collectRowsWithin(range + distance, walk.legCount * options.stepHeight, walk.legCount * options.snap + options.fall, options.filter);
         }
 
         // Pushes the agent out of what it overlaps. Returns whether it stands then.
         private function recover(walk:Walk):Boolean
         {
-            walk.pieceStart.copyFrom(walk.place);
+            walk.legStart.copyFrom(walk.place);
             walk.footing.pushed = 0;
             goUpright(walk, walk.place, -walk.closeDepth, _upright);
             if (!_upright.isDeep)
@@ -103,12 +103,12 @@ package starlogo.queries.motion
                 return standAtEnd(walk, _upright);
             }
             pushOut(walk);
-            var x:Number = walk.place.x - walk.pieceStart.x;
-            var y:Number = walk.place.y - walk.pieceStart.y;
-            var z:Number = walk.place.z - walk.pieceStart.z;
+            var x:Number = walk.place.x - walk.legStart.x;
+            var y:Number = walk.place.y - walk.legStart.y;
+            var z:Number = walk.place.z - walk.legStart.z;
             walk.footing.pushed = Math.sqrt(x * x + y * y + z * z);
-            walk.pieceStart.copyFrom(walk.place);
-            return standBelow(walk, walk.closeDepth);
+            walk.legStart.copyFrom(walk.place);
+            return standBelow(walk, walk.place, walk.closeDepth);
         }
 
         // Pushes the agent out of what it overlaps deeply. The deepest overlap comes first. A push is a slide, so it leads through nothing else. All pushes
@@ -135,19 +135,19 @@ package starlogo.queries.motion
             while (pushes < MOST_PUSHES && left > 0 && _recovery.measureOverlaps(walk.body, walk.place, walk.deepest) > 0);
         }
 
-        // Goes all pieces: along the ground if the agent stands, else straight on through the air. Returns whether it stands at the end.
-        private function goPieces(walk:Walk, beginsStanding:Boolean):Boolean
+        // Goes all legs: along the ground if the agent stands, else straight on through the air. Returns whether it stands at the end.
+        private function goLegs(walk:Walk, beginsStanding:Boolean):Boolean
         {
             var stands:Boolean = beginsStanding;
-            var startX:Number = walk.pieceStart.x;
-            var startY:Number = walk.pieceStart.y;
-            for (var i:int = 0; i < walk.pieceCount; i++)
+            var startX:Number = walk.legStart.x;
+            var startY:Number = walk.legStart.y;
+            for (var i:int = 0; i < walk.legCount; i++)
             {
                 if (i > 0)
                 {
-                    walk.pieceStart.copyFrom(walk.place);
+                    walk.legStart.copyFrom(walk.place);
                     // beyond a gap there may be ground again
-                    stands ||= beginsStanding && standBelow(walk, walk.closeDepth);
+                    stands ||= beginsStanding && standBelow(walk, walk.place, walk.closeDepth);
                 }
                 if (stands)
                 {
@@ -156,24 +156,24 @@ package starlogo.queries.motion
                 else
                 {
                     // in the air all surfaces are walls, except of level floors
-                    slideAlong(walk, walk.pieceStart, 0, SlideLimits.LEVEL_Z, _slid);
+                    slideAlong(walk, walk.legStart, 0, SlideLimits.LEVEL_Z, _slid);
                     walk.place.copyFrom(_slid.place);
                 }
             }
             var dx:Number = walk.place.x - startX;
             var dy:Number = walk.place.y - startY;
-            walk.footing.part = walk.pieceLength > 0 ? Math.min(1, Math.sqrt(dx * dx + dy * dy) / (walk.pieceCount * walk.pieceLength)) : 1;
+            walk.footing.part = walk.legLength > 0 ? Math.min(1, Math.sqrt(dx * dx + dy * dy) / (walk.legCount * walk.legLength)) : 1;
             return stands;
         }
 
-        // Goes a piece along the ground, and up or down with it. If a wall stops the agent there, it tries to step up. Otherwise it steps down to the ground.
+        // Goes a leg along the ground, and up or down with it. If a wall stops the agent there, it tries to step up. Otherwise it steps down to the ground.
         // Returns whether it stands then.
         private function goOnGround(walk:Walk):Boolean
         {
-            if (walk.pieceLength == 0)
+            if (walk.legLength == 0)
             {
                 // it stays exactly where it is
-                walk.place.copyFrom(walk.pieceStart);
+                walk.place.copyFrom(walk.legStart);
                 return true;
             }
             slideAlong(walk, walk.place, riseOf(walk), walk.walkableZ, _slid);
@@ -182,62 +182,57 @@ package starlogo.queries.motion
                 return true;
             }
             walk.place.copyFrom(_slid.place);
-            // the ground may have led up only for a part of the piece: on a ramp, and over the edge of a step
-            var height:Number = Math.max(0, walk.place.z - walk.pieceStart.z);
-            return standBelow(walk, height + walk.options.snap + walk.closeDepth);
+            // the ground may have led up only for a part of the leg: on a ramp, and over the edge of a step
+            var height:Number = Math.max(0, walk.place.z - walk.legStart.z);
+            return standBelow(walk, walk.place, height + walk.options.snap + walk.closeDepth);
         }
 
-        // How far a piece leads up or down if it runs along the ground below the agent.
+        // How far a leg leads up or down if it runs along the ground below the agent.
         private static function riseOf(walk:Walk):Number
         {
             var normal:Vector3D = walk.floorNormal;
-            return -(normal.x * walk.pieceMotion.x + normal.y * walk.pieceMotion.y) / normal.z;
+            return -(normal.x * walk.legMotion.x + normal.y * walk.legMotion.y) / normal.z;
         }
 
-        // Tries a piece again a step higher, and goes down again. Returns whether the agent comes farther than to a place without the step, and stands.
+        // Tries a leg again a step higher, and goes down again. Returns whether the agent comes farther than to a place without the step, and stands.
         private function stepUp(walk:Walk, plain:Vector3D):Boolean
         {
-            goUpright(walk, walk.pieceStart, walk.options.stepHeight, _upright);
-            var height:Number = _upright.place.z - walk.pieceStart.z;
+            goUpright(walk, walk.legStart, walk.options.stepHeight, _upright);
+            var height:Number = _upright.place.z - walk.legStart.z;
             if (height <= walk.closeDepth)
             {
                 return false;
             }
             slideAlong(walk, _upright.place, 0, walk.walkableZ, _tried);
-            walk.place.copyFrom(_tried.place);
-            if (!isFarther(walk, plain))
+            if (!isFarther(walk, _tried.place, plain))
             {
                 return false;
             }
             var depth:Number = height + walk.options.snap + walk.closeDepth;
-            goUpright(walk, walk.place, -depth, _upright);
-            return standAtEnd(walk, _upright) || (slideOff(walk, depth, _upright) && isFarther(walk, plain));
+            var top:Number = _tried.place.z;
+            goUpright(walk, _tried.place, -depth, _upright);
+            return standAtEnd(walk, _upright) || (_upright.isStopped && slideOff(walk, _upright.place, depth - (top - _upright.place.z), plain));
         }
 
-        // Whether the agent is farther along the piece than another place.
-        private static function isFarther(walk:Walk, other:Vector3D):Boolean
+        // Whether a place is farther along the leg than another one.
+        private static function isFarther(walk:Walk, place:Vector3D, other:Vector3D):Boolean
         {
-            var farther:Number = (walk.place.x - other.x) * walk.pieceMotion.x + (walk.place.y - other.y) * walk.pieceMotion.y;
-            return farther > walk.closeDepth * walk.pieceLength;
+            var farther:Number = (place.x - other.x) * walk.legMotion.x + (place.y - other.y) * walk.legMotion.y;
+            return farther > walk.closeDepth * walk.legLength;
         }
 
-        // Slides down what is too steep to stand on: a round agent that has met the edge of the next step hangs on it. Below says where the way down from a
-        // step has ended, which was at most as long as the depth. Returns whether the agent stands then, and is no farther from where the piece began
-        // than the piece is long.
-        private function slideOff(walk:Walk, depth:Number, below:MotionResult):Boolean
+        // Slides down what is too steep to stand on: a round agent that has met the edge of the next step hangs on it. Returns whether the agent comes
+        // farther than to a place without the step, but no farther from where the leg began than the leg is long, and stands.
+        private function slideOff(walk:Walk, from:Vector3D, depth:Number, plain:Vector3D):Boolean
         {
-            if (!below.isStopped)
-            {
-                return false;
-            }
-            slideDown(walk, below.place, depth - (walk.place.z - below.place.z), walk.pieceLength, _tried);
-            walk.place.copyFrom(_tried.place);
-            var dx:Number = walk.place.x - walk.pieceStart.x;
-            var dy:Number = walk.place.y - walk.pieceStart.y;
-            return dx * dx + dy * dy <= walk.pieceLength * walk.pieceLength && standBelow(walk, walk.closeDepth);
+            slideDown(walk, from, depth, walk.legLength, _tried);
+            var dx:Number = _tried.place.x - walk.legStart.x;
+            var dy:Number = _tried.place.y - walk.legStart.y;
+            return dx * dx + dy * dy <= walk.legLength * walk.legLength && isFarther(walk, _tried.place, plain)
+                && standBelow(walk, _tried.place, walk.closeDepth);
         }
 
-        // Falls until something stops the agent, and slides down what is too steep. It falls in pieces that get longer, because rounding
+        // Falls until something stops the agent, and slides down what is too steep. It falls in drops that get longer, because rounding
         // errors grow with the length of a motion. If nothing stops an endless fall, it ends where it began. Returns whether the agent stands then. While its
         // model is loading it does not fall.
         private function fall(walk:Walk):Boolean
@@ -249,9 +244,9 @@ package starlogo.queries.motion
             var left:Number = walk.options.fall;
             var isStopped:Boolean = false;
             _fallen.copyFrom(walk.place);
-            for (var piece:Number = 1; left > 0 && !isStopped; piece *= 2)
+            for (var drop:Number = 1; left > 0 && !isStopped; drop *= 2)
             {
-                var depth:Number = Math.min(left, piece);
+                var depth:Number = Math.min(left, drop);
                 if (_fallen.z - depth < -Agent.LARGEST_COORDINATE)
                 {
                     return false;
@@ -265,7 +260,7 @@ package starlogo.queries.motion
             {
                 // a fall can also end where the ground begins, without being stopped
                 walk.place.copyFrom(_fallen);
-                return standBelow(walk, walk.closeDepth);
+                return standBelow(walk, walk.place, walk.closeDepth);
             }
             if (standOn(walk, _upright.contact, _upright.row, _fallen))
             {
@@ -276,7 +271,7 @@ package starlogo.queries.motion
             {
                 walk.place.copyFrom(_slid.place);
             }
-            return standBelow(walk, walk.closeDepth);
+            return standBelow(walk, walk.place, walk.closeDepth);
         }
 
         // How far down the slide after a fall may lead.
@@ -291,11 +286,11 @@ package starlogo.queries.motion
             return depthAfterFall(walk) / 2;
         }
 
-        // Lets the agent stand on the ground below it, if the ground is no deeper than this depth, and not too steep. Otherwise the agent stays where it
+        // Lets the agent stand on the ground below a place, if the ground is no deeper than this depth, and not too steep. Otherwise the agent stays where it
         // is. Returns whether it stands.
-        private function standBelow(walk:Walk, depth:Number):Boolean
+        private function standBelow(walk:Walk, place:Vector3D, depth:Number):Boolean
         {
-            goUpright(walk, walk.place, -depth, _upright);
+            goUpright(walk, place, -depth, _upright);
             return standAtEnd(walk, _upright);
         }
 
@@ -310,7 +305,7 @@ package starlogo.queries.motion
         private function standOnOther(walk:Walk, place:Vector3D):Boolean
         {
             slideDown(walk, place, walk.closeDepth, walk.body.extent, _tried);
-            return _tried.hasFloor && _tried.floor.normalZ > -1 && standOn(walk, _tried.floor, _tried.floorRow, place);
+            return _tried.hasFloor && standOn(walk, _tried.floor, _tried.floorRow, place);
         }
 
         // Lets the agent stand at a place, on a row that it touches there, if the row carries it.
@@ -332,11 +327,11 @@ package starlogo.queries.motion
             _slider.goStraight(walk.body, walk.body.rows, from, _motion, out);
         }
 
-        // Slides along the way of a piece, and up or down.
+        // Slides along the way of a leg, and up or down.
         private function slideAlong(walk:Walk, from:Vector3D, rise:Number, walkableZ:Number, out:SlideResult):void
         {
-            _limits.setWalls(walkableZ, walk.pieceLength);
-            _motion.setTo(walk.pieceMotion.x, walk.pieceMotion.y, rise);
+            _limits.setWalls(walkableZ, walk.legLength);
+            _motion.setTo(walk.legMotion.x, walk.legMotion.y, rise);
             _slider.slide(walk.body, walk.body.rows, from, _motion, _limits, out);
         }
 

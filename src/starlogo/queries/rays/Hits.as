@@ -92,13 +92,13 @@ package starlogo.queries.rays
         }
 
         /** Ends a collector's search. The answer has the hits of the rows that it has found, sorted by their keys. Returns how many they are. */
-        public function end(found:Collector):int
+        public function end(collector:Collector):int
         {
-            var rows:int = found.end();
+            var rows:int = collector.end();
             _answer.count = 0;
             for (var i:int = 0; i < rows; i++)
             {
-                var row:int = found.rowAt(i);
+                var row:int = collector.rowAt(i);
                 for (var hit:int = _firsts[row]; hit < _hits.count && _hits.numbers[hit] == row; hit++)
                 {
                     _answer.add(hit, _hits.keys[hit]);

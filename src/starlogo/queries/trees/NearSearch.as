@@ -24,7 +24,7 @@ package starlogo.queries.trees
         private var _seen:SeenAgents;
 
         // The search under way: what collects its rows, and their tree.
-        private var _found:Collector = null;
+        private var _collector:Collector = null;
         private var _tree:RowTree = null;
 
         // The place.
@@ -45,20 +45,20 @@ package starlogo.queries.trees
         /**
          * Finds the rows near a place.
          *
-         * @param found receives them. Its limit, a squared distance, says how near they must be
+         * @param collector receives them. Its limit, a squared distance, says how near they must be
          * @param x the place
          * @param y the place
          * @param z the place
          * @param cone the rows must be in it too; null for none
          */
-        public function find(found:Collector, x:Number, y:Number, z:Number, cone:Cone = null):void
+        public function find(collector:Collector, x:Number, y:Number, z:Number, cone:Cone = null):void
         {
-            begin(found, x, y, z);
+            begin(collector, x, y, z);
             var tree:RowTree = _tree;
-            var asksInOrder:Boolean = found.filter.accepts != null && found.wanted < Collector.ALL;
-            var asker:int = found.filter.askerRow;
+            var asksInOrder:Boolean = collector.filter.accepts != null && collector.wanted < Collector.ALL;
+            var asker:int = collector.filter.askerRow;
             var waiting:int = asker < 0 ? push(RowTree.ROOT, 0) : pushBeside(tree.leafOf(asker));
-            while (waiting > 0 && found.limit >= 0)
+            while (waiting > 0 && collector.limit >= 0)
             {
                 waiting--;
                 if (asksInOrder)
@@ -67,7 +67,7 @@ package starlogo.queries.trees
                     askBefore(waiting);
                 }
                 var node:int = _nodes[waiting];
-                if (_squares[waiting] > found.limit)
+                if (_squares[waiting] > collector.limit)
                 {
                     continue;
                 }
@@ -86,17 +86,17 @@ package starlogo.queries.trees
          * Counts the rows near a place. If the filter excludes none, a node that is wholly within the limit is counted without a look at its rows. The
          * rows are collected only if the filter's <code>accepts</code> has to be asked.
          *
-         * @param found has the filter and the limit, a squared distance
+         * @param collector has the filter and the limit, a squared distance
          * @param x the place
          * @param y the place
          * @param z the place
          */
-        public function count(found:Collector, x:Number, y:Number, z:Number):int
+        public function count(collector:Collector, x:Number, y:Number, z:Number):int
         {
-            begin(found, x, y, z);
+            begin(collector, x, y, z);
             var tree:RowTree = _tree;
-            var asks:Boolean = found.filter.accepts != null;
-            var countsWholeNodes:Boolean = !asks && !found.filter.excludes;
+            var asks:Boolean = collector.filter.accepts != null;
+            var countsWholeNodes:Boolean = !asks && !collector.filter.excludes;
             var counted:int = 0;
             var waiting:int = push(RowTree.ROOT, 0);
             while (waiting > 0)
@@ -105,7 +105,7 @@ package starlogo.queries.trees
                 var node:int = _nodes[waiting];
                 if (countsWholeNodes && isWithin(node))
                 {
-                    counted += tree.countIn(node, found.filter.askerRow);
+                    counted += tree.countIn(node, collector.filter.askerRow);
                 }
                 else if (node < tree.firstLeaf)
                 {
@@ -116,12 +116,12 @@ package starlogo.queries.trees
                     counted += visit(node, null, asks);
                 }
             }
-            return asks ? found.end() : counted;
+            return asks ? collector.end() : counted;
         }
 
-        private function begin(found:Collector, x:Number, y:Number, z:Number):void
+        private function begin(collector:Collector, x:Number, y:Number, z:Number):void
         {
-            _found = found;
+            _collector = collector;
             _tree = _seen.treeOfPlaces();
             _x = x;
             _y = y;
@@ -136,7 +136,7 @@ package starlogo.queries.trees
             var toX:Number = Math.max(_x - boxes[box], boxes[int(box + 3)] - _x);
             var toY:Number = Math.max(_y - boxes[int(box + 1)], boxes[int(box + 4)] - _y);
             var toZ:Number = Math.max(_z - boxes[int(box + 2)], boxes[int(box + 5)] - _z);
-            return toX * toX + toY * toY + toZ * toZ <= _found.limit;
+            return toX * toX + toY * toY + toZ * toZ <= _collector.limit;
         }
 
         // Lets a leaf be visited first, because it probably has the nearest rows. The nodes beside the path from the root to the leaf come after it. Returns
@@ -164,7 +164,7 @@ package starlogo.queries.trees
         {
             if (_nodes[index] >= _tree.firstLeaf)
             {
-                _found.askBelow(_squares[index]);
+                _collector.askBelow(_squares[index]);
             }
         }
 
@@ -212,7 +212,7 @@ package starlogo.queries.trees
             var toY:Number = _y < boxes[int(box + 1)] ? boxes[int(box + 1)] - _y : (_y > boxes[int(box + 4)] ? _y - boxes[int(box + 4)] : 0);
             var toZ:Number = _z < boxes[int(box + 2)] ? boxes[int(box + 2)] - _z : (_z > boxes[int(box + 5)] ? _z - boxes[int(box + 5)] : 0);
             var square:Number = toX * toX + toY * toY + toZ * toZ;
-            if (square > _found.limit || !_tree.mayHave(node, _found.filter.breedSet))
+            if (square > _collector.limit || !_tree.mayHave(node, _collector.filter.breedSet))
             {
                 return waiting;
             }
@@ -225,8 +225,8 @@ package starlogo.queries.trees
         // how many they are.
         private function visit(leaf:int, cone:Cone, collects:Boolean):int
         {
-            var found:Collector = _found;
-            var filter:RowFilter = found.filter;
+            var collector:Collector = _collector;
+            var filter:RowFilter = collector.filter;
             var places:Points = _tree.middles;
             var xs:Vector.<Number> = places.x;
             var ys:Vector.<Number> = places.y;
@@ -235,7 +235,7 @@ package starlogo.queries.trees
             var atY:Number = _y;
             var atZ:Number = _z;
             var asker:int = filter.askerRow;
-            var limit:Number = found.limit;
+            var limit:Number = collector.limit;
             var counted:int = 0;
             var excluded:int = 0;
             var end:int = _tree.startOf(leaf + 1);
@@ -266,8 +266,8 @@ package starlogo.queries.trees
                 counted++;
                 if (collects)
                 {
-                    found.add(row, square);
-                    limit = found.limit;
+                    collector.add(row, square);
+                    limit = collector.limit;
                 }
             }
             _tree.countExcluded(excluded);

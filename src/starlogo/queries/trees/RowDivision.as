@@ -10,18 +10,18 @@ package starlogo.queries.trees
     public final class RowDivision
     {
         /**
-         * Divides the rows of each node in two halves, along the longest side of the node's part of space. That part is stored for a while where the
-         * node's box will be written.
+         * Divides the rows of each node in two halves, along the longest side of the node's part of space.
          *
-         * @param tree the box of its root contains all middles
+         * @param rows by slot: the row. They come into the order of the leaves
+         * @param middles by slot: the middle of the row's box, in the same order
+         * @param boxes by node: room for its part of space. The root's has to contain all middles
+         * @param count the number of rows
+         * @param firstLeaf the node number of the first leaf
          */
-        public static function divide(tree:RowTree):void
+        public static function divide(rows:Vector.<int>, middles:Points, boxes:Vector.<Number>, count:int, firstLeaf:int):void
         {
-            var middles:Points = tree.middles;
-            var boxes:Vector.<Number> = tree.nodeBoxes;
-            var count:int = tree.count;
             var width:int = 1;
-            for (var node:int = RowTree.ROOT; node < tree.firstLeaf; node++)
+            for (var node:int = RowTree.ROOT; node < firstLeaf; node++)
             {
                 if (node == 2 * width)
                 {
@@ -32,7 +32,7 @@ package starlogo.queries.trees
                 var keys:Vector.<Number> = axis == 0 ? middles.x : (axis == 1 ? middles.y : middles.z);
                 var nth:int = node - width;
                 var middle:int = (2 * nth + 1) * count / (2 * width);
-                select(tree.rows, middles, keys, nth * count / width, (nth + 1) * count / width - 1, middle);
+                select(rows, middles, keys, nth * count / width, (nth + 1) * count / width - 1, middle);
                 var child:int = 2 * box;
                 for (var i:int = 0; i < RowTree.PER_BOX; i++)
                 {

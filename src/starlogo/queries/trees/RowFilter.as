@@ -17,7 +17,7 @@ package starlogo.queries.trees
      */
     public final class RowFilter
     {
-        /** The filter's <code>accepts</code>; null if there is none. */
+        /** The filter's <code>accepts</code>; null if there is none. Read only, like all below. */
         public var accepts:Function = null;
 
         /** Whether breeds or agents are excluded. If not, <code>mayAdmit()</code> is true for all rows. */
@@ -80,16 +80,16 @@ package starlogo.queries.trees
         // The set of some breeds. A name may be null. No agent has an unknown breed.
         private static function setOf(names:Vector.<String>):int
         {
-            var found:int = 0;
+            var breeds:int = 0;
             for (var i:int = 0; i < names.length; i++)
             {
                 var breed:int = names[i] == null ? -1 : Breeds.NAMES.knownNumberOf(names[i]);
                 if (breed >= 0)
                 {
-                    found |= RowTree.breedBit(breed);
+                    breeds |= RowTree.breedBit(breed);
                 }
             }
-            return found;
+            return breeds;
         }
 
         /** Whether the filter may admit a row: by its breed and the filter's <code>except</code>. <code>accepts</code> is not called. */

@@ -48,10 +48,10 @@ package starlogo.queries.trees
         /** The node number of the first leaf. The number of leaves is the same. Read only. */
         public var firstLeaf:int = 1;
 
-        /** By slot: the row. RowDivision brings them into order; read only for others. */
+        /** By slot: the row. Read only. */
         public var rows:Vector.<int> = new Vector.<int>();
 
-        /** By slot: the middle of the row's box. RowDivision brings them into order; read only for others. */
+        /** By slot: the middle of the row's box. Read only. */
         public var middles:Points = new Points();
 
         /**
@@ -60,7 +60,7 @@ package starlogo.queries.trees
          */
         public var rowBoxes:Vector.<Number> = new Vector.<Number>();
 
-        /** By node: a box around the boxes of the node's rows. RowDivision uses them for a while; read only for others. */
+        /** By node: a box around the boxes of the node's rows. Read only. */
         public var nodeBoxes:Vector.<Number> = new Vector.<Number>();
 
         // How many rows that filters exclude were tested by searches since the nodes learned their breeds. A unit test reads it.
@@ -109,7 +109,7 @@ package starlogo.queries.trees
                 takeMiddle(slot, row);
             }
             boundMiddles(PER_BOX * ROOT, 0, count);
-            RowDivision.divide(this);
+            RowDivision.divide(this.rows, middles, nodeBoxes, count, firstLeaf);
             boundAll();
         }
 
@@ -154,13 +154,13 @@ package starlogo.queries.trees
 
         private function breedsIn(leaf:int, agents:Vector.<Agent>):int
         {
-            var found:int = 0;
+            var breeds:int = 0;
             var end:int = startOf(leaf + 1);
             for (var slot:int = startOf(leaf); slot < end; slot++)
             {
-                found |= breedBit(agents[rows[slot]].breedNumber);
+                breeds |= breedBit(agents[rows[slot]].breedNumber);
             }
-            return found;
+            return breeds;
         }
 
         /** Whether a node may have rows of a set of breeds. */

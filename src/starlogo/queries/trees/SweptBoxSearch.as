@@ -17,7 +17,7 @@ package starlogo.queries.trees
         /** The tree of the present search. Read only. */
         public var tree:RowTree = null;
 
-        // How much of the motion is searched, as a multiple of its vector.
+        // How much of the motion is still searched, as a multiple of its vector.
         private var _limit:Number = 1;
 
         private var _moves:Boolean = false;
@@ -68,11 +68,11 @@ package starlogo.queries.trees
         /**
          * Begins with the extents of a body. The ground and the edges of the world are near all rows.
          *
-         * @param extents a tree of extents
+         * @param tree has the extents of rows
          */
-        public function beginAround(extents:RowTree, body:Body):void
+        public function beginAround(tree:RowTree, body:Body):void
         {
-            begin(extents, body.x, body.y, body.z, body.halfX, body.halfY, body.halfZ, body.offset);
+            begin(tree, body.x, body.y, body.z, body.halfX, body.halfY, body.halfZ, body.offset);
             if (body.isOfWorld)
             {
                 widen(4 * Agent.LARGEST_COORDINATE);
@@ -141,7 +141,8 @@ package starlogo.queries.trees
                 {
                     _slotsLeft--;
                     var slot:int = _slots[_slotsLeft];
-                    if (!_moves || findEntry(tree.rowBoxes, RowTree.PER_BOX * slot, _waiting))
+                    // its entry is written behind those of the nodes that wait, and not used
+                    if (!_moves || findEntry(tree.rowBoxes, RowTree.PER_BOX * slot, _entries, _waiting))
                     {
                         return tree.rows[slot];
                     }
@@ -225,7 +226,7 @@ package starlogo.queries.trees
             var kept:int = first;
             for (var i:int = first; i < _waiting; i++)
             {
-                if (findEntry(tree.nodeBoxes, RowTree.PER_BOX * _nodes[i], kept))
+                if (findEntry(tree.nodeBoxes, RowTree.PER_BOX * _nodes[i], _entries, kept))
                 {
                     _nodes[kept] = _nodes[i];
                     kept++;
@@ -244,9 +245,9 @@ package starlogo.queries.trees
             }
         }
 
-        // Finds where on the way the box meets another (the method of slabs: Kay and Kajiya, "Ray Tracing Complex Scenes", 1986), which
-        // _entries receives at an index. Returns whether it is within _limit. V8 would box both if they were passed.
-        private function findEntry(boxes:Vector.<Number>, box:int, index:int):Boolean
+        // Finds where on the way the box meets another (the method of slabs: Kay and Kajiya, "Ray Tracing Complex Scenes", 1986). A list receives it, because
+        // V8 would box a Number that is returned. Returns whether it is within the limit.
+        private function findEntry(boxes:Vector.<Number>, box:int, out:Vector.<Number>, index:int):Boolean
         {
             var enters:Number = 0;
             var leaves:Number = _limit;
@@ -275,7 +276,7 @@ package starlogo.queries.trees
                     leaves = far;
                 }
             }
-            _entries[index] = enters;
+            out[index] = enters;
             return enters <= leaves;
         }
     }

@@ -49,17 +49,18 @@ package starlogo.queries.motion
                 body.readAgent(agents[0]);
                 from.setTo(agents[0].x, agents[0].y, agents[0].z);
                 motion.setTo(random.between(-9, 9), random.between(-9, 9), random.between(-9, 9));
-                body.collectRowsAlong(motion.x, motion.y, motion.z, agents[0], null);
+                body.aim(motion.x, motion.y, motion.z);
+                body.collectRowsAlong(null);
                 core.begin(body, body.rows, from, motion);
                 var found:Impact = new Impact();
-                sweep.findFirstImpact(core, body.rows, from, motion, found);
+                sweep.findFirstImpact(core, body.rows, from, motion, false, found);
                 var expected:Impact = new Impact();
                 for (k = 0; k < body.rows.count; k++)
                 {
                     var alone:Impact = new Impact();
                     row.count = 0;
                     row.add(body.rows.numbers[k]);
-                    if (new CoreSweep().findFirstImpact(core, row, from, motion, alone) && alone.comparedTime < expected.comparedTime)
+                    if (new CoreSweep().findFirstImpact(core, row, from, motion, false, alone) && alone.comparedTime < expected.comparedTime)
                     {
                         expected = alone;
                     }

@@ -124,8 +124,9 @@ package starlogo.queries.motion
             agent.hierarchical = true;
             _seen.update(new <Agent>[agent]);
             _body.readStructure(new Sphere(from, 0.1));
-            _body.collectRowsAlong(motion.x, motion.y, motion.z, null, null);
-            _sweep.findTouches(_body, motion, 1, _hits, _result);
+            _body.aim(motion.x, motion.y, motion.z);
+            _body.collectRowsAlong(null);
+            _sweep.findTouches(_body, 1, _hits, _result);
         }
 
         private function compare(make:Function):void
@@ -145,8 +146,9 @@ package starlogo.queries.motion
                 var middle:Vector3D = new Vector3D(agent.x, agent.y, agent.z + agent.size / 2);
                 _body.readStructure(make(middle.add(side), _structures.frame()));
                 motion.setTo(_random.between(-0.3, 0.3) - 1.2 * side.x, _random.between(-0.3, 0.3) - 1.2 * side.y, _random.between(-0.3, 0.3) - 1.2 * side.z);
-                _body.collectRowsAlong(motion.x, motion.y, motion.z, null, null);
-                _sweep.findTouches(_body, motion, 1, _hits, _result);
+                _body.aim(motion.x, motion.y, motion.z);
+                _body.collectRowsAlong(null);
+                _sweep.findTouches(_body, 1, _hits, _result);
                 if (_result.row >= 0)
                 {
                     check(_seen.table.bodyOf(_result.row));

@@ -54,8 +54,8 @@ package starlogo.hierarchy
             _counts = counts || new TreeCounts();
         }
 
-        /** Sets the box's middle, and half of its extent along each axis. */
-        public function setPlace(x:Number, y:Number, z:Number, half:Number):void
+        /** Sets the box to a cube: its middle, and half of its width. */
+        public function setCube(x:Number, y:Number, z:Number, half:Number):void
         {
             _x = x;
             _y = y;
@@ -112,7 +112,7 @@ package starlogo.hierarchy
         /** Visits the nodes that a ray may meet. The visitor's limit must be set: the ray's end. */
         public function visitAlong(ray:Ray, tree:BoxTree, depth:int, visitor:NodeVisitor):void
         {
-            setPlace(ray.x, ray.y, ray.z, 0);
+            setCube(ray.x, ray.y, ray.z, 0);
             setVector(ray.directionX, ray.directionY, ray.directionZ, ray.from);
             visitMet(tree, depth, visitor);
         }

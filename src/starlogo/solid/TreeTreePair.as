@@ -103,7 +103,7 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override internal function findImpact(motion:RelativeMotion, out:ContactPoint):void
+        override internal function findImpactInPose(motion:RelativeMotion, out:ContactPoint):void
         {
             var best:BestPair = _impact.findImpact(_trees, motion, visitorFor(motion));
             motion.time = best.time;

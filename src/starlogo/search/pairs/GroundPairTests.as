@@ -21,6 +21,7 @@ package starlogo.search.pairs
     import starlogo.search.penetration.ExitSearch;
     import starlogo.search.penetration.PlacesAbove;
     import starlogo.search.TreeLimits;
+    import starlogo.solid.sweepModel;
 
     use namespace engine;
 
@@ -85,7 +86,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function findFirstTouch(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            queryOf(a, b).findFirstTouch(motion, out);
+            sweepModel(queryOf(a, b), motion, out);
         }
 
         /** @inheritDoc */
@@ -101,10 +102,9 @@ package starlogo.search.pairs
         }
 
         /** A model may be wholly under the surface. @inheritDoc */
-        override public function findImpactAndInside(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):Boolean
+        override public function beginsInside(a:Body, b:Body, motion:RelativeMotion):Boolean
         {
-            findImpact(a, b, motion, out);
-            return motion.time > 0 && touchesAtBeginning(a, b, motion);
+            return touchesAtBeginning(a, b, motion);
         }
 
         /** @inheritDoc */

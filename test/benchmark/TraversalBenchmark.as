@@ -21,7 +21,6 @@ package benchmark
     import starlogo.solid.ModelTree;
     import starlogo.solid.TreeStructurePair;
     import starlogo.solid.TreeTreePair;
-    import starlogo.solid.sweepModel;
     import support.Fixtures;
 
     use namespace engine;
@@ -139,7 +138,7 @@ package benchmark
             measure(name, function(i:int, answers:ByteArray):void
                 {
                     _twoTrees.setTo(a, first[i], DEPTH, b, second[i], DEPTH, exact);
-                    sweepModel(_twoTrees, motions[i], null);
+                    _twoTrees.findFirstTouch(motions[i], null);
                     var time:Number = motions[i].time;
                     if (answers != null)
                     {
@@ -163,7 +162,7 @@ package benchmark
             measure(name, function(i:int, answers:ByteArray):void
                 {
                     _treeAndStructure.setTo(a, first[i], DEPTH, structures[i], second[i], exact);
-                    sweepModel(_treeAndStructure, motions[i], null);
+                    _treeAndStructure.findFirstTouch(motions[i], null);
                     var time:Number = motions[i].time;
                     if (answers != null)
                     {

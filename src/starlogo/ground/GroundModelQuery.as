@@ -22,7 +22,7 @@ package starlogo.ground
      *
      * @private
      */
-    public final class GroundModelQuery implements ImpactQuery
+    public final class GroundModelQuery extends ImpactQuery
     {
         private var _pairs:PieceTrianglePairs = new PieceTrianglePairs();
         private var _pieceTest:PieceTouchTest = new PieceTouchTest(_pairs);
@@ -54,7 +54,7 @@ package starlogo.ground
         }
 
         /** @inheritDoc */
-        public function areTouchingAt(motion:RelativeMotion, time:Number):Boolean
+        override public function areTouchingAt(motion:RelativeMotion, time:Number):Boolean
         {
             _pairs.pieces.moveTo(motion, time);
             return areTouching();
@@ -75,7 +75,7 @@ package starlogo.ground
         }
 
         /** @inheritDoc */
-        public function findImpact(motion:RelativeMotion, out:ContactPoint):void
+        override public function findImpact(motion:RelativeMotion, out:ContactPoint):void
         {
             var kernel:TriangleKernel = _pairs.kernel;
             _touch.begin(motion.latest);
@@ -117,7 +117,7 @@ package starlogo.ground
          *
          * @inheritDoc
          */
-        public function findContact(motion:RelativeMotion, out:ContactPoint):void
+        override public function findContact(motion:RelativeMotion, out:ContactPoint):void
         {
             var time:Number = motion.time;
             if (!motion.isStill)

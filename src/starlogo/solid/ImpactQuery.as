@@ -1,24 +1,60 @@
 package starlogo.solid
 {
+    import flash.errors.IllegalOperationError;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
 
     /**
-     * Knows when and where a moving model touches what its surfaces cannot pass: another model (TreePair), or the ground. It is set to the two before
-     * each question. The function sweepModel() puts its answers together.
+     * Finds when and where a moving model first touches what its surfaces cannot pass: another model (TreePair), or the ground. Abstract: a subclass is
+     * set to the two before each question.
+     *
+     * <p>To get inside of a closed surface from outside, a part of the model has to cross it. So the surfaces are tested over time, and the
+     * standing test is made only at the beginning and the end.</p>
      *
      * @private
      */
-    public interface ImpactQuery
+    public class ImpactQuery
     {
+        /**
+         * Finds the first moment at which the two touch while the model moves, and the contact then. Rounding can miss a touch at the latest time.
+         * So if nothing is found before, the standing test is made at that time too.
+         *
+         * @param motion of the model; receives the time
+         * @param out receives the contact, in the world; null if only the time is needed
+         */
+        public final function findFirstTouch(motion:RelativeMotion, out:ContactPoint):void
+        {
+            var time:Number = 0;
+            if (!areTouchingAt(motion, 0))
+            {
+                findImpact(motion, out);
+                if (motion.time != RelativeMotion.NEVER)
+                {
+                    return;
+                }
+                time = areTouchingAt(motion, motion.latest) ? motion.latest : RelativeMotion.NEVER;
+            }
+            motion.time = time;
+            if (out != null && time != RelativeMotion.NEVER)
+            {
+                findContact(motion, out);
+            }
+        }
+
         /** Whether the two touch where the motion has brought the model at a time. */
-        function areTouchingAt(motion:RelativeMotion, time:Number):Boolean;
+        public function areTouchingAt(motion:RelativeMotion, time:Number):Boolean
+        {
+            throw new IllegalOperationError(this + " does not implement areTouchingAt");
+        }
 
         /**
-         * Finds when and where the surfaces of the two first touch. The parameters are those of sweepModel(). If one of the two begins wholly inside of
-         * the other, that is no touch of surfaces.
+         * Finds when and where the surfaces of the two first touch. The parameters are those of <code>findFirstTouch()</code>. If one of the two begins
+         * wholly inside of the other, that is no touch of surfaces.
          */
-        function findImpact(motion:RelativeMotion, out:ContactPoint):void;
+        public function findImpact(motion:RelativeMotion, out:ContactPoint):void
+        {
+            throw new IllegalOperationError(this + " does not implement findImpact");
+        }
 
         /**
          * Finds the contact of the two, which overlap at the motion's time.
@@ -26,6 +62,9 @@ package starlogo.solid
          * @param motion of the model
          * @param out receives the contact, in the world
          */
-        function findContact(motion:RelativeMotion, out:ContactPoint):void;
+        public function findContact(motion:RelativeMotion, out:ContactPoint):void
+        {
+            throw new IllegalOperationError(this + " does not implement findContact");
+        }
     }
 }

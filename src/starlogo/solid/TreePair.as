@@ -22,7 +22,7 @@ package starlogo.solid
      *
      * @private
      */
-    public class TreePair implements ImpactQuery
+    public class TreePair extends ImpactQuery
     {
         /** The placement of a in the world. */
         public var placementA:Placement = null;
@@ -43,14 +43,14 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        public final function areTouchingAt(motion:RelativeMotion, time:Number):Boolean
+        override public final function areTouchingAt(motion:RelativeMotion, time:Number):Boolean
         {
             pose.relateAt(placementA, motion, time, placementB);
             return areTouchingInPose();
         }
 
         /** @inheritDoc */
-        public final function findImpact(motion:RelativeMotion, out:ContactPoint):void
+        override public final function findImpact(motion:RelativeMotion, out:ContactPoint):void
         {
             pose.relateAt(placementA, motion, 0, placementB);
             RelativePose.relateMotion(placementA, motion, _motion);
@@ -75,7 +75,7 @@ package starlogo.solid
          *
          * @inheritDoc
          */
-        public final function findContact(motion:RelativeMotion, out:ContactPoint):void
+        override public final function findContact(motion:RelativeMotion, out:ContactPoint):void
         {
             pose.relateAt(placementA, motion, motion.time, placementB);
             RelativePose.relateMotion(placementA, motion, _motion);

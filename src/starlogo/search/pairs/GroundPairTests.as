@@ -21,7 +21,6 @@ package starlogo.search.pairs
     import starlogo.search.penetration.ExitSearch;
     import starlogo.search.penetration.PlacesAbove;
     import starlogo.search.TreeLimits;
-    import starlogo.solid.sweepModel;
 
     use namespace engine;
 
@@ -86,7 +85,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function findFirstTouch(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            sweepModel(queryOf(a, b), motion, out);
+            queryOf(a, b).findFirstTouch(motion, out);
         }
 
         /** @inheritDoc */

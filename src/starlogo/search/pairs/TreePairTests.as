@@ -21,7 +21,6 @@ package starlogo.search.pairs
     import starlogo.solid.TreePair;
     import starlogo.solid.TreeStructurePair;
     import starlogo.solid.TreeTreePair;
-    import starlogo.solid.sweepModel;
 
     use namespace engine;
 
@@ -85,7 +84,7 @@ package starlogo.search.pairs
             var isReversed:Boolean = NarrowPhase.isReversed(a, b);
             var own:RelativeMotion = motionOfFirst(motion, isReversed);
             _counts.pairTests++;
-            sweepModel(isReversed ? pairOf(b, a) : pairOf(a, b), own, out);
+            pairInOrder(a, b, isReversed).findFirstTouch(own, out);
             finish(own, motion, out);
         }
 
@@ -95,7 +94,7 @@ package starlogo.search.pairs
             // Two trees stay in this order. TwoAgents.findContact puts two agents into the order of the list before, so a contact is the same in either order.
             var isReversed:Boolean = a.form != ModelShape.TREE;
             var own:RelativeMotion = motionOfFirst(motion, isReversed);
-            (isReversed ? pairOf(b, a) : pairOf(a, b)).findContact(own, out);
+            pairInOrder(a, b, isReversed).findContact(own, out);
             finish(own, motion, out);
         }
 
@@ -105,7 +104,7 @@ package starlogo.search.pairs
             var isReversed:Boolean = NarrowPhase.isReversed(a, b);
             var own:RelativeMotion = motionOfFirst(motion, isReversed);
             _counts.pairTests++;
-            (isReversed ? pairOf(b, a) : pairOf(a, b)).findImpact(own, out);
+            pairInOrder(a, b, isReversed).findImpact(own, out);
             finish(own, motion, out);
         }
 
@@ -113,7 +112,7 @@ package starlogo.search.pairs
         override public function beginsInside(a:Body, b:Body, motion:RelativeMotion):Boolean
         {
             var isReversed:Boolean = NarrowPhase.isReversed(a, b);
-            return (isReversed ? pairOf(b, a) : pairOf(a, b)).beginsInside(motionOfFirst(motion, isReversed));
+            return pairInOrder(a, b, isReversed).beginsInside(motionOfFirst(motion, isReversed));
         }
 
         /** @inheritDoc */
@@ -188,6 +187,12 @@ package starlogo.search.pairs
             {
                 out.swap(motion);
             }
+        }
+
+        // Returns two bodies as a pair, in this order or the reverse.
+        private function pairInOrder(a:Body, b:Body, isReversed:Boolean):TreePair
+        {
+            return isReversed ? pairOf(b, a) : pairOf(a, b);
         }
 
         // Returns two bodies as a pair that the next call overwrites. The first one is a tree.

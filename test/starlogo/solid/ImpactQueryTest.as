@@ -16,7 +16,7 @@ package starlogo.solid
     use namespace engine;
 
     /** A touch that only the test at the end of the motion sees has the contact of what touches there. */
-    public class SweepModelTest
+    public class ImpactQueryTest
     {
         // The gap between the walls is 1.2 wide. What stands in its middle is 0.4 wide.
         private static const TRAVEL:Number = 0.4;
@@ -68,7 +68,7 @@ package starlogo.solid
                     motion.latest = latest;
                     if (testsEnds)
                     {
-                        sweepModel(pair, motion, null);
+                        pair.findFirstTouch(motion, null);
                     }
                     else
                     {
@@ -96,7 +96,7 @@ package starlogo.solid
                 motion.endAfter(-travel, 0, 0);
                 pair.findImpact(motion, null);
                 var isMissed:Boolean = motion.time == RelativeMotion.NEVER;
-                sweepModel(pair, motion, contact);
+                pair.findFirstTouch(motion, contact);
                 if (motion.time == RelativeMotion.NEVER)
                 {
                     continue;

@@ -67,16 +67,16 @@ package starlogo.hierarchy
          * Sets the box to the extents of a structure.
          *
          * @param extents least x, greatest x, least y, ...
-         * @param margin how much larger the box is on each side
+         * @param distance how much larger the box is on each side
          */
-        public function setExtents(extents:Vector.<Number>, margin:Number):void
+        public function setExtents(extents:Vector.<Number>, distance:Number):void
         {
             _x = (extents[0] + extents[1]) / 2;
             _y = (extents[2] + extents[3]) / 2;
             _z = (extents[4] + extents[5]) / 2;
-            _halfX = (extents[1] - extents[0]) / 2 + margin;
-            _halfY = (extents[3] - extents[2]) / 2 + margin;
-            _halfZ = (extents[5] - extents[4]) / 2 + margin;
+            _halfX = (extents[1] - extents[0]) / 2 + distance;
+            _halfY = (extents[3] - extents[2]) / 2 + distance;
+            _halfZ = (extents[5] - extents[4]) / 2 + distance;
         }
 
         /** Sets the motion. */

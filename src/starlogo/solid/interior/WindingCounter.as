@@ -157,8 +157,8 @@ package starlogo.solid.interior
             _b = _axis == 0 ? y : (_axis == 1 ? z : x);
             _c = _axis == 0 ? z : (_axis == 1 ? x : y);
             _isBackward = _a < _crowdedPlace;
-            var margin:Number = surface.widestSeam + Tolerances.ROUNDING * mesh.tree.radiusAboutOrigin;
-            _search.setCube(x, y, z, margin);
+            var slack:Number = surface.widestSeam + Tolerances.ROUNDING * mesh.tree.radiusAboutOrigin;
+            _search.setCube(x, y, z, slack);
             _search.setAxis(_axis, _isBackward ? -1 : 1);
             _search.visitMet(mesh.tree, BoxTree.EXACT, this);
             for (var i:int = 0; i < _crossedCount; i++)

@@ -20,7 +20,6 @@ package benchmark
     import starlogo.models.ObjModel;
     import starlogo.solid.ModelTree;
     import starlogo.solid.TreeStructurePair;
-    import starlogo.solid.TreePairImpactQuery;
     import starlogo.solid.TreeTreePair;
     import support.Fixtures;
 
@@ -43,7 +42,6 @@ package benchmark
         private var _counts:TreeCounts = new TreeCounts();
         private var _twoTrees:TreeTreePair = new TreeTreePair(_counts);
         private var _treeAndStructure:TreeStructurePair = new TreeStructurePair(_counts);
-        private var _impacts:TreePairImpactQuery = new TreePairImpactQuery();
         private var _trees:PosedTrees = new PosedTrees();
         private var _random:SeededRandom = new SeededRandom(2101);
         private var _ball:ModelTree;
@@ -139,15 +137,15 @@ package benchmark
             var contact:ContactPoint = new ContactPoint();
             measure(name, function(i:int, answers:ByteArray):void
                 {
-                    _impacts.setTo(_twoTrees.setTo(a, first[i], DEPTH, b, second[i], DEPTH, exact));
-                    _impacts.findFirstTouch(motions[i], null);
+                    _twoTrees.setTo(a, first[i], DEPTH, b, second[i], DEPTH, exact);
+                    _twoTrees.findFirstTouch(motions[i], null);
                     var time:Number = motions[i].time;
                     if (answers != null)
                     {
                         answers.writeDouble(time);
                         if (time <= 1)
                         {
-                            _impacts.findContact(motions[i], contact);
+                            _twoTrees.findContact(motions[i], contact);
                             writeContact(contact, answers);
                         }
                     }
@@ -163,15 +161,15 @@ package benchmark
             var contact:ContactPoint = new ContactPoint();
             measure(name, function(i:int, answers:ByteArray):void
                 {
-                    _impacts.setTo(_treeAndStructure.setTo(a, first[i], DEPTH, structures[i], second[i], exact));
-                    _impacts.findFirstTouch(motions[i], null);
+                    _treeAndStructure.setTo(a, first[i], DEPTH, structures[i], second[i], exact);
+                    _treeAndStructure.findFirstTouch(motions[i], null);
                     var time:Number = motions[i].time;
                     if (answers != null)
                     {
                         answers.writeDouble(time);
                         if (time <= 1)
                         {
-                            _impacts.findContact(motions[i], contact);
+                            _treeAndStructure.findContact(motions[i], contact);
                             writeContact(contact, answers);
                         }
                     }

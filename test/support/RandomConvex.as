@@ -83,7 +83,7 @@ package support
             out.pointsEnd = shape.pointsEnd;
             out.faces = shape.faces;
             out.edges = shape.edges;
-            out.core = shape.core;
+            out.coreKind = shape.coreKind;
             return out;
         }
 

@@ -23,7 +23,7 @@ package starlogo.convex
         private var _distance:CoreDistance = new CoreDistance();
         private var _overlap:CoreOverlap = new CoreOverlap();
         private var _common:CommonPointFinder = new CommonPointFinder();
-        private var _sweep:ConvexSweep = new ConvexSweep();
+        private var _sweep:ConvexSweep = new ConvexSweep(_distance, _overlap);
         private var _cores:CorePair = new CorePair();
         private var _witness:CoreWitness = new CoreWitness();
 

@@ -15,7 +15,7 @@ package starlogo.convex
      */
     public final class ConvexShape
     {
-        /** What a core is: see <code>core</code>. A hull may have as few points as the others. */
+        /** What a core is: see <code>coreKind</code>. A hull may have as few points as the others. */
         public static const POINT:int = 0;
         public static const SEGMENT:int = 1;
         public static const TRIANGLE:int = 2;
@@ -35,7 +35,7 @@ package starlogo.convex
         private static const BOX_EDGES:Vector.<int> = new <int>[0, 3, 0, 0, 0, 6, 0, 0, 0, 12, 0, 0];
 
         /** What the core is: POINT, SEGMENT, TRIANGLE, BOX or HULL. */
-        public var core:int = POINT;
+        public var coreKind:int = POINT;
 
         /** The origin of the points. */
         public var x:Number = 0;
@@ -74,13 +74,13 @@ package starlogo.convex
         /** Whether the edges say which faces are beside them. Only those of a hull do. */
         public function get hasFacesAtEdges():Boolean
         {
-            return core == HULL;
+            return coreKind == HULL;
         }
 
         /** Whether the core is a box or a segment. Then its edges are perpendicular to each other, from the first point on. */
         public function get areEdgesPerpendicular():Boolean
         {
-            return core == BOX || core == SEGMENT;
+            return coreKind == BOX || coreKind == SEGMENT;
         }
 
         // The list of points for all shapes but hulls.
@@ -190,7 +190,7 @@ package starlogo.convex
             var alongY:Number = side * along.y;
             var alongZ:Number = side * along.z;
             var best:int = 0;
-            if (core == BOX)
+            if (coreKind == BOX)
             {
                 // the edges along the three axes decide one by one
                 var firstX:Number = p[0];
@@ -232,10 +232,11 @@ package starlogo.convex
             var alongZ:Number = along.z;
             var low:Number = alongX * p[0] + alongY * p[1] + alongZ * p[2];
             var high:Number = low;
-            if (core == BOX)
+            var projection:Number;
+            if (coreKind == BOX)
             {
                 // its origin is its middle, and each corner is opposite to one of these four
-                var projection:Number = Math.abs(alongX * p[3] + alongY * p[4] + alongZ * p[5]);
+                projection = Math.abs(alongX * p[3] + alongY * p[4] + alongZ * p[5]);
                 high = Math.abs(low);
                 high = projection > high ? projection : high;
                 projection = Math.abs(alongX * p[6] + alongY * p[7] + alongZ * p[8]);
@@ -264,9 +265,9 @@ package starlogo.convex
             z = at.z;
         }
 
-        private function begin(core:int, pointsEnd:int, faces:Vector.<int>, edges:Vector.<int>):void
+        private function begin(coreKind:int, pointsEnd:int, faces:Vector.<int>, edges:Vector.<int>):void
         {
-            this.core = core;
+            this.coreKind = coreKind;
             points = _own;
             this.pointsEnd = pointsEnd;
             this.faces = faces;

@@ -2,15 +2,25 @@ package starlogo.convex
 {
     import starlogo.geometry.Tolerances;
 
-    /** Finds when a moving shape first touches another one, step by step: see advance(). CoreDistance finds the gap of each step. */
+    /** Finds when a moving shape first touches another one, step by step: see advance(). */
     internal final class ConvexSweep
     {
-        private var _distance:CoreDistance = new CoreDistance();
-        private var _overlap:CoreOverlap = new CoreOverlap();
+        private var _distance:CoreDistance;
+        private var _overlap:CoreOverlap;
         private var _step:AdvancementStep = new AdvancementStep();
         private var _witness:CoreWitness = new CoreWitness();
         private var _exact:CoreWitness = new CoreWitness();
         private var _balls:CoreGap = new CoreGap();
+
+        /**
+         * @param distance finds the gap of each step
+         * @param overlap finds a more precise direction where the gap is too short for one
+         */
+        public function ConvexSweep(distance:CoreDistance, overlap:CoreOverlap)
+        {
+            _distance = distance;
+            _overlap = overlap;
+        }
 
         /**
          * Finds the time.

@@ -24,8 +24,8 @@ package starlogo.convex
         public function find(cores:CorePair, out:CoreWitness):void
         {
             _simplex.begin(cores);
-            var first:int = cores.first.core;
-            var second:int = cores.second.core;
+            var first:int = cores.first.coreKind;
+            var second:int = cores.second.coreKind;
             if (first == ConvexShape.POINT && second == ConvexShape.TRIANGLE || first == ConvexShape.TRIANGLE && second == ConvexShape.POINT)
             {
                 beginAsTriangle(cores);
@@ -54,7 +54,7 @@ package starlogo.convex
         // Begins with the differences of a point and each corner of a triangle: the whole set is one triangle.
         private function beginAsTriangle(cores:CorePair):void
         {
-            var isFirst:Boolean = cores.first.core == ConvexShape.TRIANGLE;
+            var isFirst:Boolean = cores.first.coreKind == ConvexShape.TRIANGLE;
             for (var i:int = 0; i < 9; i += 3)
             {
                 var ofFirst:int = isFirst ? i : 0;

@@ -12,9 +12,8 @@ package starlogo.convex
      *
      * <p>In the arithmetic, u is the vector of an edge, h the height of a triangle over it, and uu and hh are their squared lengths. (toX, toY, toZ) is
      * the vector from the origin to the point as far as it is known. All methods take the corners w of the simplex, x, y, z of each, and the indices
-     * i, j, k of some. <code>newest</code> is the corner that was added last:
-     * no part without it is tried, because the simplex before was nearer than that. It is -1 if all parts are. <code>out</code> has the nearest point so
-     * far, and receives a nearer one.</p>
+     * i, j, k of some. <code>newest</code> is the corner that was added last: no part without it is tried, because the simplex before was nearer than
+     * that. It is -1 if all parts are. <code>out</code> has the nearest point so far, and receives a nearer one.</p>
      */
     internal final class SimplexPart
     {

@@ -30,7 +30,9 @@ package starlogo.convex
         /** Twice the triangle's area. */
         public var doubleArea:Number = 0;
 
+        // How far the last shape's core extends along the normal: relative to the shape's origin, and relative to the triangle.
         private var _ofShape:Interval = new Interval();
+        private var _fromTriangle:Interval = new Interval();
 
         /** Whether the triangle is flat. */
         public function get isFlat():Boolean
@@ -83,20 +85,40 @@ package starlogo.convex
          * is apart from the triangle until then.
          *
          * @param shape where it is at time 0
-         * @param margin how far from the plane the shape's core may be if it touches the triangle, with all that is rounded
+         * @param quickDistance how far from the plane the shape's core may be if it touches the triangle, with all that is rounded
          * @param motion its vector; nothing else of it counts
          * @return at least 0. 0 for a flat triangle too. RelativeMotion.NEVER if the shape moves away from the plane or beside it
          */
-        public function findEntry(shape:ConvexShape, margin:Number, motion:RelativeMotion):Number
+        public function findEntry(shape:ConvexShape, quickDistance:Number, motion:RelativeMotion):Number
         {
-            measure(shape);
+            measureFromTriangle(shape);
+            return entryOf(motion, quickDistance);
+        }
+
+        /**
+         * Whether a moving shape stays apart from the triangle until the motion's latest time, as far as the plane knows: findEntry() with a distance that
+         * covers all that is rounded. It takes and returns no Number, because V8 would make objects for them.
+         *
+         * @param motion its vector and its latest time; nothing else of it counts
+         */
+        public function keepsApart(shape:ConvexShape, motion:RelativeMotion):Boolean
+        {
+            measureFromTriangle(shape);
+            var size:Number = shape.extent + Math.abs(shape.x) + Math.abs(shape.y) + Math.abs(shape.z) + Math.abs(offset)
+                + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z);
+            return entryOf(motion, (shape.radius + shape.margin) * Tolerances.OUTER + Tolerances.EXTENTS * size) > motion.latest;
+        }
+
+        // When the shape that was measured comes to the plane.
+        private function entryOf(motion:RelativeMotion, quickDistance:Number):Number
+        {
             var speed:Number = normal.x * motion.x + normal.y * motion.y + normal.z * motion.z;
-            var above:Number = _ofShape.least - margin;
+            var above:Number = _fromTriangle.least - quickDistance;
             if (above > 0)
             {
                 return speed < 0 ? above / -speed : RelativeMotion.NEVER;
             }
-            var below:Number = -(_ofShape.greatest + margin);
+            var below:Number = -(_fromTriangle.greatest + quickDistance);
             if (below > 0)
             {
                 return speed > 0 ? below / speed : RelativeMotion.NEVER;
@@ -104,36 +126,15 @@ package starlogo.convex
             return 0;
         }
 
-        /**
-         * Whether a moving shape stays apart from the triangle until the motion's latest time, as far as the plane knows: findEntry() with the margin that
-         * covers all that is rounded. It takes and returns no Number, because V8 would make objects for them.
-         *
-         * @param motion its vector and its latest time; nothing else of it counts
-         */
-        public function keepsApart(shape:ConvexShape, motion:RelativeMotion):Boolean
-        {
-            measure(shape);
-            var size:Number = shape.extent + Math.abs(shape.x) + Math.abs(shape.y) + Math.abs(shape.z) + Math.abs(offset)
-                + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z);
-            var margin:Number = (shape.radius + shape.margin) * Tolerances.OUTER + Tolerances.EXTENTS * size;
-            var speed:Number = normal.x * motion.x + normal.y * motion.y + normal.z * motion.z;
-            var above:Number = _ofShape.least - margin;
-            if (above > 0)
-            {
-                return !(speed < 0) || above / -speed > motion.latest;
-            }
-            var below:Number = -(_ofShape.greatest + margin);
-            return below > 0 && (!(speed > 0) || below / speed > motion.latest);
-        }
-
-        // Measures a shape's core along the normal. All of it is at least _ofShape.least in front of the triangle, and at least -_ofShape.greatest behind.
-        private function measure(shape:ConvexShape):void
+        // Projects a shape's core on the normal, and measures it from the triangle. All of it is at least _fromTriangle.least in front of the triangle, and
+        // at least -_fromTriangle.greatest behind.
+        private function measureFromTriangle(shape:ConvexShape):void
         {
             var across:Vector3D = normal;
             shape.project(across, _ofShape);
             var place:Number = across.x * shape.x + across.y * shape.y + across.z * shape.z;
-            _ofShape.least = place - greatest + _ofShape.least;
-            _ofShape.greatest = place - least + _ofShape.greatest;
+            _fromTriangle.least = place - greatest + _ofShape.least;
+            _fromTriangle.greatest = place - least + _ofShape.greatest;
         }
 
         /**
@@ -155,11 +156,11 @@ package starlogo.convex
         /**
          * Whether a shape that touches the triangle comes against the plane, and is no deeper behind it than in their contact.
          *
-         * @param margin how much deeper it may be, because it is rounded
+         * @param slack how much deeper it may be, because it is rounded
          * @param motion of the shape; the shape is where it is at the motion's time
          * @param contact has the depth
          */
-        public function isMetBy(shape:ConvexShape, margin:Number, motion:RelativeMotion, contact:ContactPoint):Boolean
+        public function isMetBy(shape:ConvexShape, slack:Number, motion:RelativeMotion, contact:ContactPoint):Boolean
         {
             var speed:Number = normal.x * motion.x + normal.y * motion.y + normal.z * motion.z;
             if (!(speed < 0))
@@ -169,7 +170,7 @@ package starlogo.convex
             shape.project(normal, _ofShape);
             var front:Number = normal.x * (shape.x + motion.startX) + normal.y * (shape.y + motion.startY) + normal.z * (shape.z + motion.startZ)
                 + motion.time * speed + _ofShape.least - shape.radius;
-            return offset - front <= contact.depth + margin;
+            return offset - front <= contact.depth + slack;
         }
 
         /**
@@ -205,7 +206,7 @@ package starlogo.convex
             return true;
         }
 
-        // Writes the contact of findBehind(). The shape is measured along the normal.
+        // Writes the contact of findBehind(). The shape is projected on the normal (_ofShape).
         private function leadInFront(shape:ConvexShape, motion:RelativeMotion, out:ContactPoint):void
         {
             out.setNormal(normal.x, normal.y, normal.z);
@@ -236,8 +237,8 @@ package starlogo.convex
             }
         }
 
-        // Moves a contact to the point of the shape that is farthest against the normal, along which the shape is measured. If there are several, it is
-        // their middle.
+        // Moves a contact to the point of the shape that is farthest against the normal, or to the middle of several. The shape is projected on the normal
+        // (_ofShape).
         private function moveToDeepest(shape:ConvexShape, out:ContactPoint):void
         {
             var p:Vector.<Number> = shape.points;

@@ -54,8 +54,8 @@ package starlogo.hierarchy
             _counts = counts || new TreeCounts();
         }
 
-        /** Sets the box's middle, and half of its extent along each axis. */
-        public function setPlace(x:Number, y:Number, z:Number, half:Number):void
+        /** Sets the box to a cube: its middle, and half of its width. */
+        public function setCube(x:Number, y:Number, z:Number, half:Number):void
         {
             _x = x;
             _y = y;
@@ -67,16 +67,16 @@ package starlogo.hierarchy
          * Sets the box to the extents of a structure.
          *
          * @param extents least x, greatest x, least y, ...
-         * @param margin how much larger the box is on each side
+         * @param distance how much larger the box is on each side
          */
-        public function setExtents(extents:Vector.<Number>, margin:Number):void
+        public function setExtents(extents:Vector.<Number>, distance:Number):void
         {
             _x = (extents[0] + extents[1]) / 2;
             _y = (extents[2] + extents[3]) / 2;
             _z = (extents[4] + extents[5]) / 2;
-            _halfX = (extents[1] - extents[0]) / 2 + margin;
-            _halfY = (extents[3] - extents[2]) / 2 + margin;
-            _halfZ = (extents[5] - extents[4]) / 2 + margin;
+            _halfX = (extents[1] - extents[0]) / 2 + distance;
+            _halfY = (extents[3] - extents[2]) / 2 + distance;
+            _halfZ = (extents[5] - extents[4]) / 2 + distance;
         }
 
         /** Sets the motion. */
@@ -112,7 +112,7 @@ package starlogo.hierarchy
         /** Visits the nodes that a ray may meet. The visitor's limit must be set: the ray's end. */
         public function visitAlong(ray:Ray, tree:BoxTree, depth:int, visitor:NodeVisitor):void
         {
-            setPlace(ray.x, ray.y, ray.z, 0);
+            setCube(ray.x, ray.y, ray.z, 0);
             setVector(ray.directionX, ray.directionY, ray.directionZ, ray.from);
             visitMet(tree, depth, visitor);
         }

@@ -38,7 +38,7 @@ package starlogo.hierarchy
             _pair.motionX = motion.x;
             _pair.motionY = motion.y;
             _pair.motionZ = motion.z;
-            _pair.margin = trees.pose.tolerance + Touching.marginOfMotion(relative.x, relative.y, relative.z)
+            _pair.tolerance = trees.pose.tolerance + Touching.marginOfMotion(relative.x, relative.y, relative.z)
                 + Touching.marginOfMotion(motion.x, motion.y, motion.z);
             return find(trees, visitor);
         }

@@ -151,6 +151,7 @@ package starlogo.hierarchy
             if (dividesA)
             {
                 nearer = nearerChildOfA(pair, trees.a, a);
+                // the other child: the numbers of both add up to 2 * left + 1
                 stack[top] = 2 * trees.a.left[a] + 1 - nearer;
                 stack[top + 1] = b;
                 top += 2;

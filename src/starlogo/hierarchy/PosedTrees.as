@@ -4,7 +4,8 @@ package starlogo.hierarchy
     import starlogo.intersection.boxes.BoxPair;
 
     /**
-     * Two trees a and b that a traversal visits, as a record: the trees, to which depth each is visited, and the pose of b in the space of a.
+     * Two trees a and b that a traversal visits: the trees, to which depth each is visited, and the pose of b in the space of a. It reads pairs of their
+     * nodes in that space.
      *
      * @private
      */
@@ -18,7 +19,7 @@ package starlogo.hierarchy
         public var b:BoxTree = null;
         public var depthB:int = 0;
 
-        /** The pose of b's nodes in the space of a. Whoever makes the record sets it. */
+        /** The pose of b's nodes in the space of a. Whoever makes the object sets it. */
         public var pose:RelativePose = null;
 
         /**

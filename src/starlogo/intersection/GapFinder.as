@@ -15,10 +15,10 @@ package starlogo.intersection
      */
     internal final class GapFinder
     {
-        private var _axes:SegmentPair = new SegmentPair();
+        private var _segments:SegmentPair = new SegmentPair();
         private var _segment:BoxSegment = new BoxSegment();
 
-        // A place as seen from a box's middle, in the box's axes.
+        // A place as seen from a box's middle, in the box's segments.
         private var _place:Vector3D = new Vector3D();
 
         /**
@@ -48,41 +48,41 @@ package starlogo.intersection
         // The axis of a sphere is its centre, a segment without length.
         private function findFromAxis(a:BoundingStructure, b:Capsule, motion:RelativeMotion, out:RoundGap):void
         {
-            var gap:CoreGap = out.cores;
-            var axes:SegmentPair = _axes;
+            var gap:CoreGap = out.gap;
+            var segments:SegmentPair = _segments;
             var start:Vector3D;
             if (a.kind == BoundingStructure.SPHERE)
             {
                 var sphere:Sphere = a as Sphere;
                 start = sphere.center;
-                axes.setTo(start, start, b);
+                segments.setTo(start, start, b);
                 gap.radiusA = sphere.radius;
             }
             else
             {
                 var capsule:Capsule = a as Capsule;
                 start = capsule.start;
-                axes.setTo(start, capsule.end, b);
+                segments.setTo(start, capsule.end, b);
                 gap.radiusA = capsule.radius;
             }
-            axes.move(motion);
-            axes.findClosest();
-            gap.x = axes.gapX;
-            gap.y = axes.gapY;
-            gap.z = axes.gapZ;
+            segments.move(motion);
+            segments.findClosest();
+            gap.x = segments.gapX;
+            gap.y = segments.gapY;
+            gap.z = segments.gapZ;
             out.squaredLength = gap.x * gap.x + gap.y * gap.y + gap.z * gap.z;
             out.closing = -(gap.x * motion.x + gap.y * motion.y + gap.z * motion.z);
-            gap.pointX = start.x + axes.shareOfU * axes.uX;
-            gap.pointY = start.y + axes.shareOfU * axes.uY;
-            gap.pointZ = start.z + axes.shareOfU * axes.uZ;
+            gap.pointX = start.x + segments.shareOfU * segments.uX;
+            gap.pointY = start.y + segments.shareOfU * segments.uY;
+            gap.pointZ = start.z + segments.shareOfU * segments.uZ;
             gap.radiusB = b.radius;
-            out.extent = Math.abs(axes.uX) + Math.abs(axes.uY) + Math.abs(axes.uZ) + (Math.abs(axes.vX) + Math.abs(axes.vY) + Math.abs(axes.vZ))
+            out.extent = Math.abs(segments.uX) + Math.abs(segments.uY) + Math.abs(segments.uZ) + (Math.abs(segments.vX) + Math.abs(segments.vY) + Math.abs(segments.vZ))
                 + (gap.radiusA + gap.radiusB);
         }
 
         private function findFromSphereToBox(sphere:Sphere, box:Box, motion:RelativeMotion, out:RoundGap):void
         {
-            var gap:CoreGap = out.cores;
+            var gap:CoreGap = out.gap;
             var place:Vector3D = _place;
             var center:Vector3D = sphere.center;
             var middle:Vector3D = box.center;
@@ -106,7 +106,7 @@ package starlogo.intersection
 
         private function findFromCapsuleToBox(capsule:Capsule, box:Box, motion:RelativeMotion, out:RoundGap):void
         {
-            var gap:CoreGap = out.cores;
+            var gap:CoreGap = out.gap;
             var segment:BoxSegment = _segment;
             var place:Vector3D = _place;
             segment.setTo(capsule, box);
@@ -132,7 +132,7 @@ package starlogo.intersection
             var axisX:Vector3D = box.axisX;
             var axisY:Vector3D = box.axisY;
             var axisZ:Vector3D = box.axisZ;
-            var gap:CoreGap = out.cores;
+            var gap:CoreGap = out.gap;
             var x:Number = place.x;
             var y:Number = place.y;
             var z:Number = place.z;

@@ -9,7 +9,7 @@ package starlogo.intersection
     internal final class RoundGap
     {
         /** The gap and the radii. The closest point is where the first structure is stored, without its motion. */
-        public var cores:CoreGap = new CoreGap();
+        public var gap:CoreGap = new CoreGap();
 
         /** The squared length of the gap. At a box it is more precise than its vector. */
         public var squaredLength:Number = 0;

@@ -21,7 +21,7 @@ package starlogo.intersection
     {
         private var _convex:ConvexPairKernel;
         private var _finder:GapFinder = new GapFinder();
-        private var _gap:RoundGap = new RoundGap();
+        private var _found:RoundGap = new RoundGap();
         private var _step:AdvancementStep = new AdvancementStep();
 
         /** @param convex finds the contact if the cores overlap, and the time of impact if there is hardly any radius */
@@ -33,25 +33,25 @@ package starlogo.intersection
         /** @inheritDoc */
         override internal function findTimeInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion):void
         {
-            var gap:RoundGap = _gap;
+            var found:RoundGap = _found;
             var step:AdvancementStep = _step;
             var margins:Number = motion.margin;
             motion.time = 0;
             step.begin();
             do
             {
-                _finder.find(first, second, motion, gap);
-                var radii:Number = gap.cores.radiusA + gap.cores.radiusB;
+                _finder.find(first, second, motion, found);
+                var radii:Number = found.gap.radiusA + found.gap.radiusB;
                 var touchingDistance:Number = radii * Tolerances.TOUCHING + margins;
-                var length:Number = Math.sqrt(gap.squaredLength);
-                step.isTouching = gap.squaredLength <= touchingDistance * touchingDistance;
-                if (!step.isTouching && radii < Tolerances.DIRECTION * gap.extent)
+                var length:Number = Math.sqrt(found.squaredLength);
+                step.isTouching = found.squaredLength <= touchingDistance * touchingDistance;
+                if (!step.isTouching && radii < Tolerances.DIRECTION * found.extent)
                 {
                     _convex.findTimeInOrder(first, second, motion);
                     return;
                 }
                 step.gap = length - radii;
-                step.speed = gap.closing / length;
+                step.speed = found.closing / length;
             }
             while (advance(step, motion));
         }
@@ -59,13 +59,13 @@ package starlogo.intersection
         /** @inheritDoc */
         override internal function findContactInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
         {
-            var gap:RoundGap = _gap;
-            _finder.find(first, second, motion, gap);
+            var found:RoundGap = _found;
+            _finder.find(first, second, motion, found);
             // If the gap is longer than this, it has a direction in spite of rounding.
-            var least:Number = Tolerances.DIRECTION * gap.extent;
-            if (gap.squaredLength > least * least)
+            var least:Number = Tolerances.DIRECTION * found.extent;
+            if (found.squaredLength > least * least)
             {
-                out.setFromGap(gap.cores, motion);
+                out.setFromGap(found.gap, motion);
             }
             else
             {
@@ -76,8 +76,8 @@ package starlogo.intersection
         /** @inheritDoc */
         override internal function findClosestInOrder(first:BoundingStructure, second:BoundingStructure, out:ClosestPoints):void
         {
-            _finder.find(first, second, RelativeMotion.NONE, _gap);
-            out.setFromGap(_gap.cores);
+            _finder.find(first, second, RelativeMotion.NONE, _found);
+            out.setFromGap(_found.gap);
         }
     }
 }

@@ -18,12 +18,12 @@ package starlogo.intersection
      */
     public function capsuleCapsule(a:Capsule, b:Capsule):Boolean
     {
-        var axes:SegmentPair = SegmentPair.STANDING;
+        var segments:SegmentPair = SegmentPair.STANDING;
         var areSwapped:Boolean = compareVectors(a.start, b.start) > 0;
         var first:Capsule = areSwapped ? b : a;
-        axes.setTo(first.start, first.end, areSwapped ? a : b);
-        axes.findClosest();
+        segments.setTo(first.start, first.end, areSwapped ? a : b);
+        segments.findClosest();
         var touchingDistance:Number = (a.radius + b.radius) * Tolerances.TOUCHING;
-        return axes.gapX * axes.gapX + axes.gapY * axes.gapY + axes.gapZ * axes.gapZ <= touchingDistance * touchingDistance;
+        return segments.gapX * segments.gapX + segments.gapY * segments.gapY + segments.gapZ * segments.gapZ <= touchingDistance * touchingDistance;
     }
 }

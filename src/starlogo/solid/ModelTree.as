@@ -19,8 +19,8 @@
 // 
 // what is inside        | ModelTree.isInside()     | TreeContainmentQuery   | ModelTree.isInside()
 // 
-// A TreePairImpactQuery, for a pair of either kind, puts together when two first touch: standing tests at both ends, impacts of surfaces between. Of
-// several triangles that are touched first, the ImpactChoice chooses one. The package solid.interior knows what is inside of a surface.
+// ImpactQuery, which both pairs extend, puts together when two first touch: standing tests at both ends, impacts of surfaces between. Of several triangles
+// that are touched first, the ImpactChoice chooses one. The package solid.interior knows what is inside of a surface.
 
 package starlogo.solid
 {

@@ -19,9 +19,9 @@ package starlogo.solid
         // The largest number of axes, which a box or a hull has: two for each of three directions. A capsule has three, a sphere one.
         private static const MOST_AXES:int = 6;
 
-        // The shape, the radius around its core, and its motion.
+        // The shape, how far its core may be from a triangle that it touches, and its motion.
         private var _shape:ConvexShape;
-        private var _radius:Number = 0;
+        private var _quickDistance:Number = 0;
         private var _motion:RelativeMotion;
 
         // The numbers of all axes, and their end.
@@ -36,13 +36,13 @@ package starlogo.solid
          * Sets the shape. Its axes are made for the first triangle that is tested: most motions come near none.
          *
          * @param shape kept
-         * @param radius around the core, with the tolerance and a margin for rounding
+         * @param quickDistance how far the shape's core may be from a triangle that it touches, with all that is rounded
          * @param motion of the shape; kept
          */
-        public function setTo(shape:ConvexShape, radius:Number, motion:RelativeMotion):void
+        public function setTo(shape:ConvexShape, quickDistance:Number, motion:RelativeMotion):void
         {
             _shape = shape;
-            _radius = radius;
+            _quickDistance = quickDistance;
             _motion = motion;
             _end = 0;
         }
@@ -54,11 +54,11 @@ package starlogo.solid
             var shape:ConvexShape = _shape;
             var motion:RelativeMotion = _motion;
             var points:Vector.<Number> = shape.points;
-            if (shape.core == ConvexShape.POINT)
+            if (shape.coreKind == ConvexShape.POINT)
             {
                 addAxis(motion.x, motion.y, motion.z);
             }
-            else if (shape.core == ConvexShape.SEGMENT)
+            else if (shape.coreKind == ConvexShape.SEGMENT)
             {
                 var x:Number = points[3] - points[0];
                 var y:Number = points[4] - points[1];
@@ -77,7 +77,7 @@ package starlogo.solid
                     addEdge(points[end] - points[0], points[int(end + 1)] - points[1], points[int(end + 2)] - points[2]);
                 }
             }
-            else if (shape.core != ConvexShape.POINT)
+            else if (shape.coreKind != ConvexShape.POINT)
             {
                 addEdge(1, 0, 0);
                 addEdge(0, 1, 0);
@@ -98,7 +98,7 @@ package starlogo.solid
             var side:int = x * _motion.x + y * _motion.y + z * _motion.z < 0 ? -1 : 1;
             _axis.setTo(side * x, side * y, side * z);
             _shape.project(_axis, _ofShape);
-            var radius:Number = _radius * _axis.length;
+            var radius:Number = _quickDistance * _axis.length;
             var origin:Number = _axis.x * _shape.x + _axis.y * _shape.y + _axis.z * _shape.z;
             var travel:Number = _axis.x * _motion.x + _axis.y * _motion.y + _axis.z * _motion.z;
             axes[at] = _axis.x;
@@ -140,7 +140,7 @@ package starlogo.solid
                     return true;
                 }
             }
-            return (_shape.core == ConvexShape.POINT || _shape.core == ConvexShape.SEGMENT) && passesBeside(corners);
+            return (_shape.coreKind == ConvexShape.POINT || _shape.coreKind == ConvexShape.SEGMENT) && passesBeside(corners);
         }
 
         // Whether an axis across the motion and an edge separates a triangle from a point or a segment. The shape does not move along such an axis.
@@ -178,7 +178,7 @@ package starlogo.solid
                     // rounding of products of the three vectors
                     gap -= Tolerances.EXTENTS * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z))
                         * (Math.abs(edgeX) + Math.abs(edgeY) + Math.abs(edgeZ)) * (Math.abs(x) + Math.abs(y) + Math.abs(z));
-                    if (gap > _radius * Math.sqrt(acrossX * acrossX + acrossY * acrossY + acrossZ * acrossZ))
+                    if (gap > _quickDistance * Math.sqrt(acrossX * acrossX + acrossY * acrossY + acrossZ * acrossZ))
                     {
                         return true;
                     }

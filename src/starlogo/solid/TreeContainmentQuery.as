@@ -72,7 +72,7 @@ package starlogo.solid
             var points:Vector.<Number> = inner.partPoints;
             for (var at:int = 0; at < points.length; at += OutermostPoints.STRIDE)
             {
-                if (movePart(points, at, pose, tree.boxes, out) && outer.isInside(out))
+                if (placeIfInBox(points, at, pose, tree.boxes, out) && outer.isInside(out))
                 {
                     return true;
                 }
@@ -80,27 +80,30 @@ package starlogo.solid
             return false;
         }
 
-        // Moves the outermost points of a part by a pose. Returns whether all of them are then in the box of the root; the last one is written then. Most
-        // points are outside along x.
-        private static function movePart(points:Vector.<Number>, first:int, pose:Placement, box:Vector.<Number>, out:Vector3D):Boolean
+        // Places the outermost points of a part by a pose, until one is outside of the box of the root. Returns whether all are inside; the last one is
+        // written then. Most points are outside along x.
+        private static function placeIfInBox(points:Vector.<Number>, first:int, pose:Placement, box:Vector.<Number>, out:Vector3D):Boolean
         {
             var scale:Number = pose.size;
+            var x:Number;
+            var y:Number;
+            var z:Number;
             for (var at:int = first; at < first + OutermostPoints.STRIDE; at += 3)
             {
                 var px:Number = points[at];
                 var py:Number = points[int(at + 1)];
                 var pz:Number = points[int(at + 2)];
-                var x:Number = pose.r00 * scale * px + pose.r01 * scale * py + pose.r02 * scale * pz + (pose.x - box[0]);
+                x = pose.r00 * scale * px + pose.r01 * scale * py + pose.r02 * scale * pz + (pose.x - box[0]);
                 if (x > box[3] || x < -box[3])
                 {
                     return false;
                 }
-                var y:Number = pose.r10 * scale * px + pose.r11 * scale * py + pose.r12 * scale * pz + (pose.y - box[1]);
+                y = pose.r10 * scale * px + pose.r11 * scale * py + pose.r12 * scale * pz + (pose.y - box[1]);
                 if (y > box[4] || y < -box[4])
                 {
                     return false;
                 }
-                var z:Number = pose.r20 * scale * px + pose.r21 * scale * py + pose.r22 * scale * pz + (pose.z - box[2]);
+                z = pose.r20 * scale * px + pose.r21 * scale * py + pose.r22 * scale * pz + (pose.z - box[2]);
                 if (z > box[5] || z < -box[5])
                 {
                     return false;

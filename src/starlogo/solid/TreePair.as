@@ -11,8 +11,8 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * Two placed models a and b, of which a is a tree: whether they overlap, how far they are apart, and when their surfaces first touch. Abstract: b is
-     * a tree too (TreeTreePair), or a structure stands for it (TreeStructurePair). Nothing is allocated once the stacks have grown and the models'
+     * Two placed models a and b, of which a is a tree: whether they overlap, how far they are apart, and when and where they touch while a moves. Abstract:
+     * b is a tree too (TreeTreePair), or a structure stands for it (TreeStructurePair). Nothing is allocated once the stacks have grown and the models'
      * triangles are prepared.
      *
      * <p>The thesis transforms both structures into the world for each pair of nodes (§4.5). Here one RelativePose for each pair of models transforms
@@ -22,7 +22,7 @@ package starlogo.solid
      *
      * @private
      */
-    public class TreePair
+    public class TreePair extends ImpactQuery
     {
         /** The placement of a in the world. */
         public var placementA:Placement = null;
@@ -33,11 +33,61 @@ package starlogo.solid
         /** The pose of b in a's space. */
         public var pose:RelativePose = new RelativePose();
 
+        // The motion of b in a's space, from the pose on.
+        private var _motion:RelativeMotion = new RelativeMotion();
+
         /** Whether the two touch where they stand: their surfaces do, or one of them is inside of the other. */
         public final function areTouching():Boolean
         {
-            relate();
+            return areTouchingAt(RelativeMotion.NONE, 0);
+        }
+
+        /** @inheritDoc */
+        override public final function areTouchingAt(motion:RelativeMotion, time:Number):Boolean
+        {
+            pose.relateAt(placementA, motion, time, placementB);
             return areTouchingInPose();
+        }
+
+        /** @inheritDoc */
+        override public final function findImpact(motion:RelativeMotion, out:ContactPoint):void
+        {
+            pose.relateAt(placementA, motion, 0, placementB);
+            RelativePose.relateMotion(placementA, motion, _motion);
+            findImpactInPose(_motion, out);
+            motion.time = _motion.time;
+            if (out != null && motion.time != RelativeMotion.NEVER)
+            {
+                RelativePose.moveContactToWorld(out, placementA, motion);
+            }
+        }
+
+        /** Whether one of the two is inside of the other where the motion begins. Their surfaces must not touch there. */
+        public final function beginsInside(motion:RelativeMotion):Boolean
+        {
+            pose.relateAt(placementA, motion, 0, placementB);
+            return findInside(null);
+        }
+
+        /**
+         * It is the contact of two triangles that touch there, or of two nodes that decide. If one model is inside of the other, it is the contact of
+         * the boxes of their roots.
+         *
+         * @inheritDoc
+         */
+        override public final function findContact(motion:RelativeMotion, out:ContactPoint):void
+        {
+            pose.relateAt(placementA, motion, motion.time, placementB);
+            RelativePose.relateMotion(placementA, motion, _motion);
+            // Only what touches at once counts. The motion turns the contact to a plane that it comes against.
+            _motion.latest = 0;
+            findImpactInPose(_motion, out);
+            if (_motion.time == RelativeMotion.NEVER)
+            {
+                _motion.time = 0;
+                findContactOfRoots(_motion, out);
+            }
+            RelativePose.moveContactToWorld(out, placementA, motion);
         }
 
         /**
@@ -48,7 +98,7 @@ package starlogo.solid
          */
         public final function findClosest(doTouch:Boolean, out:ClosestPoints):void
         {
-            relate();
+            pose.relate(placementA, placementB);
             findClosestOfSurfaces(out);
             out.distance *= placementA.size;
             // a point of both is known already if the measured distance is 0
@@ -58,18 +108,6 @@ package starlogo.solid
                 out.correct(doTouch);
                 out.placePoints(placementA);
             }
-        }
-
-        /** Sets the pose to that where both models stand. */
-        internal final function relate():void
-        {
-            pose.relate(placementA, placementB);
-        }
-
-        /** Sets the pose to that where a motion has brought a at a time. */
-        internal final function relateAt(motion:RelativeMotion, time:Number):void
-        {
-            pose.relateAt(placementA, motion, time, placementB);
         }
 
         /** Whether the two touch in their pose. */
@@ -85,13 +123,13 @@ package starlogo.solid
          * @param out receives the contact then, in a's space, with a normal from a to b, and the number of a's triangle if b is a structure; null if
          *     only the time is needed
          */
-        internal function findImpact(motion:RelativeMotion, out:ContactPoint):void
+        internal function findImpactInPose(motion:RelativeMotion, out:ContactPoint):void
         {
-            throw new IllegalOperationError(this + " does not implement findImpact");
+            throw new IllegalOperationError(this + " does not implement findImpactInPose");
         }
 
         /**
-         * Finds the contact of a's root with b's root, or with the structure. The parameters are those of <code>findImpact()</code>.
+         * Finds the contact of a's root with b's root, or with the structure. The parameters are those of <code>findImpactInPose()</code>.
          */
         internal function findContactOfRoots(motion:RelativeMotion, out:ContactPoint):void
         {

@@ -76,7 +76,7 @@ package starlogo.solid
         /** Finds the number of the triangle that is nearest to the structure, as the model counts them; -1 if triangles do not decide. */
         public function findNearestTriangle():int
         {
-            relate();
+            pose.relate(placementA, placementB);
             var slot:int = _isExact ? _triangleDistance.find(_tree, _structure, pose, _measured) : -1;
             return slot < 0 ? -1 : _tree.boxTree.items[slot];
         }
@@ -88,7 +88,7 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override internal function findImpact(motion:RelativeMotion, out:ContactPoint):void
+        override internal function findImpactInPose(motion:RelativeMotion, out:ContactPoint):void
         {
             var found:int = findFirstTouched(motion);
             if (out == null || found < 0)

@@ -79,19 +79,19 @@ package starlogo.solid
             return this;
         }
 
-        /** The largest distance at which triangles of the two touch. */
-        internal function get tolerance():Number
+        /** The largest distance at which triangles of the two touch: the pose's tolerance, and the margins of both surfaces. */
+        internal function get triangleTolerance():Number
         {
             return pose.tolerance + Touching.marginOfSurface(a.boxTree.radius + b.boxTree.radius * pose.placement.size);
         }
 
         /**
-         * The tolerance of quick tests, which is larger: it includes the margin of a motion and Tolerances.CORES of two triangles. It is twice the
-         * tolerance: the second one has SURFACES of the radii, which is more than the CORES of two triangles.
+         * The largest distance at which quick tests let two triangles pass. It is larger, because it includes the margin of a motion and Tolerances.CORES
+         * of two triangles. It is twice the tolerance: the second one has SURFACES of the radii, which is more than the CORES of two triangles.
          */
-        internal function quickTolerance(motion:RelativeMotion):Number
+        internal function quickDistance(motion:RelativeMotion):Number
         {
-            return 2 * tolerance + Tolerances.EXTENTS * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
+            return 2 * triangleTolerance + Tolerances.EXTENTS * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
         }
 
         /** @inheritDoc */
@@ -103,7 +103,7 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override internal function findImpact(motion:RelativeMotion, out:ContactPoint):void
+        override internal function findImpactInPose(motion:RelativeMotion, out:ContactPoint):void
         {
             var best:BestPair = _impact.findImpact(_trees, motion, visitorFor(motion));
             motion.time = best.time;

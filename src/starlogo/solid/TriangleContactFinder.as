@@ -64,7 +64,7 @@ package starlogo.solid
         public function find(pair:TreeTreePair, best:BestPair, motion:RelativeMotion, out:ContactPoint):void
         {
             var placement:Placement = pair.pose.placement;
-            var margin:Number = pair.quickTolerance(motion);
+            var slack:Number = pair.quickDistance(motion);
             var plane:TrianglePlane;
             pair.a.mesh.readTriangle(best.a, _cornersOfA);
             pair.b.mesh.readTriangle(best.b, _cornersOfB);
@@ -74,7 +74,7 @@ package starlogo.solid
             _kernel.findContact(motion, out);
             Placement.invert(placement, _inB.placement);
             plane = _kernel.plane;
-            if (plane.isMetBy(_kernel.shape, margin, motion, out) && !hasTriangleBehind(pair.b, _inB, pair.tolerance, motion, out))
+            if (plane.isMetBy(_kernel.shape, slack, motion, out) && !hasTriangleBehind(pair.b, _inB, pair.triangleTolerance, motion, out))
             {
                 out.setNormal(plane.normal.x, plane.normal.y, plane.normal.z);
                 return;
@@ -83,17 +83,17 @@ package starlogo.solid
             _kernel.shape.setTriangle(_cornersOfA, 0);
             _reversed.setReversed(motion);
             plane = _kernel.plane;
-            if (plane.isMetBy(_kernel.shape, margin, _reversed, out) && !hasTriangleBehind(pair.a, _inA, pair.tolerance, RelativeMotion.NONE, out))
+            if (plane.isMetBy(_kernel.shape, slack, _reversed, out) && !hasTriangleBehind(pair.a, _inA, pair.triangleTolerance, RelativeMotion.NONE, out))
             {
                 out.setNormal(-plane.normal.x, -plane.normal.y, -plane.normal.z);
             }
         }
 
         // Whether a model has a triangle at a contact that is, at least in part, behind the plane. The kernel's shape is its triangle that touches there.
-        private function hasTriangleBehind(model:ModelTree, pose:RelativePose, tolerance:Number, motion:RelativeMotion, contact:ContactPoint):Boolean
+        private function hasTriangleBehind(model:ModelTree, pose:RelativePose, triangleTolerance:Number, motion:RelativeMotion, contact:ContactPoint):Boolean
         {
             var radius:Number = PROBE * _kernel.shape.extent;
-            var back:Number = (1 + PROBE_GAP) * radius + 2 * tolerance;
+            var back:Number = (1 + PROBE_GAP) * radius + 2 * triangleTolerance;
             var normal:Vector3D = _kernel.plane.normal;
             _probe.radius = radius;
             _probe.center.x = contact.x - motion.time * motion.x - back * normal.x;

@@ -40,8 +40,8 @@ package starlogo.solid
         // The extents of the core and of its motion until the limit.
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
-        // The radius around the structure's core, with the tolerance and a margin for rounding: a triangle farther from the core is not touched.
-        private var _radius:Number = 0;
+        // How far the structure's core may be from a triangle that it touches, with all that is rounded.
+        private var _quickDistance:Number = 0;
 
         // Separates most triangles from the moving structure.
         private var _separatingAxes:SweptAxes = new SweptAxes();
@@ -96,10 +96,10 @@ package starlogo.solid
                 extents[int(i + 1)] -= shape.radius;
             }
             var rounding:Number = Tolerances.EXTENTS * size;
-            _radius = shape.radius + shape.margin + rounding;
-            _search.setExtents(extents, _radius);
+            _quickDistance = shape.radius + shape.margin + rounding;
+            _search.setExtents(extents, _quickDistance);
             _search.setMotion(motion);
-            _separatingAxes.setTo(shape, _radius, motion);
+            _separatingAxes.setTo(shape, _quickDistance, motion);
             _triangleMotion.copyVector(motion);
             sweepExtents();
         }
@@ -136,7 +136,7 @@ package starlogo.solid
             var end:int = tree.end[node];
             for (var i:int = tree.first[node]; i < end && limit >= 0; i++)
             {
-                if (squaredDistanceToExtents(_extents, _mesh, i) > _radius * _radius)
+                if (squaredDistanceToExtents(_extents, _mesh, i) > _quickDistance * _quickDistance)
                 {
                     continue;
                 }
@@ -147,7 +147,7 @@ package starlogo.solid
                     continue;
                 }
                 _kernel.setTriangle(_corners);
-                _triangleMotion.earliest = _kernel.plane.findEntry(_kernel.shape, _radius, _motion);
+                _triangleMotion.earliest = _kernel.plane.findEntry(_kernel.shape, _quickDistance, _motion);
                 if (_triangleMotion.earliest > limit)
                 {
                     continue;

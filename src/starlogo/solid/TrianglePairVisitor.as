@@ -40,7 +40,7 @@ package starlogo.solid
         // The corners of the triangles of b's node in a's space, by their index in the node: nine numbers each.
         private var _placed:Vector.<Number> = new Vector.<Number>();
 
-        // The extents of b's current triangle and of its motion, with the tolerance of quick tests: minX, maxX, minY, ...
+        // The extents of b's current triangle and of its motion, with the distance of quick tests: minX, maxX, minY, ...
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
         // Decides about b's current triangle, which is its shape, and triangles of a.
@@ -50,7 +50,7 @@ package starlogo.solid
 
         // The largest distance at which triangles touch, and the largest one at which quick tests let them pass: see TreeTreePair.
         private var _tolerance:Number = 0;
-        private var _quickTolerance:Number = 0;
+        private var _quickDistance:Number = 0;
 
         // The plane of b's current triangle.
         private var _planeOfB:TrianglePlane = new TrianglePlane();
@@ -81,8 +81,8 @@ package starlogo.solid
             _motion.latest = motion.latest;
             _choice.begin(motion.latest);
             _firstPlaced = NONE;
-            _tolerance = pair.tolerance;
-            _quickTolerance = pair.quickTolerance(motion);
+            _tolerance = pair.triangleTolerance;
+            _quickDistance = pair.quickDistance(motion);
             return this;
         }
 
@@ -198,8 +198,8 @@ package starlogo.solid
             var high:Number = second < first ? first : second;
             low = third < low ? third : low;
             high = third > high ? third : high;
-            low -= _quickTolerance;
-            high += _quickTolerance;
+            low -= _quickDistance;
+            high += _quickDistance;
             _extents[to] = travel < 0 ? low + travel : low;
             _extents[int(to + 1)] = travel > 0 ? high + travel : high;
         }
@@ -260,7 +260,7 @@ package starlogo.solid
         // Whether b's current triangle stays on one side of the plane of a's.
         private function staysOnOneSide():Boolean
         {
-            return _kernel.plane.findEntry(_kernel.shape, _quickTolerance, _motion) > _motion.latest;
+            return _kernel.plane.findEntry(_kernel.shape, _quickDistance, _motion) > _motion.latest;
         }
 
         // The squared distance of the extents of a triangle of a from those of b's current triangle. Both are prepared, because each triangle is

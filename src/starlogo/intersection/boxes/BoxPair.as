@@ -39,9 +39,9 @@ package starlogo.intersection.boxes
         public var motionZ:Number = 0;
 
         /** The gap across which the boxes still touch: the sum of the margins (see Touching). */
-        public var margin:Number = 0;
+        public var tolerance:Number = 0;
 
-        /** The vector from a's middle to b's at time 0. boxBox() shortens it in place of a margin. */
+        /** The vector from a's middle to b's at time 0. boxBox() shortens it in place of a tolerance. */
         public var offsetX:Number = 0;
         public var offsetY:Number = 0;
         public var offsetZ:Number = 0;

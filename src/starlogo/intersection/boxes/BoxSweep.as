@@ -91,7 +91,7 @@ package starlogo.intersection.boxes
             pair.offsetZ = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
             pair.axes.setTo(a, b);
             pair.setHalves(a, b);
-            pair.margin = motion.margin;
+            pair.tolerance = motion.margin;
             pair.latest = motion.latest;
         }
 
@@ -107,7 +107,7 @@ package starlogo.intersection.boxes
             var times:ContactInterval = _times;
             var axes:BoxAxes = pair.axes;
             var along:AxisMotion = _along;
-            along.margin = pair.margin;
+            along.tolerance = pair.tolerance;
             var fromX:Number = pair.offsetX;
             var fromY:Number = pair.offsetY;
             var fromZ:Number = pair.offsetZ;
@@ -209,7 +209,7 @@ package starlogo.intersection.boxes
                 along.offset = pair.offsetZ * pY - pair.offsetY * pZ;
                 along.travel = pair.motionZ * pY - pair.motionY * pZ;
                 along.halfExtents = pair.aHalfY * sizeZ + pair.aHalfZ * sizeY + alongQ + alongR;
-                along.margin = pair.margin * (sizeY + sizeZ);
+                along.tolerance = pair.tolerance * (sizeY + sizeZ);
                 if (!times.narrow(along))
                 {
                     return false;
@@ -224,7 +224,7 @@ package starlogo.intersection.boxes
                 along.offset = pair.offsetX * pZ - pair.offsetZ * pX;
                 along.travel = pair.motionX * pZ - pair.motionZ * pX;
                 along.halfExtents = pair.aHalfZ * sizeX + pair.aHalfX * sizeZ + alongQ + alongR;
-                along.margin = pair.margin * (sizeX + sizeZ);
+                along.tolerance = pair.tolerance * (sizeX + sizeZ);
                 if (!times.narrow(along))
                 {
                     return false;
@@ -241,7 +241,7 @@ package starlogo.intersection.boxes
             along.offset = pair.offsetY * pX - pair.offsetX * pY;
             along.travel = pair.motionY * pX - pair.motionX * pY;
             along.halfExtents = pair.aHalfX * sizeY + pair.aHalfY * sizeX + alongQ + alongR;
-            along.margin = pair.margin * (sizeX + sizeY);
+            along.tolerance = pair.tolerance * (sizeX + sizeY);
             return times.narrow(along);
         }
     }

@@ -3,23 +3,23 @@ package starlogo.intersection.boxes
     import starlogo.geometry.Tolerances;
 
     /**
-     * The interval of time in which no axis tried so far separates two moving shapes. The margins are included in the decision whether they
-     * touch at all. The time of impact does not include them.
+     * The interval of time in which no axis tried so far separates two moving shapes. The tolerance is included in the decision whether they
+     * touch at all. The time of impact does not include it.
      *
      * @private
      */
     public final class ContactInterval
     {
-        /** The end of the interval, with the margins included. Read only. */
+        /** The end of the interval, with the tolerance included. Read only. */
         public var last:Number = 1;
 
         /**
-         * The time from which the last axis no longer separates the shapes, without the margins. If it is not after the end of the interval,
+         * The time from which the last axis no longer separates the shapes, without the tolerance. If it is not after the end of the interval,
          * the shapes touch then. Read only.
          */
         public var touch:Number = 0;
 
-        // The beginning of the interval, with the margins included.
+        // The beginning of the interval, with the tolerance included.
         private var _first:Number = 0;
 
         /** Begins with no axis tried. */
@@ -46,7 +46,7 @@ package starlogo.intersection.boxes
                 travel = -travel;
                 from = -from;
             }
-            var wide:Number = near * Tolerances.TOUCHING + axis.margin;
+            var wide:Number = near * Tolerances.TOUCHING + axis.tolerance;
             var time:Number;
             if (from < -wide)
             {

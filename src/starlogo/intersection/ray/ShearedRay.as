@@ -11,7 +11,7 @@ package starlogo.intersection.ray
      * edge. For the two triangles of an edge the two values are opposite, or both 0, to the last bit. So no ray slips through between the
      * triangles.</p>
      *
-     * <p>A ray also meets a triangle if it passes the triangle within the gap across which surfaces still touch (Tolerances.SURFACES). So a ray
+     * <p>A ray also meets a triangle if it passes the triangle within the tolerance across which surfaces still touch (Tolerances.SURFACES). So a ray
      * towards a silhouette finds it. In this case it meets the triangle where it passes the edges. The place where it crosses the plane is far from a
      * steep triangle.</p>
      *
@@ -19,18 +19,18 @@ package starlogo.intersection.ray
      */
     public final class ShearedRay
     {
-        // A triangle is seen edge on if twice its area across the ray is at most so many gaps times its width, which is the sum of its corners'
+        // A triangle is seen edge on if twice its area across the ray is at most so many tolerances times its width, which is the sum of its corners'
         // distances from the ray along u and v. The place where the ray crosses its plane is then a rounding error, so the places where the ray passes
         // its edges count. Of two triangles at one place, one that is not seen edge on counts, because its normal is against the ray.
-        private static const EDGE_ON_GAPS:Number = 16;
+        private static const EDGE_ON_TOLERANCES:Number = 16;
 
-        // How many gaps high a triangle may be, over its longest side, if it is seen edge on with the ray inside of it. Its width is at most 2 times that
+        // How many tolerances high a triangle may be, over its longest side, if it is seen edge on with the ray inside of it. Its width is at most 2 times that
         // side, times the root of two because u and v are added. 3 is a little more than that.
-        private static const EDGE_ON_HEIGHT:Number = 3 * EDGE_ON_GAPS;
+        private static const EDGE_ON_HEIGHT:Number = 3 * EDGE_ON_TOLERANCES;
 
-        // How many gaps the place where a ray meets a triangle may be off. The ray may pass a gap beside the place that is tested. 4 leaves
+        // How many tolerances the place where a ray meets a triangle may be off. The ray may pass a tolerance beside the place that is tested. 4 leaves
         // room for another triangle that touches this one.
-        private static const SLACK_GAPS:Number = 4;
+        private static const SLACK_TOLERANCES:Number = 4;
 
         private var _ray:Ray = null;
 
@@ -48,7 +48,7 @@ package starlogo.intersection.ray
         private var _stretch:Number = 0;
 
         // How far from a triangle the ray may pass. Twice the area of a triangle of that height and of the greatest possible width.
-        private var _margin:Number = 0;
+        private var _tolerance:Number = 0;
         private var _sliver:Number = 0;
 
         // The crossing that is tried, and the same with the triangle's normal.
@@ -90,9 +90,9 @@ package starlogo.intersection.ray
         /** Changes the radius of a sphere around all triangles that come next. Their rounding errors are relative to it. */
         public function setRadius(radius:Number):void
         {
-            _margin = Tolerances.SURFACES * radius;
+            _tolerance = Tolerances.SURFACES * radius;
             // Shearing may make a side longer than the diameter, by a factor of at most the root of eight.
-            _sliver = 6 * _margin * radius;
+            _sliver = 6 * _tolerance * radius;
         }
 
         /**
@@ -199,13 +199,13 @@ package starlogo.intersection.ray
             }
             var sum:Number = sideA + sideB + sideC;
             var width:Number = Math.abs(aU) + Math.abs(aV) + Math.abs(bU) + Math.abs(bV) + Math.abs(cU) + Math.abs(cV);
-            var isEdgeOn:Boolean = Math.abs(sum) <= EDGE_ON_GAPS * _margin * width;
+            var isEdgeOn:Boolean = Math.abs(sum) <= EDGE_ON_TOLERANCES * _tolerance * width;
             var isInside:Boolean = sum != 0 && (sideA >= 0 && sideB >= 0 && sideC >= 0 || sideA <= 0 && sideB <= 0 && sideC <= 0);
             if (isInside && !isEdgeOn)
             {
                 out.distance = _stretch * (sideA * aW + sideB * bW + sideC * cW) / sum;
             }
-            else if (!passEdges(points, a, b, c, isInside ? EDGE_ON_HEIGHT * _margin : _margin, out))
+            else if (!passEdges(points, a, b, c, isInside ? EDGE_ON_HEIGHT * _tolerance : _tolerance, out))
             {
                 return false;
             }
@@ -226,38 +226,38 @@ package starlogo.intersection.ray
             return true;
         }
 
-        // Sets the rest of a crossing with a triangle that the ray does not see edge on. The ray may pass a gap beside the place that is tested. On a
+        // Sets the rest of a crossing with a triangle that the ray does not see edge on. The ray may pass a tolerance beside the place that is tested. On a
         // steep triangle, which is deep for its area, the place is then farther off along the ray.
         private function setAcross(spread:Number, sum:Number, out:TriangleCrossing):void
         {
             out.end = out.distance;
-            out.slack = Tolerances.ROUNDING * Math.abs(out.distance) + SLACK_GAPS * _margin * (1 + spread / Math.abs(sum));
+            out.slack = Tolerances.ROUNDING * Math.abs(out.distance) + SLACK_TOLERANCES * _tolerance * (1 + spread / Math.abs(sum));
             out.side = sum > 0 ? RayCrossings.ENTERS : RayCrossings.LEAVES;
         }
 
         // Sets the rest of a crossing with a triangle that the ray sees edge on.
         private function setAlong(out:TriangleCrossing):void
         {
-            out.slack = Tolerances.ROUNDING * Math.abs(out.distance) + SLACK_GAPS * EDGE_ON_GAPS * _margin;
+            out.slack = Tolerances.ROUNDING * Math.abs(out.distance) + SLACK_TOLERANCES * EDGE_ON_TOLERANCES * _tolerance;
             out.end = Math.max(out.end, out.distance) + out.slack;
             out.side = RayCrossings.EDGE_ON;
         }
 
-        // Sets the crossing to the places where the ray first and last passes the edges of a triangle within a gap. Returns whether there is such a place
+        // Sets the crossing to the places where the ray first and last passes the edges of a triangle within a tolerance. Returns whether there is such a place
         // where the ray begins or later.
-        private function passEdges(points:Vector.<Number>, a:int, b:int, c:int, gap:Number, out:TriangleCrossing):Boolean
+        private function passEdges(points:Vector.<Number>, a:int, b:int, c:int, tolerance:Number, out:TriangleCrossing):Boolean
         {
             out.distance = Infinity;
             out.end = -Infinity;
-            passEdge(points, a, b, gap, out);
-            passEdge(points, b, c, gap, out);
-            passEdge(points, c, a, gap, out);
+            passEdge(points, a, b, tolerance, out);
+            passEdge(points, b, c, tolerance, out);
+            passEdge(points, c, a, tolerance, out);
             out.distance = Math.max(out.distance, _ray.from);
             return out.end >= _ray.from;
         }
 
-        // Widens the crossing by the place where the ray passes an edge, if that is within a gap.
-        private function passEdge(points:Vector.<Number>, from:int, to:int, gap:Number, out:TriangleCrossing):void
+        // Widens the crossing by the place where the ray passes an edge, if that is within a tolerance.
+        private function passEdge(points:Vector.<Number>, from:int, to:int, tolerance:Number, out:TriangleCrossing):void
         {
             var fromW:Number = points[from + _w] - _originW;
             var fromU:Number = points[from + _u] - _originU - _shearU * fromW;
@@ -269,7 +269,7 @@ package starlogo.intersection.ray
             var share:Number = square > 0 ? Math.max(0, Math.min(1, -(fromU * toU + fromV * toV) / square)) : 0;
             fromU += share * toU;
             fromV += share * toV;
-            if (fromU * fromU + fromV * fromV <= gap * gap)
+            if (fromU * fromU + fromV * fromV <= tolerance * tolerance)
             {
                 var place:Number = _stretch * (fromW + share * (toW - fromW));
                 out.distance = Math.min(out.distance, place);

@@ -167,7 +167,7 @@ package starlogo.intersection.ray
         {
             var middle:Vector3D = box.center;
             var entered:Vector3D = null;
-            var left:Vector3D = null;
+            var exited:Vector3D = null;
             var near:Number = -Infinity;
             var far:Number = Infinity;
             var entrance:Number = -Infinity;
@@ -196,7 +196,7 @@ package starlogo.intersection.ray
                 if (place < far)
                 {
                     far = place;
-                    left = axis;
+                    exited = axis;
                 }
             }
             if (!(near <= far))
@@ -205,7 +205,7 @@ package starlogo.intersection.ray
             }
             setEndsOfFaces(near, entrance, exit, far, out);
             out.setNormalNear(entered.x, entered.y, entered.z);
-            out.setNormalFar(left.x, left.y, left.z);
+            out.setNormalFar(exited.x, exited.y, exited.z);
             return true;
         }
 
@@ -220,7 +220,7 @@ package starlogo.intersection.ray
             var planes:Vector.<Number> = hull.halfSpaces;
             var end:int = planes.length;
             var entered:int = 0;
-            var left:int = 0;
+            var exited:int = 0;
             var near:Number = -Infinity;
             var far:Number = Infinity;
             var entrance:Number = -Infinity;
@@ -252,7 +252,7 @@ package starlogo.intersection.ray
                     if (touched < far)
                     {
                         far = touched;
-                        left = i;
+                        exited = i;
                     }
                 }
             }
@@ -262,7 +262,7 @@ package starlogo.intersection.ray
             }
             setEndsOfFaces(near, entrance, exit, far, out);
             out.setNormalNear(planes[entered], planes[int(entered + 1)], planes[int(entered + 2)]);
-            out.setNormalFar(planes[left], planes[int(left + 1)], planes[int(left + 2)]);
+            out.setNormalFar(planes[exited], planes[int(exited + 1)], planes[int(exited + 2)]);
             return true;
         }
 

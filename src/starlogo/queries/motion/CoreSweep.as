@@ -30,10 +30,9 @@ package starlogo.queries.motion
         // How the core meets one row.
         private var _met:Impact = new Impact();
 
-        // The motion of the core past a row, the place of the body at its end, and the place where a second sweep begins.
+        // The motion of the core past a row, and the place of the body at its end.
         private var _relative:RelativeMotion = new RelativeMotion();
         private var _end:Vector3D = new Vector3D();
-        private var _beyond:Vector3D = new Vector3D();
 
         /**
          * Starts a motion: it finds the tolerances, sweeps the core, and frees the body from what it overlaps. If the body overlaps nothing, the sweep
@@ -212,7 +211,7 @@ package starlogo.queries.motion
             var contact:ContactPoint = out.contact;
             setAlong(from, motion, 1, _end);
             _relative.endAfter(motion.x, motion.y, motion.z);
-            if (!sweepCore(core, row, from, _end, countsInside, _relative, contact))
+            if (!sweepCore(core, row, _end, countsInside, _relative, contact))
             {
                 return false;
             }
@@ -224,9 +223,8 @@ package starlogo.queries.motion
             {
                 var beyond:Number = Math.min(1, out.time + clearanceTime);
                 var rest:Number = 1 - beyond;
-                setAlong(from, motion, beyond, _beyond);
                 _relative.endAfter(rest * motion.x, rest * motion.y, rest * motion.z);
-                if (!sweepCore(core, row, _beyond, _end, false, _relative, contact))
+                if (!sweepCore(core, row, _end, false, _relative, contact))
                 {
                     return false;
                 }
@@ -245,31 +243,22 @@ package starlogo.queries.motion
         }
 
         // Finds when and how the core first meets a row on a motion, which receives the time. Returns whether it meets the row.
-        private static function sweepCore(core:BodyCore, row:int, from:Vector3D, end:Vector3D, countsInside:Boolean, motion:RelativeMotion,
-                out:ContactPoint):Boolean
+        private static function sweepCore(core:BodyCore, row:int, end:Vector3D, countsInside:Boolean, motion:RelativeMotion, out:ContactPoint):Boolean
         {
             var moved:Body = core.moveTo(end);
             var other:Body = core.body.bodyOf(row);
-            var isInside:Boolean = false;
             motion.time = RelativeMotion.NEVER;
             if (core.isNear(moved, other, motion))
             {
                 var tests:PairTests = core.body.narrowPhase.pairTestsFor(moved, other);
-                if (countsInside)
+                tests.findImpact(moved, other, motion, out);
+                // a sheet may be wholly under the ground at the beginning, and then it touches no surface
+                var mayBeInside:Boolean = countsInside ? motion.time > 0 : motion.time == RelativeMotion.NEVER && other.form == ModelShape.GROUND;
+                if (mayBeInside && tests.beginsInside(moved, other, motion))
                 {
-                    isInside = tests.findImpactAndInside(moved, other, motion, out);
+                    motion.time = 0;
+                    out.setNormal(0, 0, 0);
                 }
-                else
-                {
-                    tests.findImpact(moved, other, motion, out);
-                    // a sheet may be wholly under the ground at the beginning, and then it touches no surface
-                    isInside = motion.time == RelativeMotion.NEVER && other.form == ModelShape.GROUND && tests.areTouching(core.moveTo(from), other);
-                }
-            }
-            if (isInside)
-            {
-                motion.time = 0;
-                out.setNormal(0, 0, 0);
             }
             return motion.time != RelativeMotion.NEVER;
         }

@@ -101,10 +101,9 @@ package starlogo.search.pairs
         }
 
         /** A model may be wholly under the surface. @inheritDoc */
-        override public function findImpactAndInside(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):Boolean
+        override public function beginsInside(a:Body, b:Body, motion:RelativeMotion):Boolean
         {
-            findImpact(a, b, motion, out);
-            return motion.time > 0 && touchesAtBeginning(a, b, motion);
+            return touchesAtBeginning(a, b, motion);
         }
 
         /** @inheritDoc */

@@ -2,8 +2,7 @@
 // for agents, GroundPairTests and EdgePairTests for an agent and the ground or the edges of the world. SupportSearch finds how far a body reaches.
 // Read this file first, then StructurePairTests, the shortest one. Its methods for motions differ if the two touch where the motion begins:
 // - findFirstTouch: the time 0, and the contact there.
-// - findImpact: the time 0, or the first moment at which their surfaces touch.
-// - findImpactAndInside: the same, and whether one is inside of the other at the beginning.
+// - findImpact: the time 0, or the first moment at which their surfaces touch. Then beginsInside says whether one is inside of the other.
 // Otherwise all find the first touch. Only findFirstTouch finds one that rounding hides at the end of the motion.
 package starlogo.search.pairs
 {
@@ -152,14 +151,13 @@ package starlogo.search.pairs
         }
 
         /**
-         * Finds what <code>findImpact()</code> does, and whether one of the two is inside of the other where the motion begins. Bodies without surfaces
-         * of their own never are: they touch there, or do not.
+         * Whether one of two bodies is inside of the other where a motion begins. Their surfaces do not touch there. Bodies without surfaces of their own
+         * are never inside.
          *
-         * @return whether one is inside of the other and their surfaces do not touch there
+         * @param motion as in findFirstTouch. Its time does not count
          */
-        public function findImpactAndInside(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):Boolean
+        public function beginsInside(a:Body, b:Body, motion:RelativeMotion):Boolean
         {
-            findImpact(a, b, motion, out);
             return false;
         }
 

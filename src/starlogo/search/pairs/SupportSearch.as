@@ -1,7 +1,6 @@
 package starlogo.search.pairs
 {
     import flash.geom.Vector3D;
-    import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ConvexShape;
     import starlogo.engine;
     import starlogo.geometry.Placement;
@@ -55,7 +54,15 @@ package starlogo.search.pairs
         public function findSupport(body:Body, direction:Vector3D, out:SupportPoint):void
         {
             turnIntoModel(direction, body.placement, _direction);
-            findInModel(body, _direction, out);
+            if (body.shape.hierarchy == null)
+            {
+                body.shape.structure.shapeInto(_shape);
+                findOfShape(_shape, _direction, out);
+            }
+            else
+            {
+                findOfTree(body, _direction, out);
+            }
             bringSupportBack(direction, body.placement, out);
         }
 
@@ -71,13 +78,15 @@ package starlogo.search.pairs
         {
             var at:Placement = body.placement;
             turnIntoModel(direction, at, _direction);
-            findInModel(body, _direction, out);
             if (body.shape.tree == null)
             {
-                takeFarthestOfStructure(_direction, out.support - Tolerances.SEPARATION * body.largestHalf / at.size, out);
+                body.shape.structure.shapeInto(_shape);
+                findOfShape(_shape, _direction, out);
+                takeFarthestOfShape(_shape, _direction, out.support - Tolerances.SEPARATION * body.largestHalf / at.size, out);
             }
             else
             {
+                findOfTree(body, _direction, out);
                 takeFarthestOfTree(body, _direction, out.support, out);
             }
             bringSupportBack(direction, at, out);
@@ -121,14 +130,9 @@ package starlogo.search.pairs
             return mesh != null ? BoxTree.EXACT : _limits.depthOf(body);
         }
 
-        // Finds how far a body's shape reaches in the model's space.
-        private function findInModel(body:Body, direction:Vector3D, out:SupportPoint):void
+        // Finds how far a body's tree reaches in the model's space.
+        private function findOfTree(body:Body, direction:Vector3D, out:SupportPoint):void
         {
-            if (body.shape.tree == null)
-            {
-                findOfStructure(body.shape.structure, direction, out);
-                return;
-            }
             var tree:BoxTree = body.shape.tree.boxTree;
             var mesh:TriangleMesh = trianglesOf(body);
             var depth:int = depthOf(body, mesh);
@@ -164,14 +168,11 @@ package starlogo.search.pairs
             }
         }
 
-        // Finds how far a structure reaches, and sets _shape to it.
-        private function findOfStructure(structure:BoundingStructure, direction:Vector3D, out:SupportPoint):void
+        private static function findOfShape(shape:ConvexShape, direction:Vector3D, out:SupportPoint):void
         {
-            structure.shapeInto(_shape);
-            var p:Vector.<Number> = _shape.points;
-            var i:int = _shape.support(direction, 1);
-            out.support = (_shape.x + p[i]) * direction.x + (_shape.y + p[int(i + 1)]) * direction.y + (_shape.z + p[int(i + 2)]) * direction.z
-                + _shape.radius;
+            var p:Vector.<Number> = shape.points;
+            var i:int = shape.support(direction, 1);
+            out.support = (shape.x + p[i]) * direction.x + (shape.y + p[int(i + 1)]) * direction.y + (shape.z + p[int(i + 2)]) * direction.z + shape.radius;
         }
 
         // How far a node's box reaches. Its numbers begin at an index: the middle, and the half-extents.
@@ -193,15 +194,15 @@ package starlogo.search.pairs
             out.support = farthest;
         }
 
-        // Finds the mean of the corners of _shape that reach as far as a support. findOfStructure() has set _shape.
-        private function takeFarthestOfStructure(direction:Vector3D, least:Number, out:SupportPoint):void
+        // Finds the mean of the corners of a shape that reach as far as a support.
+        private function takeFarthestOfShape(shape:ConvexShape, direction:Vector3D, least:Number, out:SupportPoint):void
         {
-            var p:Vector.<Number> = _shape.points;
-            var x:Number = _shape.x + _shape.radius * direction.x;
-            var y:Number = _shape.y + _shape.radius * direction.y;
-            var z:Number = _shape.z + _shape.radius * direction.z;
+            var p:Vector.<Number> = shape.points;
+            var x:Number = shape.x + shape.radius * direction.x;
+            var y:Number = shape.y + shape.radius * direction.y;
+            var z:Number = shape.z + shape.radius * direction.z;
             beginPart();
-            for (var i:int = 0; i < _shape.pointsEnd; i += 3)
+            for (var i:int = 0; i < shape.pointsEnd; i += 3)
             {
                 addIfAsFar(x + p[i], y + p[int(i + 1)], z + p[int(i + 2)], direction, least);
             }

@@ -18,9 +18,8 @@ package starlogo.search.pairs
     import starlogo.search.penetration.ExitSearch;
     import starlogo.search.TreeLimits;
     import starlogo.solid.ModelTree;
-    import starlogo.solid.TreeStructurePair;
-    import starlogo.solid.TreePairImpactQuery;
     import starlogo.solid.TreePair;
+    import starlogo.solid.TreeStructurePair;
     import starlogo.solid.TreeTreePair;
 
     use namespace engine;
@@ -38,11 +37,10 @@ package starlogo.search.pairs
         private var _counts:TreeCounts;
         private var _trees:TreeTreePair;
         private var _treeAndStructure:TreeStructurePair;
-        private var _impacts:TreePairImpactQuery = new TreePairImpactQuery();
-
-        private var _reversed:RelativeMotion = new RelativeMotion();
-
         private var _exitSearch:ExitSearch;
+
+        // The motion of the second body while the first one stands still.
+        private var _reversed:RelativeMotion = new RelativeMotion();
 
         // The second body in the first one's space, for the contact of the structures around them.
         private var _pose:RelativePose = new RelativePose();
@@ -83,9 +81,10 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function findFirstTouch(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            var own:RelativeMotion = setMovingPair(a, b, motion, NarrowPhase.isReversed(a, b));
+            var isReversed:Boolean = NarrowPhase.isReversed(a, b);
+            var own:RelativeMotion = motionOfFirst(motion, isReversed);
             _counts.pairTests++;
-            _impacts.findFirstTouch(own, out);
+            pairInOrder(a, b, isReversed).findFirstTouch(own, out);
             finish(own, motion, out);
         }
 
@@ -93,28 +92,27 @@ package starlogo.search.pairs
         override public function findContactOfParts(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             // Two trees stay in this order. TwoAgents.findContact puts two agents into the order of the list before, so a contact is the same in either order.
-            var own:RelativeMotion = setMovingPair(a, b, motion, a.form != ModelShape.TREE);
-            _impacts.findContact(own, out);
+            var isReversed:Boolean = a.form != ModelShape.TREE;
+            var own:RelativeMotion = motionOfFirst(motion, isReversed);
+            pairInOrder(a, b, isReversed).findContact(own, out);
             finish(own, motion, out);
         }
 
         /** @inheritDoc */
         override public function findImpact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            var own:RelativeMotion = setMovingPair(a, b, motion, NarrowPhase.isReversed(a, b));
+            var isReversed:Boolean = NarrowPhase.isReversed(a, b);
+            var own:RelativeMotion = motionOfFirst(motion, isReversed);
             _counts.pairTests++;
-            _impacts.findImpact(own, out);
+            pairInOrder(a, b, isReversed).findImpact(own, out);
             finish(own, motion, out);
         }
 
         /** @inheritDoc */
-        override public function findImpactAndInside(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):Boolean
+        override public function beginsInside(a:Body, b:Body, motion:RelativeMotion):Boolean
         {
-            var own:RelativeMotion = setMovingPair(a, b, motion, NarrowPhase.isReversed(a, b));
-            _counts.pairTests++;
-            var isInside:Boolean = _impacts.findImpactAndInside(own, out);
-            finish(own, motion, out);
-            return isInside;
+            var isReversed:Boolean = NarrowPhase.isReversed(a, b);
+            return pairInOrder(a, b, isReversed).beginsInside(motionOfFirst(motion, isReversed));
         }
 
         /** @inheritDoc */
@@ -166,16 +164,13 @@ package starlogo.search.pairs
             return _treeAndStructure.findNearestTriangle();
         }
 
-        // Sets the query of impacts to the two bodies in this order or the reverse. Returns the motion of the body that is then first: the given
-        // motion, or its reverse.
-        private function setMovingPair(a:Body, b:Body, motion:RelativeMotion, isReversed:Boolean):RelativeMotion
+        // Returns the motion of the first body of a pair, which is asked about in this order or the reverse: the given motion, or its reverse.
+        private function motionOfFirst(motion:RelativeMotion, isReversed:Boolean):RelativeMotion
         {
             if (!isReversed)
             {
-                _impacts.setTo(pairOf(a, b));
                 return motion;
             }
-            _impacts.setTo(pairOf(b, a));
             _reversed.setReversed(motion);
             return _reversed;
         }
@@ -192,6 +187,12 @@ package starlogo.search.pairs
             {
                 out.swap(motion);
             }
+        }
+
+        // Returns two bodies as a pair, in this order or the reverse.
+        private function pairInOrder(a:Body, b:Body, isReversed:Boolean):TreePair
+        {
+            return isReversed ? pairOf(b, a) : pairOf(a, b);
         }
 
         // Returns two bodies as a pair that the next call overwrites. The first one is a tree.

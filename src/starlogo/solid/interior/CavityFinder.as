@@ -78,18 +78,18 @@ package starlogo.solid.interior
         {
             for (var slot:int = first; slot < end; slot++)
             {
-                var index:int = shellAt(slot);
-                if (!isTwoSided(index))
+                var shell:int = shellAt(slot);
+                if (!isTwoSided(shell))
                 {
                     continue;
                 }
-                _shells[index] ||= new ClosedShell(_mesh.corners[3 * slot]);
+                _shells[shell] ||= new ClosedShell(_mesh.corners[3 * slot]);
                 readTriangle(slot);
                 var vertices:Vector.<Number> = _mesh.vertices;
-                var from:int = _shells[index].origin;
+                var from:int = _shells[shell].origin;
                 var volume:Number = _plane.doubleArea * (_plane.normal.x * (_corners[0] - vertices[from])
                         + _plane.normal.y * (_corners[1] - vertices[from + 1]) + _plane.normal.z * (_corners[2] - vertices[from + 2]));
-                _shells[index].volume += _surface.isReversed(_mesh.tree.items[slot]) ? -volume : volume;
+                _shells[shell].volume += _surface.isReversed(_mesh.tree.items[slot]) ? -volume : volume;
             }
         }
 
@@ -104,14 +104,14 @@ package starlogo.solid.interior
         private function orientShells():void
         {
             var isFound:Vector.<Boolean> = new Vector.<Boolean>(3, true);
-            for (var index:int = 0; index < _shells.length; index++)
+            for (var shell:int = 0; shell < _shells.length; shell++)
             {
-                var shell:ClosedShell = _shells[index];
-                if (shell != null)
+                var closed:ClosedShell = _shells[shell];
+                if (closed != null)
                 {
-                    var sign:int = shell.volume > 0 ? 1 : (shell.volume < 0 ? -1 : 0);
-                    shell.orientation = _balances[index] > 0 ? sign : (_balances[index] < 0 ? -sign : sign * sign);
-                    isFound[shell.orientation + 1] = true;
+                    var sign:int = closed.volume > 0 ? 1 : (closed.volume < 0 ? -1 : 0);
+                    closed.orientation = _balances[shell] > 0 ? sign : (_balances[shell] < 0 ? -sign : sign * sign);
+                    isFound[closed.orientation + 1] = true;
                 }
             }
             if (isFound[0] && isFound[2])
@@ -126,10 +126,10 @@ package starlogo.solid.interior
         {
             for (var slot:int = first; slot < end; slot++)
             {
-                var index:int = shellAt(slot);
-                if (isTwoSided(index))
+                var shell:int = shellAt(slot);
+                if (isTwoSided(shell))
                 {
-                    _extremes.add(index, slot);
+                    _extremes.add(shell, slot);
                 }
             }
         }
@@ -139,32 +139,32 @@ package starlogo.solid.interior
         {
             for (var slot:int = first; slot < end; slot++)
             {
-                var index:int = shellAt(slot);
+                var shell:int = shellAt(slot);
                 readTriangle(slot);
-                if (_plane.isFlat || !isTwoSided(index))
+                if (_plane.isFlat || !isTwoSided(shell))
                 {
                     continue;
                 }
-                for (var corner:int = MIDDLE; corner >= 0 && isUndecided(_shells[index]); corner--)
+                for (var corner:int = MIDDLE; corner >= 0 && isUndecided(_shells[shell]); corner--)
                 {
-                    findEnclosing(index, slot, corner);
-                    keepEnclosing(index);
+                    findEnclosingNear(shell, slot, corner);
+                    keepEnclosing(shell);
                 }
             }
         }
 
         // Whether more points decide about a shell. One point decides if too many shells are tested, as in models with very many nested shells.
-        private function isUndecided(shell:ClosedShell):Boolean
+        private function isUndecided(closed:ClosedShell):Boolean
         {
-            return shell.enclosing == null || shell.enclosing.length > 0 && _testedShells < WindingCounter.MOST_TESTS_PER_TRIANGLE * _mesh.tree.itemCount;
+            return closed.enclosing == null || closed.enclosing.length > 0 && _testedShells < WindingCounter.MOST_TESTS_PER_TRIANGLE * _mesh.tree.itemCount;
         }
 
         // Finds the shells that enclose a point of a triangle of a shell. The triangle is the one that was taken. The point is near a corner, or in the
         // middle, and a little inside of the shell.
-        private function findEnclosing(index:int, slot:int, corner:int):void
+        private function findEnclosingNear(shell:int, slot:int, corner:int):void
         {
-            var inwards:Number = INWARDS * _extremes.extentOf(index);
-            inwards = _surface.isReversed(_mesh.tree.items[slot]) == _shells[index].volume > 0 ? inwards : -inwards;
+            var inwards:Number = INWARDS * _extremes.extentOf(shell);
+            inwards = _surface.isReversed(_mesh.tree.items[slot]) == _shells[shell].volume > 0 ? inwards : -inwards;
             var share:Number = corner == MIDDLE ? 1 / 3 : SHARE_OF_EACH;
             var point:Vector.<Number> = new <Number>[inwards * _plane.normal.x, inwards * _plane.normal.y, inwards * _plane.normal.z];
             for (var axis:int = 0; axis < 3; axis++)
@@ -172,37 +172,37 @@ package starlogo.solid.interior
                 point[axis] += share * (_corners[axis] + _corners[3 + axis] + _corners[6 + axis])
                     + (corner == MIDDLE ? 0 : SHARE_OF_NEAREST * _corners[3 * corner + axis]);
             }
-            _testedShells += _windingCounter.findAround(point[0], point[1], point[2], _enclosingPoint);
+            _testedShells += _windingCounter.findEnclosing(point[0], point[1], point[2], _enclosingPoint);
         }
 
-        // Keeps those of the shells around a shell that enclose the last point too; after its first point, all larger shells that do. Keeps none if all
-        // of them have the orientation of this shell.
-        private function keepEnclosing(index:int):void
+        // Keeps those of a shell's enclosing shells that enclose the last point too; after its first point, all larger shells that enclose it. Keeps none
+        // if all of them have the orientation of this shell.
+        private function keepEnclosing(shell:int):void
         {
-            var shell:ClosedShell = _shells[index];
+            var closed:ClosedShell = _shells[shell];
             var kept:Vector.<int> = new Vector.<int>();
             var hasOpposite:Boolean = false;
             markEnclosing(true);
-            for each (var other:int in shell.enclosing || _enclosingPoint)
+            for each (var other:int in closed.enclosing || _enclosingPoint)
             {
-                if (shell.enclosing == null ? isLarger(other, index) : _shells[other].enclosesPoint)
+                if (closed.enclosing == null ? isLarger(other, shell) : _shells[other].enclosesPoint)
                 {
                     kept.push(other);
-                    hasOpposite ||= _shells[other].orientation == -shell.orientation;
+                    hasOpposite ||= _shells[other].orientation == -closed.orientation;
                 }
             }
             markEnclosing(false);
             kept.length = hasOpposite ? kept.length : 0;
-            shell.enclosing = kept;
+            closed.enclosing = kept;
         }
 
         private function markEnclosing(enclosesPoint:Boolean):void
         {
-            for each (var index:int in _enclosingPoint)
+            for each (var shell:int in _enclosingPoint)
             {
-                if (_shells[index] != null)
+                if (_shells[shell] != null)
                 {
-                    _shells[index].enclosesPoint = enclosesPoint;
+                    _shells[shell].enclosesPoint = enclosesPoint;
                 }
             }
         }
@@ -219,28 +219,28 @@ package starlogo.solid.interior
         {
             // negative, so that the largest shell comes first
             var sortKeys:Array = [];
-            for each (var shell:ClosedShell in _shells)
+            for each (var closed:ClosedShell in _shells)
             {
-                sortKeys.push(shell == null ? 0 : -Math.abs(shell.volume));
+                sortKeys.push(closed == null ? 0 : -Math.abs(closed.volume));
             }
-            for each (var index:int in sortKeys.sort(Array.NUMERIC | Array.RETURNINDEXEDARRAY))
+            for each (var shell:int in sortKeys.sort(Array.NUMERIC | Array.RETURNINDEXEDARRAY))
             {
-                shell = _shells[index];
-                if (shell == null || shell.enclosing == null)
+                closed = _shells[shell];
+                if (closed == null || closed.enclosing == null)
                 {
                     continue;
                 }
                 var innermost:int = -1;
-                for each (var outer:int in shell.enclosing)
+                for each (var outer:int in closed.enclosing)
                 {
                     if (innermost < 0 || sortKeys[outer] > sortKeys[innermost])
                     {
                         innermost = outer;
                     }
                 }
-                if (isTwoSided(innermost) && !_surface.boundsCavity(innermost) && _shells[innermost].orientation == -shell.orientation)
+                if (isTwoSided(innermost) && !_surface.boundsCavity(innermost) && _shells[innermost].orientation == -closed.orientation)
                 {
-                    _surface.cavityOf[index] = innermost;
+                    _surface.cavityOf[shell] = innermost;
                 }
             }
         }

@@ -94,14 +94,14 @@ package starlogo.solid.interior
         // If too many shells are tested, the parts that are left stand for themselves. The answers are the same.
         private function findOverlaps(first:int, end:int):void
         {
-            var around:Vector.<int> = new Vector.<int>();
+            var enclosing:Vector.<int> = new Vector.<int>();
             for (var part:int = first; part < end && _testedShells < WindingCounter.MOST_TESTS_PER_TRIANGLE * _mesh.tree.itemCount; part++)
             {
                 var start:int = _parts.startOf(part);
                 for (var at:int = start; at < start + OutermostPoints.STRIDE; at += 3)
                 {
-                    _testedShells += _windingCounter.findAround(_parts.points[at], _parts.points[at + 1], _parts.points[at + 2], around);
-                    for each (var shell:int in around)
+                    _testedShells += _windingCounter.findEnclosing(_parts.points[at], _parts.points[at + 1], _parts.points[at + 2], enclosing);
+                    for each (var shell:int in enclosing)
                     {
                         _overlapping.join(_partOf[shell], part);
                     }

@@ -23,8 +23,8 @@ package starlogo.solid.interior
         public function hasOpenSide(point:Vector3D, tree:BoxTree):Boolean
         {
             // Corners may move when seams are welded.
-            var margin:Number = 8 * Tolerances.WELDING * (tree.radius + Math.abs(tree.boxes[0]) + Math.abs(tree.boxes[1]) + Math.abs(tree.boxes[2]));
-            _search.setPlace(point.x, point.y, point.z, margin);
+            var slack:Number = 8 * Tolerances.WELDING * (tree.radius + Math.abs(tree.boxes[0]) + Math.abs(tree.boxes[1]) + Math.abs(tree.boxes[2]));
+            _search.setCube(point.x, point.y, point.z, slack);
             for (var i:int = 5; i >= 0; i--)
             {
                 _search.setAxis(i >> 1, (i & 1) == 0 ? -1 : 1);

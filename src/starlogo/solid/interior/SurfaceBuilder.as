@@ -15,7 +15,7 @@ package starlogo.solid.interior
         private var _triangles:Vector.<uint>;
 
         // For each vertex, the first one at its place.
-        private var _places:Vector.<int>;
+        private var _welded:Vector.<int>;
 
         // The sets of connected vertices. For the representative of a set, one more than the number of its part, or 0 as long as it has none.
         private var _sets:DisjointSets;
@@ -32,12 +32,12 @@ package starlogo.solid.interior
         {
             _windingCounter = windingCounter;
             _triangles = windingCounter.mesh.tree.triangles;
-            _places = welding.welded;
+            _welded = welding.welded;
             windingCounter.surface.widestSeam = welding.widestSeam;
             var count:int = _triangles.length / 3;
             var edges:EdgeMatcher = new EdgeMatcher(_triangles, welding);
-            _sets = new DisjointSets(_places.length);
-            _partOfSet = fixedInts(_places.length);
+            _sets = new DisjointSets(_welded.length);
+            _partOfSet = fixedInts(_welded.length);
             _shells = new ShellFinder(windingCounter.surface, edges);
             slices(count, TRIANGLES_PER_STEP, joinVertices).slices(count, TRIANGLES_PER_STEP, numberParts);
             add(edges).add(_shells).begin(findCavities);
@@ -48,8 +48,8 @@ package starlogo.solid.interior
             var triangles:Vector.<uint> = _triangles;
             for (var corner:int = 3 * first; corner < 3 * end; corner += 3)
             {
-                _sets.join(_places[triangles[corner]], _places[triangles[int(corner + 1)]]);
-                _sets.join(_places[triangles[corner]], _places[triangles[int(corner + 2)]]);
+                _sets.join(_welded[triangles[corner]], _welded[triangles[int(corner + 1)]]);
+                _sets.join(_welded[triangles[corner]], _welded[triangles[int(corner + 2)]]);
             }
         }
 
@@ -58,7 +58,7 @@ package starlogo.solid.interior
             var surface:SurfaceTopology = _windingCounter.surface;
             for (var triangle:int = first; triangle < end; triangle++)
             {
-                var root:int = _sets.rootOf(_places[_triangles[3 * triangle]]);
+                var root:int = _sets.rootOf(_welded[_triangles[3 * triangle]]);
                 if (_partOfSet[root] == 0)
                 {
                     _partOfSet[root] = ++surface.partCount;

@@ -59,10 +59,10 @@ package starlogo.solid.interior
         }
 
         /** Adds a shell, with its number in <code>shellStates</code> and <code>cavityOf</code>. */
-        public function addShell(state:int, around:int):void
+        public function addShell(state:int, cavityOf:int):void
         {
             shellStates.push(state);
-            cavityOf.push(around);
+            this.cavityOf.push(cavityOf);
         }
 
         /** The number of a triangle's shell, or -1 for a triangle with two corners at one place. The triangle is counted as the model does. */

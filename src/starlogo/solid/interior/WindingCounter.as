@@ -103,7 +103,7 @@ package starlogo.solid.interior
             count(point.x, point.y, point.z);
             for (var i:int = 0; i < _crossedCount; i++)
             {
-                if (isAround(_crossed[i]))
+                if (encloses(_crossed[i]))
                 {
                     return true;
                 }
@@ -117,13 +117,13 @@ package starlogo.solid.interior
          * @param out receives the shells
          * @return how many shells were tested, which says how much work it was
          */
-        public function findAround(x:Number, y:Number, z:Number, out:Vector.<int>):int
+        public function findEnclosing(x:Number, y:Number, z:Number, out:Vector.<int>):int
         {
             count(x, y, z);
             out.length = 0;
             for (var i:int = 0; i < _crossedCount; i++)
             {
-                if (isAround(_crossed[i]))
+                if (encloses(_crossed[i]))
                 {
                     out.push(_crossed[i]);
                 }
@@ -132,7 +132,7 @@ package starlogo.solid.interior
         }
 
         // Whether the point of the last count() is inside of a shell, and not in a cavity of it.
-        private function isAround(shell:int):Boolean
+        private function encloses(shell:int):Boolean
         {
             var state:int = surface.shellStates[shell];
             return state == SurfaceTopology.TWO_SIDED && _windings[shell] != 0 && !surface.boundsCavity(shell)
@@ -157,8 +157,8 @@ package starlogo.solid.interior
             _b = _axis == 0 ? y : (_axis == 1 ? z : x);
             _c = _axis == 0 ? z : (_axis == 1 ? x : y);
             _isBackward = _a < _crowdedPlace;
-            var margin:Number = surface.widestSeam + Tolerances.ROUNDING * mesh.tree.radiusAboutOrigin;
-            _search.setPlace(x, y, z, margin);
+            var slack:Number = surface.widestSeam + Tolerances.ROUNDING * mesh.tree.radiusAboutOrigin;
+            _search.setCube(x, y, z, slack);
             _search.setAxis(_axis, _isBackward ? -1 : 1);
             _search.visitMet(mesh.tree, BoxTree.EXACT, this);
             for (var i:int = 0; i < _crossedCount; i++)

@@ -16,7 +16,7 @@ package starlogo.solid
     use namespace engine;
 
     /** A touch that only the test at the end of the motion sees has the contact of what touches there. */
-    public class TreePairImpactQueryTest
+    public class ImpactQueryTest
     {
         // The gap between the walls is 1.2 wide. What stands in its middle is 0.4 wide.
         private static const TRAVEL:Number = 0.4;
@@ -24,7 +24,6 @@ package starlogo.solid
         private var _counts:TreeCounts = new TreeCounts();
         private var _trees:TreeTreePair = new TreeTreePair(_counts);
         private var _treeAndStructure:TreeStructurePair = new TreeStructurePair(_counts);
-        private var _query:TreePairImpactQuery = new TreePairImpactQuery();
 
         [Test]
         public function trianglesOfTwoTrees():void
@@ -61,13 +60,20 @@ package starlogo.solid
             motion.endAfter(-0.6, 0, 0);
             for each (var latest:Number in [0.1, 0.5, 0.66, 0.67, 0.9, 1])
             {
-                for each (var find:Function in [_query.findImpact, _query.findFirstTouch])
+                for each (var testsEnds:Boolean in [false, true])
                 {
                     var ends:Placement = new Placement();
                     ends.x = -0.6;
-                    setPair(walls, ends, b, structure, exact);
+                    var pair:TreePair = pairOf(walls, ends, b, structure, exact);
                     motion.latest = latest;
-                    find(motion, null);
+                    if (testsEnds)
+                    {
+                        pair.findFirstTouch(motion, null);
+                    }
+                    else
+                    {
+                        pair.findImpact(motion, null);
+                    }
                     var what:String = "exact " + exact + ", latest " + latest;
                     assertTrue(what + ": " + motion.time, latest < 2 / 3 ? motion.time == RelativeMotion.NEVER : Math.abs(motion.time - 2 / 3) < 1e-9);
                 }
@@ -86,11 +92,11 @@ package starlogo.solid
                 var travel:Number = TRAVEL - step * Math.pow(2, -51);
                 var ends:Placement = new Placement();
                 ends.x = -travel;
-                setPair(walls, ends, b, structure, exact);
+                var pair:TreePair = pairOf(walls, ends, b, structure, exact);
                 motion.endAfter(-travel, 0, 0);
-                _query.findImpact(motion, null);
+                pair.findImpact(motion, null);
                 var isMissed:Boolean = motion.time == RelativeMotion.NEVER;
-                _query.findFirstTouch(motion, contact);
+                pair.findFirstTouch(motion, contact);
                 if (motion.time == RelativeMotion.NEVER)
                 {
                     continue;
@@ -105,14 +111,10 @@ package starlogo.solid
         }
 
         // The second model is a tree or a structure, and stands at the origin.
-        private function setPair(a:ModelTree, at:Placement, b:ModelTree, structure:BoundingStructure, exact:Boolean):void
+        private function pairOf(a:ModelTree, at:Placement, b:ModelTree, structure:BoundingStructure, exact:Boolean):TreePair
         {
-            if (b != null)
-            {
-                _query.setTo(_trees.setTo(a, at, BoxTree.EXACT, b, new Placement(), BoxTree.EXACT, exact));
-                return;
-            }
-            _query.setTo(_treeAndStructure.setTo(a, at, BoxTree.EXACT, structure, new Placement(), exact));
+            return b != null ? _trees.setTo(a, at, BoxTree.EXACT, b, new Placement(), BoxTree.EXACT, exact)
+                : _treeAndStructure.setTo(a, at, BoxTree.EXACT, structure, new Placement(), exact);
         }
 
         // Adds the corners of a block to a list.

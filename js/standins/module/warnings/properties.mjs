@@ -96,7 +96,7 @@ export function $warnOfLaterProperties(updated, agents) {
 	}
 }
 
-/** Warns of an agent whose triangles decide, and whose model has none: nothing meets it. */
+/** Warns of an agent whose triangles decide, and whose model has none: rays and motions pass between its vertices. */
 function $lookForTriangles(collisionSystem, agents) {
 	if (!collisionSystem.exact) return;
 	const isOfTrees = $typeOf(collisionSystem) === "HierarchicalCollider";
@@ -104,7 +104,7 @@ function $lookForTriangles(collisionSystem, agents) {
 	const hasNone = ({ shape }) => greatLand?.hasModel(shape) && !(greatLand.modelOf(shape).triangles?.length > 0);
 	const agent = agents.find((each) => (isOfTrees || each?.hierarchical) && hasNone(each));
 	if (!agent) return;
-	$warn(`${agent} meets nothing, because with exact triangles decide, and its model has none. If each three of its vertices are a triangle, `
+	$warn(`${agent} has gaps: with exact triangles decide, and its model has only vertices. If each three of these are a triangle, `
 		+ "say so: new Model(name, vertices, vertices.map((_, i) => i).slice(0, vertices.length / 3)). Of an object of three.js levelFromObject "
 		+ "and modelFromObject make models with triangles", "no triangles");
 }

@@ -70,7 +70,7 @@ export interface WireframeOptions {
  * object's own transform does not count, because it places the object in the world: see ThreeAgentBinding. Draw ranges count. If a mesh has
  * several materials, the groups with a material count. Lines, points, sprites and meshes scaled to 0 are left out.
  *
- * Hits tell the mesh and the material of a triangle: see `Model.meshNames` and `Model.materialNames`. A mesh has its own name, or its
+ * Hits tell the mesh and the material of a triangle: see `faceOf`, `Model.meshNames` and `Model.materialNames`. A mesh has its own name, or its
  * geometry's if it has none. A name may be "", as in three.js. All instances of an InstancedMesh or a BatchedMesh are one mesh. A source that
  * is a geometry has neither meshes nor materials.
  *

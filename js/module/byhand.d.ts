@@ -4,7 +4,7 @@ export type Numbers = readonly number[] | Float32Array | Float64Array | Int8Arra
 /** What is taken for a file's bytes. */
 export type Bytes = ByteArray | ArrayBuffer | ArrayBufferView;
 
-/** Bytes that a Blob, a file or postMessage takes: a Uint8Array with an ArrayBuffer of its own. */
+/** Bytes that a Blob, a file or postMessage takes: they have a buffer of their own. */
 export type OwnBytes = ReturnType<Uint8ArrayConstructor["from"]>;
 
 /** What is taken for a point or a direction: a Vector3D, three.js's Vector3, a literal. It is read at the call. */

@@ -49,6 +49,7 @@ writeFileSync(join(SHORT, "short.js"), transformSync(users, { ...hidden, format:
 writeFileSync(join(out, "index.d.ts"), writeDeclarations(types));
 copyFileSync(join(ROOT, "LICENSE"), join(out, "LICENSE"));
 copyFileSync(join(ROOT, "js/module/cook.mjs"), join(out, "cook.mjs"));
+copyFileSync(join(ROOT, "js/standins/module/warnings/spelling.mjs"), join(out, "spelling.mjs"));
 writePages(out);
 writeFileSync(join(out, "CHANGELOG.md"), newestChanges(readFileSync(join(ROOT, "CHANGELOG.md"), "utf8")));
 copyFileSync(join(ROOT, "js/module/picture.svg"), join(out, "picture.svg"));

@@ -4,6 +4,9 @@ export type Numbers = readonly number[] | Float32Array | Float64Array | Int8Arra
 /** What is taken for a file's bytes. */
 export type Bytes = ByteArray | ArrayBuffer | ArrayBufferView;
 
+/** Bytes that a Blob, a file or postMessage takes: they have a buffer of their own. */
+export type OwnBytes = ReturnType<Uint8ArrayConstructor["from"]>;
+
 /** What is taken for a point or a direction: a Vector3D, three.js's Vector3, a literal. It is read at the call. */
 export interface Point {
 	readonly x: number;
@@ -34,6 +37,9 @@ export type Scaling = typeof Model.FOOTPRINT | typeof Model.VOLUME | typeof Mode
 
 /** The type F, where the compiler must not infer it. */
 export type Uninferred<F> = [F][F extends unknown ? 0 : never];
+
+/** A list that a question fills with agents of class F. A list of only some of them is refused: it would hold the others too. */
+export type Filled<F> = (Uninferred<F>[] & { push: (...agents: Uninferred<F>[]) => number }) | never[];
 
 /**
  * What is taken for an AgentFilter: one, or a literal with some of its properties. If `accepts` is a type guard, F is its class.
@@ -92,7 +98,7 @@ export class ByteArray {
 	/** How many bytes there are. */
 	length: number;
 	/** The bytes, copied. */
-	toUint8Array(): Uint8Array;
+	toUint8Array(): OwnBytes;
 }
 
 /** What a CollisionRecorder has recorded of the collisions of two breeds, or of all. */

@@ -3,6 +3,7 @@ import { createHash } from "node:crypto";
 import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from "node:fs";
 import { basename, dirname, extname, join, relative, resolve, sep } from "node:path";
 import { parseArgs } from "node:util";
+import { $hintOfOption } from "./spelling.mjs";
 import { GreatLand, HullFitter, Model, ModelLoader, ModelTransform } from "./starlogo-collision.min.js";
 
 const HELP = `Reads models and computes what a game needs of them when the game is built, so that no player's machine has to: writes a cooked file for every
@@ -88,8 +89,10 @@ function readArguments() {
 	let read;
 	try {
 		read = parseArgs({ options, allowPositionals: true });
-	} catch (error) {
-		fail(error.message);
+	} catch ({ code, message }) {
+		const [, name] = /^[^']*'(?:-\w, )?-{1,2}([\w-]+)/.exec(message);
+		if (code === "ERR_PARSE_ARGS_UNKNOWN_OPTION") fail(thereIsNo(name));
+		fail(`--${name} ${options[name].type === "boolean" ? "takes no value" : "needs a value"}`);
 	}
 	const { values, positionals } = read;
 	if (values.help) {
@@ -105,6 +108,12 @@ function readArguments() {
 	if (values.hulls !== undefined && !(/^\d{1,3}$/.test(values.hulls) && Number(values.hulls) >= 8)) fail(`--hulls is a whole number from 8 to 999, not ${values.hulls}`);
 	for (const name of ["min-vertices", "depth"]) if (!/^[1-9]\d{0,5}$/.test(values[name])) fail(`--${name} is a whole number from 1 on, not ${values[name]}`);
 	return { values, folder };
+}
+
+/** What is wrong with an option that there is not: the nearest one is, or all are. */
+function thereIsNo(name) {
+	const names = Object.keys(options);
+	return `--${name} is no option; ${$hintOfOption(name, names, options)}there are ${names.map((each) => `--${each}`).join(", ")}`;
 }
 
 function fail(problem) {

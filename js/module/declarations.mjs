@@ -213,7 +213,7 @@ class Writer {
 
 	/** The type of what a member has or returns. */
 	#resultOf(type, member, said, isFinding) {
-		if (PLAIN_BYTES.has(`${type.qname}.${member.name}`)) return "Uint8Array";
+		if (PLAIN_BYTES.has(`${type.qname}.${member.name}`)) return "OwnBytes";
 		const known = BY_NAME.get(member.name) ?? this.#literalOf(member) ?? this.#unionOf(type, member.result, said);
 		if (known) return known;
 		const orNull = this.#mayBeNull({ ...member, doc: said }) ? " | null" : "";
@@ -260,7 +260,7 @@ class Writer {
 			const { name, type, value, isRest } = parameter;
 			if (isRest) return `...${name}: string[]`;
 			if (generic.endsWith(NAMING) && /breed$/i.test(name)) return `${name}: ${name === "breed" ? "N" : "M"}`;
-			if (generic === FINDING && name === "out") return `out?: ${this.#foundType(type)} | null`;
+			if (generic === FINDING && name === "out") return "out?: Filled<F> | null";
 			if (generic === FINDING && type === "AgentFilter") return `${name}?: AgentFilterInit<A, F> | null`;
 			const text = this.#parameterType(parameter, this.#said(member, parameter, owner));
 			return `${name}${value === null ? "" : "?"}: ${text}${parameter === booleans[0] ? literal : ""}`;

@@ -4,12 +4,12 @@ import { join } from "node:path";
 import { ROOT } from "./names.mjs";
 
 /** The pages. build/module.xml lists them too. */
-const PAGES = ["choosing", "motion", "queries", "questions", "snapshots", "terrain", "three"];
+const PAGES = ["choosing", "loading", "motion", "poses", "queries", "questions", "snapshots", "terrain", "three"];
 
 /** Sections and paragraphs that are for others: for ActionScript, about examples that the package has not. */
 const FOR_OTHERS = [
 	/^### Reading ActionScript\n[^]*?(?=^## )/m, /^## ActionScript\n[^]*?(?=^## )/m, /^- \*\*The guide's sample is in ActionScript\.\*\*.*\n(?:  .*\n)*/m,
-	/^Examples?: [^]*?\n\n/gm, /^Each sample is in ActionScript and in JavaScript\. /m, /^!\[.*\n\n?/gm, /^\| \[ActionScript\].*\n/m, / \[The page of measurements\]\(.*?\) says what each costs\./, /\n\[How a question runs\].*\n/,
+	/^Examples?: [^]*?\n\n/gm, /^Each sample is in ActionScript and in JavaScript\. /m, /^!\[.*\n\n?/gm, /^\| \[ActionScript\].*\n/m, / \[The page of measurements\]\(.*?\) says what each costs\./, / \[Limits\]\(limits\.md\) says how large\n[^.]*\./, /\n\[How a question runs\].*\n/,
 ];
 
 /** Writes README.md and the pages into the folder of the package. */

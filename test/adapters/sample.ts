@@ -1,7 +1,7 @@
 // What a game in TypeScript does with the adapter to three.js: tsc --strict has to accept it.
 import * as THREE from "three";
 import { Agent, AgentQueries, BinCollider, Collision, GreatLand, Model, RayHit, TightestFitCollider, Vector3D } from "starlogo-collision";
-import { bindInstance, levelFromObject, modelFromObject, TerrainGeometry, terrainFromMesh, ThreeAgentBinding, ThreeWireframe, toEngine, toScene } from "starlogo-collision/three";
+import { bindInstance, faceOf, levelFromObject, modelFromObject, TerrainGeometry, terrainFromMesh, ThreeAgentBinding, ThreeWireframe, toEngine, toScene } from "starlogo-collision/three";
 import type { BindingOptions, LevelOptions, ModelOptions, TerrainOptions, Up, WireframeOptions } from "starlogo-collision/three";
 
 const up: Up = "z";
@@ -62,3 +62,8 @@ const eye: Vector3D | null = toEngine(camera.position);
 const written: THREE.Vector3 = toScene(eye, placeOf(hit) ?? orNull ?? mark);
 scene.position.copy(written);
 toScene(toEngine(mark), mesh.position).applyMatrix4(scene.matrix);
+
+// what is drawn at a hit
+const face = faceOf(tree, hit?.triangle ?? -1);
+if (face) face.object.material = new THREE.MeshBasicMaterial({ name: `${face.faceIndex} ${face.instanceId ?? ""}` });
+new Blob([collision.snapshot()]);

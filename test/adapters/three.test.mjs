@@ -44,7 +44,7 @@ function differenceOf(found, { corners, flips }) {
 for (const [number, { version, folder, THREE, engine, adapter }] of all.entries()) {
 	const [sceneCount, pickCount] = [SCENES, PICKS].map(({ first, others }) => (number === 0 ? first : others));
 	const { Agent, Model, Terrain, Vector3D } = engine;
-	const { ThreeAgentBinding, bindInstance, levelFromObject, modelFromObject, TerrainGeometry, terrainFromMesh, ThreeWireframe, toEngine, toScene } = adapter;
+	const { ThreeAgentBinding, bindInstance, faceOf, levelFromObject, modelFromObject, TerrainGeometry, terrainFromMesh, ThreeWireframe, toEngine, toScene } = adapter;
 
 	test(`three ${version}: what is drawn in ${sceneCount} random scenes is where the engine has it, whichever of the two leads`, () => {
 		const scenes = new Scenes(THREE, 25 + number);
@@ -571,7 +571,7 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 		assert.throws(() => new ThreeAgentBinding(agent, object, null, { up: "x" }), /^ArgumentError: up must be "y" or "z", not "x"/);
 		assert.throws(() => modelFromObject("any", new THREE.BoxGeometry(), { up: "Y" }), /^ArgumentError: up must be "y" or "z", not "Y"/);
 		for (const wrong of [null, undefined, {}, "bear.glb"]) assert.throws(() => modelFromObject("any", wrong), /^ModelError: model "any": expected an Object3D or a BufferGeometry, not /);
-		for (const make of [modelFromObject, levelFromObject]) assert.throws(() => make(box(), "any"), /^ArgumentError: a model's name must be a string, not Mesh$/);
+		for (const make of [modelFromObject, levelFromObject]) assert.throws(() => make(box(), "any"), /^ArgumentError: (modelFromObject|levelFromObject): the model's name comes first and is a string, not Mesh$/);
 		assert.throws(() => modelFromObject("any", new THREE.Group()), /^ModelError: model "any": no vertices/);
 		assert.throws(() => modelFromObject("", new THREE.BoxGeometry()), /^ModelError: .*needs a name/);
 		const broken = box();
@@ -614,11 +614,23 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 		};
 		assert.deepEqual([0, 10, 20, 30, 40].map(below), [["floor", "stone"], ["several", "glass"], ["crates", "glass"], ["crates", "glass"], ["", ""]]);
 		assert.deepEqual(modelFromObject("model", group).meshNames, model.meshNames);
+		const drawnAt = (x) => faceOf(model, queries.cast(new Vector3D(x + 0.1, 0.2, 5), new Vector3D(0, 0, -1)).triangle);
+		group.updateMatrixWorld();
+		for (const x of [0, 10, 20, 30, 40]) {
+			const [first] = new THREE.Raycaster(new THREE.Vector3(x + 0.1, 5, -0.2), new THREE.Vector3(0, -1, 0)).intersectObject(group);
+			assert.deepEqual(drawnAt(x), { object: first.object, faceIndex: first.faceIndex, instanceId: first.instanceId ?? first.batchId ?? null });
+		}
+		assert.equal(faceOf(model, -1), null);
+		for (const triangle of [-2, 60, 0.5, "1", undefined]) assert.throws(() => faceOf(model, triangle), /^RangeError: faceOf: triangle must be a whole number from -1 to 59, not /);
+		for (const other of [modelFromObject("box", new THREE.BoxGeometry()), engine.BuiltInModel.cube(), null, group]) {
+			assert.throws(() => faceOf(other, 0), /^ArgumentError: faceOf: model must be one that modelFromObject or levelFromObject has made of an Object3D, not /);
+		}
 		// a box has a group for each side: the draw range leaves out all but the first two
 		const sides = new THREE.Mesh(new THREE.BoxGeometry(), [stone, glass, unnamed, unnamed, unnamed, unnamed]);
 		sides.geometry.setDrawRange(0, 9);
 		const drawn = modelFromObject("sides", sides);
 		assert.deepEqual([drawn.materialNames, drawn.materials], [["stone", "glass"], [0, 0, 1]]);
+		assert.deepEqual([0, 1, 2].map((triangle) => faceOf(drawn, triangle).faceIndex), [0, 1, 2]);
 		const { meshNames, materialNames } = modelFromObject("box", new THREE.BoxGeometry());
 		assert.deepEqual([meshNames, materialNames], [null, null]);
 	});
@@ -793,6 +805,9 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 			hits++;
 			assert.ok(Math.abs(hit.distance - first.distance) < 1e-9, `ray ${i}: ${hit.distance} and ${first.distance}`);
 			assert.ok(first.point.distanceTo(new THREE.Vector3(hit.point.x, hit.point.z, -hit.point.y)) < 1e-9);
+			const { object, faceIndex, instanceId } = faceOf(greatLand.modelOf(hit.agent.shape), hit.triangle);
+			assert.equal(object, first.object, `ray ${i}`);
+			assert.deepEqual([faceIndex, instanceId], [first.faceIndex, first.instanceId ?? null], `ray ${i}`);
 		}
 		assert.ok(hits > 0.2 * pickCount && hits < 0.9 * pickCount, `${hits} hits`);
 	});

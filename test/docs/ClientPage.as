@@ -11,6 +11,7 @@ package docs
         public static const FIXTURES:Array = ["/assets/bear.obj"];
 
         protected var bearText:String = Fixtures.text("/assets/bear.obj");
+        protected var levelText:String = stairs();
 
         private var _painted:int = 0;
 
@@ -28,6 +29,26 @@ package docs
         {
             assertEquals("by the ten lines, and by the block", 2, _painted);
             assertTrue(shown["bear"].hierarchical);
+            for (var i:int = 0; i < 60; i++)
+            {
+                shown["queries"].walk(shown["hero"], 0.1, 0, shown["options"], shown["footing"]);
+            }
+            assertTrue("on the third step, at " + shown["hero"].z, Math.abs(shown["hero"].z - 0.75) < 1e-3);
+        }
+
+        /** The text of an OBJ file: a floor around (-20, 0), and three steps of a quarter of a patch. */
+        private static function stairs():String
+        {
+            var text:String = "";
+            for (var i:int = 0; i < 4; i++)
+            {
+                for each (var x:Number in [i == 0 ? -24 : -19 + i, i == 3 ? -10 : -18 + i])
+                {
+                    text += ["v", x, -2, i / 4, "\nv", x, 2, i / 4, "\n"].join(" ");
+                }
+                text += ["f", 4 * i + 1, 4 * i + 3, 4 * i + 4, 4 * i + 2, "\n"].join(" ");
+            }
+            return text;
         }
     }
 }

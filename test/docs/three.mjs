@@ -26,7 +26,7 @@ body.position.y = 8;
 gltf.scene.add(body);
 
 /** Whether the samples have done what the page says. */
-export async function check({ frame, bear, other, drawn, collision, wireframe, standing, terrain, ground, hit, level, crate, crateMesh, heroGroup, coin, coinMesh, greatLand, placeCamera, openRoom, closedRoom }) {
+export async function check({ frame, bear, other, drawn, collision, wireframe, standing, terrain, ground, hit, drawnFace, level, crate, crateMesh, heroGroup, coin, coinMesh, greatLand, placeCamera, openRoom, closedRoom }) {
 	let calls = 0;
 	collision.onCollision('bears', 'bears', () => calls++);
 	bear.heading = 90;
@@ -39,6 +39,7 @@ export async function check({ frame, bear, other, drawn, collision, wireframe, s
 	assert.ok(Math.abs(drawn.rotation.x - Math.PI / 2) < 1e-6);
 	assert.equal(other.x, 0.5);
 	assert.equal(hit.agent, level);
+	assert.equal(drawnFace.object, levelScene);
 	assert.ok(mark.position.distanceTo(new THREE.Vector3(5, 0, 7)) < 1e-9);
 	assert.ok(crateMesh.position.distanceTo(new THREE.Vector3(0, 0.9, 0)) < 1e-9 && crateMesh.scale.x === 1 && crate.size === 1);
 	assert.ok(heroGroup.position.distanceTo(new THREE.Vector3(5, 0, -2)) < 1e-9 && Math.abs(heroGroup.scale.x - 1) < 1e-9);

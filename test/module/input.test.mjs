@@ -357,6 +357,21 @@ test("while a game is developed, an error says which option is the nearest, if o
 	refused(() => queries.near(walker, 1, { breed: ["a"] }), "AgentQueries.near: filter.breed is no option; the nearest is breeds; there are ");
 });
 
+test("while a game is developed, an error says where a value of another kind belongs", async () => {
+	const { Agent, AgentQueries, BinCollider, Footing, GreatLand } = await import(pathToFileURL(path.join(folder, manifest.exports["."].node)));
+	const queries = new AgentQueries(new BinCollider());
+	const walker = new Agent("cube");
+	queries.update([walker]);
+	const isLarge = (agent) => agent.size > 1;
+	refused(() => queries.near(walker, 5, isLarge), "AgentQueries.near: filter must be an AgentFilter", "not the function isLarge. A function goes into one: { accepts: (agent) => agent.size > 1 }");
+	refused(() => queries.walk(walker, 0.1, 0, new Footing()), "is no option; a Footing is the argument after the options: walk(agent, dx, dy, null, footing); there are ");
+	for (const kind of ["isObject3D", "isBufferGeometry"]) {
+		refused(() => new GreatLand().addModel({ [kind]: true }), "model must be a Model, not a plain object. modelFromObject() and levelFromObject() of starlogo-collision/three make a model of it");
+	}
+	const small = new engine.AgentQueries(new engine.BinCollider());
+	assert.throws(() => small.near(new engine.Agent("cube"), 5, isLarge), /not the function isLarge$/);
+});
+
 test("constructors of settings take a literal", () => {
 	refused(() => new AgentFilter({ breed: ["a"] }), "new AgentFilter: settings.breed is no option; there are ");
 	refused(() => new AgentFilter(["a"]), 'new AgentFilter: settings must be an AgentFilter, or a literal such as { breeds: ["sheep"] }, not ["a"]');

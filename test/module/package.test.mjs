@@ -231,7 +231,7 @@ test("the package weighs 3 MB at most, and its map 1.2", () => {
 	const files = readdirSync(folder, { recursive: true, withFileTypes: true }).filter((file) => file.isFile()).map((file) => path.join(file.parentPath ?? file.path, file.name));
 	const sizeOf = (some) => some.reduce((sum, file) => sum + statSync(file).size, 0);
 	const isMap = (file) => path.dirname(file) === path.join(folder, "maps");
-	assert.ok(sizeOf(files.filter((file) => !isMap(file))) < 3.01e6);
+	assert.ok(sizeOf(files.filter((file) => !isMap(file))) < 3.03e6);
 	assert.ok(sizeOf(files.filter(isMap)) < 1.2e6);
 });
 
@@ -624,7 +624,7 @@ test("while a game is developed, settings that a constructor does not take, leve
 	const said = run("starlogo-collision.js");
 	const expected = [/new HierarchicalCollider takes 1 argument, and does nothing with the others: settings such as exact are set after it/,
 		/agent \d+ \(breed "heroes", shape "hero"\) begins a motion 3\.8 deep inside of the structure around agent \d+ \(breed "levels", shape "ground"\), and a walk pushes it out.*hierarchical.*CombinationCollider/,
-		/agent \d+ \(breed "heroes", shape "hero"\) has fallen in 200 walks, from z = 500 to 400: .*AS_GIVEN.*"y"/];
+		/agent \d+ \(breed "heroes", shape "hero"\) has fallen in 200 walks, from z = 500 to 400: .*queries\.update\(\), which is called once a frame.*AS_GIVEN or of levelFromObject.*"y"/];
 	assert.equal(said.length, expected.length, said.join("\n"));
 	expected.forEach((pattern, i) => assert.match(said[i], pattern));
 	assert.deepEqual(run("starlogo-collision.min.js"), []);
@@ -719,6 +719,62 @@ test("while a game is developed, a level that was normalised is warned of, once,
 	const { said, counts } = run("starlogo-collision.js");
 	assert.deepEqual(counts, [0, 0, 0, 0, 0, 1], said.join("\n"));
 	assert.match(said[0], /agent \d+ \(.*shape "level"\) is one patch wide, and its model was 40 units wide before it was normalised\. .*Model\.AS_GIVEN.*levelFromObject/);
+	assert.deepEqual(run("starlogo-collision.min.js").said, []);
+});
+
+test("while a game is developed, a model without triangles where triangles decide is warned of, once", () => {
+	const program = (module) => `import { Agent, AgentQueries, BuiltInModel, CombinationCollider, GreatLand, HierarchicalCollider, Model } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
+		const said = [];
+		console.warn = (text) => said.push(text);
+		const corners = [-5, -5, 0, 5, -5, 0, 5, 5, 0];
+		const land = new GreatLand();
+		land.addModel(BuiltInModel.cube());
+		land.addModel(new Model("points", corners));
+		land.addModel(new Model("triangle", corners, [0, 1, 2]));
+		const counts = [];
+		for (const [Collider, exact, shape, hierarchical] of [[CombinationCollider, false, "points", true], [CombinationCollider, true, "points", false], [CombinationCollider, true, "triangle", true],
+			[HierarchicalCollider, true, "cube", false], [HierarchicalCollider, true, "points", false], [CombinationCollider, true, "points", true]]) {
+			const queries = new AgentQueries(Object.assign(new Collider(land), { exact }));
+			queries.update([Object.assign(new Agent(shape), { hierarchical })]);
+			counts.push(said.length);
+		}
+		console.log(JSON.stringify({ said, counts }));`;
+	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
+	const { said, counts } = run("starlogo-collision.js");
+	assert.deepEqual(counts, [0, 0, 0, 0, 1, 1], said.join("\n"));
+	assert.match(said[0], /agent \d+ \(.*shape "points"\) has gaps: .* its model has only vertices\. .*new Model\(.*levelFromObject/);
+	assert.deepEqual(run("starlogo-collision.min.js").said, []);
+});
+
+test("while a game is developed, a forgotten update of questions is warned of if no Collision counts the frames, once", () => {
+	const program = (module) => `import { Agent, AgentMotions, AgentQueries, BuiltInModel, GreatLand, SeenAgents, TightestFitCollider } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
+		const said = [];
+		console.warn = (text) => said.push(text);
+		const land = new GreatLand();
+		for (const model of [BuiltInModel.capsule(0.3, 1.8, "hero"), BuiltInModel.box(4, 4, 0.2, "lift")]) land.addModel(model);
+		const [lift, hero, friend] = [new Agent("lift", "lifts"), new Agent("hero", "heroes"), new Agent("hero", "heroes")];
+		friend.moveTo(1, 1, 0.2);
+		/** Plays some frames in which the lift goes down, or up; sees what has moved in these ways. */
+		function play(frames, { update = null, refresh = null, motions }) {
+			for (let i = 0; i < frames; i++) {
+				lift.moveTo(0, 0, i * 0.0001);
+				update?.([lift, hero, friend]);
+				refresh?.(lift);
+				motions.walk(hero, 0.001, 0, { fall: 0 });
+				motions.slide(friend, 0, 0.001, 0);
+			}
+			return said.length;
+		}
+		const queries = new AgentQueries(new TightestFitCollider(land));
+		const seen = new SeenAgents(new TightestFitCollider(land));
+		for (const each of [queries, seen]) each.update([lift, hero, friend]);
+		const counts = [play(400, { update: (agents) => queries.update(agents), motions: queries }), play(400, { refresh: (agent) => queries.refresh(agent), motions: queries }),
+			play(299, { motions: new AgentMotions(seen) }), play(9, { motions: new AgentMotions(seen) }), play(400, { motions: queries })];
+		console.log(JSON.stringify({ said, counts }));`;
+	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
+	const { said, counts } = run("starlogo-collision.js");
+	assert.deepEqual(counts, [0, 0, 0, 1, 1], said.join("\n"));
+	assert.match(said[0], /questions see agent \d+ \(.*shape "lift"\) where it was at the last queries\.update\(agents\), 30\d motions of agent \d+ \(.*shape "hero"\) ago: call it once a frame/);
 	assert.deepEqual(run("starlogo-collision.min.js").said, []);
 });
 

@@ -234,7 +234,8 @@ test("the cook leaves what is there, cooks what has changed, and says what is wr
 	writeFileSync(path.join(plain, "deep/three.gltf"), gltf("../../its.bin"));
 	assert.match(run(plain, "--out", again).stderr, /three\.gltf: its data is not in its folder: \.\.\/\.\.\/its\.bin/);
 	for (const [args, problem] of [[[], /needs a folder/], [["nowhere"], /nowhere is no folder/], [[plain, "--up", "w"], /--up is x, y or z, not w/],
-		[[plain, "--depth", "0"], /--depth is a whole number/], [[plain, "--bad"], /--bad/], [[plain, "--increment", "x"], /--increment is/]]) {
+		[[plain, "--depth", "0"], /--depth is a whole number/], [[plain, "--upp", "y"], /--upp is no option; the nearest is up; there are --out, --up, .*--help$/m],
+		[[plain, "--gravity"], /--gravity is no option; there are/], [[plain, "--up"], /--up needs a value$/m], [[plain, "--force=3"], /--force takes no value$/m], [[plain, "--increment", "x"], /--increment is/]]) {
 		const refused = run(...args);
 		assert.equal(refused.status, 2);
 		assert.match(refused.stderr, problem);

@@ -164,9 +164,17 @@ mixedQueries.near<Coin>(friends[0]!, 3, { breeds })[0]!.worth++;
 const coin: Coin | null = mixedQueries.nearestToPoint<Coin>({ x: 0, y: 0, z: 0 }, 3, { breeds });
 // @ts-expect-error where it is stored says nothing of what it finds
 const noCoin: Coin | null = mixedQueries.nearestToPoint({ x: 0, y: 0, z: 0 }, 3, { breeds });
-// nor does the list that it fills
-const touched = mixedQueries.touching(friends[0]!, { breeds }, [coin!]);
+// nor does the list that it fills, which has to take all that it may find
+const either: (Hero | Coin)[] = [coin!];
+const touched = mixedQueries.touching(friends[0]!, { breeds }, either);
 is<Same<typeof touched, (Hero | Coin)[]>>();
+mixedQueries.touching(friends[0]!, { breeds }, []);
+const onlyHeroes: Hero[] = [];
+// @ts-expect-error a coin may get among the heroes
+mixedQueries.near(friends[0]!, 3, null, onlyHeroes);
+// @ts-expect-error the same, whatever breeds it names
+mixedQueries.touching(friends[0]!, { breeds }, [coin!]);
+mixedQueries.near<Hero>(friends[0]!, 3, { breeds: ["heroes"] }, onlyHeroes);
 const coins = mixedQueries.touching<Coin>(friends[0]!, { breeds }, [coin!]);
 is<Same<typeof coins, Coin[]>>();
 // or its filter does, and nobody has to
@@ -295,6 +303,11 @@ model.vertices.push(0);
 typed.lastAgents.length = 0;
 const present: (Hero | Coin)[] = [...typed.lastAgents];
 typed.restore(typed.snapshot(), present);
+// bytes that a Blob takes
+declare function save(part: { readonly buffer: ArrayBuffer }): void;
+save(typed.snapshot());
+save(land.cook(model));
+save(new ByteArray().toUint8Array());
 declare const turn: { set(x: number, y: number, z: number, w: number): void };
 turn.set(...agent.getQuaternion());
 // a class that is there to be extended

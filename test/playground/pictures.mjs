@@ -139,6 +139,12 @@ const VIEWS = {
 		await page.waitForFunction(() => globalThis.playground.live.parts.count >= 13);
 		await page.locator('.live .tools button').click();
 	}],
+	'measure-beside': ['measure', async (page) => {
+		for (const box of await page.locator('.live .tools .tick input').all()) await box.check();
+		await page.locator('.live .tools button').click();
+		await page.waitForFunction(() => globalThis.playground.live.parts.count >= 100, null, { timeout: 120_000 });
+		await page.locator('.live .tools button').click();
+	}],
 	'measure-own': ['measure', async (page) => {
 		await page.locator('.live').dispatchEvent('drop', { dataTransfer: await page.evaluateHandle((bytes) => {
 			const transfer = new DataTransfer();

@@ -1,4 +1,4 @@
-import type { BufferGeometry, InstancedMesh, LineBasicMaterial, LineSegments, Object3D, Vector3 } from "three";
+import type { BufferGeometry, InstancedMesh, LineBasicMaterial, LineSegments, Mesh, Object3D, Vector3 } from "three";
 import type { Agent, BoundingStructure, Contact, HierarchyNode, Model, Point, PointTaker, RayHit, Scaling, Terrain, Vector3D } from "starlogo-collision";
 
 /** The axis that points up. With y up, a scene's (x, y, z) is the engine's (x, -z, y). With z up, both have the same axes. */
@@ -70,7 +70,7 @@ export interface WireframeOptions {
  * object's own transform does not count, because it places the object in the world: see ThreeAgentBinding. Draw ranges count. If a mesh has
  * several materials, the groups with a material count. Lines, points, sprites and meshes scaled to 0 are left out.
  *
- * Hits tell the mesh and the material of a triangle: see `Model.meshNames` and `Model.materialNames`. A mesh has its own name, or its
+ * Hits tell the mesh and the material of a triangle: see `faceOf`, `Model.meshNames` and `Model.materialNames`. A mesh has its own name, or its
  * geometry's if it has none. A name may be "", as in three.js. All instances of an InstancedMesh or a BatchedMesh are one mesh. A source that
  * is a geometry has neither meshes nor materials.
  *
@@ -106,6 +106,28 @@ export interface LevelOptions {
  * @throws ArgumentError as modelFromObject
  */
 export function levelFromObject(name: string, object: Object3D | BufferGeometry, options?: LevelOptions): Model;
+
+/** What three.js draws at a triangle of a model, by the names of a Raycaster's intersection. */
+export interface DrawnFace {
+    /** The mesh: of instances, their InstancedMesh or BatchedMesh. */
+    object: Mesh;
+    /** The index of the face in the mesh's geometry. */
+    faceIndex: number;
+    /** The index of the instance: of a BatchedMesh what three.js calls batchId. Null if the mesh has no instances. */
+    instanceId: number | null;
+}
+
+/**
+ * What three.js draws where a hit is: `faceOf(levelModel, hit.triangle)`. The model keeps the meshes that it was made of. Their geometries may have
+ * changed since.
+ *
+ * @param model a model that modelFromObject or levelFromObject has made of an object
+ * @param triangle the number of the triangle, as a hit has it
+ * @returns the face; null for the triangle -1 of a hit of a structure
+ * @throws ArgumentError if the model was made of a geometry or in another way
+ * @throws RangeError if the model has no such triangle
+ */
+export function faceOf(model: Model, triangle: number): DrawnFace | null;
 
 /**
  * Keeps an agent and its three.js object in the same place: position, rotation and size. So the player sees what collides.

@@ -2,7 +2,7 @@ import { BufferAttribute, BufferGeometry } from "three";
 import { ArgumentError, Terrain, TerrainSurface } from "starlogo-collision";
 import { optionsOf, textOf } from "./arguments.js";
 import { isYUp } from "./axes.js";
-import { surfaceOf } from "./model.js";
+import { surfaceOf } from "./surface.js";
 
 /** How far outside of a triangle a place may be and still count, as a part of the triangle: so rounding leaves no gap between two. */
 const ROUNDING = 1e-9;

@@ -16,6 +16,8 @@ const FIRST_SHAPE = "sphere";
 /** The reach of the pointer's ray. Nothing is farther away. */
 const REACH = 8;
 const SIZE = 0.6;
+/** The first of the others stands to the left of the model, so that the gap between the two is in sight. */
+const FIRST_ANGLE = (7 * Math.PI) / 6;
 const STILL = 5;
 
 export class Questions {
@@ -94,7 +96,7 @@ export class Questions {
 		const agents = [new Agent(model.name)];
 		for (let i = 0; i < this.#count; i++) {
 			const agent = new Agent(other.name);
-			const angle = (2 * Math.PI * (i + 0.5)) / this.#count - Math.PI / 2;
+			const angle = FIRST_ANGLE + (2 * Math.PI * i) / this.#count;
 			agent.moveTo(1.2 * Math.cos(angle), 1.2 * Math.sin(angle), 0);
 			agent.size = SIZE;
 			agents.push(agent);

@@ -221,9 +221,9 @@ class InspectView {
 			this.#shown = row.name;
 			this.#drawLines();
 		} });
-		const isTightest = row.volume === least;
-		return h(isTightest ? "tr.tightest" : "tr", {},
-			h("th", { scope: "row" }, h("label.tick", {}, pick, h("span", {}, words.fitters[row.name], ...(isTightest ? [" ", h("span.badge", {}, words.tightest)] : [])))),
+		const isSmallest = row.volume === least;
+		return h(isSmallest ? "tr.smallest" : "tr", {},
+			h("th", { scope: "row" }, h("label.tick", {}, pick, h("span", {}, words.fitters[row.name], ...(isSmallest ? [" ", h("span.badge", {}, words.smallest)] : [])))),
 			h("td", {}, short(row.volume)), h("td", {}, short(row.volume / volume)), h("td", {}, short(row.ms)));
 	}
 

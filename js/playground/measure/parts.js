@@ -56,9 +56,14 @@ export class Parts {
 	}
 
 	#averages(name) {
-		const times = this.#frames.map((frame) => frame[name]).filter(Number.isFinite);
+		const times = this.#timesOf(name);
 		const count = Math.max(1, Math.ceil(times.length / AVERAGES));
 		return Array.from({ length: Math.ceil(times.length / count) }, (_, i) => times.slice(count * i, count * (i + 1))).map((part) => part.reduce((sum, ms) => sum + ms, 0) / part.length);
+	}
+
+	/** The times of a name, in the frames that have one. */
+	#timesOf(name) {
+		return this.#frames.map((frame) => frame[name]).filter(Number.isFinite);
 	}
 
 	/** Draws the graph in the colours of the page. */
@@ -71,9 +76,8 @@ export class Parts {
 		const context = canvas.getContext("2d");
 		const style = getComputedStyle(canvas);
 		const colourOf = (name) => style.getPropertyValue(`--part-${name}`);
-		// a few long frames do not make all others small
-		const heights = this.#frames.map((frame) => Math.max(...lines.map((name) => frame[name] || 0), names.reduce((sum, name) => sum + frame[name], 0))).sort((a, b) => a - b);
-		const most = Math.max(LEAST, 1.1 * (heights[Math.floor(0.9 * (heights.length - 1))] ?? 0));
+		const bars = this.#frames.map((frame) => names.reduce((sum, name) => sum + frame[name], 0));
+		const most = Math.max(LEAST, ...[bars, ...lines.map((name) => this.#timesOf(name))].map((times) => 1.1 * usualMost(times)));
 		const step = (width - LEFT) / FRAMES;
 		const y = (ms) => height - (ms / most) * (height - 10);
 		context.setTransform(ratio, 0, 0, ratio, 0, 0);
@@ -86,7 +90,8 @@ export class Parts {
 				from += frame[name];
 			}
 		});
-		for (const line of lines) this.#drawLine(context, line, colourOf(line), (i) => LEFT + (i + 0.5) * step, y);
+		// what is longer than the graph is high has its dot at the top
+		for (const line of lines) this.#drawLine(context, line, colourOf(line), (i) => LEFT + (i + 0.5) * step, (ms) => Math.max(DOT, y(ms)));
 		context.fillStyle = context.strokeStyle = style.color;
 		context.lineWidth = 1;
 		context.font = "12px system-ui, sans-serif";
@@ -124,3 +129,6 @@ export class Parts {
 		context.fill();
 	}
 }
+
+/** The longest of some times, but for the longest tenth: a few long frames do not make all others small. 0 if there is none. */
+const usualMost = (times) => [...times].sort((a, b) => a - b)[Math.floor(0.9 * (times.length - 1))] ?? 0;

@@ -2,7 +2,7 @@
  * Functions for features of ActionScript that JavaScript lacks. The translated classes call them. A Vector is a plain array here, so the
  * code that makes one longer passes the value of the new elements.
  */
-import { $hintOfOption, $hintOfPoint } from "./warnings/spelling.mjs";
+import { $hintOfOption, $hintOfValue } from "./warnings/spelling.mjs";
 
 /**
  * Zeros to copy: small integers if the first is 0, doubles if it is not. V8 knows that they have no gaps. It takes for granted that
@@ -104,7 +104,7 @@ export function $refuse(target, name, value, kind) {
 		const range = Number.isInteger(value) ? " in the range of 32 bits" : "";
 		throw new RangeError(`${given} must be ${kind === "a number" ? "a finite number" : kind + range}, not ${value}`);
 	}
-	throw new ArgumentError(`${given} must be ${kind}, not ${$named(value, kind)}${$hintOfPoint(value, kind)}`);
+	throw new ArgumentError(`${given} must be ${kind}, not ${$named(value, kind)}${$hintOfValue(value, kind)}`);
 }
 
 /** Checks of arguments, for members outside of hot loops: `$aNumber("Class.method: name", value)`. */
@@ -210,7 +210,7 @@ export function $options(target, name, value, options, kind) {
 		if (!(key in options)) {
 			if (/^[_$]/.test(key)) $refuse(target, name, value, kind);
 			const names = Object.keys($stateOf(options));
-			throw new ArgumentError(`${target === null ? "" : `${target}: `}${name}.${key} is no option; ${$hintOfOption(key, names)}there are ${names.join(", ")}`);
+			throw new ArgumentError(`${target === null ? "" : `${target}: `}${name}.${key} is no option; ${$hintOfOption(key, names, value)}there are ${names.join(", ")}`);
 		}
 		if (value[key] !== undefined) options[key] = value[key];
 	}

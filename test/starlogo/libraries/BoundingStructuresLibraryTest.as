@@ -69,7 +69,7 @@ package starlogo.libraries
             assertFalse(_library.keepHulls);
             _library.add("stick", _stick);
             assertThrows(ArgumentError, "loadHulls", _library.hull, "stick");
-            assertThrows(ArgumentError, /^there is no bounding structure for shape "unknown": add its model to this library first(; it has "stick")?$/, _library.hull, "unknown");
+            assertThrows(ArgumentError, /^there is no bounding structure for shape "unknown": add its model to the GreatLand or to this library first(; it has "stick")?$/, _library.hull, "unknown");
             var tightest:BoundingStructure = _library.tightestFit("stick");
             _library.keepHulls = true;
             _library.add("stick", _stick);

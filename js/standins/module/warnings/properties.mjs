@@ -56,8 +56,8 @@ let $objectsLookedAt = 0;
 /** Of a Collision or questions: the updates, and the collision system of the first one, or null once it has been exchanged. */
 const $lookedAgain = /* @__PURE__ */ new WeakMap();
 
-function $newLooks({ collisionSystem }) {
-	return { updates: 0, collisionSystem };
+function $newLooks(updated) {
+	return { updates: 0, collisionSystem: $systemOf(updated) };
 }
 
 /**
@@ -78,15 +78,16 @@ export function $warnOfUnknownProperties(object, isChanging) {
  * first frame: at the first hundred of a list, in the second, fourth, eighth frame and so on.
  */
 export function $warnOfLaterProperties(updated, agents) {
-	const { collisionSystem } = updated;
+	const collisionSystem = $systemOf(updated);
 	const looks = $keptOf($lookedAgain, updated, $newLooks);
 	looks.updates++;
 	const isPowerOfTwo = (looks.updates & (looks.updates - 1)) === 0;
 	if (!isPowerOfTwo || !Array.isArray(agents)) return;
 	$lookAtProperties(updated);
-	if (collisionSystem) $lookAtProperties(collisionSystem);
+	$lookAtProperties(collisionSystem);
 	const few = agents.slice(0, $MOST_AGENTS_AGAIN);
 	for (const agent of few) if ($checkedObjects.has(agent)) $lookAtProperties(agent);
+	$lookForTriangles(collisionSystem, few);
 	// a game that exchanges its system may have set the traits for another one
 	if (looks.collisionSystem !== collisionSystem) looks.collisionSystem = null;
 	else if (looks.updates > $FRAMES_OF_A_SYSTEM) {
@@ -95,14 +96,43 @@ export function $warnOfLaterProperties(updated, agents) {
 	}
 }
 
+/** Warns of an agent whose triangles decide, and whose model has none: rays and motions pass between its vertices. */
+function $lookForTriangles(collisionSystem, agents) {
+	if (!collisionSystem.exact) return;
+	const isOfTrees = $typeOf(collisionSystem) === "HierarchicalCollider";
+	const greatLand = $greatLandOf(collisionSystem);
+	const hasNone = ({ shape }) => greatLand?.hasModel(shape) && !(greatLand.modelOf(shape).triangles?.length > 0);
+	const agent = agents.find((each) => (isOfTrees || each?.hierarchical) && hasNone(each));
+	if (!agent) return;
+	$warn(`${agent} has gaps: with exact triangles decide, and its model has only vertices. If each three of these are a triangle, `
+		+ "say so: new Model(name, vertices, vertices.map((_, i) => i).slice(0, vertices.length / 3)). Of an object of three.js levelFromObject "
+		+ "and modelFromObject make models with triangles", "no triangles");
+}
+
 /** Warns of a level that is one patch wide: it stays where a new agent is, and its model was much larger before it was normalised. */
 function $lookAtLevels(collisionSystem, agents) {
-	const greatLand = collisionSystem?.$search?.narrowPhase.choice.greatLand;
+	const greatLand = $greatLandOf(collisionSystem);
 	const level = agents.find((agent) => agent?.hierarchical && agent.size === 1 && agent.x === 0 && agent.y === 0 && agent.z === 0
 		&& $unitsOf(greatLand?.modelOf(agent.shape)) > $LARGE);
 	if (!level) return;
 	$warn(`${level} is one patch wide, and its model was ${$rounded($unitsOf(greatLand.modelOf(level.shape)))} units wide before it was normalised. If it is a `
 		+ "level, keep its size: a model with Model.AS_GIVEN, and of a three.js scene levelFromObject in place of modelFromObject", "level");
+}
+
+/** The collision system of a Collision or of questions, which may be about a Collision. */
+function $systemOf(updated) {
+	const source = updated._seen?._source ?? updated;
+	return source.collisionSystem ?? source;
+}
+
+/** The name of a collision system's class. */
+function $typeOf(collisionSystem) {
+	return Object.getPrototypeOf(collisionSystem).constructor?.name;
+}
+
+/** The GreatLand with the models of a collision system of the engine's own. */
+function $greatLandOf(collisionSystem) {
+	return collisionSystem.$search?.narrowPhase.choice.greatLand;
 }
 
 /** How many units of its source a model's patch is long. */
@@ -113,7 +143,7 @@ function $unitsOf(model) {
 
 /** Warns of traits that agents have and their collision system does not look at. */
 function $lookAtTraits(collisionSystem, agents) {
-	const type = Object.getPrototypeOf(collisionSystem ?? {}).constructor?.name;
+	const type = $typeOf(collisionSystem);
 	for (const trait of $IDLE_TRAITS[type] ?? []) {
 		const { first, systems } = $TRAITS[trait];
 		const agent = agents.find((each) => each?.[trait] !== undefined && each[trait] !== first);

@@ -3,7 +3,7 @@ import { $isUpdated, $updates } from "./frames.mjs";
 import { $breedsWithHandlers } from "./handlers.mjs";
 import { $hasWarned, $keptOf, $warn } from "./warn.mjs";
 
-/** After so many frames without an update the agents' places are compared. */
+/** After so many frames without an update, or walks of one agent, the agents' places are compared. */
 const $LONG_WITHOUT_UPDATE = 300;
 
 /** So many agents are compared. */
@@ -16,13 +16,14 @@ const $LONG_WITHOUT_FRAMES = 3000;
 const $MANY_RAYS = 30;
 
 /**
- * Of questions: how many updates they had before their Collision's first; the list of their last update, and when it was; where its first
- * agents are once that is long ago; the agents that the questions move themselves.
+ * Of questions: how many updates they had before their Collision's first; the list of their last update, and when it was; the first agent
+ * that they have moved since, and how often; where the list's first agents are once that is long ago; the agents that the questions move
+ * themselves.
  */
 const $questions = /* @__PURE__ */ new WeakMap();
 
 function $newQuestions() {
-	return { updatesBefore: 0, agents: null, updated: 0, places: null, movers: new WeakSet() };
+	return { updatesBefore: 0, agents: null, updated: 0, walker: null, walks: 0, places: null, movers: new WeakSet() };
 }
 
 /** The questions that were asked last, and when. */
@@ -34,7 +35,7 @@ let $lastRay = { agent: null, x: 0, y: 0, dx: 0, dy: 0, dz: 0, rays: 0 };
 
 /**
  * Warns of questions whose update() is forgotten: if they are asked for hundreds of frames without it, and an agent has moved meanwhile. An
- * agent that a question moves or refreshes is seen where it is.
+ * agent that a question moves or refreshes is seen where it is. If no Collision counts the frames, the walks of one agent do.
  *
  * @param agents the list, if this is the update
  * @param mover the agent that the question moves or refreshes, or null
@@ -46,16 +47,23 @@ export function $warnOfStale(queries, agents, mover) {
 	$askedUpdate = $updates;
 	if ($hasWarned("stale")) return;
 	const kept = $keptOf($questions, queries, $newQuestions);
-	if (agents !== null) Object.assign(kept, { agents, updated: $updates, places: null });
+	if (agents !== null) Object.assign(kept, { agents, updated: $updates, walker: null, walks: 0, places: null });
 	if (!Array.isArray(kept.agents)) return;
-	if (typeof mover?.shape === "string") kept.movers.add(mover);
+	if (typeof mover?.shape === "string") $countMove(kept, mover);
 	const frames = $updates - kept.updated;
-	if (frames < $LONG_WITHOUT_UPDATE) return;
+	if (Math.max(frames, kept.walks) < $LONG_WITHOUT_UPDATE) return;
 	kept.places ??= $placesOf(kept.agents.slice(0, $MOST_PLACES));
 	const moved = kept.places.find(({ agent, x, y, z }) => !kept.movers.has(agent) && (agent.x !== x || agent.y !== y || agent.z !== z));
 	if (!moved) return;
-	$warn(`questions see ${moved.agent} where it was at the last queries.update(agents), ${frames} frames ago: `
+	const since = frames < $LONG_WITHOUT_UPDATE ? `${kept.walks} motions of ${kept.walker}` : `${frames} frames`;
+	$warn(`questions see ${moved.agent} where it was at the last queries.update(agents), ${since} ago: `
 		+ "call it once a frame, or refresh(agent)", "stale");
+}
+
+function $countMove(kept, mover) {
+	kept.movers.add(mover);
+	kept.walker ??= mover;
+	if (mover === kept.walker) kept.walks++;
 }
 
 function $placesOf(agents) {

@@ -1,4 +1,4 @@
-/** Which name is meant by one that is not known. */
+/** What is meant by a name that is not known, or by a value of the wrong kind. */
 
 /** What an error says about a name that is not known: the name that is probably meant. */
 export function $hintOfName(name, names) {
@@ -6,8 +6,9 @@ export function $hintOfName(name, names) {
 	return meant === undefined ? "" : `; is ${JSON.stringify(meant)} meant?`;
 }
 
-/** What an error says about an option that is not among the names of all: the nearest one. */
-export function $hintOfOption(key, names) {
+/** What an error says about an option that is not among the names of all: the nearest one, or that the options are something else. */
+export function $hintOfOption(key, names, options) {
+	if ("stands" in options) return "a Footing is the argument after the options: walk(agent, dx, dy, null, footing); ";
 	const word = key.toLowerCase();
 	// each letter in common counts against two changes, because abbreviations are common
 	const farAway = names.map((each) => $changesBetween(word, each.toLowerCase()) - 2 * $commonLetters(word, each.toLowerCase()));
@@ -46,8 +47,11 @@ function $commonLetters(word, other) {
 	return same;
 }
 
-/** What an error says about a point in place of numbers. */
-export function $hintOfPoint(value, kind) {
-	const isPoint = kind === "a number" && typeof value === "object" && value !== null && "x" in value && "y" in value;
-	return isPoint ? ". It takes the numbers of a point one by one: point.x, point.y, point.z" : "";
+/** What an error says about a value of the wrong kind: what is probably meant by it. */
+export function $hintOfValue(value, kind) {
+	if (typeof value === "function" && kind.startsWith("an AgentFilter")) return ". A function goes into one: { accepts: (agent) => agent.size > 1 }";
+	if (typeof value !== "object" || value === null) return "";
+	if (kind === "a number" && "x" in value && "y" in value) return ". It takes the numbers of a point one by one: point.x, point.y, point.z";
+	const isDrawn = value.isObject3D || value.isBufferGeometry;
+	return kind === "a Model" && isDrawn ? ". modelFromObject() and levelFromObject() of starlogo-collision/three make a model of it" : "";
 }

@@ -63,8 +63,8 @@ function $countFall(walker, agent, way) {
 	walker.z = agent.z;
 	if (walker.falls !== $LONG_FALL) return;
 	$warn(`${agent} has fallen in ${$LONG_FALL} walks, from z = ${$rounded(walker.top)} to ${$rounded(agent.z)}: nothing stops it. `
-		+ "If it should stand, its ground has to be in the list of update(), as large as it should be "
-		+ "(a model is one unit wide, unless it is Model.AS_GIVEN), and upright (a file's up axis may be \"y\"); "
+		+ "If it should stand, its ground has to be in the list of queries.update(), which is called once a frame; as large as it should be "
+		+ "(a model is one unit wide, unless it is Model.AS_GIVEN or of levelFromObject); and upright (a file's up axis may be \"y\"); "
 		+ "a level that is one model has to be hierarchical", "fall");
 }
 

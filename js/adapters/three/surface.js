@@ -1,0 +1,280 @@
+/** Reads the meshes of an object or a geometry: their vertices and triangles, z up. */
+import { BufferAttribute, Matrix4, Mesh, Vector3 } from "three";
+import { Model, ModelError } from "starlogo-collision";
+import { textOf } from "./arguments.js";
+import { isYUp } from "./axes.js";
+import { Welder } from "./welder.js";
+
+/** The engine's own: the record of what a model is made of. */
+const [ModelData] = Model.$parts;
+
+/** The place of a source whose own transform does not count. */
+export const identity = new Matrix4();
+
+/** Computes the matrices of an object and of everything below it, and of the bones of its meshes, which may be elsewhere. */
+export function updateMatrices(object) {
+	object.updateWorldMatrix(true, false);
+	object.updateMatrixWorld();
+	object.traverse(({ isSkinnedMesh, skeleton }) => {
+		if (isSkinnedMesh) for (const bone of skeleton.bones) bone.updateWorldMatrix(true, false);
+	});
+}
+
+/**
+ * Calls a function for each mesh of an object, and for each instance of its InstancedMeshes, always in the same order.
+ *
+ * @param {object} object the object
+ * @param {object} place its matrix; the identity for the source itself
+ * @param {function} visit takes a mesh with positions, its matrix, and the index of the instance
+ */
+export function eachMesh(object, place, visit) {
+	if (object.isInstancedMesh) {
+		for (let i = 0; i < object.count; i++) {
+			const instance = new Matrix4();
+			object.getMatrixAt(i, instance);
+			visit(object, instance.premultiply(place), i);
+		}
+	} else if (object.isMesh) visit(object, place);
+	for (const child of object.children) {
+		// the first of an object's levels of detail is the finest
+		if (object.isLOD && object.levels.findIndex((level) => level.object === child) > 0) continue;
+		eachMesh(child, place.clone().multiply(child.matrix), visit);
+	}
+}
+
+/** The vertices and triangles of an object or a geometry, z up. With `isPlaced` the object's own transform counts. */
+export function surfaceOf(name, source, up, isPlaced = false) {
+	const surface = new Surface(name, isYUp(up), source?.isObject3D);
+	if (source?.isBufferGeometry) surface.addMesh(new Mesh(source), identity);
+	else if (source?.isObject3D) {
+		updateMatrices(source);
+		eachMesh(source, isPlaced ? source.matrix : identity, (mesh, place, instance) => surface.addMesh(mesh, place, instance));
+	} else throw new ModelError(name, "", `expected an Object3D or a BufferGeometry, not ${textOf(source)}${source?.scene?.isObject3D ? ". Its scene is an Object3D" : ""}`);
+	return surface.weld();
+}
+
+/** Reads meshes, as a reader of the engine reads a file. Each position becomes one vertex, z up. */
+class Surface {
+	/** What the model is made of: the engine's own record. */
+	data;
+	/** For each mesh or instance, in the order of eachMesh: how many vertices the mesh has, and those that have become the model's next ones. */
+	parts = [];
+	/** For each mesh or instance with triangles: the number of the first one, the mesh, the index of the instance, and the faces of its triangles. */
+	drawn = [];
+	#isYUp;
+	#isLabelled;
+	#pieces = [];
+	#cornerCount = 0;
+	// the number of each mesh, and of each material
+	#meshes = new Map();
+	#materials = new Map();
+	// the last mesh, and what it draws: its instances draw the same
+	#mesh = null;
+	#shape;
+
+	/** @param {boolean} isLabelled whether hits tell the mesh and the material of a triangle */
+	constructor(name, isYUp, isLabelled) {
+		this.data = new ModelData(name);
+		this.#isYUp = isYUp;
+		this.#isLabelled = isLabelled;
+	}
+
+	/** Adds a mesh, or an instance of it. The matrix is its place in the source. */
+	addMesh(mesh, place, instance = null) {
+		if (mesh.isBatchedMesh) {
+			this.#addBatch(mesh, place);
+			return;
+		}
+		if (mesh !== this.#mesh) {
+			this.#mesh = mesh;
+			this.#shape = shapeOf(mesh);
+		}
+		this.#add(mesh, instance, this.#shape, place);
+	}
+
+	/** Adds all instances of a BatchedMesh, visible or not. Each draws a part of the mesh's geometry. */
+	#addBatch(mesh, place) {
+		const shapes = new Map();
+		let left = mesh.instanceCount;
+		for (let i = 0; left > 0 && i < mesh.maxInstanceCount; i++) {
+			const id = geometryOf(mesh, i);
+			if (id < 0) continue;
+			left--;
+			if (!shapes.has(id)) shapes.set(id, shapeInBatch(mesh, id));
+			this.#add(mesh, i, shapes.get(id), mesh.getMatrixAt(i, new Matrix4()).premultiply(place));
+		}
+	}
+
+	/** Adds what a mesh or an instance draws, as shapeOf has it. */
+	#add(mesh, instanceId, { points, corners, runs, faceAt }, place) {
+		const part = [];
+		this.parts.push({ count: points.length / 3, vertices: part });
+		// scaled to 0, as hidden instances often are
+		if (place.getMaxScaleOnAxis() === 0 || corners.length === 0) return;
+		if (this.#isLabelled) this.#label(mesh, runs);
+		this.#pieces.push({ mesh, points, corners, place, part });
+		this.drawn.push({ first: this.#cornerCount / 3, object: mesh, instanceId, faceAt });
+		this.#cornerCount += corners.length;
+	}
+
+	/** Labels the triangles that come next. */
+	#label(mesh, runs) {
+		const { meshes, materials } = this.data;
+		let first = this.#cornerCount / 3;
+		meshes.beginRun(numberOf(mesh, titleOf(mesh), this.#meshes, meshes), first);
+		for (const { material, count } of runs) {
+			if (count === 0) continue;
+			materials.beginRun(numberOf(material, material?.name, this.#materials, materials), first);
+			first += count;
+		}
+	}
+
+	/** Makes vertices and triangles of all that was added. A list that has its length at once is made in a quarter of the time of one that grows. */
+	weld() {
+		const triangles = (this.data.triangles = zeros(this.#cornerCount));
+		const welder = new Welder(this.data.vertices);
+		let first = 0;
+		for (const { mesh, points, corners, place, part } of this.#pieces) {
+			welder.begin(points, place, this.#isYUp, part);
+			this.#addTriangles(mesh, points, corners, welder, triangles, first);
+			first += corners.length;
+			if (place.determinant() < 0) turnOver(triangles, first - corners.length, first);
+		}
+		return this;
+	}
+
+	/** Writes triangles from a first place on. */
+	#addTriangles(mesh, points, corners, welder, triangles, first) {
+		// the model's vertex at each point, -1 before it is known
+		const numbers = new Int32Array(points.length / 3).fill(-1);
+		for (let i = 0; i < corners.length; i++) {
+			const corner = corners[i];
+			let number = numbers[corner];
+			if (number === undefined) throw this.#error(mesh, `a triangle names vertex ${corner}, the last one is ${numbers.length - 1}`);
+			if (number < 0) number = numbers[corner] = welder.vertexAt(corner);
+			triangles[first + i] = number;
+		}
+	}
+
+	#error(mesh, problem) {
+		const title = titleOf(mesh);
+		return new ModelError(this.data.name, title && `mesh "${title}"`, problem);
+	}
+}
+
+/** The number of a mesh or a material among its labels. A new one gets the next. */
+function numberOf(thing, name, known, labels) {
+	if (!known.has(thing)) known.set(thing, labels.names.push(String(name ?? "")) - 1);
+	return known.get(thing);
+}
+
+/**
+ * What a mesh draws: the places of its vertices, three corners for each triangle, runs of triangles with one material, and a function for the
+ * index of the face that a triangle is.
+ */
+function shapeOf(mesh) {
+	if (countOf(mesh) === 0) return { points: [], corners: [], runs: [], faceAt: null };
+	return { points: pointsOf(mesh, mesh.geometry.getAttribute("position")), ...drawnTriangles(mesh.geometry, mesh.material) };
+}
+
+/** The same for a geometry of a BatchedMesh, by its number: a part of the mesh's own geometry. */
+function shapeInBatch(mesh, id) {
+	const { index, attributes } = mesh.geometry;
+	const { start, count, vertexStart, vertexCount } = mesh.getGeometryRangeAt(id);
+	const points = pointsOf(mesh, attributes.position, vertexStart, vertexCount);
+	// a triangle that is cut off is not drawn
+	const corners = Array.from({ length: count - (count % 3) }, (_, i) => (index ? index.getX(start + i) : start + i) - vertexStart);
+	return { points, corners, runs: [{ material: mesh.material, count: corners.length / 3 }], faceAt: facesFrom(start) };
+}
+
+/** The faces of triangles that follow one another from a corner on. */
+const facesFrom = (start) => (triangle) => Math.floor(start / 3) + triangle;
+
+/** How many vertices a mesh has. */
+export const countOf = (mesh) => mesh.geometry.getAttribute("position")?.count ?? 0;
+
+/** A mesh's name, or its geometry's if it has none. */
+const titleOf = (mesh) => mesh.name || mesh.geometry.name;
+
+/** The places of a mesh's vertices in its own space, x, y, z, ..., in its present pose: of all, or of some from a first one on. */
+function pointsOf(mesh, position, first = 0, count = position.count) {
+	const isPosed = mesh.isSkinnedMesh || mesh.geometry.morphAttributes.position !== undefined;
+	// others decode what they have: halves of floats, fractions, numbers among others
+	const isPlain = position.getX === BufferAttribute.prototype.getX && position.itemSize === 3 && !position.normalized;
+	if (isPlain && !isPosed) return position.array.subarray(3 * first, 3 * (first + count));
+	const points = new Float64Array(3 * count);
+	if (mesh.isSkinnedMesh) for (const bone of mesh.skeleton.bones) bone.updateWorldMatrix(true, false);
+	const at = new Vector3();
+	for (let i = 0; i < count; i++) {
+		if (isPosed) mesh.getVertexPosition(first + i, at);
+		else at.fromBufferAttribute(position, first + i);
+		points[3 * i] = at.x;
+		points[3 * i + 1] = at.y;
+		points[3 * i + 2] = at.z;
+	}
+	return points;
+}
+
+/** The number of the geometry of an instance of a BatchedMesh; -1 if the instance was deleted. */
+function geometryOf(mesh, instance) {
+	try {
+		return mesh.getGeometryIdAt(instance);
+	} catch {
+		return -1;
+	}
+}
+
+/**
+ * The triangles that are drawn, with three corners each, in runs with one material, and their faces: those in the draw range and, with several
+ * materials, in the groups that have one.
+ */
+function drawnTriangles({ index, attributes, drawRange, groups }, material) {
+	const total = index ? index.count : attributes.position.count;
+	const hasGroups = Array.isArray(material);
+	const drawn = hasGroups ? groups.filter(({ materialIndex }) => material[materialIndex]) : [{ start: 0, count: total, materialIndex: 0 }];
+	const all = index ? index.array : new Uint32Array(total).map((_, i) => i);
+	const ranges = drawn.map(({ start, count, materialIndex }) => {
+		const first = Math.max(start, drawRange.start);
+		const length = Math.max(0, Math.min(total, start + count, drawRange.start + drawRange.count) - first);
+		return { first, end: first + length - (length % 3), own: hasGroups ? material[materialIndex] : material };
+	});
+	// one range needs no copy
+	if (ranges.length === 1) {
+		const [{ first, end, own }] = ranges;
+		const corners = rangeOf(all, first, end);
+		return { corners, runs: [{ material: own, count: corners.length / 3 }], faceAt: facesFrom(first) };
+	}
+	const corners = [];
+	const faces = [];
+	const taken = new Uint8Array(total);
+	const runs = ranges.map(({ first, end, own }) => {
+		const before = corners.length;
+		takeTriangles(all, first, end, taken, corners, faces);
+		return { material: own, count: (corners.length - before) / 3 };
+	});
+	return { corners, runs, faceAt: (triangle) => faces[triangle] };
+}
+
+/** The corners from one index to another. A typed array's share its memory; an index may have a plain array. */
+const rangeOf = (corners, first, end) => (corners.subarray ? corners.subarray(first, end) : corners.slice(first, end));
+
+/** Takes the triangles of a range that are not taken yet: their corners and their faces. */
+function takeTriangles(all, first, end, taken, corners, faces) {
+	for (let i = first; i < end; i += 3) {
+		if (taken[i]++) continue;
+		corners.push(all[i], all[i + 1], all[i + 2]);
+		faces.push(Math.floor(i / 3));
+	}
+}
+
+/** Turns triangles over, from an index of their list to another. */
+function turnOver(triangles, first, end) {
+	for (let i = first; i < end; i += 3) [triangles[i + 1], triangles[i + 2]] = [triangles[i + 2], triangles[i + 1]];
+}
+
+/** A list of zeros without gaps. V8 takes for granted that `new Array(count)` has some, and looks for them at each reading. */
+function zeros(count) {
+	const some = [];
+	while (some.length < 1024) some.push(0);
+	return [].concat(...new Array(count >> 10).fill(some), some.slice(0, count & 1023));
+}

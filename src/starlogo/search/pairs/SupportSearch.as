@@ -54,7 +54,7 @@ package starlogo.search.pairs
         public function findSupport(body:Body, direction:Vector3D, out:SupportPoint):void
         {
             turnIntoModel(direction, body.placement, _direction);
-            if (body.shape.hierarchy == null)
+            if (body.shape.tree == null)
             {
                 body.shape.structure.shapeInto(_shape);
                 findOfShape(_shape, _direction, out);

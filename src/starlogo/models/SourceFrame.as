@@ -132,10 +132,7 @@ package starlogo.models
             {
                 _offset[k] += x * inverseAt(0, k) + y * inverseAt(1, k) + z * inverseAt(2, k);
             }
-            for (var i:int = 0; i < 12; i++)
-            {
-                _matrix.rows[i] /= divisor;
-            }
+            _matrix.divideBy(divisor);
             _unit *= divisor;
         }
 

@@ -27,8 +27,8 @@ package starlogo.models
          */
         public function StlModel(name:String, bytes:ByteArray, upAxis:Object = "z", scaling:String = Model.FOOTPRINT)
         {
-            super(name, FROM_BUILDER);
-            build(ModelBuilder.reading(new StlReader(name, bytes, null, upAxis, scaling)));
+            super(name, WITHOUT_DATA);
+            keep(ModelBuilder.reading(new StlReader(name, bytes, null, upAxis, scaling)).build());
         }
 
         /**

@@ -49,6 +49,15 @@ package starlogo.models.building
             return new AffineTransform(product);
         }
 
+        /** Makes the transformed points smaller: divides all numbers by a divisor. */
+        public function divideBy(divisor:Number):void
+        {
+            for (var i:int = 0; i < 12; i++)
+            {
+                rows[i] /= divisor;
+            }
+        }
+
         /** Whether it mirrors: a left hand becomes a right hand. */
         public function get isMirror():Boolean
         {

@@ -34,7 +34,6 @@ package starlogo.models.building
         private static const TRIANGLES_PER_STEP:int = 10000;
 
         private var _data:ModelData;
-        private var _reader:ModelReader;
         private var _model:Model = null;
         private var _isComplete:Boolean = false;
 
@@ -48,7 +47,6 @@ package starlogo.models.building
         public function ModelBuilder(data:ModelData, reader:ModelReader = null)
         {
             _data = data;
-            _reader = reader;
             if (reader != null)
             {
                 add(reader);
@@ -107,7 +105,7 @@ package starlogo.models.building
         /** @inheritDoc */
         public function get progress():Number
         {
-            return _isComplete ? 1 : (_reader == null ? 0 : READING * _reader.progress);
+            return _isComplete ? 1 : READING * _data.readShare;
         }
 
         /** The model, always the same one. Steps that are left are done first. */
@@ -115,8 +113,8 @@ package starlogo.models.building
         {
             if (_model == null)
             {
-                var made:Model = new Model(name, Model.FROM_BUILDER);
-                made.build(this);
+                var made:Model = new Model(name, Model.WITHOUT_DATA);
+                made.keep(build());
                 _model = made;
             }
             return _model;

@@ -42,6 +42,9 @@ package starlogo.models.building
         /** Whether the vertices and the source are the model's own, as in some cooked files. Otherwise a ModelBuilder brings them to their places. */
         public var isNormalised:Boolean = false;
 
+        /** The share of the file that is read so far, from 0 to 1. The reader never makes it less. */
+        public var readShare:Number = 0;
+
         /** The cooked file with the results for the model; null for none. */
         public var cooked:CookedFile = null;
 

@@ -29,7 +29,6 @@ package starlogo.models.collada
     public final class ColladaReader extends StepSequence implements ModelReader
     {
         private var _data:ModelData;
-        private var _progress:Number = 0;
 
         /**
          * @param document the document; its steps may be done
@@ -59,12 +58,6 @@ package starlogo.models.collada
             return _data;
         }
 
-        /** @inheritDoc */
-        public function get progress():Number
-        {
-            return _progress;
-        }
-
         // The transform that scales by a unit; null for none.
         private static function scalingBy(unit:Number):ModelTransform
         {
@@ -77,15 +70,15 @@ package starlogo.models.collada
             // all geometries come first, so skins only have what these leave of the limits
             return new StepSequence().beginEach(instances.length, function(index:int):Steps
                 {
-                    _progress = index / instances.length / 2;
+                    _data.readShare = index / instances.length / 2;
                     return instances[index].mesh;
                 }).beginEach(instances.length, function(index:int):Steps
                 {
-                    _progress = (1 + index / instances.length) / 2;
+                    _data.readShare = (1 + index / instances.length) / 2;
                     return instances[index].adding(_data, loosePoints);
                 }).call(function():void
                 {
-                    _progress = 1;
+                    _data.readShare = 1;
                     takeLoosePoints(_data, loosePoints, "a scene or a library with a geometry in it");
                 });
         }

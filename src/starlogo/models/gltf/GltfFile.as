@@ -114,12 +114,6 @@ package starlogo.models.gltf
             return /^\s*\{/.test(text.substr(0, 1000)) && text.indexOf("\"asset\"") > 0;
         }
 
-        /** The number of animations, when no step is left. */
-        public function get animationCount():int
-        {
-            return json.count("animations");
-        }
-
         /**
          * An accessor. It is the same for all that use it, so its numbers are read once.
          *

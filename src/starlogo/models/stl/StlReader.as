@@ -26,7 +26,6 @@ package starlogo.models.stl
         private static const FACETS_PER_STEP:int = 300;
 
         private var _data:ModelData;
-        private var _progress:Number = 0;
         private var _limits:FileLimits;
         private var _points:PointTable;
 
@@ -64,12 +63,6 @@ package starlogo.models.stl
             return _data;
         }
 
-        /** @inheritDoc */
-        public function get progress():Number
-        {
-            return _progress;
-        }
-
         private function addText(text:String):void
         {
             _limits = new FileLimits(_data.name, text.length);
@@ -90,7 +83,7 @@ package starlogo.models.stl
                 {
                     readFacets(bytes, first, end);
                     _limits.requireMesh(_data.vertices.length / 3, _data.triangles.length / 3, "triangle " + end);
-                    _progress = end / Math.max(1, count);
+                    _data.readShare = end / Math.max(1, count);
                 });
         }
 
@@ -139,7 +132,7 @@ package starlogo.models.stl
 
         private function readSome():Boolean
         {
-            _progress = _lines.readStatements(readStatement);
+            _data.readShare = _lines.readStatements(readStatement);
             _limits.requireMesh(_data.vertices.length / 3, _data.triangles.length / 3, _lines.place);
             return _lines.hasMore;
         }
@@ -155,11 +148,17 @@ package starlogo.models.stl
                     readVertex();
                     break;
                 case "endloop":
-                    refuseIf(_corners != 3, _data.name, "expected a facet of three vertices, but found " + _corners, _lines.place);
+                    if (_corners != 3)
+                    {
+                        throw new ModelError(_data.name, _lines.place, "expected a facet of three vertices, but found " + _corners);
+                    }
                     _corners = 0;
                     break;
                 case "outer":
-                    refuseIf(_corners != 0, _data.name, "a loop begins before the last one has ended", _lines.place);
+                    if (_corners != 0)
+                    {
+                        throw new ModelError(_data.name, _lines.place, "a loop begins before the last one has ended");
+                    }
             }
         }
 

@@ -216,7 +216,7 @@ package starlogo.models
         public function loadFrom(maker:ModelMaker):void
         {
             requireGiven("the maker of the model", maker);
-            add(maker.name, "z", Model.FOOTPRINT).addMaking(maker);
+            add(maker.name).addMaking(maker);
         }
 
         /**
@@ -263,7 +263,7 @@ package starlogo.models
             return getTimer();
         }
 
-        private function add(name:String, upAxis:Object, scaling:String):ModelLoad
+        private function add(name:String, upAxis:Object = "z", scaling:String = "footprint"):ModelLoad
         {
             var added:ModelLoad = new ModelLoad(name, upAxis, scaling, _receiver, newURLLoader);
             _receiver.expect(name);

@@ -62,9 +62,6 @@ package starlogo.models.loading
         // The downloads that the next step waits for: the file and its transform file, or its cooked file, or other files that its reader asks for.
         private var _downloads:Vector.<FileDownload> = new Vector.<FileDownload>();
 
-        // The functions that give such other files to the reader, once they have come.
-        private var _givers:Vector.<Function> = new Vector.<Function>();
-
         // what reads the file, or makes the model instead; null before the file has come, and after the model is made
         private var _maker:ModelMaker = null;
 
@@ -207,10 +204,10 @@ package starlogo.models.loading
                 });
         }
 
-        // Starts to fetch a file. The next step is done when it has come.
-        private function download(address:String):FileDownload
+        // Starts to fetch a file. The next step is done when it has come. @param take as for FileDownload
+        private function download(address:String, take:Function = null):FileDownload
         {
-            var started:FileDownload = new FileDownload(address, _newLoader());
+            var started:FileDownload = new FileDownload(address, _newLoader(), take);
             _downloads.push(started);
             return started;
         }
@@ -235,11 +232,7 @@ package starlogo.models.loading
         {
             if (FileAddress.hasFolder(_url))
             {
-                var file:FileDownload = download(FileAddress.folderOf(_url) + uri);
-                _givers.push(function():void
-                    {
-                        take(file.bytes, file.problem);
-                    });
+                download(FileAddress.folderOf(_url) + uri, take);
             }
             else
             {
@@ -249,11 +242,11 @@ package starlogo.models.loading
 
         private function stepMaker():Boolean
         {
-            for each (var give:Function in _givers)
+            for each (var file:FileDownload in _downloads)
             {
-                give();
+                file.deliver();
             }
-            _givers.length = _downloads.length = 0;
+            _downloads.length = 0;
             return _maker.step();
         }
 

@@ -42,16 +42,11 @@ package starlogo.models.text
          */
         public static function of(word:String):Number
         {
-            var length:int = word == null ? 0 : word.length;
-            if (length == 0)
+            if (word == null || word.length > LONGEST)
             {
                 return NaN;
             }
-            // Some players read "1e", "0x10", "0b11" or white space before a number.
-            var last:int = word.charCodeAt(length - 1);
-            var first:int = word.charCodeAt(0);
-            if (length <= SHORT && last < 0x3A && last > 0x2D && (first > 0x30 && first < 0x3A ||
-                        first > 0x2A && first < 0x31 && !(word.charCodeAt(1) > 0x39 || word.charCodeAt(2) > 0x39)))
+            if (word.length <= SHORT && isPlain(word))
             {
                 var number:Number = Number(word);
                 var size:Number = number < 0 ? -number : number;
@@ -60,14 +55,21 @@ package starlogo.models.text
                     return number;
                 }
             }
-            return length > LONGEST ? NaN : read(PARTS.exec(word));
+            return read(PARTS.exec(word));
         }
 
-        /** The same for a word that is most likely an index: not negative, without a point. */
-        public static function ofIndex(word:String):Number
+        // Whether all players agree on what a word stands for. Some read "1e", "0x10", "0b11" or white space before a number. So a plain word begins
+        // with a digit, a sign or a point, and ends with a digit or a point. After a sign or 0, no letter is in the second or third place.
+        private static function isPlain(word:String):Boolean
         {
+            const PLUS:int = 0x2B;
+            const POINT:int = 0x2E;
+            const ZERO:int = 0x30;
+            const NINE:int = 0x39;
             var first:int = word.charCodeAt(0);
-            return first > 0x2F && first < 0x3A && !(word.charCodeAt(1) > 0x39) ? Number(word) : of(word);
+            var last:int = word.charCodeAt(word.length - 1);
+            return first >= PLUS && first <= NINE && last >= POINT && last <= NINE
+                && (first > ZERO || !(word.charCodeAt(1) > NINE || word.charCodeAt(2) > NINE));
         }
 
         private static function read(parts:Array):Number

@@ -1,6 +1,7 @@
 package starlogo.libraries
 {
     import starlogo.engine;
+    import starlogo.geometry.vertices.VertexBounds;
     import starlogo.geometry.vertices.triangleProblem;
     import starlogo.geometry.vertices.vertexProblem;
     import starlogo.hierarchy.BoxTree;
@@ -101,7 +102,8 @@ package starlogo.libraries
         {
             ModelTable.checkName(name);
             var hasTriangles:Boolean = triangles != null && triangles.length > 0;
-            var problem:String = vertexProblem(vertices) || (hasTriangles ? triangleProblem(triangles, vertices.length / 3) : null);
+            var problem:String = vertexProblem(vertices) || (hasTriangles ? triangleProblem(triangles, vertices.length / 3) : null)
+                || VertexBounds.sizeProblem(VertexBounds.of(vertices).largest);
             if (problem != null)
             {
                 throw ModelTable.errorOf(name, problem);

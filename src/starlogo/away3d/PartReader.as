@@ -4,7 +4,7 @@ package starlogo.away3d
     import starlogo.geometry.vertices.PointTable;
     import starlogo.models.ModelError;
     import starlogo.models.building.AffineTransform;
-    import starlogo.models.building.refuseIf;
+    import starlogo.models.files.refuseIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 

@@ -53,8 +53,8 @@ package starlogo.libraries
             _fitters = new <Fitter>[new NaiveSphereFitter(), _orientedBoxFitter, new CapsuleFitter(_orientedBoxFitter)];
         }
 
-        /** @private A library of the models of a GreatLand, whose libraries share the table. */
-        engine static function of(models:ModelTable):BoundingStructuresLibrary
+        /** @private A library of a GreatLand, whose libraries share a table. */
+        engine static function sharing(models:ModelTable):BoundingStructuresLibrary
         {
             var library:BoundingStructuresLibrary = new BoundingStructuresLibrary();
             library._models = models;

@@ -46,8 +46,8 @@ package starlogo.libraries
         {
         }
 
-        /** @private A library of the models of a GreatLand, whose libraries share the table. */
-        engine static function of(models:ModelTable):HierarchiesLibrary
+        /** @private A library of a GreatLand, whose libraries share a table. */
+        engine static function sharing(models:ModelTable):HierarchiesLibrary
         {
             var library:HierarchiesLibrary = new HierarchiesLibrary();
             library._models = models;

@@ -5,7 +5,7 @@ package starlogo.models
     import starlogo.models.building.ModelBuilder;
     import starlogo.models.collada.ColladaDocument;
     import starlogo.models.collada.ColladaReader;
-    import starlogo.models.text.FileText;
+    import starlogo.models.files.FileText;
 
     use namespace engine;
 

@@ -1,6 +1,7 @@
 // This room has models, and what reads them from files. A ModelReader for each format fills a ModelData, of which a ModelBuilder makes a Model: it
-// brings the vertices to their place and scale. building/ has these three and what readers share; text/ and polygons/ serve the readers; cooked/ is the
-// engine's own format. A ModelLoader does the same in steps while a game runs. Read this file first, then building/ModelBuilder and obj/ObjReader, and ModelLoader with loading/ModelLoad for loading.
+// brings the vertices to their place and scale. building/ has these three; files/, text/ and polygons/ serve the readers; animation/ moves what they read;
+// cooked/ is the engine's own format. A ModelLoader does the same in steps while a game runs. Read this file first, then building/ModelBuilder and
+// obj/ObjReader, and ModelLoader with loading/ModelLoad for loading.
 package starlogo.models
 {
     import starlogo.engine;
@@ -9,7 +10,7 @@ package starlogo.models
     import starlogo.models.building.ModelBuilder;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.TriangleLabels;
-    import starlogo.models.building.refuseIf;
+    import starlogo.models.files.refuseIf;
 
     use namespace engine;
 

@@ -9,6 +9,7 @@ package starlogo.models
     import flash.utils.ByteArray;
     import flash.utils.getTimer;
     import starlogo.data.requireGiven;
+    import starlogo.models.files.ModelFile;
     import starlogo.models.loading.CookedManifest;
     import starlogo.models.loading.ModelLoad;
 
@@ -191,7 +192,7 @@ package starlogo.models
          */
         public function loadBytes(name:String, bytes:ByteArray, upAxis:Object = "z", scaling:String = "footprint"):void
         {
-            add(name, upAxis, scaling).addReading(bytes, null);
+            add(name, upAxis, scaling).addReading(new ModelFile(name, bytes));
         }
 
         /**
@@ -204,7 +205,7 @@ package starlogo.models
          */
         public function loadText(name:String, text:String, upAxis:Object = "z", scaling:String = "footprint"):void
         {
-            add(name, upAxis, scaling).addReading(null, text);
+            add(name, upAxis, scaling).addReading(new ModelFile(name, null, text));
         }
 
         /**

@@ -3,8 +3,8 @@ package starlogo.models
     import flash.utils.ByteArray;
     import starlogo.engine;
     import starlogo.models.building.ModelBuilder;
+    import starlogo.models.files.FileText;
     import starlogo.models.obj.ObjReader;
-    import starlogo.models.text.FileText;
 
     use namespace engine;
 

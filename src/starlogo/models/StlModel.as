@@ -3,6 +3,7 @@ package starlogo.models
     import flash.utils.ByteArray;
     import starlogo.engine;
     import starlogo.models.building.ModelBuilder;
+    import starlogo.models.files.ModelFile;
     import starlogo.models.stl.StlReader;
 
     use namespace engine;
@@ -28,7 +29,7 @@ package starlogo.models
         public function StlModel(name:String, bytes:ByteArray, upAxis:Object = "z", scaling:String = Model.FOOTPRINT)
         {
             super(name, WITHOUT_DATA);
-            keep(ModelBuilder.reading(new StlReader(name, bytes, null, upAxis, scaling)).build());
+            keep(ModelBuilder.reading(new StlReader(new ModelFile(name, bytes), upAxis, scaling)).build());
         }
 
         /**

@@ -32,6 +32,25 @@ package starlogo.models.building
                         turn.r20 * scaleX, turn.r21 * scaleY, turn.r22 * scaleZ, z]);
         }
 
+        /**
+         * The turn that makes an axis point up along z. If y is up, -z becomes y. If x is up, -y becomes x and -z becomes y. (The COLLADA
+         * specification's table for up_axis gives the right and inward axes.)
+         *
+         * @param upAxis the axis that points up: "x", "y" or "z"
+         */
+        public static function toZUp(upAxis:String):AffineTransform
+        {
+            switch (upAxis)
+            {
+                case "x":
+                    return new AffineTransform(new <Number>[0, -1, 0, 0, 0, 0, -1, 0, 1, 0, 0, 0]);
+                case "y":
+                    return new AffineTransform(new <Number>[1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0]);
+                default:
+                    return new AffineTransform();
+            }
+        }
+
         /** Returns the transform that applies the given one first and then this one. */
         public function after(first:AffineTransform):AffineTransform
         {

@@ -9,6 +9,7 @@ package starlogo.models.building
     import starlogo.models.ModelError;
     import starlogo.models.ModelMaker;
     import starlogo.models.ModelTransform;
+    import starlogo.models.files.refuseIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
@@ -85,7 +86,7 @@ package starlogo.models.building
         {
             finish(reader);
             var data:ModelData = reader.data;
-            finish(turnToZUp(data.upAxis).transformingPoints(data.vertices));
+            finish(AffineTransform.toZUp(data.upAxis).transformingPoints(data.vertices));
             return data.vertices;
         }
 
@@ -165,7 +166,7 @@ package starlogo.models.building
 
         private function turningToZUp():Steps
         {
-            return _data.upAxis == "z" ? null : turnToZUp(_data.upAxis).transformingPoints(_data.vertices);
+            return _data.upAxis == "z" ? null : AffineTransform.toZUp(_data.upAxis).transformingPoints(_data.vertices);
         }
 
         private function measuring():Steps

@@ -1,8 +1,14 @@
 package starlogo.models.building
 {
+    import starlogo.data.textOf;
+    import starlogo.engine;
+    import starlogo.models.Model;
     import starlogo.models.ModelTransform;
     import starlogo.models.SourceFrame;
     import starlogo.models.cooked.CookedFile;
+    import starlogo.models.files.refuseIf;
+
+    use namespace engine;
 
     /**
      * What a model is made of, as a record. First come the settings, then the content, then where it is from. The caller and the reader of a format
@@ -70,6 +76,26 @@ package starlogo.models.building
             data.transform = upAxis as ModelTransform;
             data.upAxis = data.transform == null ? String(upAxis) : "z";
             return data;
+        }
+
+        /** Throws a ModelError if an up axis is not "x", "y" or "z", or a ModelTransform in its place. */
+        public static function requireUpAxis(name:String, upAxis:Object):void
+        {
+            refuseIf(["x", "y", "z"].indexOf(upAxis) < 0 && !(upAxis is ModelTransform), name, "the up axis must be \"x\", \"y\" or \"z\", or a ModelTransform, not "
+                    + textOf(upAxis) + (Model.SCALINGS.indexOf(String(upAxis)) < 0 ? "" : ": a scaling is the argument after it"));
+        }
+
+        /**
+         * Makes points without a surface the vertices, if there are no others.
+         *
+         * @param points x, y, z of each; kept
+         * @param expected for the error: what the file must have
+         * @throws ModelError if there are no such points either
+         */
+        public function takeLoosePoints(points:Vector.<Number>, expected:String):void
+        {
+            vertices = vertices.length == 0 ? points : vertices;
+            refuseIf(vertices.length == 0, name, "no vertices: expected " + expected);
         }
     }
 }

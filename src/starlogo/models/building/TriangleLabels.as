@@ -1,6 +1,7 @@
 package starlogo.models.building
 {
     import starlogo.data.keyOf;
+    import starlogo.data.lastNotAfter;
 
     /**
      * The label of each triangle: the number of its material or of its mesh, which may have a name. A reader says where triangles with another label

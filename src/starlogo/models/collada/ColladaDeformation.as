@@ -2,7 +2,7 @@ package starlogo.models.collada
 {
     import starlogo.models.ModelError;
     import starlogo.models.building.AffineTransform;
-    import starlogo.models.building.shortened;
+    import starlogo.models.files.shortened;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 

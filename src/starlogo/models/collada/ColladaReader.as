@@ -3,10 +3,9 @@ package starlogo.models.collada
     import flash.geom.Vector3D;
     import starlogo.models.Model;
     import starlogo.models.ModelTransform;
-    import starlogo.models.building.FilePose;
+    import starlogo.models.animation.FilePose;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.ModelReader;
-    import starlogo.models.building.takeLoosePoints;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -79,7 +78,7 @@ package starlogo.models.collada
                 }).call(function():void
                 {
                     _data.readShare = 1;
-                    takeLoosePoints(_data, loosePoints, "a scene or a library with a geometry in it");
+                    _data.takeLoosePoints(loosePoints, "a scene or a library with a geometry in it");
                 });
         }
     }

@@ -2,7 +2,7 @@ package starlogo.models.collada
 {
     import starlogo.data.keyOf;
     import starlogo.models.building.AffineTransform;
-    import starlogo.models.building.shortened;
+    import starlogo.models.files.shortened;
     import starlogo.models.text.TextWords;
 
     /** The nodes that are the joints of a COLLADA skin, for an element that places it. */

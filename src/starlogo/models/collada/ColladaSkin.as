@@ -1,7 +1,7 @@
 package starlogo.models.collada
 {
+    import starlogo.models.animation.JointWeights;
     import starlogo.models.building.AffineTransform;
-    import starlogo.models.building.JointWeights;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 

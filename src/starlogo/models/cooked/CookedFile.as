@@ -3,7 +3,7 @@ package starlogo.models.cooked
     import flash.utils.ByteArray;
     import flash.utils.Endian;
     import starlogo.data.Fingerprint;
-    import starlogo.models.building.FileLimits;
+    import starlogo.models.files.FileLimits;
     import starlogo.steps.StepSequence;
 
     /**

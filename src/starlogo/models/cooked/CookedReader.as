@@ -9,11 +9,11 @@ package starlogo.models.cooked
     import starlogo.models.ModelError;
     import starlogo.models.ModelTransform;
     import starlogo.models.SourceFrame;
-    import starlogo.models.building.FileLimits;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.ModelReader;
     import starlogo.models.building.TriangleLabels;
-    import starlogo.models.building.refuseIf;
+    import starlogo.models.files.FileLimits;
+    import starlogo.models.files.refuseIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 

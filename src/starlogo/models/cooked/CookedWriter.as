@@ -10,7 +10,7 @@ package starlogo.models.cooked
     import starlogo.models.building.ModelBuilder;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.TriangleLabels;
-    import starlogo.models.building.refuseIf;
+    import starlogo.models.files.refuseIf;
 
     use namespace engine;
 

@@ -1,10 +1,9 @@
 package starlogo.models.gltf
 {
-    import starlogo.models.building.FilePose;
+    import starlogo.models.animation.FilePose;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.ModelReader;
     import starlogo.models.building.VertexFilter;
-    import starlogo.models.building.takeLoosePoints;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -109,7 +108,7 @@ package starlogo.models.gltf
         private function endReading():void
         {
             _data.readShare = 1;
-            takeLoosePoints(_data, _loosePoints, "a mesh in the scene");
+            _data.takeLoosePoints(_loosePoints, "a mesh in the scene");
         }
     }
 }

@@ -1,6 +1,6 @@
 package starlogo.models.gltf
 {
-    import starlogo.models.building.JointWeights;
+    import starlogo.models.animation.JointWeights;
     import starlogo.steps.StepSequence;
 
     /** How much the vertices of a glTF primitive follow the joints of a skin. Its steps read it. All nodes and poses that have both share it. */

@@ -2,7 +2,7 @@ package starlogo.models.loading
 {
     import flash.utils.ByteArray;
     import starlogo.data.keyOf;
-    import starlogo.models.text.FileAddress;
+    import starlogo.models.files.FileAddress;
 
     /**
      * The list of the cooked files in a folder and below. It is fetched when it is first needed.

@@ -7,11 +7,11 @@ package starlogo.models.loading
     import starlogo.models.ModelReceiver;
     import starlogo.models.ModelTransform;
     import starlogo.models.building.ModelBuilder;
-    import starlogo.models.building.refuseIf;
     import starlogo.models.cooked.CookedFile;
     import starlogo.models.cooked.CookedReader;
-    import starlogo.models.text.FileAddress;
-    import starlogo.models.text.FileText;
+    import starlogo.models.files.FileAddress;
+    import starlogo.models.files.ModelFile;
+    import starlogo.models.files.refuseIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -121,17 +121,19 @@ package starlogo.models.loading
             call(fetchCooked);
         }
 
-        /** Adds the steps that read a file, as bytes or as text. The other is null. */
-        public function addReading(bytes:ByteArray, text:String):void
+        /** Adds the steps that read a file. */
+        public function addReading(file:ModelFile):void
         {
             call(function():void
                 {
-                    var isText:Boolean = text != null || bytes == null || ModelFormat.ofBytes(bytes) == null;
-                    var decoded:String = isText && text == null ? FileText.decode(name, bytes) : text;
-                    call(function():void
-                        {
-                            addMaking(ModelBuilder.reading(ModelFormat.newReader(name, bytes, decoded, _url, _upAxis, _scaling, fetchBeside)));
-                        });
+                    if (!ModelFormat.isBinary(file))
+                    {
+                        // decodes it, in a step of its own
+                        file.textOf();
+                    }
+                }).call(function():void
+                {
+                    addMaking(ModelBuilder.reading(ModelFormat.newReader(file, _upAxis, _scaling, fetchBeside)));
                 });
         }
 
@@ -224,7 +226,7 @@ package starlogo.models.loading
                 var transform:ModelTransform = ModelTransform.fromText(bytes.readUTFBytes(bytes.length));
                 _upAxis = transform.isIdentity ? _upAxis : transform;
             }
-            addReading(file.bytes, null);
+            addReading(new ModelFile(name, file.bytes, null, _url));
         }
 
         // Starts to fetch a file that the model's file names. The maker's next step is done when it has come.

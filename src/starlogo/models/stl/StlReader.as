@@ -4,11 +4,12 @@ package starlogo.models.stl
     import flash.utils.Endian;
     import starlogo.geometry.vertices.PointTable;
     import starlogo.models.ModelError;
-    import starlogo.models.building.FileLimits;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.ModelReader;
-    import starlogo.models.building.refuseIf;
-    import starlogo.models.text.FileText;
+    import starlogo.models.files.FileLimits;
+    import starlogo.models.files.FileText;
+    import starlogo.models.files.ModelFile;
+    import starlogo.models.files.refuseIf;
     import starlogo.models.text.LineReader;
     import starlogo.steps.StepSequence;
 
@@ -36,22 +37,20 @@ package starlogo.models.stl
         private var _corners:int = 0;
 
         /**
-         * @param name the model's name
-         * @param bytes a binary file, or the bytes of the text; their endianness is set; null if there is only text
-         * @param text the text; null to use the bytes
+         * @param file the file; the endianness of its bytes is set
          * @param upAxis as for StlModel
          * @param scaling as for Model
          */
-        public function StlReader(name:String, bytes:ByteArray, text:String, upAxis:Object, scaling:String)
+        public function StlReader(file:ModelFile, upAxis:Object, scaling:String)
         {
-            _data = ModelData.forFile(name, upAxis, scaling);
-            if (text == null && bytes != null && isBinary(bytes))
+            _data = ModelData.forFile(file.name, upAxis, scaling);
+            if (file.bytes != null && isBinary(file.bytes))
             {
-                addBinary(bytes);
+                addBinary(file.bytes);
             }
             else
             {
-                addText(text == null ? FileText.decode(_data.name, bytes, "STL file, or one that is cut off") : text);
+                addText(file.textOf("STL file, or one that is cut off"));
             }
             _data.vertices = _points.coordinates;
             call(checkEnd);

@@ -1,8 +1,9 @@
-package starlogo.models.building
+package starlogo.models.animation
 {
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
+    import starlogo.models.building.AffineTransform;
 
     public class JointWeightsTest
     {

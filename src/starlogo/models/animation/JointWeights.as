@@ -1,5 +1,7 @@
-package starlogo.models.building
+package starlogo.models.animation
 {
+    import starlogo.models.building.AffineTransform;
+
     /**
      * How much each point of a skin follows which joints, in a file of any format. A point follows each of its influences: a joint, by a weight. The
      * lists have the influences of all points, one point after the other. The readers of formats fill them.

@@ -1,4 +1,4 @@
-package starlogo.models.text
+package starlogo.models.files
 {
     /**
      * The addresses of a model's files. A file may name only files in its own folder, or below it. Browsers drop tabs and line ends, take a

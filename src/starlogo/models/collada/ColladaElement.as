@@ -3,8 +3,8 @@ package starlogo.models.collada
     import starlogo.data.keyOf;
     import starlogo.models.ModelError;
     import starlogo.models.building.AffineTransform;
-    import starlogo.models.building.FileLimits;
-    import starlogo.models.building.shortened;
+    import starlogo.models.files.FileLimits;
+    import starlogo.models.files.shortened;
     import starlogo.models.text.Decimal;
     import starlogo.models.text.TextWords;
     import starlogo.steps.Steps;
@@ -259,7 +259,7 @@ package starlogo.models.collada
          */
         public function toWholeNumber(word:String, least:int, most:int, what:String):int
         {
-            var value:Number = Decimal.of(word);
+            var value:Number = Decimal.ofIndex(word);
             var whole:int = int(value);
             if (whole != value || whole < least || whole > most)
             {

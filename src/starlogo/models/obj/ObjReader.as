@@ -1,13 +1,13 @@
 package starlogo.models.obj
 {
     import starlogo.models.ModelError;
-    import starlogo.models.building.FileLimits;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.ModelReader;
     import starlogo.models.building.TriangleLabels;
     import starlogo.models.building.VertexFilter;
-    import starlogo.models.building.refuseIf;
-    import starlogo.models.building.shortened;
+    import starlogo.models.files.FileLimits;
+    import starlogo.models.files.refuseIf;
+    import starlogo.models.files.shortened;
     import starlogo.models.polygons.Triangulator;
     import starlogo.models.text.Decimal;
     import starlogo.models.text.LineReader;
@@ -129,7 +129,7 @@ package starlogo.models.obj
         private function readCorner(word:String):int
         {
             var slash:int = word.indexOf("/");
-            var value:Number = Decimal.of(slash < 0 ? word : word.substr(0, slash));
+            var value:Number = Decimal.ofIndex(slash < 0 ? word : word.substr(0, slash));
             var index:int = int(value);
             if (index != value || index == 0)
             {

@@ -42,11 +42,22 @@ package starlogo.models.text
          */
         public static function of(word:String):Number
         {
-            if (word == null || word.length > LONGEST)
+            var length:int = word == null ? 0 : word.length;
+            if (length == 0)
             {
                 return NaN;
             }
-            if (word.length <= SHORT && isPlain(word))
+            // Whether all players read the word in the same way. Some read "1e", "0x10", "0b11" or white space before a number. So a plain word begins
+            // with a digit, a sign or a point, and ends with a digit or a point. After a sign, a point or 0, no letter is in the second or third place.
+            const PLUS:int = 0x2B;
+            const POINT:int = 0x2E;
+            const ZERO:int = 0x30;
+            const NINE:int = 0x39;
+            var first:int = word.charCodeAt(0);
+            var last:int = word.charCodeAt(length - 1);
+            var isPlain:Boolean = last >= POINT && last <= NINE && first <= NINE
+                && (first > ZERO || first >= PLUS && !(word.charCodeAt(1) > NINE || word.charCodeAt(2) > NINE));
+            if (isPlain && length <= SHORT)
             {
                 var number:Number = Number(word);
                 var size:Number = number < 0 ? -number : number;
@@ -55,21 +66,17 @@ package starlogo.models.text
                     return number;
                 }
             }
-            return read(PARTS.exec(word));
+            return length > LONGEST ? NaN : read(PARTS.exec(word));
         }
 
-        // Whether all players agree on what a word stands for. Some read "1e", "0x10", "0b11" or white space before a number. So a plain word begins
-        // with a digit, a sign or a point, and ends with a digit or a point. After a sign or 0, no letter is in the second or third place.
-        private static function isPlain(word:String):Boolean
+        /** The same for a word that is most likely an index, a few digits. It takes two thirds of the time. */
+        public static function ofIndex(word:String):Number
         {
-            const PLUS:int = 0x2B;
-            const POINT:int = 0x2E;
             const ZERO:int = 0x30;
             const NINE:int = 0x39;
             var first:int = word.charCodeAt(0);
             var last:int = word.charCodeAt(word.length - 1);
-            return first >= PLUS && first <= NINE && last >= POINT && last <= NINE
-                && (first > ZERO || !(word.charCodeAt(1) > NINE || word.charCodeAt(2) > NINE));
+            return first > ZERO && first <= NINE && last >= ZERO && last <= NINE ? Number(word) : of(word);
         }
 
         private static function read(parts:Array):Number

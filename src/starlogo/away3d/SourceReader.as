@@ -5,10 +5,10 @@ package starlogo.away3d
     import away3d.core.base.ISubGeometry;
     import away3d.entities.Mesh;
     import flash.utils.getQualifiedClassName;
+    import starlogo.geometry.AffineTransform;
     import starlogo.geometry.vertices.PointTable;
     import starlogo.models.Model;
     import starlogo.models.ModelError;
-    import starlogo.models.building.AffineTransform;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.ModelReader;
     import starlogo.steps.StepSequence;

@@ -2,8 +2,8 @@ package starlogo.models
 {
     import flash.geom.Vector3D;
     import starlogo.engine;
+    import starlogo.geometry.AffineTransform;
     import starlogo.geometry.Placement;
-    import starlogo.models.building.AffineTransform;
     import starlogo.models.text.Decimal;
 
     use namespace engine;

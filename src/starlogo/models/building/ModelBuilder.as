@@ -2,6 +2,8 @@ package starlogo.models.building
 {
     import flash.geom.Vector3D;
     import starlogo.engine;
+    import starlogo.geometry.AffineTransform;
+    import starlogo.geometry.cubeRoot;
     import starlogo.geometry.vertices.VertexBounds;
     import starlogo.geometry.vertices.triangleProblem;
     import starlogo.geometry.vertices.vertexProblem;

@@ -84,18 +84,5 @@ package starlogo.models.building
             refuseIf(["x", "y", "z"].indexOf(upAxis) < 0 && !(upAxis is ModelTransform), name, "the up axis must be \"x\", \"y\" or \"z\", or a ModelTransform, not "
                     + textOf(upAxis) + (Model.SCALINGS.indexOf(String(upAxis)) < 0 ? "" : ": a scaling is the argument after it"));
         }
-
-        /**
-         * Makes points without a surface the vertices, if there are no others.
-         *
-         * @param points x, y, z of each; kept
-         * @param expected for the error: what the file must have
-         * @throws ModelError if there are no such points either
-         */
-        public function takeLoosePoints(points:Vector.<Number>, expected:String):void
-        {
-            vertices = vertices.length == 0 ? points : vertices;
-            refuseIf(vertices.length == 0, name, "no vertices: expected " + expected);
-        }
     }
 }

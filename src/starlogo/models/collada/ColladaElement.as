@@ -1,8 +1,8 @@
 package starlogo.models.collada
 {
     import starlogo.data.keyOf;
+    import starlogo.geometry.AffineTransform;
     import starlogo.models.ModelError;
-    import starlogo.models.building.AffineTransform;
     import starlogo.models.files.FileLimits;
     import starlogo.models.files.shortened;
     import starlogo.models.text.Decimal;

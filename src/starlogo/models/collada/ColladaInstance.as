@@ -1,6 +1,6 @@
 package starlogo.models.collada
 {
-    import starlogo.models.building.AffineTransform;
+    import starlogo.geometry.AffineTransform;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.TriangleLabels;
     import starlogo.steps.StepSequence;

@@ -6,6 +6,7 @@ package starlogo.models.collada
     import starlogo.models.animation.FilePose;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.ModelReader;
+    import starlogo.models.files.refuseIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -18,7 +19,7 @@ package starlogo.models.collada
      * adds the mesh to the model.</p>
      *
      * <p>Before that, a ColladaDeformation moves the points of a geometry that a controller places. It does so by morphs and by ColladaSkins. A
-     * ColladaSkin has the JointWeights of its points, and a ColladaSkeleton finds its joints among the nodes.</p>
+     * ColladaSkin has the JointInfluences of its points, and a ColladaSkeleton finds its joints among the nodes.</p>
      *
      * <p>A ColladaAnimation has ColladaChannels, which say which numbers move, and ColladaSamplers, which say how. A FilePose is an animation at a
      * time. The scene and the deformations ask it.</p>
@@ -78,7 +79,8 @@ package starlogo.models.collada
                 }).call(function():void
                 {
                     _data.readShare = 1;
-                    _data.takeLoosePoints(loosePoints, "a scene or a library with a geometry in it");
+                    _data.vertices = _data.vertices.length == 0 ? loosePoints : _data.vertices;
+                    refuseIf(_data.vertices.length == 0, _data.name, "no vertices: expected a scene or a library with a geometry in it");
                 });
         }
     }

@@ -1,7 +1,7 @@
 package starlogo.models.collada
 {
+    import starlogo.geometry.AffineTransform;
     import starlogo.models.animation.FilePose;
-    import starlogo.models.building.AffineTransform;
     import starlogo.models.files.shortened;
     import starlogo.steps.StepSequence;
 

@@ -1,7 +1,7 @@
 package starlogo.models.collada
 {
     import starlogo.data.keyOf;
-    import starlogo.models.building.AffineTransform;
+    import starlogo.geometry.AffineTransform;
     import starlogo.models.files.shortened;
     import starlogo.models.text.TextWords;
 

@@ -201,7 +201,7 @@ package starlogo.models.cooked
             {
                 numbers[i] = _bytes.readDouble();
             }
-            return SourceFrame.of(numbers);
+            return SourceFrame.ofNumbers(numbers);
         }
 
         private function readVector():Vector3D

@@ -39,7 +39,7 @@ package starlogo.models.cooked
                     return writeAs(model, form, points, transform);
                 }
             }
-            refuseIf(SourceFrame.of(model.source.numbers) == null, model.name, "its place in its source is not finite numbers, so it can't be cooked");
+            refuseIf(SourceFrame.ofNumbers(model.source.numbers) == null, model.name, "its place in its source is not finite numbers, so it can't be cooked");
             return writeAs(model, CookedReader.DOUBLE, model.vertices, null);
         }
 

@@ -4,6 +4,7 @@ package starlogo.models.gltf
     import starlogo.models.building.ModelData;
     import starlogo.models.building.ModelReader;
     import starlogo.models.building.VertexFilter;
+    import starlogo.models.files.refuseIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -108,7 +109,8 @@ package starlogo.models.gltf
         private function endReading():void
         {
             _data.readShare = 1;
-            _data.takeLoosePoints(_loosePoints, "a mesh in the scene");
+            _data.vertices = _data.vertices.length == 0 ? _loosePoints : _data.vertices;
+            refuseIf(_data.vertices.length == 0, _data.name, "no vertices: expected a mesh in the scene");
         }
     }
 }

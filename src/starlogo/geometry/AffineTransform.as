@@ -1,6 +1,5 @@
-package starlogo.models.building
+package starlogo.geometry
 {
-    import starlogo.geometry.Placement;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 

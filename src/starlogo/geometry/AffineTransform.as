@@ -67,7 +67,7 @@ package starlogo.geometry
             return new AffineTransform(product);
         }
 
-        /** Makes the transformed points smaller: divides all numbers by a divisor. */
+        /** Divides all numbers. */
         public function divideBy(divisor:Number):void
         {
             for (var i:int = 0; i < 12; i++)

@@ -264,7 +264,7 @@ package starlogo.hierarchy
             }
         }
 
-        /** Sets the items, before the nodes are made. @param items each item once, in any order; kept */
+        /** Sets the items, before the nodes are made. @param items each once, kept */
         public function setItems(items:Vector.<int>):void
         {
             this.items = items;

@@ -193,7 +193,7 @@ package starlogo.libraries
             return found;
         }
 
-        /** Whether a sphere, a box and a capsule are shown for a shape: <code>keepAll</code> was set when its model was added, and fitters found all three. */
+        /** Whether a sphere, a box and a capsule are shown for a shape. */
         public function hasAll(name:String):Boolean
         {
             var structures:ModelStructures = _models.entryOf(name).structures;

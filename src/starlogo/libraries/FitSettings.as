@@ -23,7 +23,7 @@ package starlogo.libraries
         /** @private Whether the surface for exact colliders is wanted. */
         engine var wantsSurface:Boolean = false;
 
-        /** @private Whether clients may read the smallest structure of each kind: the library's <code>keepAll</code>. */
+        /** @private The library's <code>keepAll</code>. */
         engine var showsAll:Boolean = false;
 
         /** @private The deepest level of hierarchies. */

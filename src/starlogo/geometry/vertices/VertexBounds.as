@@ -69,7 +69,7 @@ package starlogo.geometry.vertices
             return Math.max(-minX, -minY, -minZ, maxX, maxY, maxZ);
         }
 
-        /** Describes what is wrong with the largest absolute coordinate; null if it is small enough. */
+        /** What is wrong if the largest absolute coordinate is too large; otherwise null. */
         public static function sizeProblem(largest:Number):String
         {
             return largest <= LARGEST_VERTEX ? null : "coordinates must be at most " + LARGEST_VERTEX + ": " + largest;

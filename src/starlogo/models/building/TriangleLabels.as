@@ -35,7 +35,7 @@ package starlogo.models.building
             this.names = names;
         }
 
-        /** The label of a key, for example of a material's id. A new key gets the next label. @param name the label's name; null if it has none */
+        /** The label of a key. A new key gets the next label. @param name the label's name; null for none */
         public function labelWithKey(key:String, name:String):int
         {
             var known:String = keyOf(key);
@@ -46,13 +46,13 @@ package starlogo.models.building
             return _known[known];
         }
 
-        /** Adds the next label, without a key. Returns it. @param name its name; null if it has none */
+        /** Adds the next label. @param name null for none */
         public function addLabel(name:String):int
         {
             return names.push(name) - 1;
         }
 
-        /** Makes all labels nameless. None may be added afterwards. */
+        /** Makes all labels nameless. */
         public function removeNames():void
         {
             names = null;

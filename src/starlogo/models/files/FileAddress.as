@@ -18,13 +18,13 @@ package starlogo.models.files
         private static const EXTENSION:RegExp = /\.[^.\/]*$/;
         private static const OUTSIDE:RegExp = /[\x00-\x1F\x7F\\]|^[^\/?#]*:|^\s*\/|(^|\/)\s*\.\./;
 
-        /** The path of a file: the part of its address up to a "?" or "#". */
+        /** The part of an address before a "?" or "#". */
         public static function pathOf(url:String):String
         {
             return url.match(PATH)[0];
         }
 
-        /** The part of a file's address after its path. */
+        /** The part after its path. */
         public static function endOf(url:String):String
         {
             return url.substr(pathOf(url).length);

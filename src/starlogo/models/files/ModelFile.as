@@ -13,20 +13,15 @@ package starlogo.models.files
         /** The model's name. Read only. */
         public var name:String;
 
-        /** The file's bytes; null if it was given as text. Read only. */
+        /** Null if the file was given as text. Read only. */
         public var bytes:ByteArray;
 
-        /** The file's address; null if it is not known. Read only. */
+        /** The file's address. Read only. */
         public var url:String;
 
         private var _text:String;
 
-        /**
-         * @param name the model's name
-         * @param bytes the file's bytes; null if there is a text
-         * @param text the file's text; null if there are bytes
-         * @param url the file's address; null if it is not known
-         */
+        /** Either the bytes or the text are null. The address is null if it is not known. */
         public function ModelFile(name:String, bytes:ByteArray, text:String = null, url:String = null)
         {
             this.name = name;

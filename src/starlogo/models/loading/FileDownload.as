@@ -62,7 +62,7 @@ package starlogo.models.loading
             }
         }
 
-        /** Gives the file, or why there is none, to the function that takes it. Call it when the download is over. */
+        /** Calls the function that takes the file. */
         public function deliver():void
         {
             _take(bytes, problem);

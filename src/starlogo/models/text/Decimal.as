@@ -47,8 +47,8 @@ package starlogo.models.text
             {
                 return NaN;
             }
-            // Whether all players read the word in the same way. Some read "1e", "0x10", "0b11" or white space before a number. So a plain word begins
-            // with a digit, a sign or a point, and ends with a digit or a point. After a sign, a point or 0, no letter is in the second or third place.
+            // Some players read "1e", "0x10", "0b11" or white space before a number. A plain word begins with a digit, a sign or a point, and ends
+            // with a digit or a point. After a sign, a point or 0, no letter is in the second or third place.
             const PLUS:int = 0x2B;
             const POINT:int = 0x2E;
             const ZERO:int = 0x30;
@@ -69,7 +69,7 @@ package starlogo.models.text
             return length > LONGEST ? NaN : read(PARTS.exec(word));
         }
 
-        /** The same for a word that is most likely an index, a few digits. It takes two thirds of the time. */
+        /** The same, in less time for an index. */
         public static function ofIndex(word:String):Number
         {
             const ZERO:int = 0x30;

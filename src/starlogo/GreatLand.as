@@ -10,7 +10,7 @@ package starlogo
     import starlogo.libraries.ModelTable;
     import starlogo.models.Model;
     import starlogo.models.ModelReceiver;
-    import starlogo.models.building.requireUpAxis;
+    import starlogo.models.building.ModelData;
     import starlogo.models.cooked.CookedFile;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
@@ -54,8 +54,8 @@ package starlogo
         /** Creates a GreatLand without models. */
         public function GreatLand()
         {
-            _boundingStructures = BoundingStructuresLibrary.of(models);
-            _hierarchies = HierarchiesLibrary.of(models);
+            _boundingStructures = BoundingStructuresLibrary.sharing(models);
+            _hierarchies = HierarchiesLibrary.sharing(models);
         }
 
         /** The tightest bounding structure of each model. */
@@ -178,7 +178,7 @@ package starlogo
         public function cook(model:Model, upAxis:Object = "z", usesTransforms:Boolean = false):ByteArray
         {
             requireGiven("model", model);
-            requireUpAxis(model.name, upAxis);
+            ModelData.requireUpAxis(model.name, upAxis);
             var preparation:ModelPreparation = preparing(model, null);
             finish(preparation);
             return preparation.toCooked(CookedFile.keyOfLoad(upAxis, model.data.scaling, usesTransforms));

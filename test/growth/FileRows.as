@@ -10,7 +10,7 @@ package growth
     import starlogo.models.ModelError;
     import starlogo.models.ObjModel;
     import starlogo.models.StlModel;
-    import starlogo.models.text.FileText;
+    import starlogo.models.files.FileText;
 
     /** Model files: they are read, and the default structures are computed of the models. The files are those of `./antw limits`. */
     public final class FileRows

@@ -121,10 +121,10 @@ class Surface {
 	#label(mesh, runs) {
 		const { meshes, materials } = this.data;
 		let first = this.#cornerCount / 3;
-		meshes.beginRun(numberOf(mesh, titleOf(mesh), this.#meshes, meshes), first);
+		meshes.beginRun(labelOf(mesh, titleOf(mesh), this.#meshes, meshes), first);
 		for (const { material, count } of runs) {
 			if (count === 0) continue;
-			materials.beginRun(numberOf(material, material?.name, this.#materials, materials), first);
+			materials.beginRun(labelOf(material, material?.name, this.#materials, materials), first);
 			first += count;
 		}
 	}
@@ -162,9 +162,9 @@ class Surface {
 	}
 }
 
-/** The number of a mesh or a material among its labels. A new one gets the next. */
-function numberOf(thing, name, known, labels) {
-	if (!known.has(thing)) known.set(thing, labels.names.push(String(name ?? "")) - 1);
+/** The label of a mesh or a material. A new one gets the next. */
+function labelOf(thing, name, known, labels) {
+	if (!known.has(thing)) known.set(thing, labels.addLabel(String(name ?? "")));
 	return known.get(thing);
 }
 

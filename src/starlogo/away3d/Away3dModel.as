@@ -35,8 +35,8 @@ package starlogo.away3d
          */
         public function Away3dModel(name:String, object:Object)
         {
-            super(name, FROM_BUILDER);
-            build(object as ModelBuilder || ModelBuilder.reading(new SourceReader(name, object)));
+            super(name, WITHOUT_DATA);
+            keep((object as ModelBuilder || ModelBuilder.reading(new SourceReader(name, object))).build());
         }
 
         /**

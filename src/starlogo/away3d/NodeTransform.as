@@ -3,9 +3,9 @@ package starlogo.away3d
     import away3d.core.base.Object3D;
     import flash.geom.Vector3D;
     import starlogo.engine;
+    import starlogo.geometry.AffineTransform;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
-    import starlogo.models.building.AffineTransform;
 
     use namespace engine;
 

@@ -1,10 +1,10 @@
 package starlogo.away3d
 {
     import away3d.core.base.ISubGeometry;
+    import starlogo.geometry.AffineTransform;
     import starlogo.geometry.vertices.PointTable;
     import starlogo.models.ModelError;
-    import starlogo.models.building.AffineTransform;
-    import starlogo.models.building.refuseIf;
+    import starlogo.models.files.refuseIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 

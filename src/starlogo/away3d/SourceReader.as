@@ -5,10 +5,10 @@ package starlogo.away3d
     import away3d.core.base.ISubGeometry;
     import away3d.entities.Mesh;
     import flash.utils.getQualifiedClassName;
+    import starlogo.geometry.AffineTransform;
     import starlogo.geometry.vertices.PointTable;
     import starlogo.models.Model;
     import starlogo.models.ModelError;
-    import starlogo.models.building.AffineTransform;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.ModelReader;
     import starlogo.steps.StepSequence;
@@ -21,7 +21,6 @@ package starlogo.away3d
         private static const SWAP:AffineTransform = new AffineTransform(new <Number>[1, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0]);
 
         private var _data:ModelData;
-        private var _progress:Number = 0;
         private var _object:Object;
         private var _parts:Vector.<PartReader> = new Vector.<PartReader>();
 
@@ -40,12 +39,6 @@ package starlogo.away3d
         public function get data():ModelData
         {
             return _data;
-        }
-
-        /** @inheritDoc */
-        public function get progress():Number
-        {
-            return _progress;
         }
 
         private function readingParts():Steps
@@ -70,7 +63,7 @@ package starlogo.away3d
         {
             var setShare:Function = function(share:Number):void
             {
-                _progress = (index + share) / _parts.length;
+                _data.readShare = (index + share) / _parts.length;
             };
             return hasTriangles ? _parts[index].readingTriangles(points, _data.triangles, setShare) : _parts[index].readingVertices(points, setShare);
         }

@@ -264,6 +264,12 @@ package starlogo.hierarchy
             }
         }
 
+        /** Sets the items, before the nodes are made. @param items each once, kept */
+        public function setItems(items:Vector.<int>):void
+        {
+            this.items = items;
+        }
+
         /**
          * Makes the root, without children. Until <code>completeNodes()</code>, the columns are longer than the number of nodes. They begin with room for
          * the nodes of most models, because longer columns are copies.

@@ -41,11 +41,12 @@ package starlogo.hierarchy
         {
             _tree = tree;
             clear(bounds);
-            tree.items = new Vector.<int>(tree.itemCount, true);
-            for (var i:int = 0; i < tree.items.length; i++)
+            var items:Vector.<int> = new Vector.<int>(tree.itemCount, true);
+            for (var i:int = 0; i < items.length; i++)
             {
-                tree.items[i] = i;
+                items[i] = i;
             }
+            tree.setItems(items);
         }
 
         /** Measures a range of items. Must be called for all items before other methods. */

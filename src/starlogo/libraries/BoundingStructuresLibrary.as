@@ -53,8 +53,8 @@ package starlogo.libraries
             _fitters = new <Fitter>[new NaiveSphereFitter(), _orientedBoxFitter, new CapsuleFitter(_orientedBoxFitter)];
         }
 
-        /** @private A library of the models of a GreatLand, whose libraries share the table. */
-        engine static function of(models:ModelTable):BoundingStructuresLibrary
+        /** @private A library of a GreatLand, whose libraries share a table. */
+        engine static function sharing(models:ModelTable):BoundingStructuresLibrary
         {
             var library:BoundingStructuresLibrary = new BoundingStructuresLibrary();
             library._models = models;
@@ -150,31 +150,31 @@ package starlogo.libraries
         /**
          * The smallest sphere found for a shape. It is shared: do not change it.
          *
-         * @throws ArgumentError if the library has nothing of this name, or no sphere was kept for it
+         * @throws ArgumentError if the library has nothing of this name, or no sphere is shown for it (keepAll)
          */
         public function sphere(name:String):Sphere
         {
-            return Sphere(kept(name, BoundingStructure.SPHERE));
+            return Sphere(shown(name, BoundingStructure.SPHERE));
         }
 
         /**
          * The smallest box found for a shape. It is shared: do not change it.
          *
-         * @throws ArgumentError if the library has nothing of this name, or no box was kept for it
+         * @throws ArgumentError if the library has nothing of this name, or no box is shown for it (keepAll)
          */
         public function box(name:String):Box
         {
-            return Box(kept(name, BoundingStructure.BOX));
+            return Box(shown(name, BoundingStructure.BOX));
         }
 
         /**
          * The smallest capsule found for a shape. It is shared: do not change it.
          *
-         * @throws ArgumentError if the library has nothing of this name, or no capsule was kept for it
+         * @throws ArgumentError if the library has nothing of this name, or no capsule is shown for it (keepAll)
          */
         public function capsule(name:String):Capsule
         {
-            return Capsule(kept(name, BoundingStructure.CAPSULE));
+            return Capsule(shown(name, BoundingStructure.CAPSULE));
         }
 
         /**
@@ -188,12 +188,12 @@ package starlogo.libraries
             var found:BoundingStructure = find(name).hullOrSphere;
             if (found == null)
             {
-                throw new ArgumentError("shape \"" + name + "\" has no hull yet: set loadHulls (keepHulls) before the model is added");
+                throw ModelTable.errorOf(name, "it has no hull yet: set loadHulls (keepHulls) before the model is added");
             }
             return found;
         }
 
-        /** Whether a sphere, a box and a capsule were kept for a shape. */
+        /** Whether a sphere, a box and a capsule are shown for a shape. */
         public function hasAll(name:String):Boolean
         {
             var structures:ModelStructures = _models.entryOf(name).structures;
@@ -230,7 +230,7 @@ package starlogo.libraries
             }
             if (structures.smallest[kind] == null)
             {
-                throw new ArgumentError("shape \"" + name + "\" cannot be a " + BoundingStructure.NAMES[kind] + ": no fitter found one when its model was added");
+                throw ModelTable.errorOf(name, "it cannot be a " + BoundingStructure.NAMES[kind] + ": no fitter found one when its model was added");
             }
             return structures.smallest[kind];
         }
@@ -256,13 +256,13 @@ package starlogo.libraries
             return structures;
         }
 
-        private function kept(name:String, kind:int):BoundingStructure
+        private function shown(name:String, kind:int):BoundingStructure
         {
             var structures:ModelStructures = find(name);
             if (!structures.showsAll || structures.smallest[kind] == null)
             {
-                throw new ArgumentError("shape \"" + name + "\" has no " + BoundingStructure.NAMES[kind] + " of its own: set loadAllBoundingStructures (keepAll)"
-                        + " before the model is added, and have a fitter that finds one in the list");
+                throw ModelTable.errorOf(name, "it shows no " + BoundingStructure.NAMES[kind] + ": set loadAllBoundingStructures (keepAll) before the model is added, "
+                        + "and have a fitter that finds one in the list");
             }
             return structures.smallest[kind];
         }

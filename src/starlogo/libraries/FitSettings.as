@@ -10,7 +10,7 @@ package starlogo.libraries
 
     /**
      * The settings that decide the results that libraries compute for a model. They are copied when this object is made. Fits that were
-     * computed with other settings are not used. Fits with another showsAll are used, because that only says which results a client may read.
+     * computed with other settings are not used. Fits with another <code>keepAll</code> are used, because that only says which results a client may read.
      */
     public final class FitSettings
     {
@@ -18,12 +18,12 @@ package starlogo.libraries
         private static const REVISION:int = 13;
 
         // For each section of a cooked file, the settings of what is in it, as a text. Null if that is not wanted, or cannot be kept.
-        private var _texts:Vector.<String> = new Vector.<String>(CookedFile.SECTIONS, true);
+        private var _texts:Vector.<String> = new Vector.<String>(CookedFile.SECTION_COUNT, true);
 
         /** @private Whether the surface for exact colliders is wanted. */
         engine var wantsSurface:Boolean = false;
 
-        /** @private Whether clients may read the smallest structure of each kind. */
+        /** @private The library's <code>keepAll</code>. */
         engine var showsAll:Boolean = false;
 
         /** @private The deepest level of hierarchies. */
@@ -79,7 +79,7 @@ package starlogo.libraries
         engine function fingerprintsWith(modelKey:Fingerprint):Vector.<Fingerprint>
         {
             var all:Vector.<Fingerprint> = new <Fingerprint>[modelKey];
-            for (var section:int = CookedFile.MODEL + 1; section < CookedFile.SECTIONS; section++)
+            for (var section:int = CookedFile.MODEL + 1; section < CookedFile.SECTION_COUNT; section++)
             {
                 all.push(fingerprintOf(section));
             }

@@ -100,7 +100,7 @@ package starlogo.libraries
             requireGiven("the bytes", bytes);
             requireGiven("the settings", settings);
             var geometry:Fingerprint = geometryOf(model);
-            return isEntryOf(geometry, bytes) && store(geometry, settings, bytes);
+            return isEntryOf(geometry, bytes) && keep(geometry, settings, bytes);
         }
 
         /** Removes all entries. */
@@ -137,7 +137,7 @@ package starlogo.libraries
         }
 
         /**
-         * Stores the file of a geometry. It removes the least recently used entries until there is room. A storage that refuses the file has
+         * Keeps the file of a geometry. It removes the least recently used entries until there is room. A storage that refuses the file has
          * less room than the store was told. It has room for the entries that are there, and perhaps for smaller ones than this.
          *
          * @param geometry the fingerprint of the model's vertices and triangles
@@ -145,7 +145,7 @@ package starlogo.libraries
          *
          * @private
          */
-        engine function store(geometry:Fingerprint, settings:FitSettings, bytes:ByteArray):Boolean
+        engine function keep(geometry:Fingerprint, settings:FitSettings, bytes:ByteArray):Boolean
         {
             var name:String = nameOf(geometry, settings);
             var lines:Array = linesBut(name);

@@ -1,6 +1,7 @@
 package starlogo.libraries
 {
     import starlogo.engine;
+    import starlogo.geometry.vertices.VertexBounds;
     import starlogo.geometry.vertices.triangleProblem;
     import starlogo.geometry.vertices.vertexProblem;
     import starlogo.hierarchy.BoxTree;
@@ -45,8 +46,8 @@ package starlogo.libraries
         {
         }
 
-        /** @private A library of the models of a GreatLand, whose libraries share the table. */
-        engine static function of(models:ModelTable):HierarchiesLibrary
+        /** @private A library of a GreatLand, whose libraries share a table. */
+        engine static function sharing(models:ModelTable):HierarchiesLibrary
         {
             var library:HierarchiesLibrary = new HierarchiesLibrary();
             library._models = models;
@@ -101,7 +102,8 @@ package starlogo.libraries
         {
             ModelTable.checkName(name);
             var hasTriangles:Boolean = triangles != null && triangles.length > 0;
-            var problem:String = vertexProblem(vertices) || (hasTriangles ? triangleProblem(triangles, vertices.length / 3) : null);
+            var problem:String = vertexProblem(vertices) || (hasTriangles ? triangleProblem(triangles, vertices.length / 3) : null)
+                || VertexBounds.sizeProblem(VertexBounds.of(vertices).largest);
             if (problem != null)
             {
                 throw ModelTable.errorOf(name, problem);

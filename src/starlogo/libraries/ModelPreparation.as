@@ -79,7 +79,7 @@ package starlogo.libraries
                 modelTree.finishBuilding();
                 modelTree.prepareExact();
             }
-            return fileOf(modelKey, CookedWriter.write(_model));
+            return bytesOfResults(modelKey, CookedWriter.write(_model));
         }
 
         // Whether all results that are wanted are there, or stored.
@@ -105,7 +105,7 @@ package starlogo.libraries
                     }
                     return isComplete || !store.hasRoomFor(_model, modelTree != null) ? computing(false) : computing(true).call(function():void
                         {
-                            store.store(geometry, _settings, fileOf(geometry, null));
+                            store.keep(geometry, _settings, bytesOfResults(geometry, null));
                         });
                 });
         }
@@ -148,7 +148,7 @@ package starlogo.libraries
             var topology:SurfaceTopology = surface == null ? null : SurfaceTopology.read(surface, _model.triangles.length / 3);
             if (topology != null)
             {
-                modelTree.surface = topology;
+                modelTree.restoreSurface(topology);
             }
         }
 
@@ -162,9 +162,9 @@ package starlogo.libraries
         }
 
         // The bytes of a file with the results. It has the surface if that is prepared. @param model the bytes of the model; null for none
-        private function fileOf(modelKey:Fingerprint, model:ByteArray):ByteArray
+        private function bytesOfResults(modelKey:Fingerprint, model:ByteArray):ByteArray
         {
-            var sections:Vector.<ByteArray> = new Vector.<ByteArray>(CookedFile.SECTIONS, true);
+            var sections:Vector.<ByteArray> = new Vector.<ByteArray>(CookedFile.SECTION_COUNT, true);
             sections[CookedFile.MODEL] = model;
             if (structures != null)
             {

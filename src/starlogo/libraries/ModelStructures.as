@@ -31,7 +31,7 @@ package starlogo.libraries
          */
         public var tightest:BoundingStructure = null;
 
-        /** Whether the client may read the smallest structure of each kind. */
+        /** Whether the client may read the smallest structure of each kind: the library's <code>keepAll</code>. */
         public var showsAll:Boolean;
 
         /**
@@ -42,19 +42,16 @@ package starlogo.libraries
         public function ModelStructures(found:Vector.<BoundingStructure>, hull:BoundingStructure, showsAll:Boolean)
         {
             this.showsAll = showsAll;
-            var least:Number = Infinity;
             for each (var structure:BoundingStructure in found)
             {
                 if (structure != null && (smallest[structure.kind] == null || structure.volume < smallest[structure.kind].volume))
                 {
                     smallest[structure.kind] = structure;
-                    least = Math.min(least, structure.volume);
                 }
             }
             for each (structure in smallest)
             {
-                // If a volume that was read is NaN, so is the least one. Then the first structure is the tightest.
-                if (tightest == null && structure != null && !(structure.volume > least))
+                if (structure != null && (tightest == null || structure.volume < tightest.volume))
                 {
                     tightest = structure;
                 }

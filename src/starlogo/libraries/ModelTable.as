@@ -1,6 +1,7 @@
 package starlogo.libraries
 {
     import starlogo.data.hintOfName;
+    import starlogo.data.keyOf;
 
     /**
      * The data of a game under the names of shapes. Its revision increases when data is replaced, removed or posed. Results derived from the
@@ -10,9 +11,6 @@ package starlogo.libraries
      */
     public final class ModelTable
     {
-        // stands before every key, because a shape may be called "hasOwnProperty"
-        private static const PREFIX:String = ":";
-
         private var _revision:int = 0;
         private var _entries:Object = {};
         private var _unknown:ModelEntry;
@@ -38,24 +36,25 @@ package starlogo.libraries
         /** The entry of a name, to read. All unknown names, and null, share an empty one. */
         public function entryOf(name:String):ModelEntry
         {
-            return name == null ? _unknown : _entries[PREFIX + name] || _unknown;
+            return name == null ? _unknown : _entries[keyOf(name)] || _unknown;
         }
 
         /** The entry of a name, to write to. It is made if there is none. It is never removed, so its revision only increases. */
         public function entryToWrite(name:String):ModelEntry
         {
-            return _entries[PREFIX + name] ||= new ModelEntry(this);
+            return _entries[keyOf(name)] ||= new ModelEntry(this);
         }
 
-        /** The names under which there is a model or a structure. */
+        /** The names under which there is a model, a structure or a hierarchy. */
         public function get names():Vector.<String>
         {
             var all:Vector.<String> = new Vector.<String>();
             for (var key:String in _entries)
             {
-                if (_entries[key].model != null || _entries[key].structures != null)
+                var entry:ModelEntry = _entries[key];
+                if (entry.model != null || entry.structures != null || entry.hasTree)
                 {
-                    all.push(key.substr(PREFIX.length));
+                    all.push(key.substr(1));
                 }
             }
             return all;

@@ -15,8 +15,8 @@ package starlogo.libraries
     use namespace engine;
 
     /**
-     * Finds the structures of one shape for a BoundingStructuresLibrary. It computes the convex hull of the vertices, and then runs each
-     * fitter. It uses the settings that the library had at the beginning.
+     * Finds the structures of one shape for a BoundingStructuresLibrary. It runs each fitter, and checks what it finds. It uses the
+     * settings that the library had at the beginning.
      *
      * @private
      */

@@ -2,7 +2,7 @@ package starlogo.models
 {
     import flash.utils.ByteArray;
     import starlogo.models.collada.ColladaAnimation;
-    import starlogo.models.text.FileText;
+    import starlogo.models.files.FileText;
 
     /**
      * The animations of a COLLADA document, as poses of the ColladaModel of the same document.

@@ -5,7 +5,7 @@ package starlogo.models
     import starlogo.models.building.ModelBuilder;
     import starlogo.models.collada.ColladaDocument;
     import starlogo.models.collada.ColladaReader;
-    import starlogo.models.text.FileText;
+    import starlogo.models.files.FileText;
 
     use namespace engine;
 
@@ -47,8 +47,8 @@ package starlogo.models
          */
         public function ColladaModel(name:String, text:String, upAxis:Object = null, scaling:String = Model.FOOTPRINT)
         {
-            super(name, FROM_BUILDER);
-            build(ModelBuilder.reading(new ColladaReader(new ColladaDocument(name, text), upAxis, scaling)));
+            super(name, WITHOUT_DATA);
+            keep(ModelBuilder.reading(new ColladaReader(new ColladaDocument(name, text), upAxis, scaling)).build());
         }
 
         /**

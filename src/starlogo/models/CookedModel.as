@@ -24,8 +24,8 @@ package starlogo.models
          */
         public function CookedModel(name:String, bytes:ByteArray)
         {
-            super(name, FROM_BUILDER);
-            build(ModelBuilder.reading(new CookedReader(name, bytes)));
+            super(name, WITHOUT_DATA);
+            keep(ModelBuilder.reading(new CookedReader(name, bytes)).build());
         }
 
         /**

@@ -1,10 +1,8 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
-    import starlogo.models.building.FileAnimation;
     import starlogo.models.gltf.GltfAnimation;
     import starlogo.models.gltf.GltfFile;
-    import starlogo.steps.finish;
 
     /**
      * The animations of a glTF file, as poses of the GltfModel of the same file.
@@ -25,19 +23,7 @@ package starlogo.models
          */
         public function GltfAnimations(name:String, bytes:ByteArray, upAxis:Object = null, buffers:Object = null)
         {
-            super(animationsIn(GltfFile.read(name, bytes, buffers), upAxis));
-        }
-
-        private static function animationsIn(file:GltfFile, upAxis:Object):Vector.<FileAnimation>
-        {
-            var animations:Vector.<FileAnimation> = new Vector.<FileAnimation>();
-            for (var i:int = 0; i < file.animationCount; i++)
-            {
-                var read:GltfAnimation = new GltfAnimation(file, i, upAxis);
-                finish(read);
-                animations.push(read);
-            }
-            return animations;
+            super(GltfAnimation.allIn(GltfFile.read(name, bytes, buffers), upAxis));
         }
     }
 }

@@ -34,8 +34,8 @@ package starlogo.models
          */
         public function GltfModel(name:String, bytes:ByteArray, upAxis:Object = null, scaling:String = Model.FOOTPRINT, buffers:Object = null)
         {
-            super(name, FROM_BUILDER);
-            build(ModelBuilder.reading(new GltfReader(GltfFile.read(name, bytes, buffers), upAxis, scaling)));
+            super(name, WITHOUT_DATA);
+            keep(ModelBuilder.reading(new GltfReader(GltfFile.read(name, bytes, buffers), upAxis, scaling)).build());
         }
 
         /**

@@ -1,6 +1,7 @@
 // This room has models, and what reads them from files. A ModelReader for each format fills a ModelData, of which a ModelBuilder makes a Model: it
-// brings the vertices to their place and scale. building/ has these three and what readers share. A ModelLoader does the same in steps while a game
-// runs. Read this file first, then building/ModelBuilder and obj/ObjReader, and ModelLoader with loading/ModelLoad for loading.
+// brings the vertices to their place and scale. building/ has these three; files/, text/ and polygons/ serve the readers; animation/ moves what they read;
+// cooked/ is the engine's own format. A ModelLoader does the same in steps while a game runs. Read this file first, then building/ModelBuilder and
+// obj/ObjReader, and ModelLoader with loading/ModelLoad for loading.
 package starlogo.models
 {
     import starlogo.engine;
@@ -9,7 +10,7 @@ package starlogo.models
     import starlogo.models.building.ModelBuilder;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.TriangleLabels;
-    import starlogo.models.building.refuseIf;
+    import starlogo.models.files.refuseIf;
 
     use namespace engine;
 
@@ -58,11 +59,11 @@ package starlogo.models
         engine static const SCALINGS:Vector.<String> = new <String>[FOOTPRINT, VOLUME, AS_GIVEN];
 
         /**
-         * Stands for the vertices of a model that a ModelBuilder makes: <code>build()</code> comes next.
+         * Stands for the vertices of a model that is made without data: <code>keep()</code> comes next.
          *
          * @private
          */
-        engine static const FROM_BUILDER:Vector.<Number> = new Vector.<Number>(0, true);
+        engine static const WITHOUT_DATA:Vector.<Number> = new Vector.<Number>(0, true);
 
         private var _data:ModelData;
 
@@ -84,20 +85,19 @@ package starlogo.models
          */
         public function Model(name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null, scaling:String = FOOTPRINT)
         {
-            _data = vertices == FROM_BUILDER ? null : ModelBuilder.dataOf(name, vertices, triangles, scaling);
+            _data = vertices == WITHOUT_DATA ? null : ModelBuilder.dataOf(name, vertices, triangles, scaling);
         }
 
         /**
-         * Makes the model that was created with <code>FROM_BUILDER</code> what a builder builds. Call it once.
+         * Gives data to a model that was made with <code>WITHOUT_DATA</code>. Call it once.
          *
-         * @param builder its steps that are left are done now
-         * @throws ModelError as those steps
+         * @param data what <code>ModelBuilder.build()</code> returns
          *
          * @private
          */
-        engine final function build(builder:ModelBuilder):void
+        engine final function keep(data:ModelData):void
         {
-            _data = builder.build();
+            _data = data;
         }
 
         /** The model's place and scale in its source, for a renderer that draws the source. Shared with the model. */
@@ -130,7 +130,7 @@ package starlogo.models
         /** The number of each triangle's material, -1 for none; null if no triangle has one. This is the model's own vector: do not change it. */
         public function get materials():Vector.<int>
         {
-            return _data.materials.numbers;
+            return _data.materials.labels;
         }
 
         /** The name of each material, by its number; null for a material without a name. Null if nothing gave names. Do not change it. */
@@ -142,7 +142,7 @@ package starlogo.models
         /** The number of the mesh that each triangle belongs to, -1 for none; null if the model has no meshes. Do not change it. */
         public function get meshes():Vector.<int>
         {
-            return _data.meshes.numbers;
+            return _data.meshes.labels;
         }
 
         /** The name of each mesh, by its number; null for a mesh without a name. Null if nothing gave names. Do not change it. */
@@ -215,11 +215,11 @@ package starlogo.models
             _posed ||= new Vector.<Number>(own.length, true);
             source.toModel(vertices, _posed);
             var bounds:VertexBounds = VertexBounds.of(_posed);
-            if (!bounds.areFinite)
+            var problem:String = bounds.areFinite ? VertexBounds.sizeProblem(bounds.largest) : vertexProblem(vertices) || vertexProblem(_posed);
+            if (problem != null)
             {
-                throw new ArgumentError("model \"" + name + "\": " + (vertexProblem(vertices) || vertexProblem(_posed)));
+                throw new ArgumentError("model \"" + name + "\": " + problem);
             }
-            VertexBounds.requireWithin(bounds.largest);
             for (var i:int = 0; i < _posed.length; i++)
             {
                 own[i] = _posed[i];

@@ -1,6 +1,6 @@
 package starlogo.models
 {
-    import starlogo.models.building.FileAnimation;
+    import starlogo.models.animation.FileAnimation;
 
     /**
      * The animations of a file, as poses of the model of the same file. <code>GltfAnimations</code> and <code>ColladaAnimations</code> read them.

@@ -1,6 +1,6 @@
 package starlogo.models
 {
-    import starlogo.models.building.shortened;
+    import starlogo.models.files.shortened;
 
     /** Thrown if a model can't be loaded. The message says which model, where in the file, and what is wrong. */
     public class ModelError extends Error

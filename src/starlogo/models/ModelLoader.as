@@ -9,6 +9,7 @@ package starlogo.models
     import flash.utils.ByteArray;
     import flash.utils.getTimer;
     import starlogo.data.requireGiven;
+    import starlogo.models.files.ModelFile;
     import starlogo.models.loading.CookedManifest;
     import starlogo.models.loading.ModelLoad;
 
@@ -191,7 +192,7 @@ package starlogo.models
          */
         public function loadBytes(name:String, bytes:ByteArray, upAxis:Object = "z", scaling:String = "footprint"):void
         {
-            add(name, upAxis, scaling).addReading(bytes, null);
+            add(name, upAxis, scaling).addReading(new ModelFile(name, bytes));
         }
 
         /**
@@ -204,7 +205,7 @@ package starlogo.models
          */
         public function loadText(name:String, text:String, upAxis:Object = "z", scaling:String = "footprint"):void
         {
-            add(name, upAxis, scaling).addReading(null, text);
+            add(name, upAxis, scaling).addReading(new ModelFile(name, null, text));
         }
 
         /**
@@ -216,7 +217,7 @@ package starlogo.models
         public function loadFrom(maker:ModelMaker):void
         {
             requireGiven("the maker of the model", maker);
-            add(maker.name, "z", Model.FOOTPRINT).addMaking(maker);
+            add(maker.name).addMaking(maker);
         }
 
         /**
@@ -263,7 +264,7 @@ package starlogo.models
             return getTimer();
         }
 
-        private function add(name:String, upAxis:Object, scaling:String):ModelLoad
+        private function add(name:String, upAxis:Object = "z", scaling:String = "footprint"):ModelLoad
         {
             var added:ModelLoad = new ModelLoad(name, upAxis, scaling, _receiver, newURLLoader);
             _receiver.expect(name);

@@ -2,8 +2,8 @@ package starlogo.models
 {
     import flash.geom.Vector3D;
     import starlogo.engine;
+    import starlogo.geometry.AffineTransform;
     import starlogo.geometry.Placement;
-    import starlogo.models.building.AffineTransform;
     import starlogo.models.text.Decimal;
 
     use namespace engine;
@@ -125,7 +125,7 @@ package starlogo.models
             return "rotate " + wordsOf(_rotation) + "\nscale " + wordsOf(_scale) + "\ntranslate " + wordsOf(_translation) + "\n";
         }
 
-        /** @private The rotation alone. A ModelBuilder calls it, so a game without a ModelTransform loads none of this. */
+        /** @private The rotation alone. */
         engine function rotationTransform():AffineTransform
         {
             var turned:Placement = new Placement();

@@ -3,8 +3,8 @@ package starlogo.models
     import flash.utils.ByteArray;
     import starlogo.engine;
     import starlogo.models.building.ModelBuilder;
+    import starlogo.models.files.FileText;
     import starlogo.models.obj.ObjReader;
-    import starlogo.models.text.FileText;
 
     use namespace engine;
 
@@ -36,8 +36,8 @@ package starlogo.models
          */
         public function ObjModel(name:String, text:String, upAxis:Object = "z", scaling:String = Model.FOOTPRINT)
         {
-            super(name, FROM_BUILDER);
-            build(ModelBuilder.reading(new ObjReader(name, text, upAxis, scaling)));
+            super(name, WITHOUT_DATA);
+            keep(ModelBuilder.reading(new ObjReader(name, text, upAxis, scaling)).build());
         }
 
         /**

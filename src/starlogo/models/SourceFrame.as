@@ -3,7 +3,7 @@ package starlogo.models
     import flash.geom.Matrix3D;
     import flash.geom.Vector3D;
     import starlogo.engine;
-    import starlogo.models.building.AffineTransform;
+    import starlogo.geometry.AffineTransform;
 
     use namespace engine;
 
@@ -106,7 +106,7 @@ package starlogo.models
         }
 
         /** @private The frame with these numbers. Null if one is not finite, or the unit is not positive. */
-        engine static function of(n:Vector.<Number>):SourceFrame
+        engine static function ofNumbers(n:Vector.<Number>):SourceFrame
         {
             var frame:SourceFrame = new SourceFrame();
             frame._matrix = new AffineTransform(new <Number>[n[0], n[1], n[2], 0, n[3], n[4], n[5], 0, n[6], n[7], n[8], 0]);
@@ -132,10 +132,7 @@ package starlogo.models
             {
                 _offset[k] += x * inverseAt(0, k) + y * inverseAt(1, k) + z * inverseAt(2, k);
             }
-            for (var i:int = 0; i < 12; i++)
-            {
-                _matrix.rows[i] /= divisor;
-            }
+            _matrix.divideBy(divisor);
             _unit *= divisor;
         }
 

@@ -3,6 +3,7 @@ package starlogo.models
     import flash.utils.ByteArray;
     import starlogo.engine;
     import starlogo.models.building.ModelBuilder;
+    import starlogo.models.files.ModelFile;
     import starlogo.models.stl.StlReader;
 
     use namespace engine;
@@ -27,8 +28,8 @@ package starlogo.models
          */
         public function StlModel(name:String, bytes:ByteArray, upAxis:Object = "z", scaling:String = Model.FOOTPRINT)
         {
-            super(name, FROM_BUILDER);
-            build(ModelBuilder.reading(new StlReader(name, bytes, null, upAxis, scaling)));
+            super(name, WITHOUT_DATA);
+            keep(ModelBuilder.reading(new StlReader(new ModelFile(name, bytes), upAxis, scaling)).build());
         }
 
         /**

@@ -54,7 +54,7 @@ package starlogo.solid
         /** @private The tree of the model's triangles or vertices. */
         engine var boxTree:BoxTree;
 
-        /** @private The surface that the triangles make; null before it is known. One that was stored may be set, so that it need not be found. */
+        /** @private The surface that the triangles make; null before it is known. Read only. */
         engine var surface:SurfaceTopology = null;
 
         /** @private The work that makes the nodes, which was begun. It may have no steps left. Null if there is none to do. */
@@ -93,6 +93,12 @@ package starlogo.solid
         engine function restoreFirst(restoring:Steps):void
         {
             building = new StepSequence().add(restoring).add(building);
+        }
+
+        /** @private Takes a surface that was stored, so that it need not be found. */
+        engine function restoreSurface(stored:SurfaceTopology):void
+        {
+            surface = stored;
         }
 
         /** @private Does what is left of the work that was begun. */

@@ -98,7 +98,7 @@ package starlogo.collision
             cube.collideAs = Agent.BOX;
             for (var i:int = 0; i < 2; i++)
             {
-                assertThrows(ArgumentError, /^shape "cube" cannot be a box: no fitter found one when its model was added$/, collider.areColliding, cube, other);
+                assertThrows(ArgumentError, /^shape "cube": it cannot be a box: no fitter found one when its model was added$/, collider.areColliding, cube, other);
             }
             cube.collideAs = Agent.SPHERE;
             assertTrue(collider.areColliding(cube, other));

@@ -33,6 +33,14 @@ package starlogo.libraries
         }
 
         [Test]
+        public function anUnknownNameGetsTheKnownOnes():void
+        {
+            assertThrows(ArgumentError, /^there is no hierarchy for shape "baer": add its model to this library first(, which is empty)?$/, _library.root, "baer");
+            add("bear", new <Number>[0, 0, 0]);
+            assertThrows(ArgumentError, /^there is no hierarchy for shape "baer": add its model to this library first.*"bear"/, _library.root, "baer");
+        }
+
+        [Test]
         public function failsWithoutATrace():void
         {
             var good:Vector.<Number> = new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0];
@@ -45,7 +53,7 @@ package starlogo.libraries
             assertThrows(ArgumentError, /"a".*4 numbers/, _library.add, "a", new <Number>[0, 0, 0, 1]);
             assertThrows(ArgumentError, /"a".*y coordinate of vertex 1.*NaN/, _library.add, "a", new <Number>[0, 0, 0, 1, NaN, 0]);
             assertThrows(ArgumentError, /"a".*z coordinate of vertex 0.*Infinity/, _library.add, "a", new <Number>[0, 0, -Infinity]);
-            assertThrows(ArgumentError, /must be at most/, _library.add, "a", new <Number>[-1.7e308, 0, 0, 1.7e308, 0, 0]);
+            assertThrows(ArgumentError, /"a".*must be at most/, _library.add, "a", new <Number>[-1.7e308, 0, 0, 1.7e308, 0, 0]);
             assertThrows(ArgumentError, /"a".*4 indices/, _library.add, "a", good, new <uint>[0, 1, 2, 0]);
             assertThrows(ArgumentError, /"a".*triangle 1.*vertex 3.*last one is 2/, _library.add, "a", good, new <uint>[0, 1, 2, 0, 1, 3]);
             assertStrictlyEquals(root, _library.root("a"));

@@ -385,17 +385,17 @@ package starlogo.libraries
                 }
                 else
                 {
-                    assertEquals(number, CookedModel.fromBytes("cube", bytes).data.materials.numberOf(0));
+                    assertEquals(number, CookedModel.fromBytes("cube", bytes).data.materials.labelOf(0));
                 }
             }
         }
 
         private function forged(model:Model, random:SeededRandom):ByteArray
         {
-            var forgedOne:int = random.integer(0, 2 * CookedFile.SECTIONS);
+            var forgedOne:int = random.integer(0, 2 * CookedFile.SECTION_COUNT);
             return rewritten(model, function(index:int, section:ByteArray):ByteArray
                 {
-                    return index == forgedOne || forgedOne >= CookedFile.SECTIONS && index == 0 ? Mutations.ofBytes(section, random) : section;
+                    return index == forgedOne || forgedOne >= CookedFile.SECTION_COUNT && index == 0 ? Mutations.ofBytes(section, random) : section;
                 });
         }
 
@@ -406,7 +406,7 @@ package starlogo.libraries
             finish(file);
             var settings:FitSettings = new FitSettings(_greatLand.boundingStructures, _greatLand.hierarchies);
             var sections:Vector.<ByteArray> = new Vector.<ByteArray>();
-            for (var i:int = 0; i < CookedFile.SECTIONS; i++)
+            for (var i:int = 0; i < CookedFile.SECTION_COUNT; i++)
             {
                 sections.push(change(i, file.section(i, null) || CookedFile.newBytes()));
             }

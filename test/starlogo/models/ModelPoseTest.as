@@ -100,7 +100,7 @@ package starlogo.models
             assertThrows(ArgumentError, /"pyramid".*4 vertices.*9 numbers/, model.pose, CORNERS.slice(3));
             assertThrows(ArgumentError, /"pyramid".*4 vertices.*15 numbers/, model.pose, CORNERS.concat(CORNERS.slice(9)));
             assertThrows(ArgumentError, /"pyramid".*y coordinate of vertex 3.*NaN/, model.pose, bad);
-            assertThrows(ArgumentError, /at most 1e\+60/, model.pose, large);
+            assertThrows(ArgumentError, /^model "[^"]+": coordinates must be at most 1e\+60/, model.pose, large);
             assertTrue(areSameNumbers(first, model.vertices));
             assertEquals(revision, land.revisionOf("pyramid"));
             assertTrue(Box(land.hierarchies.root("pyramid").bounds).halfX < 0.6);

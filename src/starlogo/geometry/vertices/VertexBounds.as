@@ -69,12 +69,19 @@ package starlogo.geometry.vertices
             return Math.max(-minX, -minY, -minZ, maxX, maxY, maxZ);
         }
 
+        /** What is wrong if the largest absolute coordinate is too large; otherwise null. */
+        public static function sizeProblem(largest:Number):String
+        {
+            return largest <= LARGEST_VERTEX ? null : "coordinates must be at most " + LARGEST_VERTEX + ": " + largest;
+        }
+
         /** Throws an ArgumentError if an absolute coordinate is too large. */
         public static function requireWithin(largest:Number):void
         {
-            if (!(largest <= LARGEST_VERTEX))
+            var problem:String = sizeProblem(largest);
+            if (problem != null)
             {
-                throw new ArgumentError("coordinates must be at most " + LARGEST_VERTEX + ": " + largest);
+                throw new ArgumentError(problem);
             }
         }
 

@@ -91,12 +91,17 @@ package starlogo.libraries.cooked
         private function addParts():void
         {
             var count:int = _tree.itemCount;
-            _tree.items = new Vector.<int>(count, true);
+            var items:Vector.<int> = new Vector.<int>(count, true);
             var isListed:Vector.<Boolean> = new Vector.<Boolean>(count, true);
             slices(count, ITEMS_PER_STEP, function(first:int, end:int):void
                 {
-                    readItems(first, end, isListed);
-                }).call(beginTree).repeat(readNodes).begin(measuring);
+                    readItems(first, end, items, isListed);
+                }).call(function():void
+                {
+                    _tree.setItems(items);
+                    _tree.beginNodes();
+                    _waiting.push(0);
+                }).repeat(readNodes).begin(measuring);
         }
 
         /** @inheritDoc */
@@ -120,10 +125,9 @@ package starlogo.libraries.cooked
         }
 
         // Every item must come exactly once.
-        private function readItems(first:int, end:int, isListed:Vector.<Boolean>):void
+        private function readItems(first:int, end:int, items:Vector.<int>, isListed:Vector.<Boolean>):void
         {
             var bytes:ByteArray = _bytes;
-            var items:Vector.<int> = _tree.items;
             var count:int = items.length;
             var width:int = widthFor(count);
             for (var i:int = first; i < end; i++)
@@ -137,12 +141,6 @@ package starlogo.libraries.cooked
                 isListed[item] = true;
                 items[i] = item;
             }
-        }
-
-        private function beginTree():void
-        {
-            _tree.beginNodes();
-            _waiting.push(0);
         }
 
         private function readNodes():Boolean

@@ -2,6 +2,8 @@ package starlogo.models.building
 {
     import flash.geom.Vector3D;
     import starlogo.engine;
+    import starlogo.geometry.AffineTransform;
+    import starlogo.geometry.cubeRoot;
     import starlogo.geometry.vertices.VertexBounds;
     import starlogo.geometry.vertices.triangleProblem;
     import starlogo.geometry.vertices.vertexProblem;
@@ -9,6 +11,7 @@ package starlogo.models.building
     import starlogo.models.ModelError;
     import starlogo.models.ModelMaker;
     import starlogo.models.ModelTransform;
+    import starlogo.models.files.refuseIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
@@ -34,7 +37,6 @@ package starlogo.models.building
         private static const TRIANGLES_PER_STEP:int = 10000;
 
         private var _data:ModelData;
-        private var _reader:ModelReader;
         private var _model:Model = null;
         private var _isComplete:Boolean = false;
 
@@ -48,7 +50,6 @@ package starlogo.models.building
         public function ModelBuilder(data:ModelData, reader:ModelReader = null)
         {
             _data = data;
-            _reader = reader;
             if (reader != null)
             {
                 add(reader);
@@ -87,7 +88,7 @@ package starlogo.models.building
         {
             finish(reader);
             var data:ModelData = reader.data;
-            finish(turnToZUp(data.upAxis).transformingPoints(data.vertices));
+            finish(AffineTransform.toZUp(data.upAxis).transformingPoints(data.vertices));
             return data.vertices;
         }
 
@@ -107,7 +108,7 @@ package starlogo.models.building
         /** @inheritDoc */
         public function get progress():Number
         {
-            return _isComplete ? 1 : (_reader == null ? 0 : READING * _reader.progress);
+            return _isComplete ? 1 : READING * _data.readShare;
         }
 
         /** The model, always the same one. Steps that are left are done first. */
@@ -115,8 +116,8 @@ package starlogo.models.building
         {
             if (_model == null)
             {
-                var made:Model = new Model(name, Model.FROM_BUILDER);
-                made.build(this);
+                var made:Model = new Model(name, Model.WITHOUT_DATA);
+                made.keep(build());
                 _model = made;
             }
             return _model;
@@ -167,7 +168,7 @@ package starlogo.models.building
 
         private function turningToZUp():Steps
         {
-            return _data.upAxis == "z" ? null : turnToZUp(_data.upAxis).transformingPoints(_data.vertices);
+            return _data.upAxis == "z" ? null : AffineTransform.toZUp(_data.upAxis).transformingPoints(_data.vertices);
         }
 
         private function measuring():Steps

@@ -1,8 +1,14 @@
 package starlogo.models.building
 {
+    import starlogo.data.textOf;
+    import starlogo.engine;
+    import starlogo.models.Model;
     import starlogo.models.ModelTransform;
     import starlogo.models.SourceFrame;
     import starlogo.models.cooked.CookedFile;
+    import starlogo.models.files.refuseIf;
+
+    use namespace engine;
 
     /**
      * What a model is made of, as a record. First come the settings, then the content, then where it is from. The caller and the reader of a format
@@ -42,6 +48,9 @@ package starlogo.models.building
         /** Whether the vertices and the source are the model's own, as in some cooked files. Otherwise a ModelBuilder brings them to their places. */
         public var isNormalised:Boolean = false;
 
+        /** The share of the file that is read so far, from 0 to 1. The reader never makes it less. */
+        public var readShare:Number = 0;
+
         /** The cooked file with the results for the model; null for none. */
         public var cooked:CookedFile = null;
 
@@ -67,6 +76,13 @@ package starlogo.models.building
             data.transform = upAxis as ModelTransform;
             data.upAxis = data.transform == null ? String(upAxis) : "z";
             return data;
+        }
+
+        /** Throws a ModelError if an up axis is not "x", "y" or "z", or a ModelTransform in its place. */
+        public static function requireUpAxis(name:String, upAxis:Object):void
+        {
+            refuseIf(["x", "y", "z"].indexOf(upAxis) < 0 && !(upAxis is ModelTransform), name, "the up axis must be \"x\", \"y\" or \"z\", or a ModelTransform, not "
+                    + textOf(upAxis) + (Model.SCALINGS.indexOf(String(upAxis)) < 0 ? "" : ": a scaling is the argument after it"));
         }
     }
 }

@@ -11,8 +11,5 @@ package starlogo.models.building
     {
         /** What is read. It is complete when no step is left. */
         function get data():ModelData;
-
-        /** The share of the file that is read, from 0 to 1. It never gets less. */
-        function get progress():Number;
     }
 }

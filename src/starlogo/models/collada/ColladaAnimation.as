@@ -1,7 +1,7 @@
 package starlogo.models.collada
 {
-    import starlogo.models.building.FileAnimation;
-    import starlogo.models.building.FilePose;
+    import starlogo.models.animation.FileAnimation;
+    import starlogo.models.animation.FilePose;
     import starlogo.models.building.ModelBuilder;
     import starlogo.steps.finish;
 

@@ -1,6 +1,6 @@
 package starlogo.models.collada
 {
-    import starlogo.models.building.shortened;
+    import starlogo.models.files.shortened;
 
     /** A channel of a COLLADA animation: which numbers of the document move, and how. */
     internal final class ColladaChannel

@@ -1,8 +1,8 @@
 package starlogo.models.collada
 {
+    import starlogo.geometry.AffineTransform;
     import starlogo.models.ModelError;
-    import starlogo.models.building.AffineTransform;
-    import starlogo.models.building.shortened;
+    import starlogo.models.files.shortened;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 

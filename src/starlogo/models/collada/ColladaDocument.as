@@ -1,8 +1,8 @@
 package starlogo.models.collada
 {
-    import starlogo.models.building.FileLimits;
-    import starlogo.models.building.refuseIf;
-    import starlogo.models.building.shortened;
+    import starlogo.models.files.FileLimits;
+    import starlogo.models.files.refuseIf;
+    import starlogo.models.files.shortened;
     import starlogo.models.text.Decimal;
     import starlogo.models.text.TextWords;
 

@@ -1,9 +1,10 @@
 package starlogo.models.collada
 {
+    import starlogo.data.keyOf;
+    import starlogo.geometry.AffineTransform;
     import starlogo.models.ModelError;
-    import starlogo.models.building.AffineTransform;
-    import starlogo.models.building.FileLimits;
-    import starlogo.models.building.shortened;
+    import starlogo.models.files.FileLimits;
+    import starlogo.models.files.shortened;
     import starlogo.models.text.Decimal;
     import starlogo.models.text.TextWords;
     import starlogo.steps.Steps;
@@ -32,15 +33,12 @@ package starlogo.models.collada
         /** The pieces of the element's own text. Comments and elements may divide it. */
         public var texts:Array = [];
 
-        // the key is "@" and the name, which differs from every property that each Object has
         private var _attributes:Object = {};
 
-        // The first element of each name and id in the document, by name, "#" and id; and of each sid, by "#" and the sid. All elements share it. The
-        // "#" keeps a key different from every property of an Object.
+        // The first element of each name and id in the document, by name, "#" and id; and of each sid, by "#" and the sid. All elements share it.
         private var _elements:Object;
 
-        // The first child of each name, and of each name and label. It is made when it is first needed. The "<" keeps a key different from every
-        // property of an Object.
+        // The first child of each name; and of each name and label, by name, "#" and label. It is made when it is first needed.
         private var _first:Object = null;
 
         // for an element that is a transform: the transform, after it was first needed
@@ -76,15 +74,15 @@ package starlogo.models.collada
         {
             if (id != "")
             {
-                _elements[name + "#" + id] ||= this;
+                _elements[keyOf(name + "#" + id)] ||= this;
             }
-            _elements["#" + attribute("sid")] ||= this;
+            _elements[keyOf("#" + attribute("sid"))] ||= this;
         }
 
         /** Whether an element of the document has a sid. */
         public function hasSid(sid:String):Boolean
         {
-            return "#" + sid in _elements;
+            return keyOf("#" + sid) in _elements;
         }
 
         /** The element of the document with a name and an id; null if there is none. */
@@ -96,7 +94,7 @@ package starlogo.models.collada
         /** The element of the document with a name, at a URL like "#id"; null if there is none. */
         public function elementAtUrl(name:String, url:String):ColladaElement
         {
-            return _elements[name + url];
+            return _elements[keyOf(name + url)];
         }
 
         /** The transform that this element is; null if it is none. Scenes may need it often, so it is computed once. */
@@ -108,13 +106,13 @@ package starlogo.models.collada
         /** The value of an attribute; "" if there is none. */
         public function attribute(name:String):String
         {
-            return _attributes["@" + name] || "";
+            return _attributes[keyOf(name)] || "";
         }
 
         /** Sets an attribute. */
         public function setAttribute(name:String, value:String):void
         {
-            _attributes["@" + name] = value;
+            _attributes[keyOf(name)] = value;
         }
 
         /** The child elements with a name. */
@@ -143,11 +141,11 @@ package starlogo.models.collada
                 _first = {};
                 for each (var each:ColladaElement in children)
                 {
-                    _first["<" + each.name] ||= each;
-                    _first["<" + each.name + "#" + each.label] ||= each;
+                    _first[keyOf(each.name)] ||= each;
+                    _first[keyOf(each.name + "#" + each.label)] ||= each;
                 }
             }
-            return _first["<" + name + (label == null ? "" : "#" + label)];
+            return _first[keyOf(label == null ? name : name + "#" + label)];
         }
 
         private function get label():String

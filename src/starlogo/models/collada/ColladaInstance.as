@@ -1,6 +1,6 @@
 package starlogo.models.collada
 {
-    import starlogo.models.building.AffineTransform;
+    import starlogo.geometry.AffineTransform;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.TriangleLabels;
     import starlogo.steps.StepSequence;
@@ -87,15 +87,15 @@ package starlogo.models.collada
         {
             var node:ColladaElement = _element.name != "geometry" && _element.parent != null ? _element.parent : _element;
             _element.limits.countElements(_mesh.symbols.length, _element);
-            data.meshes.beginRun(data.meshes.addName(nameOf(node) || nameOf(_mesh.geometry)), firstTriangle);
+            data.meshes.beginRun(data.meshes.addLabel(nameOf(node) || nameOf(_mesh.geometry)), firstTriangle);
             for (var i:int = 0; i < _mesh.symbols.length; i++)
             {
-                data.materials.beginRun(numberOf(_mesh.symbols[i], data.materials), firstTriangle + _mesh.starts[i]);
+                data.materials.beginRun(labelOf(_mesh.symbols[i], data.materials), firstTriangle + _mesh.starts[i]);
             }
         }
 
-        // The number of the material that is bound to a symbol. A symbol that is not bound counts as a material. -1 for no symbol.
-        private function numberOf(symbol:String, materials:TriangleLabels):int
+        // The label of the material that is bound to a symbol. A symbol that is not bound counts as a material. -1 for no symbol.
+        private function labelOf(symbol:String, materials:TriangleLabels):int
         {
             if (symbol == "")
             {
@@ -103,7 +103,7 @@ package starlogo.models.collada
             }
             var material:ColladaElement = materialOf(symbol);
             // A symbol may be equal to another material's id.
-            return material == null ? materials.addKey("symbol " + symbol, symbol) : materials.addKey("material " + material.id, nameOf(material));
+            return material == null ? materials.labelWithKey("symbol " + symbol, symbol) : materials.labelWithKey("material " + material.id, nameOf(material));
         }
 
         // The material that is bound to a symbol; null if none is bound, or one that is not in this file.

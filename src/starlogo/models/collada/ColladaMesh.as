@@ -1,5 +1,6 @@
 package starlogo.models.collada
 {
+    import starlogo.data.keyOf;
     import starlogo.models.building.VertexFilter;
     import starlogo.models.polygons.Triangulator;
     import starlogo.steps.StepSequence;
@@ -27,7 +28,7 @@ package starlogo.models.collada
         public var starts:Vector.<int> = new Vector.<int>();
 
         private var _mesh:ColladaElement;
-        private var _sources:Object = {}; // of positions; the key is "#" and the source's id
+        private var _sources:Object = {}; // of positions, by the source's id
         private var _filter:VertexFilter;
 
         /** @param geometry the geometry's element */
@@ -97,7 +98,7 @@ package starlogo.models.collada
         private function pointsOf(source:ColladaElement):ColladaAccessor
         {
             // the "#" keeps the key different from every property that each Object has
-            return _sources["#" + source.id] ||= new ColladaAccessor(source, ColladaAccessor.NUMBERS, points);
+            return _sources[keyOf(source.id)] ||= new ColladaAccessor(source, ColladaAccessor.NUMBERS, points);
         }
     }
 }

@@ -1,6 +1,6 @@
 package starlogo.models.collada
 {
-    import starlogo.models.building.AffineTransform;
+    import starlogo.geometry.AffineTransform;
 
     /** A node of a COLLADA document at one of its places in the scene. */
     internal final class ColladaPlace

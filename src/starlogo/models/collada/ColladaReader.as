@@ -3,10 +3,10 @@ package starlogo.models.collada
     import flash.geom.Vector3D;
     import starlogo.models.Model;
     import starlogo.models.ModelTransform;
-    import starlogo.models.building.FilePose;
+    import starlogo.models.animation.FilePose;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.ModelReader;
-    import starlogo.models.building.takeLoosePoints;
+    import starlogo.models.files.refuseIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -19,7 +19,7 @@ package starlogo.models.collada
      * adds the mesh to the model.</p>
      *
      * <p>Before that, a ColladaDeformation moves the points of a geometry that a controller places. It does so by morphs and by ColladaSkins. A
-     * ColladaSkin has the JointWeights of its points, and a ColladaSkeleton finds its joints among the nodes.</p>
+     * ColladaSkin has the JointInfluences of its points, and a ColladaSkeleton finds its joints among the nodes.</p>
      *
      * <p>A ColladaAnimation has ColladaChannels, which say which numbers move, and ColladaSamplers, which say how. A FilePose is an animation at a
      * time. The scene and the deformations ask it.</p>
@@ -29,7 +29,6 @@ package starlogo.models.collada
     public final class ColladaReader extends StepSequence implements ModelReader
     {
         private var _data:ModelData;
-        private var _progress:Number = 0;
 
         /**
          * @param document the document; its steps may be done
@@ -59,12 +58,6 @@ package starlogo.models.collada
             return _data;
         }
 
-        /** @inheritDoc */
-        public function get progress():Number
-        {
-            return _progress;
-        }
-
         // The transform that scales by a unit; null for none.
         private static function scalingBy(unit:Number):ModelTransform
         {
@@ -77,16 +70,17 @@ package starlogo.models.collada
             // all geometries come first, so skins only have what these leave of the limits
             return new StepSequence().beginEach(instances.length, function(index:int):Steps
                 {
-                    _progress = index / instances.length / 2;
+                    _data.readShare = index / instances.length / 2;
                     return instances[index].mesh;
                 }).beginEach(instances.length, function(index:int):Steps
                 {
-                    _progress = (1 + index / instances.length) / 2;
+                    _data.readShare = (1 + index / instances.length) / 2;
                     return instances[index].adding(_data, loosePoints);
                 }).call(function():void
                 {
-                    _progress = 1;
-                    takeLoosePoints(_data, loosePoints, "a scene or a library with a geometry in it");
+                    _data.readShare = 1;
+                    _data.vertices = _data.vertices.length == 0 ? loosePoints : _data.vertices;
+                    refuseIf(_data.vertices.length == 0, _data.name, "no vertices: expected a scene or a library with a geometry in it");
                 });
         }
     }

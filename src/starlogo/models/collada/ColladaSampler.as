@@ -1,7 +1,7 @@
 package starlogo.models.collada
 {
-    import starlogo.models.building.lastNotAfter;
-    import starlogo.models.building.shortened;
+    import starlogo.data.lastNotAfter;
+    import starlogo.models.files.shortened;
 
     /** Numbers over time: the keys of a COLLADA sampler, and what is between them. */
     internal final class ColladaSampler

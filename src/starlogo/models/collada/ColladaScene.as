@@ -1,8 +1,8 @@
 package starlogo.models.collada
 {
-    import starlogo.models.building.AffineTransform;
-    import starlogo.models.building.FilePose;
-    import starlogo.models.building.shortened;
+    import starlogo.geometry.AffineTransform;
+    import starlogo.models.animation.FilePose;
+    import starlogo.models.files.shortened;
     import starlogo.steps.StepSequence;
 
     /**

@@ -1,7 +1,8 @@
 package starlogo.models.collada
 {
-    import starlogo.models.building.AffineTransform;
-    import starlogo.models.building.shortened;
+    import starlogo.data.keyOf;
+    import starlogo.geometry.AffineTransform;
+    import starlogo.models.files.shortened;
     import starlogo.models.text.TextWords;
 
     /** The nodes that are the joints of a COLLADA skin, for an element that places it. */
@@ -49,14 +50,14 @@ package starlogo.models.collada
             var nodes:Object = names.array.name == "Name_array" ? nodesBySid(instance) : null;
             for each (var name:String in names.words)
             {
-                var node:ColladaElement = nodes == null ? instance.elementWith("node", name) : nodes["#" + name];
+                var node:ColladaElement = nodes == null ? instance.elementWith("node", name) : nodes[keyOf(name)];
                 names.array.refuseIf(node == null, "there is no joint \"" + shortened(name) + "\" in the skeleton");
                 joints.push(node);
             }
             return joints;
         }
 
-        // The nodes of the skeletons, by "#" and sid. The first node with a sid counts.
+        // The nodes of the skeletons, by their sids. The first node with a sid counts.
         private static function nodesBySid(instance:ColladaElement):Object
         {
             var nodes:Object = {};
@@ -65,7 +66,7 @@ package starlogo.models.collada
             {
                 var node:ColladaElement = pending.pop();
                 instance.limits.countNumbers(1 + node.children.length, instance);
-                nodes["#" + node.attribute("sid")] ||= node;
+                nodes[keyOf(node.attribute("sid"))] ||= node;
                 for each (var child:ColladaElement in node.childrenNamed("node").reverse())
                 {
                     pending.push(child);

@@ -1,7 +1,7 @@
 package starlogo.models.collada
 {
-    import starlogo.models.building.AffineTransform;
-    import starlogo.models.building.JointWeights;
+    import starlogo.geometry.AffineTransform;
+    import starlogo.models.animation.JointInfluences;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -27,7 +27,7 @@ package starlogo.models.collada
         public var inverses:Vector.<AffineTransform> = null;
 
         // joint -1, which does not move, has the index after the last joint
-        private var _weights:JointWeights;
+        private var _influences:JointInfluences;
 
         /** @param element the skin's element @throws ModelError if its bind shape matrix is wrong */
         public function ColladaSkin(element:ColladaElement)
@@ -44,12 +44,12 @@ package starlogo.models.collada
         /** The steps that move points by a palette of a ColladaSkeleton. */
         public function moving(points:Vector.<Number>, palette:Vector.<AffineTransform>):Steps
         {
-            var count:int = _weights.starts.length - 1;
+            var count:int = _influences.starts.length - 1;
             element.refuseIf(points.length != 3 * count, "it has weights for " + count + " points, but its geometry has " + points.length / 3);
-            element.limits.countNumbers(2 * _weights.joints.length, element);
+            element.limits.countNumbers(2 * _influences.joints.length, element);
             return new StepSequence().slices(count, POINTS_PER_STEP, function(first:int, end:int):void
                 {
-                    element.refuseIf(!_weights.move(points, palette, first, end), "it moves points too far: their coordinates are not finite numbers");
+                    element.refuseIf(!_influences.move(points, palette, first, end), "it moves points too far: their coordinates are not finite numbers");
                 });
         }
 
@@ -80,15 +80,15 @@ package starlogo.models.collada
             var indices:Array = weighted.child("v") == null ? [] : weighted.child("v").countedWords();
             weighted.refuseIf(indices.length % stride != 0, "expected " + stride + " indices for each joint of a point, but found " + indices.length + " in all");
             var influenceCount:int = indices.length / stride;
-            _weights = new JointWeights(influenceCount);
+            _influences = new JointInfluences(influenceCount);
             return new StepSequence().add(readingCounts(weighted, influenceCount)).slices(influenceCount, INFLUENCES_PER_STEP, function(first:int, end:int):void
                 {
                     for (var i:int = first; i < end; i++)
                     {
                         var joint:int = weighted.toWholeNumber(indices[i * stride + jointOffset], -1, inverses.length - 1, "a joint's index");
                         var weight:int = weighted.toWholeNumber(indices[i * stride + weightOffset], 0, weights.words.length - 1, "a weight's index");
-                        _weights.joints[i] = joint < 0 ? inverses.length : joint;
-                        _weights.weights[i] = weights.array.toNumber(weights.words[weight]);
+                        _influences.joints[i] = joint < 0 ? inverses.length : joint;
+                        _influences.weights[i] = weights.array.toNumber(weights.words[weight]);
                     }
                 });
         }
@@ -104,7 +104,7 @@ package starlogo.models.collada
                     for (var i:int = first; i < end; i++)
                     {
                         sum += element.toWholeNumber(counts[i], 0, influenceCount, "the number of a point's joints");
-                        _weights.starts.push(sum);
+                        _influences.starts.push(sum);
                     }
                 }).call(function():void
                 {

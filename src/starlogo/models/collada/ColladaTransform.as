@@ -1,8 +1,8 @@
 package starlogo.models.collada
 {
     import flash.geom.Vector3D;
+    import starlogo.geometry.AffineTransform;
     import starlogo.geometry.Trigonometry;
-    import starlogo.models.building.AffineTransform;
 
     /**
      * Reads the transform elements of a COLLADA node, and the matrix of a skin, as the COLLADA 1.4 and 1.5 specifications define them. For

@@ -1,7 +1,7 @@
 package starlogo.models.collada
 {
     import starlogo.models.ModelError;
-    import starlogo.models.building.FileLimits;
+    import starlogo.models.files.FileLimits;
     import starlogo.models.text.TextWords;
     import starlogo.steps.Steps;
 

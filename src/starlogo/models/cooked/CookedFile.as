@@ -3,7 +3,7 @@ package starlogo.models.cooked
     import flash.utils.ByteArray;
     import flash.utils.Endian;
     import starlogo.data.Fingerprint;
-    import starlogo.models.building.FileLimits;
+    import starlogo.models.files.FileLimits;
     import starlogo.steps.StepSequence;
 
     /**
@@ -44,16 +44,16 @@ package starlogo.models.cooked
         public static const HULL:int = 4;
 
         /** The number of sections. */
-        public static const SECTIONS:int = 5;
+        public static const SECTION_COUNT:int = 5;
 
         private static const MAGIC:int = 0x4B4F4F43;
         private static const VERSION:int = 4;
 
         private static const VERSION_AT:int = 4;
         private static const LENGTH_AT:int = 8;
-        private static const TABLE:int = 16;
+        private static const TABLE_AT:int = 16;
         private static const ENTRY_LENGTH:int = 16;
-        private static const HEAD_LENGTH:int = TABLE + SECTIONS * ENTRY_LENGTH;
+        private static const HEAD_LENGTH:int = TABLE_AT + SECTION_COUNT * ENTRY_LENGTH;
         private static const WORDS_PER_STEP:int = 4000;
 
         /** Whether the file has another form, because another version of the engine has made it. */
@@ -92,7 +92,7 @@ package starlogo.models.cooked
         /** Whether the bytes begin like a cooked file. */
         public static function isCookedFile(bytes:ByteArray):Boolean
         {
-            return bytes.length >= TABLE + Fingerprint.LENGTH && bytes[0] == 0x43 && bytes[1] == 0x4F && bytes[2] == 0x4F && bytes[3] == 0x4B;
+            return bytes.length >= TABLE_AT + Fingerprint.LENGTH && bytes[0] == 0x43 && bytes[1] == 0x4F && bytes[2] == 0x4F && bytes[3] == 0x4B;
         }
 
         /**
@@ -107,7 +107,7 @@ package starlogo.models.cooked
             out.writeInt(MAGIC);
             out.writeInt(VERSION);
             out.length = HEAD_LENGTH;
-            for (var i:int = 0; i < SECTIONS; i++)
+            for (var i:int = 0; i < SECTION_COUNT; i++)
             {
                 var ofSection:Fingerprint = settings[i] || new Fingerprint();
                 var start:int = out.length;
@@ -116,7 +116,7 @@ package starlogo.models.cooked
                     out.position = start;
                     out.writeBytes(sections[i]);
                 }
-                out.position = TABLE + i * ENTRY_LENGTH;
+                out.position = TABLE_AT + i * ENTRY_LENGTH;
                 ofSection.writeTo(out);
                 out.writeInt(out.length - start);
             }
@@ -140,7 +140,7 @@ package starlogo.models.cooked
          */
         public static function keyOfLoad(upAxis:Object, scaling:String, usesTransforms:Boolean):Fingerprint
         {
-            // join() calls the transform's toString(). So a program that never uses a ModelTransform need not contain that class.
+            // join() calls the transform's toString()
             return Fingerprint.of([upAxis, scaling, upAxis is String && usesTransforms].join());
         }
 
@@ -185,20 +185,20 @@ package starlogo.models.cooked
 
         private function hasSettings(index:int, settings:Fingerprint):Boolean
         {
-            _bytes.position = TABLE + ENTRY_LENGTH * index;
+            _bytes.position = TABLE_AT + ENTRY_LENGTH * index;
             return settings.isNextOf(_bytes);
         }
 
         private function lengthOf(index:int):int
         {
-            _bytes.position = TABLE + ENTRY_LENGTH * index + Fingerprint.LENGTH;
+            _bytes.position = TABLE_AT + ENTRY_LENGTH * index + Fingerprint.LENGTH;
             return _bytes.readInt();
         }
 
         private function check(isSealed:Boolean):void
         {
             var rest:Number = _bytes.length - HEAD_LENGTH - Fingerprint.LENGTH;
-            for (var i:int = 0; i < SECTIONS; i++)
+            for (var i:int = 0; i < SECTION_COUNT; i++)
             {
                 var length:int = lengthOf(i);
                 rest = length < 0 ? NaN : rest - length;
@@ -206,10 +206,11 @@ package starlogo.models.cooked
             _isWhole = isSealed && rest >= 0 && rest < Fingerprint.LENGTH;
         }
 
-        // Whether a file whose version was read has the length that it says.
+        // Whether a file has the length that it says.
         private static function hasRightLength(bytes:ByteArray):Boolean
         {
             var length:int = bytes.length;
+            bytes.position = LENGTH_AT;
             return length % Fingerprint.LENGTH == 0 && length <= FileLimits.MOST_BYTES && bytes.readInt() == length && length >= HEAD_LENGTH + Fingerprint.LENGTH;
         }
     }

@@ -9,11 +9,11 @@ package starlogo.models.cooked
     import starlogo.models.ModelError;
     import starlogo.models.ModelTransform;
     import starlogo.models.SourceFrame;
-    import starlogo.models.building.FileLimits;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.ModelReader;
     import starlogo.models.building.TriangleLabels;
-    import starlogo.models.building.refuseIf;
+    import starlogo.models.files.FileLimits;
+    import starlogo.models.files.refuseIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -62,12 +62,6 @@ package starlogo.models.cooked
             return _data;
         }
 
-        /** @inheritDoc */
-        public function get progress():Number
-        {
-            return _bytes == null ? 0 : _bytes.position / _bytes.length;
-        }
-
         /** The divisor for the numbers of a form. */
         internal static function divisorOf(form:int):Number
         {
@@ -81,6 +75,7 @@ package starlogo.models.cooked
             try
             {
                 hasMore = super.step();
+                _data.readShare = _bytes == null ? 0 : _bytes.position / _bytes.length;
             }
             catch (error:EOFError)
             {
@@ -132,9 +127,11 @@ package starlogo.models.cooked
 
         private function readingLabels(labels:TriangleLabels):Steps
         {
-            // a negative number stands for labels without names
             var nameCount:int = VarInt.read(_bytes);
-            labels.names = nameCount < 0 ? null : labels.names;
+            if (nameCount < 0)
+            {
+                labels.removeNames();
+            }
             return new StepSequence().slices(Math.max(0, nameCount), LABELS_PER_STEP, function(first:int, end:int):void
                 {
                     readNames(labels, end - first);
@@ -149,32 +146,38 @@ package starlogo.models.cooked
             for (var i:int = 0; i < count; i++)
             {
                 var length:int = VarInt.read(_bytes);
-                labels.addName(length < 0 ? null : _bytes.readUTFBytes(length));
+                labels.addLabel(length < 0 ? null : _bytes.readUTFBytes(length));
             }
         }
 
         // The steps that read the runs of labels, whose names are read already.
         private function readingRuns(labels:TriangleLabels):Steps
         {
-            var mostNumber:int = labels.names == null ? int.MAX_VALUE : labels.names.length - 1;
+            var mostLabel:int = labels.names == null ? int.MAX_VALUE : labels.names.length - 1;
             var start:Number = 0;
             return new StepSequence().slices(readCount(int.MAX_VALUE), LABELS_PER_STEP, function(first:int, end:int):void
                 {
                     for (var i:int = first; i < end; i++)
                     {
                         start = Math.min(start + readCount(int.MAX_VALUE), _data.triangles.length / 3);
-                        var number:int = VarInt.read(_bytes);
-                        refuseIf(number < -1 || number > mostNumber, _data.name, "the cooked file has a wrong number: " + number);
-                        labels.beginRun(number, start);
+                        labels.beginRun(readInteger(-1, mostLabel), start);
                     }
                 });
         }
 
         private function readCount(most:int):int
         {
-            var count:int = VarInt.read(_bytes);
-            refuseIf(count < 0 || count > most, _data.name, "the cooked file has a wrong number: " + count);
-            return count;
+            return readInteger(0, most);
+        }
+
+        private function readInteger(least:int, most:int):int
+        {
+            var integer:int = VarInt.read(_bytes);
+            if (integer < least || integer > most)
+            {
+                throw new ModelError(_data.name, "", "the cooked file has a wrong number: " + integer);
+            }
+            return integer;
         }
 
         private function readTransform():ModelTransform
@@ -198,7 +201,7 @@ package starlogo.models.cooked
             {
                 numbers[i] = _bytes.readDouble();
             }
-            return SourceFrame.of(numbers);
+            return SourceFrame.ofNumbers(numbers);
         }
 
         private function readVector():Vector3D

@@ -10,7 +10,7 @@ package starlogo.models.cooked
     import starlogo.models.building.ModelBuilder;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.TriangleLabels;
-    import starlogo.models.building.refuseIf;
+    import starlogo.models.files.refuseIf;
 
     use namespace engine;
 
@@ -39,7 +39,7 @@ package starlogo.models.cooked
                     return writeAs(model, form, points, transform);
                 }
             }
-            refuseIf(SourceFrame.of(model.source.numbers) == null, model.name, "its place in its source is not finite numbers, so it can't be cooked");
+            refuseIf(SourceFrame.ofNumbers(model.source.numbers) == null, model.name, "its place in its source is not finite numbers, so it can't be cooked");
             return writeAs(model, CookedReader.DOUBLE, model.vertices, null);
         }
 
@@ -104,7 +104,7 @@ package starlogo.models.cooked
             {
                 VarInt.write(triangles[i] - (i == 0 ? 0 : triangles[i - 1]), out);
             }
-            if (data.materials.numbers != null || data.meshes.numbers != null)
+            if (data.materials.labels != null || data.meshes.labels != null)
             {
                 writeLabels(data.materials, out);
                 writeLabels(data.meshes, out);
@@ -144,18 +144,18 @@ package starlogo.models.cooked
         private static function writeLabels(labels:TriangleLabels, out:ByteArray):void
         {
             VarInt.write(labels.names == null ? -1 : labels.names.length, out);
-            for each (var label:String in labels.names)
+            for each (var name:String in labels.names)
             {
                 var bytes:ByteArray = new ByteArray();
-                bytes.writeUTFBytes(label || "");
-                VarInt.write(label == null ? -1 : bytes.length, out);
+                bytes.writeUTFBytes(name || "");
+                VarInt.write(name == null ? -1 : bytes.length, out);
                 out.writeBytes(bytes);
             }
-            VarInt.write(labels.numbersOfRuns.length - 1, out);
-            for (var run:int = 1; run < labels.numbersOfRuns.length; run++)
+            VarInt.write(labels.labelsOfRuns.length - 1, out);
+            for (var run:int = 1; run < labels.labelsOfRuns.length; run++)
             {
                 VarInt.write(labels.starts[run] - labels.starts[run - 1], out);
-                VarInt.write(labels.numbersOfRuns[run], out);
+                VarInt.write(labels.labelsOfRuns[run], out);
             }
         }
     }

@@ -1,7 +1,7 @@
 package starlogo.models.gltf
 {
     import flash.utils.ByteArray;
-    import starlogo.models.building.refuseIf;
+    import starlogo.models.files.refuseIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 

@@ -1,9 +1,10 @@
 package starlogo.models.gltf
 {
-    import starlogo.models.building.FileAnimation;
-    import starlogo.models.building.FilePose;
+    import starlogo.models.animation.FileAnimation;
+    import starlogo.models.animation.FilePose;
     import starlogo.models.building.ModelBuilder;
     import starlogo.steps.StepSequence;
+    import starlogo.steps.finish;
 
     /**
      * An animation of a glTF file. At each time it gives numbers to properties of nodes. <code>GltfScene.targetOf()</code> returns a
@@ -54,6 +55,19 @@ package starlogo.models.gltf
                 _samplers[GltfScene.targetOf(node, path)] = reader;
                 add(reader);
             }
+        }
+
+        /** Reads the animations of a file, whose steps are all done. @throws ModelError if one is wrong */
+        public static function allIn(file:GltfFile, upAxis:Object):Vector.<FileAnimation>
+        {
+            var animations:Vector.<FileAnimation> = new Vector.<FileAnimation>();
+            for (var i:int = 0; i < file.json.count("animations"); i++)
+            {
+                var animation:GltfAnimation = new GltfAnimation(file, i, upAxis);
+                finish(animation);
+                animations.push(animation);
+            }
+            return animations;
         }
 
         /** @inheritDoc */

@@ -2,11 +2,12 @@ package starlogo.models.gltf
 {
     import flash.utils.ByteArray;
     import flash.utils.Endian;
-    import starlogo.models.building.FileLimits;
-    import starlogo.models.building.refuseIf;
-    import starlogo.models.building.shortened;
-    import starlogo.models.text.FileAddress;
-    import starlogo.models.text.FileText;
+    import starlogo.models.files.FileAddress;
+    import starlogo.models.files.FileLimits;
+    import starlogo.models.files.FileText;
+    import starlogo.models.files.ModelFile;
+    import starlogo.models.files.refuseIf;
+    import starlogo.models.files.shortened;
     import starlogo.models.text.TextWords;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -65,26 +66,20 @@ package starlogo.models.gltf
         private var _skinWeights:Object = {};
 
         /**
-         * @param name the model's name
-         * @param bytes a binary file, or the bytes of the text; their endianness is set; null if there is only text
-         * @param text the text; null to use the bytes
+         * @param file the file; the endianness of its bytes is set
          * @param fetch <code>function(uri:String, take:Function):void</code>; is asked for each other file. It calls <code>take(bytes, problem)</code>,
          * at once or before the next step. The bytes' endianness is set. If the file is missing they are null, and the problem says why
          * @throws ModelError if there is no JSON
          */
-        public function GltfFile(name:String, bytes:ByteArray, text:String, fetch:Function)
+        public function GltfFile(file:ModelFile, fetch:Function)
         {
             _fetch = fetch;
-            if (text == null)
-            {
-                text = bytes != null && isBinary(bytes) ? openChunks(name, bytes) : FileText.decode(name, bytes, "glTF file");
-            }
-            text = TextWords.withoutByteOrderMark(text);
-            limits = new FileLimits(name, text.length);
+            var text:String = file.bytes != null && isBinary(file.bytes) ? openChunks(file.name, file.bytes) : file.textOf("glTF file");
+            limits = new FileLimits(file.name, text.length);
             var reader:JsonReader = new JsonReader(text, limits);
             add(reader).call(function():void
                 {
-                    json = new GltfJson(name, reader.root);
+                    json = new GltfJson(file.name, reader.root);
                     checkNeeds();
                     beginEach(json.count("buffers"), readingBuffer).call(fetchOthers);
                 });
@@ -93,7 +88,7 @@ package starlogo.models.gltf
         /** Reads a file at once. @param buffers the content of each other file, by its address; null if there are none */
         public static function read(name:String, bytes:ByteArray, buffers:Object):GltfFile
         {
-            var file:GltfFile = new GltfFile(name, bytes, null, function(uri:String, take:Function):void
+            var file:GltfFile = new GltfFile(new ModelFile(name, bytes), function(uri:String, take:Function):void
                 {
                     take(buffers != null && uri in buffers ? buffers[uri] as ByteArray : null,
                             "\"" + shortened(uri) + "\" is another file and was not given: a ModelLoader's load() fetches it");
@@ -112,12 +107,6 @@ package starlogo.models.gltf
         public static function isText(text:String):Boolean
         {
             return /^\s*\{/.test(text.substr(0, 1000)) && text.indexOf("\"asset\"") > 0;
-        }
-
-        /** The number of animations, when no step is left. */
-        public function get animationCount():int
-        {
-            return json.count("animations");
         }
 
         /**
@@ -192,7 +181,7 @@ package starlogo.models.gltf
                 if (text == null)
                 {
                     bytes.position = start;
-                    text = bytes.readUTFBytes(chunkLength);
+                    text = TextWords.withoutByteOrderMark(bytes.readUTFBytes(chunkLength));
                 }
                 else if (type == BINARY_CHUNK && _chunk == null)
                 {

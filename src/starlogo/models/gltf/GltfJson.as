@@ -1,7 +1,7 @@
 package starlogo.models.gltf
 {
     import starlogo.models.ModelError;
-    import starlogo.models.building.shortened;
+    import starlogo.models.files.shortened;
 
     /**
      * An object in the JSON of a glTF file. Its methods check what they read, and errors name the place. Only texts are never refused, and

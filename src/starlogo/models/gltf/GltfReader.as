@@ -1,10 +1,10 @@
 package starlogo.models.gltf
 {
-    import starlogo.models.building.FilePose;
+    import starlogo.models.animation.FilePose;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.ModelReader;
     import starlogo.models.building.VertexFilter;
-    import starlogo.models.building.takeLoosePoints;
+    import starlogo.models.files.refuseIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -22,7 +22,6 @@ package starlogo.models.gltf
     public final class GltfReader extends StepSequence implements ModelReader
     {
         private var _data:ModelData;
-        private var _progress:Number = 0;
         private var _file:GltfFile;
         private var _scene:GltfScene;
 
@@ -52,18 +51,12 @@ package starlogo.models.gltf
             return _data;
         }
 
-        /** @inheritDoc */
-        public function get progress():Number
-        {
-            return _progress;
-        }
-
         private function readingNodes():Steps
         {
             var json:GltfJson = _file.json;
             for (var i:int = 0; i < json.count("materials"); i++)
             {
-                _data.materials.addName(json.fileEntry("materials", i).text("name"));
+                _data.materials.addLabel(json.fileEntry("materials", i).text("name"));
             }
             return new StepSequence().beginEach(_scene.nodes.length, readingNode);
         }
@@ -74,21 +67,21 @@ package starlogo.models.gltf
             var nodeIndex:int = _scene.nodes[index];
             var node:GltfJson = _file.json.fileEntry("nodes", nodeIndex);
             var mesh:GltfJson = node.fileEntry("meshes", node.reference("mesh", "meshes"));
-            var label:String = node.text("name") || mesh.text("name");
+            var name:String = node.text("name") || mesh.text("name");
             // The vertices of this node so far. The key is everything that they depend on.
             var placed:Object = {};
-            _progress = index / _scene.nodes.length;
+            _data.readShare = index / _scene.nodes.length;
             // each primitive may have a target for each weight
             _file.limits.countElements((1 + _scene.weightsOf(nodeIndex).length) * (1 + mesh.count("primitives")), mesh.place);
             return new StepSequence().beginEach(mesh.count("primitives"), function(primitive:int):Steps
                 {
-                    return readingPrimitive(nodeIndex, label, mesh.element("primitives", primitive), placed);
+                    return readingPrimitive(nodeIndex, name, mesh.element("primitives", primitive), placed);
                 });
         }
 
         // The steps that read a primitive of a node's mesh: its vertices, where the node puts them, and its triangles, which all have one material.
         // No steps if it has no vertices.
-        private function readingPrimitive(node:int, label:String, primitive:GltfJson, placed:Object):Steps
+        private function readingPrimitive(node:int, name:String, primitive:GltfJson, placed:Object):Steps
         {
             var work:StepSequence = new StepSequence();
             primitive.refuseIf(primitive.hasExtension(GltfFile.DRACO), "it is " + GltfFile.DRACO_PROBLEM);
@@ -101,12 +94,12 @@ package starlogo.models.gltf
             var hasSurface:Boolean = GltfTriangles.modeOf(primitive) >= GltfTriangles.TRIANGLES;
             // primitives may share their vertices and have different triangles
             var isPlain:Boolean = primitive.count("targets") == 0 && !attributes.has("JOINTS_0");
-            var key:String = "#" + position + hasSurface + (isPlain ? "" : "," + primitive.place);
+            var key:String = [position, hasSurface, isPlain ? "" : primitive.place].join();
             var points:GltfVertices = placed[key] ||= new GltfVertices(_file, _scene, node, primitive, hasSurface ? _data.vertices : _loosePoints);
             work.add(points);
             if (hasSurface)
             {
-                _data.meshes.beginRun(_data.meshes.addKey(String(node), label), _data.triangles.length / 3);
+                _data.meshes.beginRun(_data.meshes.labelWithKey(String(node), name), _data.triangles.length / 3);
                 _data.materials.beginRun(primitive.reference("material", "materials"), _data.triangles.length / 3);
                 work.add(new GltfTriangles(_file, primitive, points, _data.triangles));
             }
@@ -115,8 +108,9 @@ package starlogo.models.gltf
 
         private function endReading():void
         {
-            _progress = 1;
-            takeLoosePoints(_data, _loosePoints, "a mesh in the scene");
+            _data.readShare = 1;
+            _data.vertices = _data.vertices.length == 0 ? _loosePoints : _data.vertices;
+            refuseIf(_data.vertices.length == 0, _data.name, "no vertices: expected a mesh in the scene");
         }
     }
 }

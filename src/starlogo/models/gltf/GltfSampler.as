@@ -1,7 +1,7 @@
 package starlogo.models.gltf
 {
+    import starlogo.data.lastNotAfter;
     import starlogo.geometry.Trigonometry;
-    import starlogo.models.building.lastNotAfter;
     import starlogo.steps.StepSequence;
 
     /** A property of a node over time: the keys of an animation's sampler, and what is between them. */

@@ -1,8 +1,8 @@
 package starlogo.models.gltf
 {
+    import starlogo.geometry.AffineTransform;
     import starlogo.geometry.Placement;
-    import starlogo.models.building.AffineTransform;
-    import starlogo.models.building.FilePose;
+    import starlogo.models.animation.FilePose;
     import starlogo.steps.StepSequence;
 
     /** The scene of a glTF file, at rest or in a pose. Its steps find the nodes with meshes. */

@@ -1,6 +1,6 @@
 package starlogo.models.gltf
 {
-    import starlogo.models.building.AffineTransform;
+    import starlogo.geometry.AffineTransform;
     import starlogo.steps.StepSequence;
 
     /** The joints of a glTF skin, where the nodes of the scene are, at rest or in a pose. Its steps find what each joint does to points. */

@@ -1,6 +1,6 @@
 package starlogo.models.gltf
 {
-    import starlogo.models.building.JointWeights;
+    import starlogo.models.animation.JointInfluences;
     import starlogo.steps.StepSequence;
 
     /** How much the vertices of a glTF primitive follow the joints of a skin. Its steps read it. All nodes and poses that have both share it. */
@@ -8,8 +8,8 @@ package starlogo.models.gltf
     {
         private static const VERTICES_PER_STEP:int = 2000;
 
-        /** The weights, when no step is left. */
-        public var weights:JointWeights;
+        /** The influences, when no step is left. */
+        public var influences:JointInfluences;
 
         /** How many influences there may be: four for each vertex and set. */
         public var mostInfluences:Number;
@@ -35,7 +35,7 @@ package starlogo.models.gltf
                 _weights.push(accessorOf(file, attributes, "WEIGHTS_" + i, vertexCount));
             }
             mostInfluences = 4 * Number(vertexCount) * i;
-            weights = new JointWeights(mostInfluences);
+            influences = new JointInfluences(mostInfluences);
             slices(vertexCount, VERTICES_PER_STEP, read);
         }
 
@@ -52,10 +52,10 @@ package starlogo.models.gltf
         // Reads the influences of some vertices. A weight of 0 is none, whatever its joint is.
         private function read(first:int, end:int):void
         {
-            var joints:Vector.<int> = weights.joints;
-            var shares:Vector.<Number> = weights.weights;
+            var joints:Vector.<int> = influences.joints;
+            var shares:Vector.<Number> = influences.weights;
             var jointCount:int = _jointCount;
-            var count:int = weights.starts[first];
+            var count:int = influences.starts[first];
             for (var vertex:int = first; vertex < end; vertex++)
             {
                 for (var i:int = 0; i < _indices.length; i++)
@@ -77,7 +77,7 @@ package starlogo.models.gltf
                         }
                     }
                 }
-                weights.starts.push(count);
+                influences.starts.push(count);
             }
         }
     }

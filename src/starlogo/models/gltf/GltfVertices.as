@@ -1,6 +1,6 @@
 package starlogo.models.gltf
 {
-    import starlogo.models.building.AffineTransform;
+    import starlogo.geometry.AffineTransform;
     import starlogo.steps.StepSequence;
 
     /**
@@ -55,7 +55,7 @@ package starlogo.models.gltf
                 file.limits.countNumbers(read.mostInfluences, attributes.place);
                 add(read).slices(count, SKINNED_PER_STEP, function(first:int, end:int):void
                     {
-                        read.weights.move(_points, _skin.palette, first, end);
+                        read.influences.move(_points, _skin.palette, first, end);
                     });
             }
             _transform = _skin == null ? scene.globalTransformOf(node) : new AffineTransform();

@@ -1,7 +1,7 @@
 package starlogo.models.gltf
 {
     import starlogo.models.ModelError;
-    import starlogo.models.building.FileLimits;
+    import starlogo.models.files.FileLimits;
     import starlogo.models.text.Decimal;
     import starlogo.steps.Steps;
 

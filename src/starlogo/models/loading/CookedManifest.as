@@ -1,7 +1,8 @@
 package starlogo.models.loading
 {
     import flash.utils.ByteArray;
-    import starlogo.models.text.FileAddress;
+    import starlogo.data.keyOf;
+    import starlogo.models.files.FileAddress;
 
     /**
      * The list of the cooked files in a folder and below. It is fetched when it is first needed.
@@ -10,22 +11,28 @@ package starlogo.models.loading
      */
     public final class CookedManifest
     {
-        /** The list's address. */
-        public var url:String;
-
+        private var _url:String;
         private var _download:FileDownload = null;
-        private var _models:Object = null;
+
+        // The addresses of the cooked files, by those of the models' files. All are relative to the list's folder. Null before they are read.
+        private var _cooked:Object = null;
 
         /** @param url the list's address */
         public function CookedManifest(url:String)
         {
-            this.url = url;
+            _url = url;
+        }
+
+        /** The list's address. */
+        public function get url():String
+        {
+            return _url;
         }
 
         /** Fetches the list, if it has not been requested before. @param newLoader <code>function():URLLoader</code> */
         public function fetch(newLoader:Function):void
         {
-            _download ||= new FileDownload(url, newLoader());
+            _download ||= new FileDownload(_url, newLoader());
         }
 
         /** Whether the download is running. */
@@ -37,45 +44,40 @@ package starlogo.models.loading
         /** The address of the cooked file for a model's file; null if the list has none, or has not come. */
         public function addressFor(file:String):String
         {
-            var parts:Array = file.match(/^([^?#]*)(.*)$/);
-            var folder:String = FileAddress.folderOf(url);
-            if (parts[1].substr(0, folder.length) != folder)
+            var path:String = FileAddress.pathOf(file);
+            var folder:String = FileAddress.folderOf(_url);
+            if (path.indexOf(folder) != 0 || _download == null || _download.bytes == null)
             {
                 return null;
             }
-            var bytes:ByteArray = _download == null ? null : _download.bytes;
-            if (bytes == null)
-            {
-                return null;
-            }
-            _models ||= read(bytes);
-            var name:String = parts[1].substr(folder.length);
-            var cooked:Object = _models["#" + name];
-            // the model's own address may be anywhere, because the game chose it
-            var own:String = cooked is String ? String(cooked) : "";
-            own = own.indexOf(name) == 0 ? own.substr(name.length) : own;
-            return FileAddress.isWithin(own) ? folder + cooked + parts[2] : null;
+            _cooked ||= read(_download.bytes);
+            var model:String = path.substr(folder.length);
+            var cooked:String = _cooked[keyOf(model)] || "";
+            // A cooked file's address may begin with the model's, which the game chose. Only what the list adds is checked.
+            var added:String = cooked.indexOf(model) == 0 ? cooked.substr(model.length) : cooked;
+            return FileAddress.isWithin(added) ? folder + cooked + FileAddress.endOf(file) : null;
         }
 
         // A file that is no list counts as an empty list.
         private static function read(bytes:ByteArray):Object
         {
-            var models:Object = {};
+            var all:Object = {};
             try
             {
                 bytes.position = 0;
                 var listed:Object = JSON.parse(bytes.readUTFBytes(bytes.length)).models;
-                for (var name:String in listed)
+                for (var model:String in listed)
                 {
-                    var entry:Object = listed[name];
-                    models["#" + name] = entry != null && entry.hasOwnProperty("cooked") ? entry["cooked"] : null;
+                    var entry:Object = listed[model];
+                    var cooked:Object = entry != null && entry.hasOwnProperty("cooked") ? entry["cooked"] : null;
+                    all[keyOf(model)] = cooked as String;
                 }
             }
             catch (error:Error)
             {
                 // it is no JSON
             }
-            return models;
+            return all;
         }
     }
 }

@@ -7,11 +7,11 @@ package starlogo.models.loading
     import starlogo.models.collada.ColladaReader;
     import starlogo.models.cooked.CookedFile;
     import starlogo.models.cooked.CookedReader;
+    import starlogo.models.files.ModelFile;
     import starlogo.models.gltf.GltfFile;
     import starlogo.models.gltf.GltfReader;
     import starlogo.models.obj.ObjReader;
     import starlogo.models.stl.StlReader;
-    import starlogo.models.text.TextWords;
 
     /**
      * Detects the format of a file from its content, and makes its reader. If the content does not tell, the file's name does.
@@ -31,43 +31,45 @@ package starlogo.models.loading
         private static const VERTEX:RegExp = /[\n\r][ \t]*v[ \t]+[\-+.\d]/;
         private static const EXTENSION:RegExp = /^[^?#]*\.(obj|dae|gltf|stl)([?#]|$)/i;
 
-        /** The format of a file in a binary form; null if the bytes are in none. */
-        public static function ofBytes(bytes:ByteArray):String
+        /** Whether a file has a binary form. */
+        public static function isBinary(file:ModelFile):Boolean
         {
-            return CookedFile.isCookedFile(bytes) ? COOKED : (GltfFile.isBinary(bytes) ? GLTF : (StlReader.isBinary(bytes) ? STL : null));
+            return file.bytes != null && ofBytes(file.bytes) != null;
         }
 
         /**
          * The reader of a file.
          *
-         * @param name the model's name
-         * @param bytes the file
-         * @param text its text, null if it is binary
-         * @param url the file's address; null if it has none
+         * @param file the file
          * @param upAxis the axis that points up, if the file does not say it; or a ModelTransform
          * @param scaling as for Model's constructor
          * @param fetch gives the other files that a glTF file names: see GltfFile
          */
-        public static function newReader(name:String, bytes:ByteArray, text:String, url:String, upAxis:Object, scaling:String, fetch:Function):ModelReader
+        public static function newReader(file:ModelFile, upAxis:Object, scaling:String, fetch:Function):ModelReader
         {
-            switch (text == null ? ofBytes(bytes) : ofText(text, url))
+            switch (isBinary(file) ? ofBytes(file.bytes) : ofText(file.textOf(), file.url))
             {
                 case COOKED:
-                    return new CookedReader(name, bytes);
+                    return new CookedReader(file.name, file.bytes);
                 case STL:
-                    return new StlReader(name, bytes, text, upAxis, scaling);
+                    return new StlReader(file, upAxis, scaling);
                 case COLLADA:
-                    return new ColladaReader(new ColladaDocument(name, text), upAxis as ModelTransform, scaling);
+                    return new ColladaReader(new ColladaDocument(file.name, file.textOf()), upAxis as ModelTransform, scaling);
                 case GLTF:
-                    return new GltfReader(new GltfFile(name, bytes, text, fetch), upAxis as ModelTransform, scaling);
+                    return new GltfReader(new GltfFile(file, fetch), upAxis as ModelTransform, scaling);
                 default:
-                    return new ObjReader(name, text, upAxis, scaling);
+                    return new ObjReader(file.name, file.textOf(), upAxis, scaling);
             }
+        }
+
+        // The format of a file in a binary form; null if the bytes are in none.
+        private static function ofBytes(bytes:ByteArray):String
+        {
+            return CookedFile.isCookedFile(bytes) ? COOKED : (GltfFile.isBinary(bytes) ? GLTF : (StlReader.isBinary(bytes) ? STL : null));
         }
 
         private static function ofText(text:String, url:String):String
         {
-            text = TextWords.withoutByteOrderMark(text);
             if (TAG.test(text.substr(0, 1000)))
             {
                 return COLLADA;

@@ -7,11 +7,11 @@ package starlogo.models.loading
     import starlogo.models.ModelReceiver;
     import starlogo.models.ModelTransform;
     import starlogo.models.building.ModelBuilder;
-    import starlogo.models.building.refuseIf;
     import starlogo.models.cooked.CookedFile;
     import starlogo.models.cooked.CookedReader;
-    import starlogo.models.text.FileAddress;
-    import starlogo.models.text.FileText;
+    import starlogo.models.files.FileAddress;
+    import starlogo.models.files.ModelFile;
+    import starlogo.models.files.refuseIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -61,9 +61,6 @@ package starlogo.models.loading
 
         // The downloads that the next step waits for: the file and its transform file, or its cooked file, or other files that its reader asks for.
         private var _downloads:Vector.<FileDownload> = new Vector.<FileDownload>();
-
-        // The functions that give such other files to the reader, once they have come.
-        private var _givers:Vector.<Function> = new Vector.<Function>();
 
         // what reads the file, or makes the model instead; null before the file has come, and after the model is made
         private var _maker:ModelMaker = null;
@@ -124,17 +121,19 @@ package starlogo.models.loading
             call(fetchCooked);
         }
 
-        /** Adds the steps that read a file, as bytes or as text. The other is null. */
-        public function addReading(bytes:ByteArray, text:String):void
+        /** Adds the steps that read a file. */
+        public function addReading(file:ModelFile):void
         {
             call(function():void
                 {
-                    var isText:Boolean = text != null || bytes == null || ModelFormat.ofBytes(bytes) == null;
-                    var decoded:String = isText && text == null ? FileText.decode(name, bytes) : text;
-                    call(function():void
-                        {
-                            addMaking(ModelBuilder.reading(ModelFormat.newReader(name, bytes, decoded, _url, _upAxis, _scaling, fetchBeside)));
-                        });
+                    if (!ModelFormat.isBinary(file))
+                    {
+                        // decodes it, in a step of its own
+                        file.textOf();
+                    }
+                }).call(function():void
+                {
+                    addMaking(ModelBuilder.reading(ModelFormat.newReader(file, _upAxis, _scaling, fetchBeside)));
                 });
         }
 
@@ -207,10 +206,10 @@ package starlogo.models.loading
                 });
         }
 
-        // Starts to fetch a file. The next step is done when it has come.
-        private function download(address:String):FileDownload
+        // Starts to fetch a file. The next step is done when it has come. @param take as for FileDownload
+        private function download(address:String, take:Function = null):FileDownload
         {
-            var started:FileDownload = new FileDownload(address, _newLoader());
+            var started:FileDownload = new FileDownload(address, _newLoader(), take);
             _downloads.push(started);
             return started;
         }
@@ -227,7 +226,7 @@ package starlogo.models.loading
                 var transform:ModelTransform = ModelTransform.fromText(bytes.readUTFBytes(bytes.length));
                 _upAxis = transform.isIdentity ? _upAxis : transform;
             }
-            addReading(file.bytes, null);
+            addReading(new ModelFile(name, file.bytes, null, _url));
         }
 
         // Starts to fetch a file that the model's file names. The maker's next step is done when it has come.
@@ -235,11 +234,7 @@ package starlogo.models.loading
         {
             if (FileAddress.hasFolder(_url))
             {
-                var file:FileDownload = download(FileAddress.folderOf(_url) + uri);
-                _givers.push(function():void
-                    {
-                        take(file.bytes, file.problem);
-                    });
+                download(FileAddress.folderOf(_url) + uri, take);
             }
             else
             {
@@ -249,11 +244,11 @@ package starlogo.models.loading
 
         private function stepMaker():Boolean
         {
-            for each (var give:Function in _givers)
+            for each (var file:FileDownload in _downloads)
             {
-                give();
+                file.deliver();
             }
-            _givers.length = _downloads.length = 0;
+            _downloads.length = 0;
             return _maker.step();
         }
 

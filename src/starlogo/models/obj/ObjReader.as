@@ -1,13 +1,13 @@
 package starlogo.models.obj
 {
     import starlogo.models.ModelError;
-    import starlogo.models.building.FileLimits;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.ModelReader;
     import starlogo.models.building.TriangleLabels;
     import starlogo.models.building.VertexFilter;
-    import starlogo.models.building.refuseIf;
-    import starlogo.models.building.shortened;
+    import starlogo.models.files.FileLimits;
+    import starlogo.models.files.refuseIf;
+    import starlogo.models.files.shortened;
     import starlogo.models.polygons.Triangulator;
     import starlogo.models.text.Decimal;
     import starlogo.models.text.LineReader;
@@ -22,7 +22,6 @@ package starlogo.models.obj
     public final class ObjReader extends StepSequence implements ModelReader
     {
         private var _data:ModelData;
-        private var _progress:Number = 0;
         private var _lines:LineReader;
         private var _limits:FileLimits;
 
@@ -30,7 +29,7 @@ package starlogo.models.obj
         private var _polygons:Vector.<Vector.<uint>> = new Vector.<Vector.<uint>>();
         private var _polygonTriangles:int = 0;
 
-        // The numbers of each polygon's material and mesh.
+        // The label of each polygon's material and mesh.
         private var _polygonMaterials:Vector.<int> = new Vector.<int>();
         private var _polygonMeshes:Vector.<int> = new Vector.<int>();
 
@@ -56,12 +55,6 @@ package starlogo.models.obj
             return _data;
         }
 
-        /** @inheritDoc */
-        public function get progress():Number
-        {
-            return _progress;
-        }
-
         // Throws if the text begins with a tag. A server may answer with a web page if it has no such file.
         private static function refuseMarkup(name:String, text:String):void
         {
@@ -75,7 +68,7 @@ package starlogo.models.obj
 
         private function readSome():Boolean
         {
-            _progress = _lines.readStatements(readStatement);
+            _data.readShare = _lines.readStatements(readStatement);
             _limits.requireMesh(_data.vertices.length / 3, _data.triangles.length / 3 + _polygonTriangles, _lines.place);
             return _lines.hasMore;
         }
@@ -105,11 +98,11 @@ package starlogo.models.obj
             }
         }
 
-        // Gives the name in the rest of a statement to the triangles that follow. If there is no name, they have none.
+        // Gives the triangles that follow a label with the name in the rest of a statement. If there is no name, they have none.
         private function readLabel(labels:TriangleLabels):void
         {
-            var label:String = _lines.readRest().join(" ");
-            labels.beginRun(label == "" ? -1 : labels.addKey(label, label), _data.triangles.length / 3);
+            var name:String = _lines.readRest().join(" ");
+            labels.beginRun(name == "" ? -1 : labels.labelWithKey(name, name), _data.triangles.length / 3);
         }
 
         private function readFace():void

@@ -1,6 +1,6 @@
 package starlogo.models.polygons
 {
-    import starlogo.models.building.FileLimits;
+    import starlogo.models.files.FileLimits;
     import starlogo.steps.Steps;
 
     /**
@@ -46,12 +46,14 @@ package starlogo.models.polygons
                 var area:Number = _rings.orient2d(before, _node, after);
                 // An outline that crosses itself may have no ear left. After one round without an ear any left turn is cut, after two
                 // rounds any corner.
-                var isCut:Boolean = area == 0 || _misses > 2 * _count || limits.cornerTestsLeft <= 0;
+                var cutsLeftTurns:Boolean = _misses > _count;
+                var cutsAll:Boolean = _misses > 2 * _count || limits.cornerTestsLeft <= 0;
+                var isCut:Boolean = cutsAll || area == 0 || cutsLeftTurns && area > 0;
                 var outside:int = 0;
                 if (!isCut && area > 0)
                 {
-                    outside = _misses > _count ? 0 : countOutside(before, _node, after);
-                    isCut = _misses > _count || outside == _count - 3;
+                    outside = countOutside(before, _node, after);
+                    isCut = outside == _count - 3;
                 }
                 limits.countCornerTests(1 + outside);
                 if (isCut)

@@ -1,6 +1,6 @@
 package starlogo.models.polygons
 {
-    import starlogo.models.building.FileLimits;
+    import starlogo.models.files.FileLimits;
     import starlogo.steps.Steps;
 
     /**

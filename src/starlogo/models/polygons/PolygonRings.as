@@ -1,7 +1,7 @@
 package starlogo.models.polygons
 {
     import starlogo.geometry.roundingOfProduct;
-    import starlogo.models.building.FileLimits;
+    import starlogo.models.files.FileLimits;
 
     /**
      * A polygon's outline and holes as rings of corners in a plane. The polygon is projected along the coordinate axis nearest to the

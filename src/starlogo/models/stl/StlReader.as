@@ -4,11 +4,12 @@ package starlogo.models.stl
     import flash.utils.Endian;
     import starlogo.geometry.vertices.PointTable;
     import starlogo.models.ModelError;
-    import starlogo.models.building.FileLimits;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.ModelReader;
-    import starlogo.models.building.refuseIf;
-    import starlogo.models.text.FileText;
+    import starlogo.models.files.FileLimits;
+    import starlogo.models.files.FileText;
+    import starlogo.models.files.ModelFile;
+    import starlogo.models.files.refuseIf;
     import starlogo.models.text.LineReader;
     import starlogo.steps.StepSequence;
 
@@ -26,7 +27,6 @@ package starlogo.models.stl
         private static const FACETS_PER_STEP:int = 300;
 
         private var _data:ModelData;
-        private var _progress:Number = 0;
         private var _limits:FileLimits;
         private var _points:PointTable;
 
@@ -37,22 +37,20 @@ package starlogo.models.stl
         private var _corners:int = 0;
 
         /**
-         * @param name the model's name
-         * @param bytes a binary file, or the bytes of the text; their endianness is set; null if there is only text
-         * @param text the text; null to use the bytes
+         * @param file the file; the endianness of its bytes is set
          * @param upAxis as for StlModel
          * @param scaling as for Model
          */
-        public function StlReader(name:String, bytes:ByteArray, text:String, upAxis:Object, scaling:String)
+        public function StlReader(file:ModelFile, upAxis:Object, scaling:String)
         {
-            _data = ModelData.forFile(name, upAxis, scaling);
-            if (text == null && bytes != null && isBinary(bytes))
+            _data = ModelData.forFile(file.name, upAxis, scaling);
+            if (file.bytes != null && isBinary(file.bytes))
             {
-                addBinary(bytes);
+                addBinary(file.bytes);
             }
             else
             {
-                addText(text == null ? FileText.decode(_data.name, bytes, "STL file, or one that is cut off") : text);
+                addText(file.textOf("STL file, or one that is cut off"));
             }
             _data.vertices = _points.coordinates;
             call(checkEnd);
@@ -62,12 +60,6 @@ package starlogo.models.stl
         public function get data():ModelData
         {
             return _data;
-        }
-
-        /** @inheritDoc */
-        public function get progress():Number
-        {
-            return _progress;
         }
 
         private function addText(text:String):void
@@ -90,7 +82,7 @@ package starlogo.models.stl
                 {
                     readFacets(bytes, first, end);
                     _limits.requireMesh(_data.vertices.length / 3, _data.triangles.length / 3, "triangle " + end);
-                    _progress = end / Math.max(1, count);
+                    _data.readShare = end / Math.max(1, count);
                 });
         }
 
@@ -139,7 +131,7 @@ package starlogo.models.stl
 
         private function readSome():Boolean
         {
-            _progress = _lines.readStatements(readStatement);
+            _data.readShare = _lines.readStatements(readStatement);
             _limits.requireMesh(_data.vertices.length / 3, _data.triangles.length / 3, _lines.place);
             return _lines.hasMore;
         }
@@ -155,11 +147,17 @@ package starlogo.models.stl
                     readVertex();
                     break;
                 case "endloop":
-                    refuseIf(_corners != 3, _data.name, "expected a facet of three vertices, but found " + _corners, _lines.place);
+                    if (_corners != 3)
+                    {
+                        throw new ModelError(_data.name, _lines.place, "expected a facet of three vertices, but found " + _corners);
+                    }
                     _corners = 0;
                     break;
                 case "outer":
-                    refuseIf(_corners != 0, _data.name, "a loop begins before the last one has ended", _lines.place);
+                    if (_corners != 0)
+                    {
+                        throw new ModelError(_data.name, _lines.place, "a loop begins before the last one has ended");
+                    }
             }
         }
 

@@ -47,11 +47,17 @@ package starlogo.models.text
             {
                 return NaN;
             }
-            // Some players read "1e", "0x10", "0b11" or white space before a number.
-            var last:int = word.charCodeAt(length - 1);
+            // Some players read "1e", "0x10", "0b11" or white space before a number. A plain word begins with a digit, a sign or a point, and ends
+            // with a digit or a point. After a sign, a point or 0, no letter is in the second or third place.
+            const PLUS:int = 0x2B;
+            const POINT:int = 0x2E;
+            const ZERO:int = 0x30;
+            const NINE:int = 0x39;
             var first:int = word.charCodeAt(0);
-            if (length <= SHORT && last < 0x3A && last > 0x2D && (first > 0x30 && first < 0x3A ||
-                        first > 0x2A && first < 0x31 && !(word.charCodeAt(1) > 0x39 || word.charCodeAt(2) > 0x39)))
+            var last:int = word.charCodeAt(length - 1);
+            var isPlain:Boolean = last >= POINT && last <= NINE && first <= NINE
+                && (first > ZERO || first >= PLUS && !(word.charCodeAt(1) > NINE || word.charCodeAt(2) > NINE));
+            if (isPlain && length <= SHORT)
             {
                 var number:Number = Number(word);
                 var size:Number = number < 0 ? -number : number;
@@ -63,11 +69,14 @@ package starlogo.models.text
             return length > LONGEST ? NaN : read(PARTS.exec(word));
         }
 
-        /** The same for a word that is most likely an index: not negative, without a point. */
+        /** The same, in less time for an index. */
         public static function ofIndex(word:String):Number
         {
+            const ZERO:int = 0x30;
+            const NINE:int = 0x39;
             var first:int = word.charCodeAt(0);
-            return first > 0x2F && first < 0x3A && !(word.charCodeAt(1) > 0x39) ? Number(word) : of(word);
+            var last:int = word.charCodeAt(word.length - 1);
+            return first > ZERO && first <= NINE && last >= ZERO && last <= NINE ? Number(word) : of(word);
         }
 
         private static function read(parts:Array):Number

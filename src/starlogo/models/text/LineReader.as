@@ -1,8 +1,8 @@
 package starlogo.models.text
 {
     import starlogo.models.ModelError;
-    import starlogo.models.building.refuseIf;
-    import starlogo.models.building.shortened;
+    import starlogo.models.files.refuseIf;
+    import starlogo.models.files.shortened;
 
     /**
      * Divides text that has one statement per line into words, some lines at a time. A format's reader gets the first word of a

@@ -43,9 +43,9 @@ package starlogo.queries.rays
                 {
                     var meshes:TriangleLabels = body.shape.model.data.meshes;
                     var materials:TriangleLabels = body.shape.model.data.materials;
-                    hit.mesh = meshes.numberOf(hit.triangle);
+                    hit.mesh = meshes.labelOf(hit.triangle);
                     hit.meshName = meshes.nameOf(hit.mesh);
-                    hit.material = materials.numberOf(hit.triangle);
+                    hit.material = materials.labelOf(hit.triangle);
                     hit.materialName = materials.nameOf(hit.material);
                 }
                 readCorners(body.shape.tree.boxTree, 3 * hit.triangle, body.placement, hit.point);

@@ -3,7 +3,7 @@ package starlogo.models.collada
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertNull;
     import starlogo.models.ModelError;
-    import starlogo.models.building.FileLimits;
+    import starlogo.models.files.FileLimits;
     import starlogo.models.text.TextWords;
     import starlogo.steps.finish;
     import support.assertThrows;

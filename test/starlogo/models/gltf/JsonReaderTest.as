@@ -4,7 +4,7 @@ package starlogo.models.gltf
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertNull;
     import org.flexunit.asserts.assertTrue;
-    import starlogo.models.building.FileLimits;
+    import starlogo.models.files.FileLimits;
     import starlogo.steps.finish;
     import support.Failures;
 

@@ -8,6 +8,7 @@ package starlogo.models.loading
     import starlogo.models.ObjModel;
     import starlogo.models.building.ModelBuilder;
     import starlogo.models.building.ModelReader;
+    import starlogo.models.files.ModelFile;
     import support.Collada;
     import support.Gltf;
 
@@ -33,7 +34,7 @@ package starlogo.models.loading
         // A ModelBuilder has the progress 0.9 when the file is read.
         private static function checkProgress(bytes:ByteArray, text:String):void
         {
-            var reader:ModelReader = ModelFormat.newReader("a", bytes, text, null, "z", "footprint", null);
+            var reader:ModelReader = ModelFormat.newReader(new ModelFile("a", bytes, text), "z", "footprint", null);
             var builder:ModelBuilder = ModelBuilder.reading(reader);
             var progress:Array = [builder.progress];
             var isLeft:Boolean = true;

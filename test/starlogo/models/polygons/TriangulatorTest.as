@@ -4,7 +4,7 @@ package starlogo.models.polygons
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
-    import starlogo.models.building.FileLimits;
+    import starlogo.models.files.FileLimits;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
     import support.Effort;

@@ -44,10 +44,15 @@ package starlogo.models.text
                 assertEquals(large, -Infinity, Decimal.of("-" + large));
             }
             for each (var wrong:String in [null, "", " ", ".", "-", "+", "e5", ".e5", "1e", "1e+", "1e-", "1.2.3", "--1", "1x", "Infinity", "NaN",
-                        "1,5", "1.234567890123456789e", "1.234567890123456789-", "- 1.2345678901234567", "0x10", "0X1", "-0x10", "+0x1", "0b11", "0o17", "\u00A01", "\f1", "\v1",
+                        "1,5", "10e", "10e+", "1x0", "10.e", "1.234567890123456789e", "1.234567890123456789-", "- 1.2345678901234567", "0x10", "0X1", "-0x10", "+0x1", "0b11", "0o17", "\u00A01", "\f1", "\v1",
                         "\uFEFF1", "1\u00A0", "1\f2", "0x", "0x1234567890123456", "1_0", "\u0661"])
             {
                 assertTrue(wrong, isNaN(Decimal.of(wrong)));
+                assertTrue(wrong, wrong == null || isNaN(Decimal.ofIndex(wrong)));
+            }
+            for each (var index:String in ["0", "1", "07", "10", "123456"])
+            {
+                assertEquals(index, Decimal.of(index), Decimal.ofIndex(index));
             }
         }
 

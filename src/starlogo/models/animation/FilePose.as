@@ -1,4 +1,4 @@
-package starlogo.models.building
+package starlogo.models.animation
 {
     /**
      * What moves in a file: an animation at a time, or nothing. Readers ask it for the numbers that count in place of those in the file.

@@ -1,12 +1,14 @@
-package starlogo.models.building
+package starlogo.models.animation
 {
+    import starlogo.geometry.AffineTransform;
+
     /**
      * How much each point of a skin follows which joints, in a file of any format. A point follows each of its influences: a joint, by a weight. The
      * lists have the influences of all points, one point after the other. The readers of formats fill them.
      *
      * @private
      */
-    public final class JointWeights
+    public final class JointInfluences
     {
         /** The first influence of each point, and one entry more: the number of influences. */
         public var starts:Vector.<int> = new <int>[0];
@@ -17,8 +19,8 @@ package starlogo.models.building
         /** The weight of each influence. */
         public var weights:Vector.<Number>;
 
-        /** Weights for no points. @param mostInfluences the lists have room for so many influences */
-        public function JointWeights(mostInfluences:int = 0)
+        /** Influences for no points. @param mostInfluences the lists have room for so many influences */
+        public function JointInfluences(mostInfluences:int = 0)
         {
             joints = new Vector.<int>(mostInfluences);
             weights = new Vector.<Number>(mostInfluences);

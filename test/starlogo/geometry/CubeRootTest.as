@@ -1,4 +1,4 @@
-package starlogo.models.building
+package starlogo.geometry
 {
     import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;

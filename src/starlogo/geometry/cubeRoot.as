@@ -1,4 +1,4 @@
-package starlogo.models.building
+package starlogo.geometry
 {
     /**
      * The cube root, by Newton's method. The result is the same in every player, to the last bit. Its error is below one unit in the last

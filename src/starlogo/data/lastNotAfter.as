@@ -1,4 +1,4 @@
-package starlogo.models.building
+package starlogo.data
 {
     /**
      * The index of the last of ascending numbers that is not greater than a value; 0 if all are greater. For example the key of an animation that

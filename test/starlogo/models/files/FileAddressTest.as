@@ -1,4 +1,4 @@
-package starlogo.models.text
+package starlogo.models.files
 {
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;

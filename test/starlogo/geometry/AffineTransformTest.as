@@ -1,10 +1,9 @@
-package starlogo.models.building
+package starlogo.geometry
 {
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import starlogo.engine;
-    import starlogo.geometry.Placement;
     import starlogo.models.ModelTransform;
 
     use namespace engine;

@@ -1,22 +1,23 @@
-package starlogo.models.building
+package starlogo.models.animation
 {
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
+    import starlogo.geometry.AffineTransform;
 
-    public class JointWeightsTest
+    public class JointInfluencesTest
     {
-        private var _weights:JointWeights;
+        private var _influences:JointInfluences;
         private var _palette:Vector.<AffineTransform>;
 
         // one point that follows no joint, and one that follows the second joint three times as much as the first
         [Before]
         public function setUp():void
         {
-            _weights = new JointWeights();
-            _weights.starts.push(0, 2);
-            _weights.joints.push(0, 1);
-            _weights.weights.push(0.5, 1.5);
+            _influences = new JointInfluences();
+            _influences.starts.push(0, 2);
+            _influences.joints.push(0, 1);
+            _influences.weights.push(0.5, 1.5);
             _palette = new <AffineTransform>[movedBy(8), movedBy(16)];
         }
 
@@ -24,7 +25,7 @@ package starlogo.models.building
         public function weightsAreDividedByTheirSum():void
         {
             var points:Vector.<Number> = new <Number>[1, 2, 3, 4, 5, 6];
-            assertTrue(_weights.move(points, _palette, 1, 2));
+            assertTrue(_influences.move(points, _palette, 1, 2));
             assertEquals("1,2,3,18,5,6", points.join());
         }
 
@@ -32,7 +33,7 @@ package starlogo.models.building
         public function aPointWithoutWeightsFollowsTheFirstJoint():void
         {
             var points:Vector.<Number> = new <Number>[1, 2, 3, 4, 5, 6];
-            assertTrue(_weights.move(points, _palette, 0, 2));
+            assertTrue(_influences.move(points, _palette, 0, 2));
             assertEquals("9,2,3,18,5,6", points.join());
         }
 
@@ -40,8 +41,8 @@ package starlogo.models.building
         public function saysWhetherAPointIsTooFar():void
         {
             _palette[1] = movedBy(Infinity);
-            assertTrue(_weights.move(new <Number>[1, 2, 3, 4, 5, 6], _palette, 0, 1));
-            assertFalse(_weights.move(new <Number>[1, 2, 3, 4, 5, 6], _palette, 0, 2));
+            assertTrue(_influences.move(new <Number>[1, 2, 3, 4, 5, 6], _palette, 0, 1));
+            assertFalse(_influences.move(new <Number>[1, 2, 3, 4, 5, 6], _palette, 0, 2));
         }
 
         private static function movedBy(x:Number):AffineTransform

@@ -1,9 +1,8 @@
-package starlogo.models.text
+package starlogo.models.files
 {
     import flash.utils.ByteArray;
     import starlogo.models.ModelError;
-    import starlogo.models.building.FileLimits;
-    import starlogo.models.building.refuseIf;
+    import starlogo.models.text.TextWords;
 
     /**
      * Decodes the bytes of a model's file into text. It detects the encoding. Other encodings than UTF-8 are decoded here, because Adobe's VM

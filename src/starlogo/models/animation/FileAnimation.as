@@ -1,4 +1,4 @@
-package starlogo.models.building
+package starlogo.models.animation
 {
     /**
      * An animation of a model's file.

@@ -1,4 +1,4 @@
-package starlogo.models.building
+package starlogo.models.files
 {
     /**
      * A text for a message. Of a long one it is the beginning, on one line.

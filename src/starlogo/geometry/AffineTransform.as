@@ -1,6 +1,5 @@
-package starlogo.models.building
+package starlogo.geometry
 {
-    import starlogo.geometry.Placement;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -32,6 +31,25 @@ package starlogo.models.building
                         turn.r20 * scaleX, turn.r21 * scaleY, turn.r22 * scaleZ, z]);
         }
 
+        /**
+         * The turn that makes an axis point up along z. If y is up, -z becomes y. If x is up, -y becomes x and -z becomes y. (The COLLADA
+         * specification's table for up_axis gives the right and inward axes.)
+         *
+         * @param upAxis the axis that points up: "x", "y" or "z"
+         */
+        public static function toZUp(upAxis:String):AffineTransform
+        {
+            switch (upAxis)
+            {
+                case "x":
+                    return new AffineTransform(new <Number>[0, -1, 0, 0, 0, 0, -1, 0, 1, 0, 0, 0]);
+                case "y":
+                    return new AffineTransform(new <Number>[1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0]);
+                default:
+                    return new AffineTransform();
+            }
+        }
+
         /** Returns the transform that applies the given one first and then this one. */
         public function after(first:AffineTransform):AffineTransform
         {
@@ -47,6 +65,15 @@ package starlogo.models.building
                 }
             }
             return new AffineTransform(product);
+        }
+
+        /** Divides all numbers. */
+        public function divideBy(divisor:Number):void
+        {
+            for (var i:int = 0; i < 12; i++)
+            {
+                rows[i] /= divisor;
+            }
         }
 
         /** Whether it mirrors: a left hand becomes a right hand. */

@@ -1,4 +1,4 @@
-package starlogo.models.building
+package starlogo.data
 {
     import org.flexunit.asserts.assertEquals;
 

@@ -1,4 +1,4 @@
-package starlogo.models.building
+package starlogo.models.files
 {
     import flash.utils.ByteArray;
     import org.flexunit.asserts.assertEquals;

@@ -1,4 +1,4 @@
-package starlogo.models.text
+package starlogo.models.files
 {
     import flash.utils.ByteArray;
     import org.flexunit.asserts.assertEquals;

@@ -1,19 +1,20 @@
 /** Compare: shows which collisions each system finds, for two agents, and for a game of many. */
 import { Agent, CollisionBlocks } from "starlogo-collision";
+import { grid } from "../shared/backdrop.js";
 import { AGENTS, TOUCHING, VERDICTS } from "../shared/colours.js";
 import { copyLink, listing } from "../shared/copying.js";
 import { button, choice, field, fileButton, h, modes, short } from "../shared/dom.js";
 import { MODEL_FILE } from "../shared/files.js";
-import { Lab } from "../shared/lab.js";
+import { Lab, orbitByKeys } from "../shared/lab.js";
 import { loadLand } from "../shared/models.js";
 import { SHAPES } from "../shared/names.js";
 import { offerFile, ownModels } from "../shared/ownmodels.js";
 import { Sight } from "../shared/sight.js";
-import { orbitByKeys } from "../shared/stage.js";
+import { ScatteredGame } from "../shared/scattered.js";
 import { TraitSliders, dragAgents } from "../shared/traits.js";
 import { texts } from "../shared/language.js";
 import { codeOf } from "./code.js";
-import { ScatteredGame, compare, timesOf } from "./game.js";
+import { compare, timesOf } from "./results.js";
 import { gameTo, pairTo, sceneFrom } from "./link.js";
 import { HULLS, SYSTEMS, finderOf, useFor } from "./systems.js";
 
@@ -83,8 +84,8 @@ class CompareView {
 					})),
 					this.colourNote, this.legend),
 				h("div.screen", {}, this.gameHost)));
-		this.stage = new Lab(this.pairHost, { label: words.world, eye: [1.6, 2.35, 1.2], target: [0, 0, 0.35], ground: 6 });
-		this.gameStage = new Lab(this.gameHost, { label: words.gameWorld, eye: [0, -49, 154], target: [0, 0, 0], ground: 100, cell: 5 });
+		this.stage = new Lab(this.pairHost, { label: words.world, eye: [1.6, 2.35, 1.2], target: [0, 0, 0.35], backdrop: grid(6) });
+		this.gameStage = new Lab(this.gameHost, { label: words.gameWorld, eye: [0, -49, 154], target: [0, 0, 0], backdrop: grid(100, 5) });
 		// from this distance, outlines would hide the lines
 		if (this.gameStage.renderer) this.gameStage.agents.materials.outline.visible = false;
 		orbitByKeys(this.stage, this.pairHost);

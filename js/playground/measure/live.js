@@ -1,7 +1,7 @@
 /** A game of up to 20,000 agents that runs: its world, the parts of its frames, and kdbush and Rapier beside the engine. */
 import KDBush from "kdbush";
 import { Collision, CollisionBlocks } from "starlogo-collision";
-import { CAST, HALF_WIDTH, ScatteredGame } from "../compare/game.js";
+import { CAST, HALF_WIDTH, ScatteredGame } from "../shared/scattered.js";
 import { VERDICTS } from "../shared/colours.js";
 import { button, choice, field, h, short, slider, tick } from "../shared/dom.js";
 import { Figures } from "../shared/figures.js";

@@ -1,7 +1,7 @@
 /**
  * Writes the statements that check arguments of the module's public members. They refuse the values that ActionScript's types refuse.
  * JavaScript has no types, so without checks a string could be stored in place of a number. The functions that they call are in
- * language.mjs.
+ * ../standins/module/checks.mjs.
  *
  * Numbers, strings, Booleans and functions are checked by small functions, which take little of a bundle and which V8 inlines. Where an
  * error names the object too, as for agents, they are checked in place. null is accepted if the documentation mentions it, and for
@@ -150,7 +150,7 @@ export class Checks {
 		}
 	}
 
-	// The function of language.mjs for a type, the same check in place, and the required kind. Agents get the check in place, because they are
+	// The function of the stand-ins for a type, the same check in place, and the required kind. Agents get the check in place, because they are
 	// checked and moved in loops.
 	#simpleCheck({ name, type: wanted, value }, member, type) {
 		const isNoNumber = `typeof ${name} !== "number"`;
@@ -236,7 +236,7 @@ function mayBeNull(parameter, member, type) {
 }
 
 /** Whether a number may be infinite, for example a distance without limit, or is checked by the engine. */
-export function takesInfinity(parameter, member, type) {
+function takesInfinity(parameter, member, type) {
 	const isInfinite = (each) => each.name === parameter.name && /Infinity/.test(each.value ?? "");
 	if (type.members.some((each) => each.parameters.some(isInfinite))) return true;
 	return /Infinity/.test(parameter.value ?? "") || /\bInfinity\b|\binfinite\b|@throws \w*Error/.test(member.doc);

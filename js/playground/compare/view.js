@@ -4,6 +4,7 @@ import { grid } from "../shared/backdrop.js";
 import { AGENTS, TOUCHING, VERDICTS } from "../shared/colours.js";
 import { copyLink, listing } from "../shared/copying.js";
 import { button, choice, field, fileButton, h, modes, short } from "../shared/dom.js";
+import { dragAgents } from "../shared/dragging.js";
 import { MODEL_FILE } from "../shared/files.js";
 import { Lab, orbitByKeys } from "../shared/lab.js";
 import { loadLand } from "../shared/models.js";
@@ -11,7 +12,7 @@ import { SHAPES } from "../shared/names.js";
 import { offerFile, ownModels } from "../shared/ownmodels.js";
 import { Sight } from "../shared/sight.js";
 import { ScatteredGame } from "../shared/scattered.js";
-import { TraitSliders, dragAgents } from "../shared/traits.js";
+import { TraitSliders, moveWithin } from "../shared/traits.js";
 import { texts } from "../shared/language.js";
 import { codeOf } from "./code.js";
 import { compare, timesOf } from "./results.js";
@@ -93,9 +94,12 @@ class CompareView {
 		this.system = this.sight.system;
 		this.systemNamed = finderOf(this.sight.blocks);
 		this.#buildVerdicts();
-		dragAgents(this.stage, (agent) => {
-			this.sliders[this.agents.indexOf(agent)].update();
-			this.#change();
+		dragAgents(this.stage, {
+			onMove: (agent, x, y) => {
+				moveWithin(agent, x, y);
+				this.sliders[this.agents.indexOf(agent)].update();
+				this.#change();
+			},
 		});
 		this.#update();
 		this.#restart();

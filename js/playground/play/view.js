@@ -1,17 +1,18 @@
 /** Play: a program of blocks beside its world. The view starts, stops and draws the game; layout.js has its elements. */
 import { CollisionBlocks } from "starlogo-collision";
 import { button } from "../shared/dom.js";
+import { dragAgents } from "../shared/dragging.js";
 import { loadLand } from "../shared/models.js";
 import { SHAPES } from "../shared/names.js";
 import { texts } from "../shared/language.js";
 import { Loop } from "../shared/loop.js";
 import { BuildBar } from "./buildbar.js";
 import { Keys } from "./keys.js";
-import { dragAgents } from "./dragging.js";
 import { Models } from "./kept.js";
 import { LandStage } from "./landstage.js";
 import { Layout } from "./layout.js";
 import { loadMessages } from "./messages.js";
+import { onGround } from "./moves.js";
 import { Panel } from "./panel.js";
 import { Scene } from "./scene.js";
 import { Sound } from "./sound.js";
@@ -84,9 +85,13 @@ class PlayView {
 		this.buildBar.listen(this.stage);
 		dragAgents(this.stage, {
 			// the camera would follow, and run away
-			mayDrag: (agent) => this.scene.camera === "all" || agent !== (this.scene.chosen ?? this.scene.main),
+			mayDrag: (agent) => agent.isAlive && (this.scene.camera === "all" || agent !== (this.scene.chosen ?? this.scene.main)),
 			isStill: () => !this.isRunning,
-			onDrag: (agent, isDone) => this.#drag(agent, isDone),
+			onMove: (agent, x, y) => {
+				agent.jumpTo(onGround(x), onGround(y), agent.z);
+				this.#drag(agent, false);
+			},
+			onDone: (agent) => this.#drag(agent, true),
 		});
 		this.stage.controls?.addEventListener("start", () => this.#forgetDragNote());
 		world.onSystem = (name) => {

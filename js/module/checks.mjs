@@ -93,17 +93,7 @@ export class Checks {
 		const getter = given.kind === "set" ? type.members.find((each) => each.kind === "get" && each.name === given.name) : null;
 		const member = { ...given, doc: `${docOf(type, given, this.#byName)}\n${getter?.doc ?? ""}` };
 		const isNullable = mayBeNull(parameter, member, type);
-		const isStatic = member.isStatic || member.kind === "function";
-		// a trace of a model, a Collision or a terrain says more than an error needs;
-		// in a constructor there is no this before super(), and nothing in it that toString() could read
-		const hasText = !/^flash\.|\.(Model|Collision|Terrain)$/.test(type.qname) && type.members.some((each) => each.name === "toString");
-		const isNamed = hasText && !isStatic && member.kind !== "constructor";
-		const path = member.kind === "constructor" ? `new ${type.name}` : member.kind === "function" ? type.name : `${type.name}.${member.name}`;
-		const what = member.kind === "set" ? member.name : name;
-		// the game knows a setting as that of the class that it made, which may extend this one
-		const isExtended = member.kind === "set" && !isStatic && [...this.#byName.values()].some((each) => each.bases.includes(type.name));
-		const said = isExtended ? `\`\${this.constructor.name}.${member.name}\`` : `"${member.kind === "set" ? path : `${path}: ${name}`}"`;
-		const where = isNamed ? `this, "${what}"` : `null, ${said}`;
+		const { where, said, isInPlace } = this.#placeOf(type, member, name);
 		const refuse = (kind) => `$refuse(${where}, ${name}, ${kind});`;
 		const unlessNull = isNullable && !/^(Number|u?int|Boolean)$/.test(parameter.type) ? `${name} != null && ` : "";
 		const vector = /^Vector\.<(.*)>$/.exec(parameter.type)?.[1];
@@ -118,7 +108,7 @@ export class Checks {
 		const simple = this.#simpleCheck(parameter, member, type);
 		if (simple) {
 			const [helper, test, kind] = simple;
-			if (isNamed || isExtended) return [`if (${unlessNull}${test}) ${refuse(JSON.stringify(kind))}`];
+			if (isInPlace) return [`if (${unlessNull}${test}) ${refuse(JSON.stringify(kind))}`];
 			return [`${unlessNull === "" ? "" : `if (${name} != null) `}${helper}(${said}, ${name});`];
 		}
 		switch (parameter.type) {
@@ -148,6 +138,24 @@ export class Checks {
 				return test ? [`if (${unlessNull}!${test}) ${refuse(JSON.stringify(article(parameter.type)))}`] : [];
 			}
 		}
+	}
+
+	/**
+	 * What an error says about where an argument was passed, as text of the module: where has the object's text too, if it has one. said is a
+	 * constant, unless the check has to be written in place.
+	 */
+	#placeOf(type, member, name) {
+		const isStatic = member.isStatic || member.kind === "function";
+		// a trace of a model, a Collision or a terrain says more than an error needs;
+		// in a constructor there is no this before super(), and nothing in it that toString() could read
+		const hasText = !/^flash\.|\.(Model|Collision|Terrain)$/.test(type.qname) && type.members.some((each) => each.name === "toString");
+		const isNamed = hasText && !isStatic && member.kind !== "constructor";
+		const path = member.kind === "constructor" ? `new ${type.name}` : member.kind === "function" ? type.name : `${type.name}.${member.name}`;
+		const what = member.kind === "set" ? member.name : name;
+		// the game knows a setting as that of the class that it made, which may extend this one
+		const isExtended = member.kind === "set" && !isStatic && [...this.#byName.values()].some((each) => each.bases.includes(type.name));
+		const said = isExtended ? `\`\${this.constructor.name}.${member.name}\`` : `"${member.kind === "set" ? path : `${path}: ${name}`}"`;
+		return { where: isNamed ? `this, "${what}"` : `null, ${said}`, said, isInPlace: isNamed || isExtended };
 	}
 
 	// The function of the stand-ins for a type, the same check in place, and the required kind. Agents get the check in place, because they are

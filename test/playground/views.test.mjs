@@ -305,6 +305,14 @@ test('Inspect: rays, nearest agents, distances and contacts by the pointer', asy
 	assert.match(await answer('ray'), /\(kept\)$/, 'the keyboard asks');
 	await page.getByLabel('Structures', { exact: true }).check();
 	assert.deepEqual(await page.evaluate(() => globalThis.playground.stage.actors.children.filter(({ visible }) => visible).map(({ count }) => count)), [1, 1], 'the cube and its outline');
+	const eyeNow = () => page.evaluate(() => globalThis.playground.stage.camera.position.toArray());
+	const before = await eyeNow();
+	const [across, up] = await pixel(0, 0, 0.5);
+	await page.mouse.move(across, up);
+	await page.mouse.down();
+	await page.mouse.move(across + 80, up, { steps: 4 });
+	await page.mouse.up();
+	assert.notDeepEqual(await eyeNow(), before, 'with no question open, the pointer turns the picture and moves no model');
 	assert.deepEqual(said.splice(0), []);
 });
 

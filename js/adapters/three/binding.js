@@ -264,7 +264,13 @@ function differ(array, first, last) {
 function decompose({ matrix, position, quaternion, scale }) {
 	matrix.decompose(position, quaternion, scale);
 	composed.compose(position, quaternion, scale);
-	return isEven(scale) && matrix.elements.every((element, i) => Math.abs(element - composed.elements[i]) <= TOLERANCE * scale.x || (i > 11 && i < 15));
+	return isEven(scale) && areAlike(matrix.elements, composed.elements, TOLERANCE * scale.x);
+}
+
+/** Whether the elements of two matrices differ by at most so much, those for the position aside. False for NaN. */
+function areAlike(elements, others, tolerance) {
+	for (let i = 0; i < 12; i++) if (!(Math.abs(elements[i] - others[i]) <= tolerance)) return false;
+	return Math.abs(elements[15] - others[15]) <= tolerance;
 }
 
 /** Whether a scale is positive, finite and the same in x, y and z. False for NaN. */

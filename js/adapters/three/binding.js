@@ -94,7 +94,8 @@ export class ThreeAgentBinding {
 	updateAgent() {
 		const place = this.#place;
 		if (!place.read() && !this.#drawn.differsFrom(this.#last)) return;
-		const { position, quaternion, scale } = this.#readDrawn(drawn);
+		this.#readDrawn(drawn);
+		const { position, quaternion, scale } = drawn;
 		const size = scale.x / this.#scale;
 		if (this.#turn) quaternion.multiply(turned.copy(this.#turn).conjugate());
 		position.sub(offset.copy(this.#origin).multiplyScalar(size).applyQuaternion(quaternion));
@@ -110,10 +111,10 @@ export class ThreeAgentBinding {
 		poseModel(this.#model, this.object);
 	}
 
-	/** Reads the object's place into the one that is passed, and returns it. Throws if the scale is not positive and the same in x, y and z. */
+	/** Reads the object's place into the one that is passed. Throws if the scale is not positive and the same in x, y and z. */
 	#readDrawn(into) {
 		const isSimilar = this.#drawn.read(into);
-		const { matrix, quaternion, scale } = into;
+		const { quaternion, scale } = into;
 		const { x, y, z } = scale;
 		// two mirrors are a turn
 		if (x * y * z > 0 && !(x > 0 && y > 0)) {
@@ -121,13 +122,12 @@ export class ThreeAgentBinding {
 			scale.set(Math.abs(x), Math.abs(y), Math.abs(z));
 		}
 		if (!isSimilar || !isEven(scale)) {
-			const said = isSimilar ? `scale ${x}, ${y}, ${z}` : `matrix ${matrix.elements.join(", ")}`;
+			const said = isSimilar ? `scale ${x}, ${y}, ${z}` : `matrix ${into.matrix.elements.join(", ")}`;
 			throw new ArgumentError(`${this.agent} can't be as its object is: it must be turned, moved and evenly scaled, and nothing else, not ${said}`);
 		}
 		const length = quaternion.length();
 		if (!(Math.abs(length - 1) <= TOLERANCE)) throw new ArgumentError(`${this.agent} can't be as its object is: the quaternion must be of length 1, not ${length}`);
 		if (length !== 1) quaternion.normalize();
-		return into;
 	}
 
 	#check({ x, y, z }, size) {

@@ -3,7 +3,7 @@ import { createHash } from 'node:crypto';
 import { readFileSync } from 'node:fs';
 import { inRoot, readJson } from './project.mjs';
 
-const NPM_FOLDERS = ['', 'js/module/', 'js/playground/'];
+const NPM_FOLDERS = ['', 'js/module/', 'js/playground/', 'js/adapters/three/'];
 const IVY_FILES = ['build/ivy.xml', 'js/module/ivy.xml'];
 
 /** The packages that are in the zip, as a whole or in part: where, and as what. */
@@ -48,16 +48,18 @@ export function partsInside() {
 
 /** What the release was made and tested with, and is not in it. */
 export function tools() {
-	const all = [...NPM_FOLDERS.flatMap(npmTools), ...IVY_FILES.flatMap(ivyTools)].filter(({ name }) => !INSIDE[name]);
-	return [...new Map(all.map((part) => [part.purl, part])).values()];
+	const all = new Map([...NPM_FOLDERS.flatMap(npmTools), ...IVY_FILES.flatMap(ivyTools)].map((part) => [part.purl, part]));
+	for (const { purl } of partsInside()) all.delete(purl);
+	return [...all.values()];
 }
 
 function npmTools(folder) {
 	return Object.keys(readJson(`${folder}package.json`).devDependencies).map((name) => npmPart(folder, name));
 }
 
-function npmPart(folder, name) {
-	const { version, license, integrity } = readJson(`${folder}package-lock.json`).packages[`node_modules/${name}`];
+/** A package in a folder. An alias stands for a package of another name. */
+function npmPart(folder, alias) {
+	const { name = alias, version, license, integrity } = readJson(`${folder}package-lock.json`).packages[`node_modules/${alias}`];
 	const [algorithm, checksum] = integrity.split(/-(.*)/);
 	return {
 		name,

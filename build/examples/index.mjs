@@ -31,7 +31,7 @@ const FRAMES_OF = {
 
 async function takePictures(examples) {
 	const site = await serveExamples();
-	const browser = await launch(['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-dev-shm-usage']);
+	const browser = await launch();
 	try {
 		for (const example of examples) {
 			const page = await browser.newPage({ viewport: { width: WIDTH + 34, height: 700 }, colorScheme: 'light' });

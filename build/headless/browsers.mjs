@@ -11,7 +11,7 @@ import { chromium, firefox } from 'playwright-core';
 const XVFB = '/usr/bin/Xvfb';
 
 /** Where there is no display, one that ends with this process. */
-export async function display() {
+export async function ensureDisplay() {
 	if (process.env.DISPLAY || !existsSync(XVFB)) return;
 	const server = spawn(XVFB, ['-displayfd', '1', '-noreset', '-nolisten', 'tcp'], { stdio: ['ignore', 'pipe', 'ignore'] });
 	process.on('exit', () => server.kill());
@@ -22,7 +22,7 @@ export async function display() {
 }
 
 async function launchFirefox({ executablePath, timeout }) {
-	await display();
+	await ensureDisplay();
 	return firefox.launch({ executablePath, timeout, channel: 'moz-firefox', firefoxUserPrefs: { 'webgl.force-enabled': true } });
 }
 
@@ -87,8 +87,8 @@ const ARGUMENTS = [
 /** How long anything may take, in milliseconds. It ends what hangs. A machine that has other things to do is slow, and not broken. */
 export const PATIENCE = 300000;
 
-/** Starts one. Its pages wait as long as PATIENCE says. */
-async function start(args) {
+/** Gives a browser of one's own, with further arguments, which are Chromium's. Its pages wait as long as PATIENCE says. */
+export async function launchOwn(args = []) {
 	const started = await browser.launch({ executablePath: browser.path, args: [...ARGUMENTS, ...args], timeout: PATIENCE });
 	// its pages are pages of contexts
 	const newContext = started.newContext.bind(started);
@@ -103,10 +103,10 @@ async function start(args) {
 /** The browser that the test files of this process share, and how many of them use it. */
 let [shared, users] = [null, 0];
 
-/** A share of one browser: contexts of one's own, which end when it is closed. The last share that is closed ends the browser. */
-async function share() {
+/** Gives a share of this process's browser: contexts of one's own, which end when it is closed. The last share that is closed ends the browser. */
+export async function launch() {
 	users++;
-	shared ??= start([]);
+	shared ??= launchOwn();
 	const sharedBrowser = await shared;
 	const contexts = [];
 	const newContext = async (options) => {
@@ -125,9 +125,6 @@ async function share() {
 		},
 	};
 }
-
-/** Gives a share of this process's browser; with further arguments, which are Chromium's, a browser of one's own. */
-export const launch = (args = []) => (args.length > 0 ? start(args) : share());
 
 /**
  * Whether a line of the console says that a picture was waited for. The browser waits for it: it puts the page together on the processor.

@@ -6,7 +6,7 @@ import { spawn } from 'node:child_process';
 import { existsSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { setTimeout as wait } from 'node:timers/promises';
-import { PATIENCE, display } from './browsers.mjs';
+import { PATIENCE, ensureDisplay } from './browsers.mjs';
 
 const DRIVER = '/usr/bin/WebKitWebDriver';
 const LIBRARIES = '/usr/lib';
@@ -29,7 +29,7 @@ function miniBrowser() {
 
 /** A page in WebKit. @param {number} port a free one on loopback, for the driver */
 export async function openWebKit(port) {
-	await display();
+	await ensureDisplay();
 	const driver = spawn(DRIVER, [`--port=${port}`], { stdio: 'ignore' });
 	process.on('exit', () => driver.kill());
 	const base = `http://127.0.0.1:${port}/session`;

@@ -8,7 +8,7 @@ import { Program } from "./translate.mjs";
 
 const here = fileURLToPath(new URL(".", import.meta.url));
 const standins = join(here, "../standins/module");
-const FILES = ["language.mjs", "ByteArray.mjs", "machine.mjs", "contacts.mjs"];
+const FILES = ["language.mjs", "checks.mjs", "literals.mjs", "shown.mjs", "ByteArray.mjs", "machine.mjs", "contacts.mjs"];
 const WARNINGS = ["warn", "spelling", "properties", "arguments", "angles", "frames", "shots", "handlers", "questions", "walks"].map((name) => `warnings/${name}.mjs`);
 
 /**
@@ -16,14 +16,14 @@ const WARNINGS = ["warn", "spelling", "properties", "arguments", "angles", "fram
  *
  * @param roots the names of the classes to take, with all that they use; the folder may have others. If there are none, all
  */
-export function translate(folder, signatures, { externals = {}, hasAllStatics = false, roots = null } = {}) {
-	const all = namesIn(folder).sort().map((file) => ({ file, source: readFileSync(join(folder, file), "utf8") }));
+export function translate(folder, signatures, { externals = {}, isForTests = false, roots = null } = {}) {
+	const all = compiledFilesIn(folder).sort().map((file) => ({ file, source: readFileSync(join(folder, file), "utf8") }));
 	const files = roots === null ? all : reachable(all, roots);
-	return new Program(files, { ...EXTERNALS, ...externals }, signatures, hasAllStatics);
+	return new Program(files, { ...EXTERNALS, ...externals }, signatures, isForTests);
 }
 
 /** The files of classes in a compiler's output. */
-export function namesIn(folder) {
+export function compiledFilesIn(folder) {
 	return readdirSync(folder, { recursive: true }).filter((file) => file.endsWith(".js") && !/^(library|org|ModuleRoots)\b|\bChangedIn_\w*\.js$/.test(file));
 }
 

@@ -98,7 +98,7 @@ export class Bodies {
 	}
 
 	#isSwitchedOff(statement) {
-		return !this.#program.hasAllStatics && statement.type === "IfStatement" && SWITCHES.has(pathOf(statement.test));
+		return !this.#program.isForTests && statement.type === "IfStatement" && SWITCHES.has(pathOf(statement.test));
 	}
 
 	/** The text of an expression or a statement. */
@@ -251,11 +251,8 @@ export class Bodies {
 		const inner = parseExpressionAt(value, target.length + operator.length, { ecmaVersion: 2022, preserveParens: true });
 		const isAsWritten = node.right.type === "LogicalExpression" && node.right.operator === operator.trim() && source.slice(node.right.left.start, node.right.left.end) === target;
 		if (isAsWritten) return null;
-		const unit = this.#scopes.unit;
-		this.#scopes.unit = Object.create(unit, { source: { value } });
-		const text = this.text(inner);
-		this.#scopes.unit = unit;
-		return { operator: operator.trim(), text };
+		const withThisValue = Object.create(this.#scopes.unit, { source: { value } });
+		return { operator: operator.trim(), text: this.#scopes.within(withThisValue, () => this.text(inner)) };
 	}
 
 	#earlyFieldText(node) {
@@ -310,7 +307,7 @@ export class Bodies {
 				const isCast = helper === "as" && args[2]?.value === true;
 				if (isClass && helper === "is") return `(${first} instanceof ${type})`;
 				// a cast to an engine class that the compiler has already checked
-				if (isClass && isCast && !this.#program.hasAllStatics) return first;
+				if (isClass && isCast && !this.#program.isForTests) return first;
 				const otherwise = isCast ? `$cast(${first}, ${type})` : "null";
 				if (isClass && /^[\w$.]+$/.test(first)) return `(${first} instanceof ${type} ? ${first} : ${otherwise})`;
 				return `$${isCast ? "cast" : helper}(${first}, ${type})`;

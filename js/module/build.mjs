@@ -6,20 +6,18 @@
  *
  * TRANSPILED is the output of Apache's compiler. It may have more than the engine: only what the public classes use is taken.
  */
-import { copyFileSync, cpSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { copyFileSync, cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { basename, join, resolve } from "node:path";
 import { buildSync, transformSync } from "esbuild";
-import { ByteArray } from "../standins/module/ByteArray.mjs";
-import { ADDED } from "./added.mjs";
 import { standinsForUsers, standinsText, translate } from "./assemble.mjs";
 import { writeDeclarations } from "./declarations.mjs";
 import { writePages } from "./guide.mjs";
+import { manglingOf, minified } from "./minified.mjs";
 import { ROOT, moduleRoots, publicSignatures } from "./names.mjs";
 
 const [transpiled, out] = process.argv.slice(2);
 const NAME = "starlogo-collision";
 const SHORT = join(ROOT, "bin/generated/module");
-const DIGITS = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
 
 const types = publicSignatures();
 const program = translate(transpiled, types, { roots: moduleRoots(types) });
@@ -34,18 +32,18 @@ const text = moduleText(standinsText(), classes);
 rmSync(out, { recursive: true, force: true });
 mkdirSync(out, { recursive: true });
 const readable = `${NAME}.js`;
-const minified = `${NAME}.min.js`;
+const short = `${NAME}.min.js`;
 writeFileSync(join(out, readable), text);
 // the lines have the same numbers, for the map
 const users = moduleText(standinsForUsers(), withoutWarnings(classes));
-const hidden = shortNames(users, hiddenNames());
-const { code: small, map } = minify(users, hidden);
+const mangling = manglingOf(program, users);
+const { code: small, map } = minified(users, mangling, `../${readable}`);
 mkdirSync(join(out, "maps"));
-writeFileSync(join(out, "maps", `${minified}.map`), map);
-writeFileSync(join(out, minified), `${small}//# sourceMappingURL=maps/${minified}.map\n`);
+writeFileSync(join(out, "maps", `${short}.map`), map);
+writeFileSync(join(out, short), `${small}//# sourceMappingURL=maps/${short}.map\n`);
 // for the page, which divides it
 mkdirSync(SHORT, { recursive: true });
-writeFileSync(join(SHORT, "short.js"), transformSync(users, { ...hidden, format: "esm", target: "es2022" }).code);
+writeFileSync(join(SHORT, "short.js"), transformSync(users, { ...mangling, format: "esm", target: "es2022" }).code);
 writeFileSync(join(out, "index.d.ts"), writeDeclarations(types));
 copyFileSync(join(ROOT, "LICENSE"), join(out, "LICENSE"));
 copyFileSync(join(ROOT, "js/module/cook.mjs"), join(out, "cook.mjs"));
@@ -59,7 +57,7 @@ cpSync(join(ROOT, "js/adapters/nova"), join(out, "nova"), { recursive: true, fil
 buildSync({
 	entryPoints: [join(out, "nova/index.js")],
 	outfile: join(out, "nova.js"),
-	alias: { [NAME]: resolve(out, minified) },
+	alias: { [NAME]: resolve(out, short) },
 	bundle: true,
 	minify: true,
 	format: "iife",
@@ -103,69 +101,12 @@ export {
 `);
 }
 
-/** The members that may get short names: those that only the engine's classes read, by names that stand nowhere else. */
-function hiddenNames() {
-	const platform = [Array, Error, Function, Map, Math, Number, Object, RegExp, Set, String, Uint8Array].flatMap((type) => [type, type.prototype ?? type]);
-	const bytes = Object.getOwnPropertyNames(ByteArray.prototype);
-	const declared = readFileSync(join(ROOT, "js/module/byhand.d.ts"), "utf8").match(/\w+/g);
-	const outside = memberNamesIn([...["three", "nova"].flatMap(adapterTexts), readFileSync(join(ROOT, "js/module/cook.mjs"), "utf8")]);
-	// the stand-ins are renamed too; these names of theirs are members of the engine's classes alone
-	const isOwn = (name) => /^[_$]/.test(name) || bytes.includes(name);
-	const standIns = memberNamesIn([standinsForUsers(), ...Object.values(ADDED).map((added) => added.text)]).filter((name) => !isOwn(name));
-	const quoted = [...users.matchAll(/"([\w$]+)"/g)].map((match) => match[1]);
-	const kept = new Set([...outside, ...standIns, ...quoted, ...declared, ...platform.flatMap((each) => Object.getOwnPropertyNames(each))]);
-	return [...program.hiddenNames, ...bytes].filter((name) => !kept.has(name)).sort();
-}
-
-function memberNamesIn(texts) {
-	return [...texts.join("\n").replaceAll(/\/\*[\s\S]*?\*\/|\/\/.*/g, "").matchAll(/[.{,]\s*([\w$]+)/g)].map((match) => match[1]);
-}
-
-function adapterTexts(folder) {
-	const path = join(ROOT, "js/adapters", folder);
-	return readdirSync(path).filter((file) => file.endsWith(".js")).map((file) => readFileSync(join(path, file), "utf8"));
-}
-
-/**
- * The text for bundlers and for pages, with short names for hidden members. esbuild leaves out marks of calls without effects together with
- * white space, so they are names meanwhile. It would also drop them with the rest of the syntax, which bundlers make shorter anyway.
- * keepNames would define the name of each class and so make a dictionary of it: see #classText in translate.mjs.
- */
-function minify(code, hidden) {
-	// as long as the mark, so that the columns of the map are right
-	const name = "__PURE_MARK__";
-	const source = `../${readable}`;
-	const options = { minifyWhitespace: true, minifyIdentifiers: true, ...hidden, format: "esm", target: "es2022", sourcemap: "external", sourcesContent: false, sourcefile: source };
-	const { code: written, map } = transformSync(code.replaceAll("/* @__PURE__ */", `${name}&&`), options);
-	return { code: written.replaceAll(`${name}&&`, "/* @__PURE__ */"), map };
-}
-
-/** The settings of esbuild that give members short names. */
-function shortNames(code, hidden) {
-	// $stateOf shows no names with a _, and a game's own class that extends one of these hardly has one with _$
-	const mangleCache = Object.fromEntries(byUse(code, hidden.filter((name) => program.isOfPublicClass(name))).map((name, i) => [name, `_$${shortName(i)}`]));
-	return { mangleCache, mangleProps: new RegExp(`^(?:${hidden.map((name) => name.replaceAll("$", "\\$")).join("|")})$`) };
-}
-
-/** Names in the order of how often a text has them, the most frequent first. */
-function byUse(code, names) {
-	const uses = new Map(names.map((name) => [name, 0]));
-	for (const [word] of code.matchAll(/[\w$]+/g)) if (uses.has(word)) uses.set(word, uses.get(word) + 1);
-	return [...names].sort((a, b) => uses.get(b) - uses.get(a));
-}
-
-/** A number, written in letters and digits. */
-function shortName(number) {
-	const rest = Math.floor(number / DIGITS.length);
-	return (rest > 0 ? shortName(rest) : "") + DIGITS[number % DIGITS.length];
-}
-
 function fail(qname) {
 	throw new Error(`${qname} is public, but was not compiled`);
 }
 
 function manifest() {
-	const engine = { types: "./index.d.ts", node: `./${readable}`, development: `./${readable}`, default: `./${minified}` };
+	const engine = { types: "./index.d.ts", node: `./${readable}`, development: `./${readable}`, default: `./${short}` };
 	return {
 		name: NAME,
 		version,

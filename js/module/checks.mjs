@@ -1,7 +1,7 @@
 /**
  * Writes the statements that check arguments of the module's public members. They refuse the values that ActionScript's types refuse.
  * JavaScript has no types, so without checks a string could be stored in place of a number. The functions that they call are in
- * language.mjs.
+ * ../standins/module/checks.mjs.
  *
  * Numbers, strings, Booleans and functions are checked by small functions, which take little of a bundle and which V8 inlines. Where an
  * error names the object too, as for agents, they are checked in place. null is accepted if the documentation mentions it, and for
@@ -93,17 +93,7 @@ export class Checks {
 		const getter = given.kind === "set" ? type.members.find((each) => each.kind === "get" && each.name === given.name) : null;
 		const member = { ...given, doc: `${docOf(type, given, this.#byName)}\n${getter?.doc ?? ""}` };
 		const isNullable = mayBeNull(parameter, member, type);
-		const isStatic = member.isStatic || member.kind === "function";
-		// a trace of a model, a Collision or a terrain says more than an error needs;
-		// in a constructor there is no this before super(), and nothing in it that toString() could read
-		const hasText = !/^flash\.|\.(Model|Collision|Terrain)$/.test(type.qname) && type.members.some((each) => each.name === "toString");
-		const isNamed = hasText && !isStatic && member.kind !== "constructor";
-		const path = member.kind === "constructor" ? `new ${type.name}` : member.kind === "function" ? type.name : `${type.name}.${member.name}`;
-		const what = member.kind === "set" ? member.name : name;
-		// the game knows a setting as that of the class that it made, which may extend this one
-		const isExtended = member.kind === "set" && !isStatic && [...this.#byName.values()].some((each) => each.bases.includes(type.name));
-		const said = isExtended ? `\`\${this.constructor.name}.${member.name}\`` : `"${member.kind === "set" ? path : `${path}: ${name}`}"`;
-		const where = isNamed ? `this, "${what}"` : `null, ${said}`;
+		const { where, said, isInPlace } = this.#placeOf(type, member, name);
 		const refuse = (kind) => `$refuse(${where}, ${name}, ${kind});`;
 		const unlessNull = isNullable && !/^(Number|u?int|Boolean)$/.test(parameter.type) ? `${name} != null && ` : "";
 		const vector = /^Vector\.<(.*)>$/.exec(parameter.type)?.[1];
@@ -118,7 +108,7 @@ export class Checks {
 		const simple = this.#simpleCheck(parameter, member, type);
 		if (simple) {
 			const [helper, test, kind] = simple;
-			if (isNamed || isExtended) return [`if (${unlessNull}${test}) ${refuse(JSON.stringify(kind))}`];
+			if (isInPlace) return [`if (${unlessNull}${test}) ${refuse(JSON.stringify(kind))}`];
 			return [`${unlessNull === "" ? "" : `if (${name} != null) `}${helper}(${said}, ${name});`];
 		}
 		switch (parameter.type) {
@@ -150,7 +140,25 @@ export class Checks {
 		}
 	}
 
-	// The function of language.mjs for a type, the same check in place, and the required kind. Agents get the check in place, because they are
+	/**
+	 * What an error says about where an argument was passed, as text of the module: where has the object's text too, if it has one. said is a
+	 * constant, unless the check has to be written in place.
+	 */
+	#placeOf(type, member, name) {
+		const isStatic = member.isStatic || member.kind === "function";
+		// a trace of a model, a Collision or a terrain says more than an error needs;
+		// in a constructor there is no this before super(), and nothing in it that toString() could read
+		const hasText = !/^flash\.|\.(Model|Collision|Terrain)$/.test(type.qname) && type.members.some((each) => each.name === "toString");
+		const isNamed = hasText && !isStatic && member.kind !== "constructor";
+		const path = member.kind === "constructor" ? `new ${type.name}` : member.kind === "function" ? type.name : `${type.name}.${member.name}`;
+		const what = member.kind === "set" ? member.name : name;
+		// the game knows a setting as that of the class that it made, which may extend this one
+		const isExtended = member.kind === "set" && !isStatic && [...this.#byName.values()].some((each) => each.bases.includes(type.name));
+		const said = isExtended ? `\`\${this.constructor.name}.${member.name}\`` : `"${member.kind === "set" ? path : `${path}: ${name}`}"`;
+		return { where: isNamed ? `this, "${what}"` : `null, ${said}`, said, isInPlace: isNamed || isExtended };
+	}
+
+	// The function of the stand-ins for a type, the same check in place, and the required kind. Agents get the check in place, because they are
 	// checked and moved in loops.
 	#simpleCheck({ name, type: wanted, value }, member, type) {
 		const isNoNumber = `typeof ${name} !== "number"`;
@@ -236,7 +244,7 @@ function mayBeNull(parameter, member, type) {
 }
 
 /** Whether a number may be infinite, for example a distance without limit, or is checked by the engine. */
-export function takesInfinity(parameter, member, type) {
+function takesInfinity(parameter, member, type) {
 	const isInfinite = (each) => each.name === parameter.name && /Infinity/.test(each.value ?? "");
 	if (type.members.some((each) => each.parameters.some(isInfinite))) return true;
 	return /Infinity/.test(parameter.value ?? "") || /\bInfinity\b|\binfinite\b|@throws \w*Error/.test(member.doc);

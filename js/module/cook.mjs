@@ -1,7 +1,7 @@
 #!/usr/bin/env node
 import { createHash } from "node:crypto";
 import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from "node:fs";
-import { basename, dirname, extname, join, relative, resolve, sep } from "node:path";
+import { basename, dirname, extname, isAbsolute, join, relative, resolve, sep } from "node:path";
 import { parseArgs } from "node:util";
 import { $hintOfOption } from "./spelling.mjs";
 import { GreatLand, HullFitter, Model, ModelLoader, ModelTransform } from "./starlogo-collision.min.js";
@@ -157,8 +157,10 @@ function hashOf(pieces) {
 	return hash.digest("hex");
 }
 
+/** Whether a path is a folder itself, or in it. The way from one drive of Windows to another is an absolute path. */
 function isIn(whole, path) {
-	return !relative(whole, path).startsWith("..");
+	const way = relative(whole, path);
+	return way.split(sep)[0] !== ".." && !isAbsolute(way);
 }
 
 function copy(file) {

@@ -52,7 +52,7 @@ export const AWAY3D = "starlogo.away3d";
 export const LEFT_OUT = new Map([["starlogo.diagnostics.CollisionMonitor", "it draws on Flash's stage"]]);
 
 /** Classes of Flash that appear in the engine's public names. The module exports them too. */
-export const FROM_FLASH = [
+const FROM_FLASH = [
 	"flash.geom.Vector3D",
 	"flash.geom.Matrix3D",
 	"flash.events.Event",

@@ -6,13 +6,14 @@
  */
 import { readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
+import { fileURLToPath } from "node:url";
 import { unzlibSync, zlibSync } from "fflate";
 import { Application } from "typedoc";
 
 const [from, to] = process.argv.slice(2).map((folder) => resolve(folder));
 const { name, version } = JSON.parse(readFileSync(join(from, "package.json"), "utf8"));
 
-const here = import.meta.dirname ?? new URL(".", import.meta.url).pathname;
+const here = fileURLToPath(new URL(".", import.meta.url));
 const app = await Application.bootstrapWithPlugins({
 	name: `${name} ${version}`,
 	entryPoints: ["index.d.ts", "three/index.d.ts"].map((file) => join(from, file)),

@@ -3,8 +3,7 @@ import { LANGUAGE, bare, childrenOf, pathOf } from "./syntax.mjs";
 
 /** The functions that are open at a place of a definition, with the types of their parameters and variables. */
 export class Scopes {
-	/** The definition. */
-	unit = null;
+	#unit = null;
 	#units;
 	#externals;
 	#roots; // the first words of qualified names
@@ -18,6 +17,22 @@ export class Scopes {
 		this.#units = units;
 		this.#externals = externals;
 		this.#roots = new Set([...units.keys(), ...Object.keys(externals), LANGUAGE, "flash", "mx", "org", "goog"].map((qname) => qname.split(".")[0]));
+	}
+
+	/** The definition at whose text work looks. */
+	get unit() {
+		return this.#unit;
+	}
+
+	/** Does work in a definition, and returns its result. */
+	within(unit, work) {
+		const outer = this.#unit;
+		this.#unit = unit;
+		try {
+			return work();
+		} finally {
+			this.#unit = outer;
+		}
 	}
 
 	/** Opens a function. @param doc the comment before it */
@@ -56,9 +71,9 @@ export class Scopes {
 		const node = bare(given);
 		switch (node.type) {
 			case "ThisExpression":
-				return this.unit.qname;
+				return this.#unit.qname;
 			case "Identifier":
-				if (node.name === "self") return this.unit.qname;
+				if (node.name === "self") return this.#unit.qname;
 				for (let i = this.#locals.length - 1; i >= 0; i--) if (this.#locals[i].has(node.name)) return this.#locals[i].get(node.name);
 				return "*";
 			case "MemberExpression": {
@@ -86,7 +101,7 @@ export class Scopes {
 	elementOf(vector) {
 		const type = this.typeOf(vector);
 		const element = /^\??Array\.<(.*)>$/.exec(type)?.[1];
-		if (!element) throw new Error(`the type of a vector is not known: ${this.unit.source.slice(vector.start, vector.end)} is ${type}`);
+		if (!element) throw new Error(`the type of a vector is not known: ${this.#unit.source.slice(vector.start, vector.end)} is ${type}`);
 		return element;
 	}
 
@@ -104,8 +119,8 @@ export class Scopes {
 
 	// The compiler writes no types for a method that has its documentation from its base.
 	#typesDoc(node, doc) {
-		const name = this.unit.members.find((member) => member.node === node)?.name;
-		for (let base = this.#units.get(this.unit.base); name && base && !/@param \{/.test(doc); base = this.#units.get(base.base)) {
+		const name = this.#unit.members.find((member) => member.node === node)?.name;
+		for (let base = this.#units.get(this.#unit.base); name && base && !/@param \{/.test(doc); base = this.#units.get(base.base)) {
 			doc = base.members.find((member) => member.name === name)?.doc ?? doc;
 		}
 		return doc;
@@ -128,6 +143,6 @@ export class Scopes {
 	}
 
 	#typeBefore(node) {
-		return /\/\*\*? (?:@type )?\{?([^*{}]*?)=?\}? ?\*\/ *$/.exec(this.unit.source.slice(Math.max(0, node.start - 200), node.start))?.[1].trim() ?? "*";
+		return /\/\*\*? (?:@type )?\{?([^*{}]*?)=?\}? ?\*\/ *$/.exec(this.#unit.source.slice(Math.max(0, node.start - 200), node.start))?.[1].trim() ?? "*";
 	}
 }

@@ -12,10 +12,7 @@ import { childrenOf, pathOf } from "./syntax.mjs";
 export function staticsText(units, scopes, program, bodies) {
 	const lines = [];
 	const done = new Set();
-	const valueIn = (unit, node) => {
-		scopes.unit = unit;
-		return pure(node, bodies.text(node));
-	};
+	const valueIn = (unit, node) => scopes.within(unit, () => pure(node, bodies.text(node)));
 	const visit = (unit, seen) => {
 		if (!unit || done.has(unit) || seen.has(unit)) return;
 		seen.add(unit);

@@ -97,7 +97,7 @@ export function forEach(first, second) {
 }
 
 /** A comment without the parts that only describe types to the compiler. */
-export function docOf(comment) {
+export function plainComment(comment) {
 	const lines = comment.replace(/^\/\*+/, "").replace(/\*\/$/, "").split("\n")
 		.map((line) => line.replace(/^\s*\*? ?/, "").trimEnd())
 		.filter((line) => !/^@(inheritDoc|param|return|type|constructor|extends|implements|private|package|protected|nocollapse|const|export|interface|override|final|see starlogo\.engine)\b/.test(line))

@@ -16,7 +16,7 @@ import { MemberNames } from "./members.mjs";
 import { Scopes } from "./scopes.mjs";
 import { isShown } from "./signatures.mjs";
 import { isConstant, staticsText } from "./statics.mjs";
-import { LANGUAGE, docOf, indent, isAbstract, isBaseCall, isFieldAssignment, pathOf } from "./syntax.mjs";
+import { LANGUAGE, indent, isAbstract, isBaseCall, isFieldAssignment, pathOf, plainComment } from "./syntax.mjs";
 import { unitsOf } from "./unit.mjs";
 
 // Classes of plain data, which tools show as they are.
@@ -36,12 +36,12 @@ export class Program {
 	 * @param files the compiler's files: { file, source }
 	 * @param externals names from elsewhere: { "flash.utils.ByteArray": "ByteArray" }
 	 * @param signatures the public declarations, by qualified name. Their parameters are checked, and accept more forms than in ActionScript
-	 * @param hasAllStatics whether the statics of all classes are accessible from outside, not only those of public classes
+	 * @param isForTests whether it is for the engine's own tests, which are ActionScript: all statics are accessible, casts stay checked, methods return ByteArrays
 	 */
-	constructor(files, externals, signatures = new Map(), hasAllStatics = false) {
+	constructor(files, externals, signatures = new Map(), isForTests = false) {
 		this.externals = externals;
 		this.signatures = signatures;
-		this.hasAllStatics = hasAllStatics;
+		this.isForTests = isForTests;
 		this.#checks = new Checks(signatures, (qname) => this.#bodies.reference(qname));
 		for (const { file, source } of files) {
 			for (const unit of unitsOf(file, source)) {
@@ -129,21 +129,24 @@ export class Program {
 	}
 
 	#textOf(unit) {
-		this.#scopes.unit = unit;
 		try {
-			const doc = this.#docOf(unit, unit.doc);
-			if (unit.kind === "interface") return this.#interfaceText(unit);
-			if (unit.kind === "function") return `${doc}function ${this.shortName(unit.qname)}${this.#bodies.functionText(unit.main, unit.doc)}${this.#wrapperText(unit)}`;
-			const text = this.#classText(unit);
-			return `${this.#isShown(unit) ? `const ${this.shortName(unit.qname)} = /* @__PURE__ */ $shown(${text});` : doc + text}${this.#functionsText(unit)}`;
+			return this.#scopes.within(unit, () => this.#definitionText(unit));
 		} catch (error) {
 			throw new Error(`${unit.file}: ${error.message}`, { cause: error });
 		}
 	}
 
+	#definitionText(unit) {
+		const doc = this.#docOf(unit, unit.doc);
+		if (unit.kind === "interface") return this.#interfaceText(unit);
+		if (unit.kind === "function") return `${doc}function ${this.shortName(unit.qname)}${this.#bodies.functionText(unit.main, unit.doc)}${this.#wrapperText(unit)}`;
+		const text = this.#classText(unit);
+		return `${this.#isShown(unit) ? `const ${this.shortName(unit.qname)} = /* @__PURE__ */ $shown(${text});` : doc + text}${this.#functionsText(unit)}`;
+	}
+
 	// index.d.ts has the documentation of what is exported.
 	#docOf(unit, doc) {
-		return this.signatures.has(unit.qname) ? "" : docOf(doc);
+		return this.signatures.has(unit.qname) ? "" : plainComment(doc);
 	}
 
 	// The export for a package function that the engine calls in its loops.
@@ -197,7 +200,7 @@ export class Program {
 		if (this.signatures.has(unit.qname)) lines.push(`static get name() {\n\treturn ${JSON.stringify(unit.name)};\n}`);
 		lines.push(this.#constructorText(unit));
 		// $shown does this for public classes. Users never see the text of others.
-		if (!unit.base && !this.#isShown(unit) && (this.hasAllStatics || this.signatures.has(unit.qname))) lines.push(`get [Symbol.toStringTag]() {\n\treturn this.constructor.name;\n}`);
+		if (!unit.base && !this.#isShown(unit) && (this.isForTests || this.signatures.has(unit.qname))) lines.push(`get [Symbol.toStringTag]() {\n\treturn this.constructor.name;\n}`);
 		if (this.#checks.isMarked(unit.qname)) lines.push(`get $is${unit.name}() {\n\treturn $copy;\n}`);
 		for (const setting of this.#checks.settings(unit.qname)) {
 			const check = this.#checks.ofSetting(unit.qname, setting).map((line) => `${indent(line)}\n`).join("");
@@ -207,16 +210,15 @@ export class Program {
 			const prefix = (member.isStatic ? "static " : "") + (member.kind === "method" ? "" : `${member.kind} `);
 			const name = this.#members.nameOf(member.name);
 			// nothing calls these, and only the engine could extend the class
-			if (member.node !== null && !this.hasAllStatics && !this.signatures.has(unit.qname) && isAbstract(member.node, unit.source)) continue;
+			if (member.node !== null && !this.isForTests && !this.signatures.has(unit.qname) && isAbstract(member.node, unit.source)) continue;
 			if (this.#isLoose(unit, member)) {
-				if (this.hasAllStatics) lines.push(`static get ${name}() {\n\treturn ${this.staticName(unit, member.name)};\n}`);
+				if (this.isForTests) lines.push(`static get ${name}() {\n\treturn ${this.staticName(unit, member.name)};\n}`);
 			} else if (member.node === null) {
 				lines.push(member.kind === "get" ? `get ${name}() {\n\treturn super.${name};\n}` : `set ${name}(value) {\n\tsuper.${name} = value;\n}`);
 			} else {
 				const taken = this.#checks.of(unit.qname, member.name, member.kind);
-				// hasAllStatics is for tests, which are ActionScript and expect ByteArrays
 				const text = this.#bodies.functionText(member.node, member.doc, taken);
-				lines.push(`${this.#docOf(unit, member.doc)}${prefix}${name}${!this.hasAllStatics && PLAIN_BYTES.has(`${unit.qname}.${member.name}`) ? asPlainBytes(text) : text}`);
+				lines.push(`${this.#docOf(unit, member.doc)}${prefix}${name}${!this.isForTests && PLAIN_BYTES.has(`${unit.qname}.${member.name}`) ? asPlainBytes(text) : text}`);
 			}
 		}
 		if (ADDED[unit.qname]) lines.push(ADDED[unit.qname].text);
@@ -278,7 +280,7 @@ export class Program {
 	}
 
 	#isSeen(unit, name) {
-		return this.hasAllStatics || this.#isShownStatic(unit, name);
+		return this.isForTests || this.#isShownStatic(unit, name);
 	}
 
 	// Whether the types show it: to users, or to classes that extend this one.

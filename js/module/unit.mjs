@@ -73,14 +73,9 @@ class Unit {
 		if (name === "ROYALE_REFLECTION_INFO") this.#readTests(value);
 		if (name.startsWith("ROYALE_")) return;
 		const types = isStatic ? this.statics : this.types;
-		const accessor = /^(starlogo_engine__)?([gs]et)__(.*)$/.exec(name)?.slice(1);
-		if (accessor) {
-			accessor.splice(0, 3, name, accessor[1], (accessor[0] ?? "") + accessor[2]);
-			const lazy = isStatic ? lazyValue(value) : null;
-			if (lazy) this.staticValues.push({ name: accessor[2], value: lazy, doc: /writable: false/.test(this.source.slice(value.start, value.end)) ? "@const" : "" });
-			else if (!(isStatic && this.staticValues.some((known) => known.name === accessor[2]))) {
-				this.members.push({ name: accessor[2], node: value, doc, isStatic, kind: accessor[1] });
-			}
+		const [, engine = "", kind, plain] = /^(starlogo_engine__)?([gs]et)__(.*)$/.exec(name) ?? [];
+		if (kind) {
+			this.#readAccessor(engine + plain, kind, value, doc, isStatic);
 			return;
 		}
 		if (value?.type === "FunctionExpression") {
@@ -93,6 +88,12 @@ class Unit {
 		if (value && isStatic) this.staticValues.push({ name, value, doc });
 		else if (value) this.fields.push({ name, value, doc });
 		else if (this.kind === "interface") this.members.push({ name, node: null, doc, isStatic, kind: "get" });
+	}
+
+	#readAccessor(name, kind, value, doc, isStatic) {
+		const lazy = isStatic ? lazyValue(value) : null;
+		if (lazy) this.staticValues.push({ name, value: lazy, doc: /writable: false/.test(this.source.slice(value.start, value.end)) ? "@const" : "" });
+		else if (!(isStatic && this.staticValues.some((known) => known.name === name))) this.members.push({ name, node: value, doc, isStatic, kind });
 	}
 
 	// An accessor whose getter or setter is inherited.

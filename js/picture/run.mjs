@@ -33,7 +33,7 @@ window.pictures = frames();
 const server = await serve(PAGE, {
 	'/module': at('bin/module'), '/three': at('js/module/node_modules/three'), '/assets': at('assets'), '/picture': at('js/picture'),
 });
-const browser = await launch(['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader']);
+const browser = await launch();
 try {
 	const page = await browser.newPage();
 	page.on('pageerror', (error) => console.error(error));

@@ -36,8 +36,8 @@ const parts = engineInParts(path.join(engine, "../generated/module/short.js"), U
 function loadedWith(file) {
 	if (/(three[/\\](binding|terrain)|level[/\\]page)\.js$/.test(file)) return null;
 	if (/formats\.js$/.test(file)) return "files";
-	if (/(asking|questions)\.js$/.test(file)) return path.relative(here, file);
-	if (/inspect[/\\]measure\.js$/.test(file)) return "inspect";
+	if (/(lateengine|queries|questions)\.js$/.test(file)) return path.relative(here, file);
+	if (/inspect[/\\]fits\.js$/.test(file)) return "inspect";
 	if (/sight\.js$/.test(file)) return "compare";
 	return /(play|compare|measure|level)[/\\]\w+\.js$/.exec(file)?.[1] ?? "";
 }

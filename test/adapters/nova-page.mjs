@@ -1,5 +1,5 @@
 /** The StarLogo Nova client's pages in headless Chromium; all hosts but the loopback are blocked. */
-import { launch } from "../../build/headless/browsers.mjs";
+import { launchOwn } from "../../build/headless/browsers.mjs";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -12,7 +12,7 @@ export const script = fileURLToPath(new URL("../../bin/module/nova.js", import.m
 /** A browser and a server. */
 export async function begin() {
 	const server = await serve(null, { "": NOVA });
-	const browser = await launch(["--js-flags=--expose-gc"]);
+	const browser = await launchOwn(["--js-flags=--expose-gc"]);
 	return {
 		/**
 		 * Opens a project, with nova.js; it does not tick by itself. The captured pages draw in two dimensions; in three if that is asked for.

@@ -39,6 +39,15 @@ test('it lists what is bundled, as the bundles state it, and nothing else', () =
 	assert.doesNotMatch(read('bin/module/starlogo-collision.js'), /node_modules/);
 });
 
+test('it lists every package that the release was tested with, by its own name: releases of three.js too', () => {
+	const excluded = bom.components.filter(({ scope }) => scope === 'excluded').map(({ purl }) => purl);
+	const { devDependencies } = JSON.parse(read('js/adapters/three/package.json'));
+	for (const [name, wanted] of Object.entries(devDependencies)) {
+		const purl = `pkg:npm/${wanted.startsWith('npm:') ? wanted.slice(4) : `${name.replace('@', '%40')}@${wanted}`}`;
+		assert.ok(excluded.includes(purl), purl);
+	}
+});
+
 test('everything has a version, a checksum and, but for a model that states none, a licence', () => {
 	for (const { name, version, hashes, licenses, purl } of bom.components) {
 		assert.ok(version && hashes[0].content.length >= 40 && purl.startsWith('pkg:'), name);

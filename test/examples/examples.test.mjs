@@ -5,7 +5,7 @@ import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { folder, groups, isSwf, pages } from '../../build/examples/list.mjs';
 import { open, root, serveExamples } from '../../build/examples/site.mjs';
-import { isChromium, launch } from '../../build/headless/browsers.mjs';
+import { isChromium, launchOwn } from '../../build/headless/browsers.mjs';
 
 const examples = groups().flatMap((group) => group.examples);
 const LONGEST = 60;
@@ -47,7 +47,7 @@ const said = [];
 // one page for all: a new one for each takes three times as long
 before(async () => {
 	site = await serveExamples();
-	browser = await launch(['--disable-gpu']);
+	browser = await launchOwn(['--disable-gpu']);
 	page = await browser.newPage({ viewport: { width: 390, height: 844 } });
 	page.on('console', (message) => isOfPlayer(message) || /GPU stall/.test(message.text()) || said.push(message.text()));
 	page.on('pageerror', (error) => said.push(String(error)));

@@ -241,3 +241,16 @@ test("the cook leaves what is there, cooks what has changed, and says what is wr
 		assert.match(refused.stderr, problem);
 	}
 });
+
+test("the cook knows what is in a folder: on another drive of Windows nothing is, and a name may begin with two dots", () => {
+	const [text] = /^function isIn\([^]*?^\}/m.exec(readFileSync(path.join(root, "js/module/cook.mjs"), "utf8"));
+	const isInBy = ({ relative, isAbsolute, sep }) => new Function("relative", "isAbsolute", "sep", `return ${text}`)(relative, isAbsolute, sep);
+	const onWindows = isInBy(path.win32);
+	assert.equal(onWindows("D:\\out", "C:\\models\\a.obj"), false);
+	assert.equal(onWindows("C:\\models", "C:\\models\\out\\a.obj"), true);
+	assert.equal(onWindows("C:\\models\\out", "C:\\models\\a.obj"), false);
+	const onOthers = isInBy(path.posix);
+	assert.equal(onOthers("/models", "/models/..a/b.bin"), true);
+	assert.equal(onOthers("/models", "/models.bin"), false);
+	assert.equal(onOthers("/models", "/models"), true);
+});

@@ -123,9 +123,9 @@ test('colours mean the same in every view, a sign says it too, and they differ f
 	assert.deepEqual(Object.keys(found.play).sort(), ['hit', 'missed', 'none', 'wrong']);
 	assert.equal(new Set(Object.values(found.play).map(([, shape]) => shape)).size, 4, 'four signs');
 	const rows = await compare.evaluate(() => {
-		const { gameStage, judged, gameSystem } = globalThis.playground;
-		const { right, wrong, missed } = judged.systems[gameSystem];
-		return [[right, 'hit'], [wrong, 'wrong'], [missed, 'missed']].map(([pairs, kind]) => [pairs.length, gameStage.signs.count(kind)]);
+		const { stage, judged, system } = globalThis.playground.gameSection;
+		const { right, wrong, missed } = judged.systems[system];
+		return [[right, 'hit'], [wrong, 'wrong'], [missed, 'missed']].map(([pairs, kind]) => [pairs.length, stage.signs.count(kind)]);
 	});
 	for (const [pairs, signs] of rows) assert.equal(signs, pairs, 'a sign for each pair');
 	assert.ok(rows.every(([pairs]) => pairs > 0));

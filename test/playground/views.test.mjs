@@ -305,6 +305,14 @@ test('Inspect: rays, nearest agents, distances and contacts by the pointer', asy
 	assert.match(await answer('ray'), /\(kept\)$/, 'the keyboard asks');
 	await page.getByLabel('Structures', { exact: true }).check();
 	assert.deepEqual(await page.evaluate(() => globalThis.playground.stage.actors.children.filter(({ visible }) => visible).map(({ count }) => count)), [1, 1], 'the cube and its outline');
+	const eyeNow = () => page.evaluate(() => globalThis.playground.stage.camera.position.toArray());
+	const before = await eyeNow();
+	const [across, up] = await pixel(0, 0, 0.5);
+	await page.mouse.move(across, up);
+	await page.mouse.down();
+	await page.mouse.move(across + 80, up, { steps: 4 });
+	await page.mouse.up();
+	assert.notDeepEqual(await eyeNow(), before, 'with no question open, the pointer turns the picture and moves no model');
 	assert.deepEqual(said.splice(0), []);
 });
 
@@ -375,7 +383,7 @@ test('Compare: each pair of systems, with a line for each pair of agents', async
 			for (const row of document.querySelectorAll('tr[data-system]')) {
 				row.querySelector('input').click();
 				const [found, wrong, missed] = [...row.querySelectorAll('td')].map(({ textContent }) => Number.parseFloat(textContent));
-				const lines = globalThis.playground.gameStage.scene.children.filter(({ isLineSegments, renderOrder }) => isLineSegments && renderOrder === 1);
+				const lines = globalThis.playground.gameSection.stage.scene.children.filter(({ isLineSegments, renderOrder }) => isLineSegments && renderOrder === 1);
 				differences[`${row.dataset.system} ${reference}`] = { said: [found - wrong, wrong, missed], drawn: lines.map(({ geometry }) => geometry.drawRange.count / 2) };
 			}
 		}
@@ -704,8 +712,8 @@ test('Compare: the scene is in the address: it survives a reload, and a link bri
 	await page.reload();
 	await ready(page, 'compare');
 	const scene = () => page.evaluate(() => {
-		const { agents, sight, gameSystem, reference, isGame } = globalThis.playground;
-		return { shapes: agents.map(({ shape }) => shape), size: agents[1].size, system: sight.system, gameSystem, reference, isGame: Boolean(isGame) };
+		const { agents, sight, gameSection: { system: gameSystem, reference, isShown } } = globalThis.playground;
+		return { shapes: agents.map(({ shape }) => shape), size: agents[1].size, system: sight.system, gameSystem, reference, isGame: isShown };
 	});
 	assert.deepEqual(await scene(), { shapes: ['dragon', 'sphere'], size: 0.5, system: 'exact', gameSystem: 'unit spheres', reference: 'exact', isGame: false });
 	assert.ok(await page.locator('input[name=shown][value=exact]').isChecked());
@@ -715,7 +723,7 @@ test('Compare: the scene is in the address: it survives a reload, and a link bri
 	await page.getByRole('button', { name: 'A frame on' }).click();
 	await page.getByRole('button', { name: 'A frame on' }).click();
 	await page.waitForURL(/#compare\/game~unit-spheres~hierarchies~2$/);
-	const places = () => page.evaluate(() => globalThis.playground.game.agents.map(({ x, y }) => [x, y]));
+	const places = () => page.evaluate(() => globalThis.playground.gameSection.game.agents.map(({ x, y }) => [x, y]));
 	const before = await places();
 	await refuseCopies(page);
 	await page.getByRole('button', { name: 'Copy a link' }).click();

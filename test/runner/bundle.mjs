@@ -22,7 +22,7 @@ const externals = {
 	"standin.Network.fetch": "fetchFixture",
 };
 
-const program = translate(transpiled, publicSignatures(), { externals, hasAllStatics: true });
+const program = translate(transpiled, publicSignatures(), { externals, isForTests: true });
 const text = program.text();
 const classes = program.names.filter((qname) => program.testsOf(qname).length > 0)
 	.map((qname) => `{ name: "${qname}", type: ${program.shortName(qname)}, metadata: ${JSON.stringify(program.testsOf(qname))} }`);

@@ -12,7 +12,7 @@
  */
 import { copyFileSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
-import { namesIn } from "../../js/module/assemble.mjs";
+import { compiledFilesIn } from "../../js/module/assemble.mjs";
 import { compiledFile, compiledFolder } from "../../js/module/names.mjs";
 import { writeRoots } from "../../js/module/roots.mjs";
 import { gone, outdated, readSources } from "./outdated.mjs";
@@ -57,7 +57,7 @@ function properties() {
 function keep() {
 	const missing = JSON.parse(readFileSync(join(out, "classes.json"), "utf8")).filter((qname) => !existsSync(compiledFile(out, qname)));
 	if (missing.length > 0) throw new Error(`not compiled: ${missing.join(", ")}`);
-	for (const file of namesIn(compiledFolder(out))) {
+	for (const file of compiledFilesIn(compiledFolder(out))) {
 		const to = join(compiledFolder(transpiled), file);
 		mkdirSync(dirname(to), { recursive: true });
 		copyFileSync(join(compiledFolder(out), file), to);

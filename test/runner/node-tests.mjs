@@ -28,7 +28,7 @@ function count(output, name) {
 }
 
 /** What a file of tests that opens pages begins with. */
-const IMPORT_OF_BROWSER = /\bimport \{[^}]*\b(begin|launch)\b[^}]*\} from ['"][./\w-]*\/browsers?\.mjs['"]/;
+const IMPORT_OF_BROWSER = /\bimport \{[^}]*\b(begin|launch(?:Own)?)\b[^}]*\} from ['"][./\w-]*\/browsers?\.mjs['"]/;
 
 const opensPages = (file) => IMPORT_OF_BROWSER.test(readFileSync(file, 'utf8'));
 

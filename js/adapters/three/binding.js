@@ -7,10 +7,16 @@ import { poseModel, upOf } from "./model.js";
 /** The relative error that a scene's numbers may have, because many are of single precision. */
 const TOLERANCE = 1e-6;
 
-const position = new Vector3();
-const quaternion = new Quaternion();
-const scale = new Vector3();
-const matrix = new Matrix4();
+/** Where an object is in its land, and how large. The matrix is what it was read from, if it was. */
+class Place {
+	matrix = new Matrix4();
+	position = new Vector3();
+	quaternion = new Quaternion();
+	scale = new Vector3();
+}
+
+// the place that a call reads or writes; no call goes on with that of another one
+const drawn = new Place();
 
 /**
  * Keeps an agent and an object, or an instance of an InstancedMesh, in the same place: position, rotation and size. The object's parent is
@@ -54,8 +60,9 @@ export class ThreeAgentBinding {
 
 	#setModel(model, isLandYUp) {
 		if (!model.source?.matrix) throw new ArgumentError(`ThreeAgentBinding: model must be a Model or null, not ${textOf(model)}`);
+		const { matrix, position, quaternion, scale } = drawn;
 		matrix.fromArray(model.source.matrix.rawData);
-		if (!decompose(matrix)) throw new ArgumentError(`model "${model.name}" is mirrored or stretched in what it was made of: no object can be bound with it`);
+		if (!decompose(drawn)) throw new ArgumentError(`model "${model.name}" is mirrored or stretched in what it was made of: no object can be bound with it`);
 		const { x, y, z, w } = quaternion;
 		if (w !== 1) this.#turn = isLandYUp ? new Quaternion(x, z, -y, w) : quaternion.clone();
 		if (isLandYUp) this.#origin.set(position.x, position.z, -position.y);
@@ -75,6 +82,7 @@ export class ThreeAgentBinding {
 	updateObject() {
 		const place = this.#place;
 		if (!place.read() && !this.#drawn.differsFrom(this.#last)) return;
+		const { position, quaternion } = drawn;
 		position.copy(this.#origin).multiplyScalar(place.size).applyQuaternion(place.quaternion).add(place.position);
 		quaternion.copy(place.quaternion);
 		if (this.#turn) quaternion.multiply(this.#turn);
@@ -86,11 +94,12 @@ export class ThreeAgentBinding {
 	updateAgent() {
 		const place = this.#place;
 		if (!place.read() && !this.#drawn.differsFrom(this.#last)) return;
-		this.#readDrawn();
+		this.#readDrawn(drawn);
+		const { position, quaternion, scale } = drawn;
 		const size = scale.x / this.#scale;
 		if (this.#turn) quaternion.multiply(turned.copy(this.#turn).conjugate());
 		position.sub(offset.copy(this.#origin).multiplyScalar(size).applyQuaternion(quaternion));
-		this.#check(size);
+		this.#check(position, size);
 		place.write(position, quaternion, size);
 		this.#drawn.fill(this.#last);
 	}
@@ -102,9 +111,10 @@ export class ThreeAgentBinding {
 		poseModel(this.#model, this.object);
 	}
 
-	/** Reads the object's place. Throws if the scale is not positive and the same in x, y and z. */
-	#readDrawn() {
-		const isSimilar = this.#drawn.read();
+	/** Reads the object's place into the one that is passed. Throws if the scale is not positive and the same in x, y and z. */
+	#readDrawn(into) {
+		const isSimilar = this.#drawn.read(into);
+		const { quaternion, scale } = into;
 		const { x, y, z } = scale;
 		// two mirrors are a turn
 		if (x * y * z > 0 && !(x > 0 && y > 0)) {
@@ -112,7 +122,7 @@ export class ThreeAgentBinding {
 			scale.set(Math.abs(x), Math.abs(y), Math.abs(z));
 		}
 		if (!isSimilar || !isEven(scale)) {
-			const said = isSimilar ? `scale ${x}, ${y}, ${z}` : `matrix ${matrix.elements.join(", ")}`;
+			const said = isSimilar ? `scale ${x}, ${y}, ${z}` : `matrix ${into.matrix.elements.join(", ")}`;
 			throw new ArgumentError(`${this.agent} can't be as its object is: it must be turned, moved and evenly scaled, and nothing else, not ${said}`);
 		}
 		const length = quaternion.length();
@@ -120,8 +130,7 @@ export class ThreeAgentBinding {
 		if (length !== 1) quaternion.normalize();
 	}
 
-	#check(size) {
-		const { x, y, z } = position;
+	#check({ x, y, z }, size) {
 		if (!Number.isFinite(x + y + z)) throw new ArgumentError(`${this.agent} can't be where its object is: the position must be finite numbers, not (${x}, ${y}, ${z})`);
 		if (!(size >= Agent.SMALLEST_SIZE && size <= Agent.LARGEST_SIZE && Math.max(Math.abs(x), Math.abs(y), Math.abs(z)) <= Agent.LARGEST_COORDINATE)) {
 			throw new RangeError(`${this.agent} can't be of size ${size} at (${x}, ${y}, ${z}), as its object demands: see Agent's limits`);
@@ -151,6 +160,7 @@ function requireInstance(mesh, index) {
 
 const turned = new Quaternion();
 const offset = new Vector3();
+const factors = new Vector3();
 const composed = new Matrix4();
 
 /** The position, quaternion and scale of an object. If three.js does not use these for it, its matrix is read. */
@@ -188,13 +198,16 @@ class DrawnObject {
 		last[9] = factors.z;
 	}
 
-	/** Reads position, quaternion and scale. Returns whether they describe the matrix completely. */
-	read() {
+	/** Reads the object's place into the one that is passed. Returns whether this describes the matrix completely. */
+	read(into) {
 		const { object } = this;
-		if (!object.matrixAutoUpdate) return decompose(matrix.copy(object.matrix));
-		position.copy(object.position);
-		quaternion.copy(object.quaternion);
-		scale.copy(object.scale);
+		if (!object.matrixAutoUpdate) {
+			into.matrix.copy(object.matrix);
+			return decompose(into);
+		}
+		into.position.copy(object.position);
+		into.quaternion.copy(object.quaternion);
+		into.scale.copy(object.scale);
 		return true;
 	}
 
@@ -226,14 +239,14 @@ class DrawnInstance {
 		for (let i = 0; i < 16; i++) last[i] = array[first + i];
 	}
 
-	read() {
-		this.object.getMatrixAt(this.index, matrix);
-		return decompose(matrix);
+	read(into) {
+		this.object.getMatrixAt(this.index, into.matrix);
+		return decompose(into);
 	}
 
 	write(at, turn, factor) {
 		const { object: mesh } = this;
-		mesh.setMatrixAt(this.index, matrix.compose(at, turn, scale.set(factor, factor, factor)));
+		mesh.setMatrixAt(this.index, composed.compose(at, turn, factors.set(factor, factor, factor)));
 		mesh.instanceMatrix.needsUpdate = true;
 		// The bounding volumes would stay where the instances were, and three.js does not draw what they show off the screen.
 		mesh.boundingSphere = null;
@@ -247,11 +260,17 @@ function differ(array, first, last) {
 	return false;
 }
 
-/** Decomposes a matrix into position, quaternion and scale. Returns whether it only rotates, scales evenly and translates. */
-function decompose(from) {
-	from.decompose(position, quaternion, scale);
+/** Decomposes a place's matrix into its other parts. Returns whether the matrix only rotates, scales evenly and translates. */
+function decompose({ matrix, position, quaternion, scale }) {
+	matrix.decompose(position, quaternion, scale);
 	composed.compose(position, quaternion, scale);
-	return isEven(scale) && from.elements.every((element, i) => Math.abs(element - composed.elements[i]) <= TOLERANCE * scale.x || (i > 11 && i < 15));
+	return isEven(scale) && areAlike(matrix.elements, composed.elements, TOLERANCE * scale.x);
+}
+
+/** Whether the elements of two matrices differ by at most so much, those for the position aside. False for NaN. */
+function areAlike(elements, others, tolerance) {
+	for (let i = 0; i < 12; i++) if (!(Math.abs(elements[i] - others[i]) <= tolerance)) return false;
+	return Math.abs(elements[15] - others[15]) <= tolerance;
 }
 
 /** Whether a scale is positive, finite and the same in x, y and z. False for NaN. */

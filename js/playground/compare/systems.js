@@ -1,11 +1,16 @@
 /** The collision systems that Compare shows: those of the blocks, and the tightest fits with hulls in their place. */
 import { Collider, CollisionBlocks, ShapeChoice } from "starlogo-collision";
+import { texts } from "../shared/language.js";
 
 /** The name of the system of hulls. */
 export const HULLS = "hulls";
 
 /** All names, in the order in which they are shown. */
 export const SYSTEMS = CollisionBlocks.systemNames.flatMap((name) => (name === CollisionBlocks.TIGHTEST_FITS ? [name, HULLS] : [name]));
+
+/** What users read about each, by its name. */
+export const titles = { ...texts.systems, [HULLS]: texts.compare.hulls };
+export const notes = { ...texts.systemNotes, [HULLS]: texts.compare.hullsNote };
 
 /** Every agent is the hull of its model. */
 class Hulls extends ShapeChoice {

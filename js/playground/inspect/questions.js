@@ -2,10 +2,11 @@
 import { Agent, AgentQueries, CollisionBlocks, RayHit, Vector3D } from "starlogo-collision";
 import { AGENTS, LINES, VERDICTS } from "../shared/colours.js";
 import { choice, field, h, short, slider, tick } from "../shared/dom.js";
+import { dragAgents } from "../shared/dragging.js";
 import { loadModel } from "../shared/models.js";
 import { SHAPES } from "../shared/names.js";
 import { Sight, placeText } from "../shared/sight.js";
-import { TraitSliders, dragAgents } from "../shared/traits.js";
+import { TraitSliders, moveWithin } from "../shared/traits.js";
 import { texts } from "../shared/language.js";
 
 const words = texts.questions;
@@ -60,7 +61,14 @@ export class Questions {
 					this.#populate();
 				}).element,
 				field(words.who, this.who), this.traits));
-		dragAgents(stage, () => this.#update(), (agent) => this.isOpen && this.#take(agent));
+		dragAgents(stage, {
+			mayDrag: () => this.isOpen,
+			onTake: (agent) => this.#take(agent),
+			onMove: (agent, x, y) => {
+				moveWithin(agent, x, y);
+				this.#update();
+			},
+		});
 		if (stage.renderer) this.#listen(stage.canvas);
 	}
 

@@ -1,14 +1,14 @@
 /** Inspect: shows a model, the structures around it, and their costs. */
 import { Agent, Model } from "starlogo-collision";
+import { grid } from "../shared/backdrop.js";
 import { AGENTS, LINES, OWN_COLOURS } from "../shared/colours.js";
 import { button, choice, field, fileButton, h, modes, short, slider, tick } from "../shared/dom.js";
-import { Lab } from "../shared/lab.js";
+import { Lab, orbitByKeys } from "../shared/lab.js";
 import { loadModel } from "../shared/models.js";
 import { openModel, ownModels } from "../shared/ownmodels.js";
 import { MODELS } from "../shared/names.js";
-import { orbitByKeys } from "../shared/stage.js";
 import { texts } from "../shared/language.js";
-import { depthOf, measure, nodesAt } from "./measure.js";
+import { depthOf, measure, nodesAt } from "./fits.js";
 
 const words = texts.inspect;
 const FIRST = "bear";
@@ -52,7 +52,7 @@ class InspectView {
 				this.upHint,
 				h("div.saying", {}, this.status), h("div.screen", {}, this.worldHost)),
 			h("section.facts", { "aria-label": words.structures }, modes(words, "structures", (mode) => this.#turnTo(mode)), this.structures));
-		this.stage = new Lab(this.worldHost, { label: words.world, eye: [1.7, -2.3, 1.5], target: [0, 0, 0.5], ground: 4 });
+		this.stage = new Lab(this.worldHost, { label: words.world, eye: [1.7, -2.3, 1.5], target: [0, 0, 0.5], backdrop: grid(4) });
 		orbitByKeys(this.stage, this.worldHost);
 		this.facts = main.querySelector(".facts");
 	}
@@ -101,7 +101,7 @@ class InspectView {
 	}
 
 	async openFile(file, files = [file]) {
-		if (/\.json$/i.test(file.name) && await this.#isProgram(file)) return;
+		if (/\.json$/i.test(file.name) && await this.#refusedAsProgram(file)) return;
 		const name = `file ${file.name}`;
 		await this.#take(name, file.name, async () => {
 			const model = await openModel(file, files);
@@ -110,8 +110,8 @@ class InspectView {
 		}, words.kinds);
 	}
 
-	/** Says that a file is a program or a pupil's work, with the way to where it opens. Returns false if it is neither. */
-	async #isProgram(file) {
+	/** If a file is a program or a pupil's work, says so, with the way to where it opens. Returns whether it was one. */
+	async #refusedAsProgram(file) {
 		const { isProgram, isWork, packed } = await import("../shared/packing.js");
 		try {
 			const { models, ...program } = JSON.parse(await file.text());

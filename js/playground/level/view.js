@@ -4,6 +4,7 @@ import { levelFromObject } from "starlogo-collision/three";
 import { Game, wander } from "../../../examples/level/game.js";
 import { Shadows, chequer, personShape } from "../../../examples/level/looks.js";
 import source from "../../../examples/level/game.js" with { type: "text" };
+import { outdoors } from "../shared/backdrop.js";
 import { listing } from "../shared/copying.js";
 import { button, h, short } from "../shared/dom.js";
 import { Figures, median } from "../shared/figures.js";
@@ -74,7 +75,7 @@ class LevelView {
 				h("p.note", {}, words.what(triangles)), h("p.note", {}, words.timed),
 				code));
 		this.game = new Game(this.greatLand);
-		this.stage = new Stage(this.host, { label: words.picture, eye: [-5, 0, 3], fov: 50 });
+		this.stage = new Stage(this.host, { label: words.picture, eye: [-5, 0, 3], backdrop: outdoors, fov: 50, isTurnable: false });
 		if (this.stage.renderer) this.#furnish();
 		this.#listen();
 		this.begin();

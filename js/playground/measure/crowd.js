@@ -1,5 +1,6 @@
 /** The world of a running measurement: every agent as a box of its colour. One draw call draws 20,000 of them. */
 import { BoxGeometry, DynamicDrawUsage, InstancedBufferAttribute, InstancedMesh, MeshLambertMaterial } from "three";
+import { grid } from "../shared/backdrop.js";
 import { Stage } from "../shared/stage.js";
 
 /** The width of the drawn ground, whatever the width of the game's. */
@@ -13,7 +14,7 @@ export class Crowd {
 	 * @param {string} label
 	 */
 	constructor(host, label) {
-		this.stage = new Stage(host, { label, eye: [0, -49, 154], ground: GROUND, cell: 5 });
+		this.stage = new Stage(host, { label, eye: [0, -49, 154], backdrop: grid(GROUND, 5) });
 	}
 
 	/** Makes room for a number of agents. */

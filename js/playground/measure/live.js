@@ -1,7 +1,7 @@
 /** A game of up to 20,000 agents that runs: its world, the parts of its frames, and kdbush and Rapier beside the engine. */
 import KDBush from "kdbush";
 import { Collision, CollisionBlocks } from "starlogo-collision";
-import { CAST, HALF_WIDTH, ScatteredGame } from "../compare/game.js";
+import { CAST, HALF_WIDTH, ScatteredGame } from "../shared/scattered.js";
 import { VERDICTS } from "../shared/colours.js";
 import { button, choice, field, h, short, slider, tick } from "../shared/dom.js";
 import { Figures } from "../shared/figures.js";
@@ -42,7 +42,7 @@ export class Live {
 	#touched = new Uint32Array(0);
 	#first = 0;
 	#pairs = 0;
-	/** The pairs that the engine and the others have found, in the last frame in which all were asked. */
+	/** The pairs that the engine and the others have found, in the last frame in which all were asked. Who has not been asked yet has no entry. */
 	#found = {};
 	/** Rapier, once it is loaded, and its world. */
 	#library = null;
@@ -78,7 +78,7 @@ export class Live {
 					this.parts.draw();
 				}), tick(words.beside, false, (isOn) => {
 					this.#isBeside = isOn;
-					this.#found.near = NaN;
+					delete this.#found.near;
 					this.parts.clear();
 					if (!this.#loop.isRunning) this.#show();
 				}), loadRapier ? tick(words.besideRapier, false, (isOn) => this.#putRapier(isOn)) : null, this.said),
@@ -156,7 +156,7 @@ export class Live {
 
 	#furnishRapier() {
 		this.rapier?.close();
-		this.#found.inRapier = NaN;
+		delete this.#found.inRapier;
 		this.rapier = this.isRapierWanted && this.#library ? new this.#library.RapierWorld(this.greatLand, this.game.agents) : null;
 	}
 
@@ -218,7 +218,7 @@ export class Live {
 		this.busy.hidden = !isBusy;
 		this.parts.draw();
 		const { pairs, near, inRapier } = this.#found;
-		const counts = Object.entries({ pairs: pairs ?? this.#pairs, near, inRapier }).map(([name, value]) => [name, value >= 0 ? value.toLocaleString(texts.code) : "–"]);
+		const counts = Object.entries({ pairs: pairs ?? this.#pairs, near, inRapier }).map(([name, value]) => [name, value?.toLocaleString(texts.code) ?? "–"]);
 		const others = { ...!this.#isBeside && { kdbush: null, near: null }, ...!this.rapier && { rapier: null, inRapier: null } };
 		this.figures.show({ ...Object.fromEntries([...Object.entries(leasts).map(([name, ms]) => [name, short(ms)]), ...counts]), ...others });
 	}

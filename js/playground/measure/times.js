@@ -1,6 +1,6 @@
 /** Measures how long the frames of a game take, for each collision system and number of agents. Nothing here draws. */
 import { Collision, CollisionBlocks } from "starlogo-collision";
-import { HALF_WIDTH, ScatteredGame } from "../compare/game.js";
+import { HALF_WIDTH, ScatteredGame } from "../shared/scattered.js";
 import { isUneven } from "../shared/figures.js";
 
 /** The numbers of agents that are measured, in turn. */

@@ -2,7 +2,7 @@
  * Measure: shows how long a frame's collisions take on this machine, by system and number of agents, beside the times of another machine.
  */
 import { CollisionBlocks } from "starlogo-collision";
-import { CAST } from "../compare/game.js";
+import { CAST } from "../shared/scattered.js";
 import { button, choice, field, fileButton, h, modes, short } from "../shared/dom.js";
 import { hand } from "../shared/hand.js";
 import { texts } from "../shared/language.js";

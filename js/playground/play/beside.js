@@ -1,9 +1,9 @@
 /** Plays the same game a second time with another collision system, beside the first one. It has the same start and the same keys. */
 import { h } from "../shared/dom.js";
-import { Stage } from "../shared/stage.js";
 import { fixed, texts } from "../shared/language.js";
+import { LandStage } from "./landstage.js";
 import { nameOf } from "./panel.js";
-import { STAGE, Scene } from "./scene.js";
+import { Scene } from "./scene.js";
 import { FRAMES_A_SECOND, World } from "./world.js";
 
 const words = texts.play;
@@ -22,7 +22,7 @@ export class Beside {
 		this.host = h("div.world");
 		this.screen = h("div.screen", {}, this.host);
 		view.layout.screens.append(this.screen);
-		this.stage = new Stage(this.host, { ...STAGE, label: words.besideWorld(texts.systems[system]) });
+		this.stage = new LandStage(this.host, words.besideWorld(texts.systems[system]));
 		this.world = new World(view.world.greatLand);
 		this.world.useSystem(system);
 		this.world.isSystemFixed = this.world.isWatched = view.world.isWatched = true;

@@ -1,6 +1,6 @@
 /** Shows and edits the program as blocks, with Blockly. Blockly gets the page's style, and keeps to the page's policy. */
 import * as Blockly from "blockly/core";
-import "./asking.js";
+import "./lateengine.js";
 import "./locale.js";
 import { KeyboardNavigation } from "@blockly/keyboard-navigation";
 import { button, h, isDark, onThemeChange } from "../shared/dom.js";
@@ -34,7 +34,7 @@ const picturedShapes = () => MENUS.SHAPE().map(([text, value]) => [h("span.shape
 
 Blockly.Scrollbar.scrollbarThickness = 9;
 Blockly.dialog.setPrompt(async (message, value, callback) => {
-	const { ask } = await import("./ask.js");
+	const { ask } = await import("./askname.js");
 	const toolbox = Blockly.getMainWorkspace().getToolbox();
 	const drawer = toolbox.getSelectedItem();
 	callback(await ask(message, value, LONGEST));

@@ -1,6 +1,6 @@
 /** Finds the agents that hide the agent followed by the camera: large ones that stand still, for example walls. */
 import { CollisionBlocks, Vector3D } from "starlogo-collision";
-import { World } from "./world.js";
+import { lateEngine } from "./late.js";
 
 /** The two points of an agent that must be visible, feet and head, as shares of its height. */
 const PLACES = [0.15, 0.9];
@@ -13,7 +13,7 @@ export class Hiding {
 	#way = new Vector3D();
 
 	constructor(greatLand) {
-		this.queries = new World.engine.AgentQueries(new CollisionBlocks(greatLand, []).systemNamed(CollisionBlocks.TIGHTEST_FITS));
+		this.queries = new lateEngine.AgentQueries(new CollisionBlocks(greatLand, []).systemNamed(CollisionBlocks.TIGHTEST_FITS));
 	}
 
 	/**

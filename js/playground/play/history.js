@@ -5,7 +5,10 @@ const MOST_AGENTS = 150000;
 const TRAITS = ["shape", "breed", "x", "y", "z", "heading", "pitch", "roll", "size", "color", "hierarchical", "traversalDepth", "collideAs", "sweeps", "born", "said", "rise", "touched", "hit", "isAlive", "own"];
 const PLACED = new Set(["x", "y", "z"]);
 
+/** Keeps the last frames of a game, so that it can go back. */
 export class History {
+	/** The index of the frame that is shown; undefined while the game goes on. */
+	shown = undefined;
 	#frames = [];
 	#agents = 0;
 

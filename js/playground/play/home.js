@@ -20,7 +20,7 @@ export class Home {
 		} },
 		h("div.head", {}, h("div", {}, this.heading, h("p.intro", {}, texts.play.intro)), isOpen ? button(words.close, () => this.#close()) : null),
 		note ? h("p.status.problem", { role: "alert" }, note) : null,
-		...programs.groups.map((group) => this.#group(group)),
+		...programs.gallery.groups.map((group) => this.#group(group)),
 		h("div.tools", {}, button(words.handIn, () => handIn(programs)), button(words.nextPupil, () => nextPupil(programs))));
 		main.append(this.element);
 		main.classList.add("choosing");
@@ -48,18 +48,18 @@ export class Home {
 
 	#card({ id, name, note, isDone, isNext }, { canRename, canRemove }, number) {
 		const picture = h("img", { "data-program": id, alt: "", width: 240, height: 150 });
-		const item = h("li", {}, h("button.open", { type: "button", class: isNext ? "open next" : "open", "aria-label": canRename ? name : null, onclick: () => this.programs.openEntry(id) },
+		const item = h("li", {}, h("button.open", { type: "button", class: isNext ? "open next" : "open", "aria-label": canRename ? name : null, onclick: () => this.programs.gallery.open(id) },
 			h("span.picture", {}, picture, number === null ? null : h("span.number", {}, String(number)), isDone ? h("span.tick", { role: "img", "aria-label": texts.lessons.done }, "✓") : null),
 			canRename ? null : h("span.name", {}, name), note ? h("small", {}, note) : null, isNext ? h("strong.here", {}, number === 1 ? words.begin : words.here) : null));
 		if (!canRemove) return item;
 		const input = h("input", { type: "text", value: name, maxlength: 60, "aria-label": words.rename(name), onchange: () => {
 			const text = input.value.trim();
 			if (text === "") input.value = name;
-			else this.programs.renameEntry(id, text);
+			else this.programs.rename(id, text);
 		} });
 		item.append(h("div.own", {}, canRename ? input : null, button("✕", () => {
 			this.#close();
-			this.programs.removeEntry(id);
+			this.programs.gallery.remove(id);
 		}, { "aria-label": words.remove(name), title: words.remove(name) })));
 		return item;
 	}
@@ -69,7 +69,7 @@ export class Home {
 		const { programs } = this;
 		for (const picture of this.element.querySelectorAll("img")) {
 			const { program: id } = picture.dataset;
-			const program = await programs.programOf(id);
+			const program = await programs.gallery.programOf(id);
 			await new Promise((resolve) => setTimeout(resolve));
 			if (!this.element.isConnected) return;
 			const address = programs.view.pictureOf(program);

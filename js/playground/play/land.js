@@ -4,28 +4,40 @@ import {
 	RingGeometry, SphereGeometry, BackSide, BufferAttribute, BufferGeometry, SRGBColorSpace,
 } from "three";
 import { TerrainSurface } from "starlogo-collision";
+import { GROUNDS } from "../shared/colours.js";
 
 const FAR = 360;
 /** The upward part of the normal down to which a slope is as green as the plain, and that from which it is all earth; and what earth makes of red, green and blue. */
 const [GRASSY, BARE, EARTH] = [0.985, 0.75, [1, 0.6, 0.42]];
 
+/** The width of a square of the ground. */
+const CELL = 1;
+
 export class Land {
+	#name = "meadow";
 	#shadows = null;
 	#footprints = new Map();
 
 	/**
 	 * @param {object} scene contains the land
 	 * @param {number} width the width of the field for games
-	 * @param {number} cell the width of a square
 	 */
-	constructor(scene, width, cell) {
+	constructor(scene, width) {
 		this.scene = scene;
 		this.width = width;
-		this.cell = cell;
 	}
 
-	/** Builds it again for light or dark. */
-	dress({ zenith, horizon, field, around, edge, stars = 0 }) {
+	/** Sets the kind of ground: a name in GROUNDS. Returns whether it is another one: then dress builds it. */
+	setGround(name) {
+		const isOther = this.#name !== name;
+		this.#name = name;
+		return isOther;
+	}
+
+	/** Builds it again for light or dark. Returns the brightness of the lights and the colour of the agents' outlines. */
+	dress(mode) {
+		const theme = GROUNDS[this.#name][mode];
+		const { zenith, horizon, field, around, edge, stars = 0 } = theme;
 		this.dispose();
 		this.group = new Group();
 		this.scene.fog = new Fog(horizon, 2 * this.width, 7 * this.width);
@@ -44,13 +56,14 @@ export class Land {
 		if (stars > 0) this.group.add(starry(stars));
 		// a ring, so that it does not cover hollows in the field
 		const surroundings = new RingGeometry(half * Math.SQRT2, FAR * Math.SQRT2, 4, 1, Math.PI / 4);
-		const squares = Math.round(this.width / this.cell);
+		const squares = Math.round(this.width / CELL);
 		this.field = this.#ground(new PlaneGeometry(this.width, this.width, squares, squares), field, -0.006, 1);
 		this.walls = new Mesh(new BufferGeometry(), new MeshBasicMaterial({ color: field[1], vertexColors: true }));
 		this.walls.visible = false;
 		this.group.add(dome, this.#ground(surroundings, around, -0.03, 2), this.field, this.walls, frame);
 		this.scene.add(this.group);
 		this.terrain = null;
+		return theme;
 	}
 
 	/**
@@ -102,7 +115,7 @@ export class Land {
 		texture.colorSpace = SRGBColorSpace;
 		texture.wrapS = texture.wrapT = RepeatWrapping;
 		const position = geometry.getAttribute("position");
-		const at = Float32Array.from({ length: 2 * position.count }, (_, i) => position.array[3 * (i >> 1) + i % 2] / (2 * this.cell));
+		const at = Float32Array.from({ length: 2 * position.count }, (_, i) => position.array[3 * (i >> 1) + i % 2] / (2 * CELL));
 		geometry.setAttribute("uv", new BufferAttribute(at, 2));
 		shade(geometry);
 		texture.magFilter = NearestFilter;

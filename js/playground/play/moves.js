@@ -4,6 +4,9 @@ import { Collision, CollisionBlocks } from "starlogo-collision";
 /** Half the width of the ground. An agent that leaves it comes in on the other side. */
 export const HALF_WIDTH = 12;
 
+/** The nearest coordinate on the ground. */
+export const onGround = (coordinate) => Math.min(HALF_WIDTH, Math.max(-HALF_WIDTH, coordinate));
+
 export class Moves {
 	#world;
 	/** Separate systems, because a system that has searched gives the contacts of its last search. */

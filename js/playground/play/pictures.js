@@ -3,8 +3,8 @@ import { h } from "../shared/dom.js";
 import { toBytes } from "../shared/files.js";
 import { landOf, loadLand, parseModel } from "../shared/models.js";
 import { SHAPES } from "../shared/names.js";
-import { Stage } from "../shared/stage.js";
-import { STAGE, Scene } from "./scene.js";
+import { LandStage } from "./landstage.js";
+import { Scene } from "./scene.js";
 import { World } from "./world.js";
 
 /** The size of the pictures in pixels. It is large enough for printing. */
@@ -43,7 +43,7 @@ export class Studio {
 	constructor(parent) {
 		this.host = h("div.studio", { "aria-hidden": "true" });
 		parent.append(this.host);
-		this.stage = new Stage(this.host, { ...STAGE, label: "" });
+		this.stage = new LandStage(this.host, "");
 	}
 
 	/**
@@ -57,7 +57,7 @@ export class Studio {
 	 */
 	async pictureOf(program, own = {}, width = PICTURE[0], height = PICTURE[1]) {
 		try {
-			await import("./asking.js");
+			await import("./lateengine.js");
 			const { models, greatLand } = await landFor(own);
 			const world = new World(greatLand);
 			world.begin(program);

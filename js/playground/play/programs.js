@@ -3,6 +3,8 @@ import { CollisionBlocks } from "starlogo-collision";
 import { button, fileButton, h } from "../shared/dom.js";
 import { MODEL_FILE } from "../shared/files.js";
 import { fixed, learn, texts } from "../shared/language.js";
+import { brought, isBrought, lessonOf, programOfLesson } from "./brought.js";
+import { Gallery } from "./gallery.js";
 import { download, handIn, print, share, showJavascript } from "./giving.js";
 import { LESSON_NAMES, LessonCard } from "./lessoncard.js";
 import { menu, menuButton } from "./menu.js";
@@ -11,9 +13,6 @@ import { isProgram, isWork, modelsOf } from "../shared/packing.js";
 import { Shelf, fromLink, meaning, toLink } from "./storage.js";
 
 const words = texts.play;
-/** On the first screen, the ids of models have this prefix. */
-const MODEL = "model ";
-const LESSON = "lesson-";
 /** The program that is opened if the browser remembers none. */
 const FIRST = "paintball";
 /** The address's argument for the first screen. */
@@ -27,12 +26,6 @@ const LONGEST_NAME = 60;
 
 /** The button that leads to the first screen. Where it has little room, it has only its sign. */
 const homeButton = (onclick) => h("button.homeward", { type: "button", "aria-label": texts.gallery.open, title: texts.gallery.open, onclick }, h("span.icon"), h("span", {}, texts.gallery.open));
-
-const library = () => learn("game").then(() => import("./library.js"));
-const lessonOf = (name) => (name.startsWith(LESSON) ? name.slice(LESSON.length) : null);
-/** Whether the page has a program with this name. */
-const isBrought = (name) => name in words.games || name in words.examples || LESSON_NAMES.includes(lessonOf(name));
-const brought = async (name) => (await library()).BROUGHT[name];
 
 export class Programs {
 	/** The program that is shown: the name of one of the page's, the id of one of the user's, or "link". */
@@ -54,7 +47,8 @@ export class Programs {
 	constructor(view) {
 		this.view = view;
 		this.shelf = new Shelf();
-		this.lessons = new LessonCard((name, isNew) => (name === null ? this.#leaveLesson() : this.choose(LESSON + name, true, isNew)), {
+		this.gallery = new Gallery(this);
+		this.lessons = new LessonCard((name, isNew) => (name === null ? this.#leaveLesson() : this.choose(programOfLesson(name), true, isNew)), {
 			games: () => this.openHome(), change: () => this.choose(FIRST), own: () => this.openNew(),
 		});
 		this.title = h("input.title", { type: "text", maxlength: 60, "aria-label": words.title, onchange: () => this.#rename() });
@@ -239,32 +233,6 @@ export class Programs {
 		this.#home = new Home(this, this.view.layout.main, note);
 	}
 
-	/** The first screen's groups of programs, and what the user can do with them. */
-	get groups() {
-		const { own } = this.view;
-		const named = (table) => Object.entries(table).map(([id, name]) => ({ id, name }));
-		const next = LESSON_NAMES.find((name) => !this.lessons.isDone(name));
-		return [
-			{ title: texts.gallery.lessons, isNumbered: true, entries: LESSON_NAMES.map((name) => ({ id: LESSON + name, name: texts.lessons.list[name].title, isDone: this.lessons.isDone(name), isNext: name === next })) },
-			{ title: texts.gallery.games, isNumbered: true, entries: Object.entries(words.games).map(([id, name]) => ({ id, name, note: texts.programs[id].goal, isDone: this.lessons.isWon(id) })) },
-			{ title: texts.gallery.own, canRename: true, canRemove: true, canAdd: true, entries: this.shelf.all.map(({ id, name }) => ({ id, name })) },
-			...(own.names.length > 0 ? [{ title: texts.gallery.models, canRemove: true, entries: own.names.map((name) => ({ id: MODEL + name, name })) }] : []),
-			{ title: words.brought, entries: named(words.examples) },
-		];
-	}
-
-	/** The program of an entry of the first screen. */
-	async programOf(id) {
-		if (id.startsWith(MODEL)) return programOf(start(create(1, "turtles", id.slice(MODEL.length), size(3))));
-		return this.shelf.find(id)?.program ?? brought(id);
-	}
-
-	/** Opens an entry of the first screen. */
-	async openEntry(id) {
-		if (id.startsWith(MODEL)) this.#open(await this.programOf(id), id.slice(MODEL.length));
-		else await this.choose(id, id.startsWith(LESSON));
-	}
-
 	/** Called when a game is won. The page's own games get a tick. Returns what there is to say about the best time. */
 	win(seconds) {
 		if (this.#name in words.games) this.lessons.win(this.#name);
@@ -277,7 +245,7 @@ export class Programs {
 	/** Called when a game has done its lesson. Keeps what did it, for the teacher. */
 	async solved(game) {
 		const { system = CollisionBlocks.TIGHTEST_FITS } = this.program;
-		const own = meaning(await brought(LESSON + this.#lesson));
+		const own = meaning(await brought(programOfLesson(this.#lesson)));
 		this.shelf.putSolution(this.#lesson, game === own ? { system } : { ...JSON.parse(game), system });
 	}
 
@@ -291,18 +259,14 @@ export class Programs {
 		return this.shelf.recordOf(this.#name);
 	}
 
-	renameEntry(id, name) {
+	/** Renames one of the user's programs. */
+	rename(id, name) {
 		this.shelf.put({ id, name });
 		if (id === this.#name) this.#showTitle(name);
 	}
 
-	removeEntry(id) {
-		if (id.startsWith(MODEL)) return this.view.own.remove(id.slice(MODEL.length));
-		return this.#remove(id);
-	}
-
 	/** Deletes one of the user's programs. This can be undone. */
-	async #remove(id) {
+	async remove(id) {
 		const entry = this.shelf.find(id);
 		this.shelf.remove(id);
 		if (this.#name === id) await this.choose(FIRST);
@@ -345,7 +309,7 @@ export class Programs {
 	/** Opens a new program of the user's, with one agent. */
 	async openNew() {
 		await this.view.editing;
-		this.#open(programOf(start(create(1, "bears", "bear", size(1.4)))), words.newName);
+		this.openAsNew(programOf(start(create(1, "bears", "bear", size(1.4)))), words.newName);
 		this.title.focus();
 		this.title.select();
 	}
@@ -436,14 +400,14 @@ export class Programs {
 				return;
 			}
 			if (!isProgram(program)) throw new Error("no program");
-			this.#open(await this.view.own.bring(program, modelsOf(models)), name ?? file.name.replace(/\.json$/i, ""), lesson);
+			this.openAsNew(await this.view.own.bring(program, modelsOf(models)), name ?? file.name.replace(/\.json$/i, ""), lesson);
 		} catch {
 			this.view.say(words.brokenProgram, true);
 		}
 	}
 
 	/** Opens a program as a new one of the user's. Throws if it is none. */
-	#open(program, title, lesson = null) {
+	openAsNew(program, title, lesson = null) {
 		this.#asked = title;
 		this.#show(program, "link", title, lesson);
 		const name = this.#putNew(title);

@@ -1,23 +1,20 @@
 /** Draws a game: its agents, their words, their meetings, the shapes that the engine tests, goal, score and end. */
 import { CollisionBlocks, Sphere, Vector3D } from "starlogo-collision";
-import { pairsOf } from "../compare/game.js";
 import { LINES, VERDICTS } from "../shared/colours.js";
 import { button, h, short } from "../shared/dom.js";
 import { fixed, plain, texts } from "../shared/language.js";
+import { pairsOf } from "../shared/scattered.js";
 import { said as asSaid } from "./actions.js";
 import { Being } from "./being.js";
 import { Hiding, isMoving } from "./hiding.js";
-import { Land } from "./land.js";
+import { lateEngine } from "./late.js";
 import { nameOf } from "./panel.js";
 import { breedsThatKeysTurn } from "./program.js";
 import { HALF_WIDTH } from "./moves.js";
-import { World } from "./world.js";
 
 const words = texts.play;
 const STRUCTURES = { color: LINES.tested };
 const CHOSEN = { color: LINES.chosen };
-/** The view of stages on the ground. */
-export const STAGE = { eye: [-3, -18.5, 8.7], target: [0, 0, 0], ground: 2 * HALF_WIDTH, Land };
 /** The length of a flash and of a mark, in frames, and the share of white in a flash. Agents keep their colour in it. */
 const [FLASH, MARK, BRIGHT] = [9, 45, 0.2];
 const MOST_SAID = 40;
@@ -59,7 +56,7 @@ export class Scene {
 	#seen = 0;
 
 	/**
-	 * @param {import("../shared/stage.js").Stage} stage
+	 * @param {import("./landstage.js").LandStage} stage
 	 * @param {import("./world.js").World} world
 	 * @param {Map} models by their names
 	 * @param {HTMLElement} screen lies over the stage
@@ -204,7 +201,7 @@ export class Scene {
 	/** The agents without those that hide the followed agent. */
 	#notHiding(main, world) {
 		const { agents } = world;
-		if (!main || !this.stage.renderer || !World.engine) return agents;
+		if (!main || !this.stage.renderer || !lateEngine) return agents;
 		this.hiding ??= new Hiding(this.world.greatLand);
 		const hiding = this.hiding.of(world, main, this.#height(main), this.stage.camera.position);
 		return hiding.size > 0 ? agents.filter((agent) => !hiding.has(agent)) : agents;
@@ -285,7 +282,7 @@ export class Scene {
 	#groundOf(agent) {
 		const { collisions, terrain } = this.world;
 		const distanceIn = (name) => {
-			const queries = new World.engine.AgentQueries(this.#blocks.systemNamed(name));
+			const queries = new lateEngine.AgentQueries(this.#blocks.systemNamed(name));
 			queries.terrain = terrain;
 			return queries.distance(agent, terrain.agent);
 		};

@@ -1,19 +1,20 @@
 /** Play: a program of blocks beside its world. The view starts, stops and draws the game; layout.js has its elements. */
 import { CollisionBlocks } from "starlogo-collision";
 import { button } from "../shared/dom.js";
+import { dragAgents } from "../shared/dragging.js";
 import { loadLand } from "../shared/models.js";
 import { SHAPES } from "../shared/names.js";
-import { Stage } from "../shared/stage.js";
 import { texts } from "../shared/language.js";
 import { Loop } from "../shared/loop.js";
 import { BuildBar } from "./buildbar.js";
 import { Keys } from "./keys.js";
-import { dragAgents } from "./dragging.js";
 import { Models } from "./kept.js";
+import { LandStage } from "./landstage.js";
 import { Layout } from "./layout.js";
 import { loadMessages } from "./messages.js";
+import { onGround } from "./moves.js";
 import { Panel } from "./panel.js";
-import { STAGE, Scene } from "./scene.js";
+import { Scene } from "./scene.js";
 import { Sound } from "./sound.js";
 import { Programs } from "./programs.js";
 import { meaning } from "./storage.js";
@@ -56,7 +57,6 @@ class PlayView {
 	#seed = SEED;
 	/** Whether the game has started by itself, because a system was chosen. */
 	#isSelfStarted = false;
-	#isQuiet = false;
 	/** The game beside this one, or null; and the last one that was requested. */
 	#beside = null;
 	#asked = "";
@@ -71,7 +71,7 @@ class PlayView {
 		this.panel = new Panel(world, (agent) => this.#choose(agent));
 		this.buildBar = new BuildBar(this);
 		this.layout = this.#makeLayout(main);
-		this.stage = new Stage(this.layout.worldHost, { ...STAGE, label: words.world });
+		this.stage = new LandStage(this.layout.worldHost, words.world);
 		this.scene = new Scene(this.stage, world, models, this.layout.screen);
 		this.layout.placeCorner([this.scene.legend, this.keys.pad], [this.buildBar.tick, this.sound.button]);
 		this.layout.worldHost.addEventListener("pointerdown", () => this.editor?.closeMenus());
@@ -85,9 +85,13 @@ class PlayView {
 		this.buildBar.listen(this.stage);
 		dragAgents(this.stage, {
 			// the camera would follow, and run away
-			mayDrag: (agent) => this.scene.camera === "all" || agent !== (this.scene.chosen ?? this.scene.main),
+			mayDrag: (agent) => agent.isAlive && (this.scene.camera === "all" || agent !== (this.scene.chosen ?? this.scene.main)),
 			isStill: () => !this.isRunning,
-			onDrag: (agent, isDone) => this.#drag(agent, isDone),
+			onMove: (agent, x, y) => {
+				agent.jumpTo(onGround(x), onGround(y), agent.z);
+				this.#drag(agent, false);
+			},
+			onDone: (agent) => this.#drag(agent, true),
 		});
 		this.stage.controls?.addEventListener("start", () => this.#forgetDragNote());
 		world.onSystem = (name) => {
@@ -164,24 +168,23 @@ class PlayView {
 		this.layout.isUsable = false;
 		this.say(texts.loading);
 		this.keys.show(program);
-		if (this.#isShown(program)) return;
-		await import("./asking.js").catch(() => null);
-		if (!this.editor) this.#isShown(program);
+		if (this.#tryToShow(program)) return;
+		await import("./lateengine.js").catch(() => null);
+		if (!this.editor) this.#tryToShow(program);
 	}
 
-	/** Shows the beginning of a program's game. It fails if the game needs what is not loaded yet, or if the program is wrong. */
-	#isShown(program) {
-		let isShown = true;
+	/** Shows the beginning of a program's game. Returns whether it could: the game may need what is not loaded yet, or the program may be wrong. */
+	#tryToShow(program) {
 		try {
 			this.world.begin(program);
 			this.lookAt(program);
+			return true;
 		} catch {
 			// an error is shown when the blocks are loaded
-			isShown = false;
 			this.world.agents.length = 0;
+			this.draw();
+			return false;
 		}
-		this.draw();
-		return isShown;
 	}
 
 	/** Points the camera at a new program's game: the one that the user has chosen for it, or else the one that suits it. */
@@ -284,8 +287,8 @@ class PlayView {
 		this.reset();
 	}
 
-	/** Goes to the program's beginning, with the same random numbers. */
-	reset() {
+	/** Goes to the program's beginning, with the same random numbers. If it is quiet, the editor does not scroll to a wrong block. */
+	reset(isQuiet = false) {
 		this.#halt();
 		this.editor.mark(null);
 		this.isBroken = false;
@@ -296,7 +299,7 @@ class PlayView {
 		this.#attempt(() => {
 			this.#beside?.begin(program, this.#seed);
 			this.world.begin(program, this.#seed);
-		});
+		}, isQuiet);
 		if (!this.isBroken && this.world.agents.length === 0) this.say(words.empty);
 		this.layout.system.value = this.world.collisions.systemName;
 		this.panel.forget();
@@ -311,9 +314,7 @@ class PlayView {
 
 	/** Shows the beginning of the changed program's game. An error is marked at its block. */
 	showBeginning() {
-		this.#isQuiet = true;
-		this.reset();
-		this.#isQuiet = false;
+		this.reset(true);
 	}
 
 	#anew() {
@@ -439,15 +440,15 @@ class PlayView {
 		this.draw(now);
 	}
 
-	/** Does something in which a program may fail. Shows the error. */
-	#attempt(action) {
+	/** Does something in which a program may fail. Shows the error. If it is quiet, the editor does not scroll to the wrong block. */
+	#attempt(action, isQuiet = false) {
 		if (this.isBroken) return;
 		try {
 			action();
 		} catch (error) {
 			this.isBroken = true;
 			this.#halt();
-			this.editor.mark(error.block ?? null, !this.#isQuiet);
+			this.editor.mark(error.block ?? null, !isQuiet);
 			this.say(words.problem(error.message), true);
 		}
 	}

@@ -4,6 +4,7 @@ import { texts } from "../shared/language.js";
 import { ProgramError, breedOf } from "./actions.js";
 import { Being } from "./being.js";
 import { History } from "./history.js";
+import { lateEngine } from "./late.js";
 import { HALF_WIDTH, Moves } from "./moves.js";
 import { Rounds, Thread, compile } from "./program.js";
 
@@ -40,13 +41,12 @@ export class World {
 	#clicked = null;
 	/** The messages of the frame before, which are received in this one. */
 	#received = [];
+	/** The data of a frame that History keeps, in addition to the agents. */
+	state = null;
 	#scripts = [];
 	#areSensesOld = true;
-	/** The blocks that asking.js brings, once a program uses them. */
+	/** The blocks of the late engine, once a program uses them. */
 	#asking = null;
-
-	/** What asking.js brings; null until it is loaded. */
-	static engine = null;
 
 	/** @param {object} greatLand has every shape that programs name */
 	constructor(greatLand) {
@@ -60,7 +60,6 @@ export class World {
 	}
 
 	#forget(seed = SEED) {
-		/** The data of a frame that History keeps, in addition to the agents. */
 		this.state = {
 			frame: 0, seed, made: 0,
 			score: null, goal: null, limit: null, ground: MEADOW, ended: null,
@@ -83,7 +82,7 @@ export class World {
 	}
 
 	#makeAsking() {
-		const { ContactBlocks, DetectionBlocks, TerrainBlocks, WalkBlocks } = World.engine;
+		const { ContactBlocks, DetectionBlocks, TerrainBlocks, WalkBlocks } = lateEngine;
 		const detection = new DetectionBlocks(this.collisions);
 		return { detection, contacts: new ContactBlocks(this.collisions), edges: new TerrainBlocks(this.collisions, detection), walker: new WalkBlocks(detection) };
 	}
@@ -338,12 +337,12 @@ export class World {
 	/** Called when a block about the ground is compiled, so that all frames of its game have it. */
 	needTerrain(hasHills = false) {
 		this.hasHills ||= hasHills;
-		this.collisions.collision.terrain ??= new World.engine.Terrain(2 * HALF_WIDTH + 1, 2 * HALF_WIDTH + 1, 1, -HALF_WIDTH, -HALF_WIDTH);
+		this.collisions.collision.terrain ??= new lateEngine.Terrain(2 * HALF_WIDTH + 1, 2 * HALF_WIDTH + 1, 1, -HALF_WIDTH, -HALF_WIDTH);
 	}
 
 	/** Called when a block about the edges of the world is compiled. Then agents do not come in on the other side by themselves. */
 	needEdges() {
-		this.collisions.collision.bounds ??= new World.engine.WorldBounds(-HALF_WIDTH, -HALF_WIDTH, -Infinity, HALF_WIDTH, HALF_WIDTH, Infinity);
+		this.collisions.collision.bounds ??= new lateEngine.WorldBounds(-HALF_WIDTH, -HALF_WIDTH, -Infinity, HALF_WIDTH, HALF_WIDTH, Infinity);
 	}
 
 	/** Colours an agent, or all of a breed. */
@@ -404,6 +403,7 @@ export class World {
 	}
 }
 
+// the parts of the state that all files read, as the world's own
 for (const name of ["frame", "variables", "threads", "score", "goal", "limit", "ground", "ended", "totals", "events"]) {
 	Object.defineProperty(World.prototype, name, {
 		get() {

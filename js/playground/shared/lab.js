@@ -1,4 +1,4 @@
-/** A stage for a closer look. It draws models without triangles as points, and the depth of an overlap as an arrow. */
+/** A stage for a closer look, whose camera keys turn too. It draws models without triangles as points, and the depth of an overlap as an arrow. */
 import { BufferAttribute, BufferGeometry, ConeGeometry, CylinderGeometry, Group, Mesh, MeshBasicMaterial, Points, PointsMaterial, Quaternion, Vector3 } from "three";
 import { VERDICTS } from "./colours.js";
 import { h } from "./dom.js";
@@ -77,6 +77,29 @@ export class Lab extends Stage {
 		if (at?.isSeen) this.label.style.transform = `translate(${at.x.toFixed(1)}px, ${at.y.toFixed(1)}px) translate(-50%, -160%)`;
 	}
 
+	/** Moves the camera along its line of sight, so that a ball around the target fits. */
+	frame(target, radius) {
+		if (!this.renderer) return;
+		const back = this.camera.position.clone().sub(this.controls.target).setLength(radius * (this.camera.aspect < 1 ? 3.4 : 3.1));
+		this.controls.target.set(...target);
+		this.camera.position.copy(this.controls.target).add(back);
+		this.controls.update();
+		this.redraw();
+	}
+
+	/** Turns the camera about the target, or moves it: for keys. */
+	orbit(around, up, zoom) {
+		if (!this.renderer) return;
+		const { target } = this.controls;
+		const from = this.camera.position.clone().sub(target).multiplyScalar(zoom);
+		const distance = from.length();
+		const azimuth = Math.atan2(from.y, from.x) + around;
+		const height = Math.min(1.5, Math.max(-0.1, Math.asin(from.z / distance) + up));
+		this.camera.position.set(Math.cos(azimuth) * Math.cos(height), Math.sin(azimuth) * Math.cos(height), Math.sin(height)).multiplyScalar(distance).add(target);
+		this.controls.update();
+		this.redraw();
+	}
+
 	#forgetClouds() {
 		for (const cloud of this.#clouds.splice(0)) {
 			cloud.removeFromParent();
@@ -94,3 +117,14 @@ export class Lab extends Stage {
 
 const turn = new Quaternion();
 const along = new Vector3();
+
+/** Lets keys turn and zoom a stage whose host has the focus. */
+export function orbitByKeys(stage, host) {
+	const TURN = Math.PI / 24;
+	const KEYS = { ArrowLeft: [-TURN, 0, 1], ArrowRight: [TURN, 0, 1], ArrowUp: [0, TURN, 1], ArrowDown: [0, -TURN, 1], "+": [0, 0, 0.9], "=": [0, 0, 0.9], "-": [0, 0, 1 / 0.9] };
+	host.addEventListener("keydown", (event) => {
+		if (event.target !== host || !(event.key in KEYS)) return;
+		stage.orbit(...KEYS[event.key]);
+		event.preventDefault();
+	});
+}

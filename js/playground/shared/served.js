@@ -26,4 +26,4 @@ export const readModel = (name) => read(`${name}.json`, "text");
 export const readLevel = () => read("level.glb", "arrayBuffer");
 
 /** Loads Rapier, 2 MB. It is null where the page does not have it. */
-export const loadRapier = () => import("../measure/rapier.js");
+export const loadRapier = () => import("./rapier.js");

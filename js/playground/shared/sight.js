@@ -19,7 +19,7 @@ export class Sight {
 
 	/** Loads what answers how far agents are apart. */
 	async load() {
-		const { AgentQueries } = await import("./asking.js");
+		const { AgentQueries } = await import("./queries.js");
 		this.queries ??= new AgentQueries(this.blocks.collision);
 	}
 

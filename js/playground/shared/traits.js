@@ -1,4 +1,4 @@
-/** Controls for an agent's place, turns and size: sliders, and the pointer. */
+/** Sliders for an agent's place, turns and size. */
 import { fixed, texts } from "./language.js";
 import { slider } from "./dom.js";
 
@@ -12,7 +12,7 @@ export class TraitSliders {
 	constructor(agent, onChange) {
 		this.agent = agent;
 		this.sliders = Object.entries(RANGES).map(([trait, [min, max, step]]) => {
-			const made = slider(texts.traits[trait], { min, max, step, value: agent[trait], format: (value) => fixed(value, step < 1 ? 2 : 0) }, (value) => {
+			const made = slider(texts.traits[trait], { min, max, step, value: agent[trait], format: (value) => fixed(value, step < 1 ? DECIMALS : 0) }, (value) => {
 				agent[trait] = value;
 				onChange();
 			});
@@ -30,37 +30,10 @@ export class TraitSliders {
 	}
 }
 
-/**
- * Lets the pointer drag a stage's agents on the level on which they stand, within the sliders' limits. onTake and onMove are called with
- * the agent.
- */
-export function dragAgents(stage, onMove, onTake = () => {}) {
-	if (!stage.renderer) return;
-	const { canvas, controls } = stage;
-	let held = null;
-	canvas.addEventListener("pointerdown", (event) => {
-		const agent = stage.agentAt(event);
-		const from = agent && stage.pointAt(event, agent.z);
-		if (!from) return;
-		held = { agent, x: agent.x - from.x, y: agent.y - from.y };
-		controls.enabled = false;
-		canvas.setPointerCapture(event.pointerId);
-		onTake(agent);
-	}, { capture: true });
-	canvas.addEventListener("pointermove", (event) => {
-		canvas.classList.toggle("grab", held !== null || stage.agentAt(event) !== null);
-		const to = held && stage.pointAt(event, held.agent.z);
-		if (!to) return;
-		for (const axis of ["x", "y"]) {
-			const [min, max] = RANGES[axis];
-			held.agent[axis] = Number(Math.min(max, Math.max(min, to[axis] + held[axis])).toFixed(DECIMALS));
-		}
-		onMove(held.agent);
-	});
-	const drop = () => {
-		held = null;
-		controls.enabled = true;
-	};
-	canvas.addEventListener("pointerup", drop);
-	canvas.addEventListener("pointercancel", drop);
+/** Moves an agent to a place, within the sliders' limits. */
+export function moveWithin(agent, x, y) {
+	for (const [axis, wanted] of [["x", x], ["y", y]]) {
+		const [min, max] = RANGES[axis];
+		agent[axis] = Number(Math.min(max, Math.max(min, wanted)).toFixed(DECIMALS));
+	}
 }

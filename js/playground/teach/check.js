@@ -1,6 +1,6 @@
 /** Plays what pupils have handed in, to see which lessons it does. */
 import { LESSONS } from "../play/library.js";
-import "../play/asking.js";
+import "../play/lateengine.js";
 import { landFor } from "../play/pictures.js";
 import { World } from "../play/world.js";
 

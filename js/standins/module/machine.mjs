@@ -1,4 +1,9 @@
-/** The stand-ins' access to the machine: time, frames and files. Nothing is accessed before it is needed. */
+/**
+ * The stand-ins' access to the machine: time, frames and files. Nothing is accessed before it is needed.
+ *
+ * All files here and the translated classes are one scope (js/module/assemble.mjs): Event is the engine's.
+ */
+import { ByteArray } from "./ByteArray.mjs";
 
 /** Milliseconds from one frame to the next. */
 const FRAME_MS = 1000 / 60;

@@ -1,19 +1,17 @@
-/** Moves agents in the world with the pointer. Elsewhere the pointer turns the world. */
-import { HALF_WIDTH } from "./moves.js";
+/** Moves agents with the pointer. Elsewhere the pointer turns the world. */
 
 /** A pointer that has moved this many pixels drags. */
 const STILL = 6;
 
-const inside = (coordinate) => Math.min(HALF_WIDTH, Math.max(-HALF_WIDTH, coordinate));
-
 /**
- * Listens to a stage.
+ * Lets the pointer drag a stage's agents on the level on which they stand.
  *
- * @param {import("../shared/stage.js").Stage} stage
- * @param {{mayDrag: (agent: object) => boolean, isStill: () => boolean, onDrag: (agent: object, isDone: boolean) => void}} game onDrag is called
- * whenever an agent was moved, and at the end
+ * @param {import("./stage.js").Stage} stage
+ * @param {{onMove: (agent: object, x: number, y: number) => void, onTake?: (agent: object) => void, onDone?: (agent: object) => void,
+ * mayDrag?: (agent: object) => boolean, isStill?: () => boolean}} game onMove moves the agent, onTake is called when the pointer takes one, and
+ * onDone after an agent was moved; mayDrag says whether it may be moved now, and isStill whether the cursor shows which may be
  */
-export function dragAgents(stage, { mayDrag, isStill, onDrag }) {
+export function dragAgents(stage, { onMove, onTake = () => {}, onDone = () => {}, mayDrag = () => true, isStill = () => true }) {
 	const { host, canvas, controls } = stage;
 	if (!canvas) return;
 	let drag = null;
@@ -27,28 +25,27 @@ export function dragAgents(stage, { mayDrag, isStill, onDrag }) {
 		const agent = agentAt(event);
 		const from = agent && stage.pointAt(event, agent.z);
 		if (!from) return;
-		drag = { agent, from, x: agent.x, y: agent.y, startX: event.clientX, startY: event.clientY, isMoved: false };
+		drag = { agent, x: agent.x - from.x, y: agent.y - from.y, startX: event.clientX, startY: event.clientY, isMoved: false };
 		controls.enabled = false;
 		canvas.setPointerCapture(event.pointerId);
+		onTake(agent);
 	}, true);
 	host.addEventListener("pointermove", (event) => {
 		if (!drag) {
 			if (event.pointerType === "mouse" && event.buttons === 0 && isStill()) canvas.classList.toggle("grab", agentAt(event) !== null);
 			return;
 		}
-		const { agent, from, x, y, startX, startY } = drag;
+		const { agent, x, y, startX, startY } = drag;
 		drag.isMoved ||= Math.hypot(event.clientX - startX, event.clientY - startY) >= STILL;
-		const to = drag.isMoved && agent.isAlive ? stage.pointAt(event, agent.z) : null;
-		if (!to) return;
-		agent.jumpTo(inside(x + to.x - from.x), inside(y + to.y - from.y), agent.z);
-		onDrag(agent, false);
+		const to = drag.isMoved && mayDrag(agent) ? stage.pointAt(event, agent.z) : null;
+		if (to) onMove(agent, x + to.x, y + to.y);
 	});
 	const end = () => {
 		if (!drag) return;
 		const { agent, isMoved } = drag;
 		drag = null;
 		controls.enabled = true;
-		if (isMoved) onDrag(agent, true);
+		if (isMoved) onDone(agent);
 	};
 	host.addEventListener("pointerup", end);
 	host.addEventListener("pointercancel", end);

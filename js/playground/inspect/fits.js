@@ -1,8 +1,9 @@
-/** Computes Inspect's table of a model. */
+/** Fits all structures to a model, for Inspect's table. */
 import {
 	AxisAlignedBoxFitter, CapsuleFitter, CentredRitterSphereFitter, CylinderFitter, FitSession, GreatLand, HullFitter, MinimalCapsuleFitter, MinimalSphereFitter,
 	NaiveSphereFitter, OrientedBoxFitter, RitterSphereFitter, ZAlignedBoxFitter,
 } from "starlogo-collision";
+import { shortestTimes } from "../shared/timing.js";
 
 /** The fitters, in the table's order. */
 const FITTERS = {
@@ -38,7 +39,7 @@ export async function measure(model, settings, isWanted) {
 	greatLand.hierarchies.splitByMean = settings.byMean;
 	const works = Object.entries(FITTERS).map(([name, make]) => ({ name, run: () => make(settings.increment).fit(model.vertices) }));
 	works.push({ name: HULL, run: () => new FitSession(model.vertices).hull }, { name: HIERARCHY, run: () => greatLand.hierarchies.add(model.name, model.vertices, model.triangles) });
-	const times = await shortest(works, isWanted);
+	const times = await shortestTimes(works, ROUNDS, isWanted);
 	if (!times) return null;
 	const rows = times.filter(({ name }) => name in FITTERS).map(({ result: structure, ...time }) => ({ ...time, structure, volume: structure.volume }));
 	const msOf = (wanted) => times.find(({ name }) => name === wanted).ms;
@@ -52,54 +53,7 @@ export async function measure(model, settings, isWanted) {
 }
 
 const [HULL, HIERARCHY] = ["convex hull", "hierarchy"];
-/** Rounds that count for nothing, in which the browser compiles the code, and rounds that count. */
-const [WARM, COUNTED] = [3, 6];
-/** Samples take at least this long, because the browser's clock is coarse. */
-const SAMPLE_MS = 2;
-/** No work is repeated any more after it has taken this long in all, but it is done twice at least. */
-const MOST_MS = 600;
-
-/**
- * Does all works round after round, and finds the shortest time of each. In the first rounds the browser compiles what they share, so none
- * of them pays for it.
- *
- * @returns {Promise<object[]|null>} each work's name, the result of its first run, its number of runs and its milliseconds; null if it is not
- * wanted any more
- */
-async function shortest(works, isWanted) {
-	const times = works.map(({ name }) => ({ name, result: undefined, runs: 0, ms: Infinity, spent: 0 }));
-	for (let round = 0; round < WARM + COUNTED; round++) {
-		for (const [i, { run }] of works.entries()) {
-			const time = times[i];
-			if (time.runs >= 2 && time.spent > MOST_MS) continue;
-			const { ms, runs, result } = sample(run);
-			time.result ??= result;
-			time.runs += runs;
-			time.spent += ms * runs;
-			// a work that is too slow for more rounds has the time of its second run
-			if (round >= WARM || (round > 0 && time.spent > MOST_MS)) time.ms = Math.min(time.ms, ms);
-			await breath();
-			if (!isWanted()) return null;
-		}
-	}
-	return times;
-}
-
-/** Does a work as often as the clock needs. Gives the result of the first run, the number of runs, and the milliseconds of one. */
-function sample(run) {
-	const start = performance.now();
-	const result = run();
-	let runs = 1;
-	let ms = performance.now() - start;
-	for (; ms < SAMPLE_MS; runs++) {
-		run();
-		ms = performance.now() - start;
-	}
-	return { result, runs, ms: ms / runs };
-}
-
-/** Lets the browser draw. */
-const breath = () => new Promise((resolve) => setTimeout(resolve));
+const ROUNDS = { warm: 3, counted: 6 };
 
 /** The number of levels of a hierarchy. */
 export function depthOf(node) {
@@ -117,7 +71,7 @@ const COLUMNS = 160;
  * The volume inside a model's surface. Overlapping parts count once. It sums the lengths of columns along z between entering and leaving
  * the surface. NaN if the surface is not closed.
  */
-export function volumeOf({ vertices, triangles }) {
+function volumeOf({ vertices, triangles }) {
 	if (!triangles) return NaN;
 	const cell = 1.0001 / COLUMNS;
 	const columns = Array.from({ length: COLUMNS * COLUMNS }, () => []);

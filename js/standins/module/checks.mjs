@@ -1,0 +1,156 @@
+/**
+ * Checks of the arguments of public members. js/module/checks.mjs writes the calls.
+ *
+ * All files here and the translated classes are one scope (js/module/assemble.mjs): Vector3D is the engine's.
+ */
+import { ByteArray } from "./ByteArray.mjs";
+import { ArgumentError } from "./language.mjs";
+import { $hintOfValue } from "./warnings/spelling.mjs";
+
+/** Marks objects of this copy of the engine, because a page or program can load two copies. */
+const $copy = {};
+
+/**
+ * The text for a value in an error.
+ *
+ * @param value the value
+ * @param wanted the kind that is required, for example "an Agent"
+ */
+export function $named(value, wanted = "") {
+	if (isOfOtherCopy(value, wanted)) return "one of another copy of the engine. There are two copies of the engine: import starlogo-collision from one address";
+	switch (typeof value) {
+		case "string":
+			return JSON.stringify(value.length > 40 ? `${value.slice(0, 40)}...` : value);
+		case "bigint":
+			return `${value}n`;
+		case "function":
+			return `the function ${value.name || "without a name"}`;
+		case "object": {
+			if (value === null) return "null";
+			if (Array.isArray(value)) return value.length > 4 ? `an array of ${value.length}` : `[${value.map((each) => $named(each)).join(", ")}]`;
+			const name = Object.getPrototypeOf(value)?.constructor?.name ?? "Object";
+			return name === "Object" ? "a plain object" : `an object of class ${name}`;
+		}
+		default:
+			return String(value);
+	}
+}
+
+/** Whether an object's class has the wanted name, but belongs to another copy of the engine. three.js's Sphere has no internal fields. */
+function isOfOtherCopy(value, wanted) {
+	const names = wanted.match(/\b[A-Z]\w*/g)?.filter((name) => name !== "ArrayBuffer") ?? [];
+	if (names.length === 0 || typeof value !== "object") return false;
+	for (let each = value; each !== null; each = Object.getPrototypeOf(each)) {
+		const type = Object.hasOwn(each, "constructor") ? each.constructor : null;
+		if (names.includes(type?.name) && type !== globalThis[type.name] && Object.keys(value).some((key) => key.startsWith("_"))) return true;
+	}
+	return false;
+}
+
+/**
+ * Throws an error for an argument of the wrong kind.
+ *
+ * @param target the object that gets the argument, if that identifies the member, otherwise null
+ * @param name the argument's name, with the member's if there is no target
+ * @param value the argument
+ * @param kind the required kind
+ */
+export function $refuse(target, name, value, kind) {
+	const given = target === null ? name : `${target}: ${name}`;
+	if (typeof value === "number" && kind.endsWith(" number")) {
+		const range = Number.isInteger(value) ? " in the range of 32 bits" : "";
+		throw new RangeError(`${given} must be ${kind === "a number" ? "a finite number" : kind + range}, not ${value}`);
+	}
+	throw new ArgumentError(`${given} must be ${kind}, not ${$named(value, kind)}${$hintOfValue(value, kind)}`);
+}
+
+/** Checks of arguments, for members outside of hot loops: `$aNumber("Class.method: name", value)`. */
+export function $aNumber(name, value) {
+	if (typeof value !== "number") $refuse(null, name, value, "a number");
+}
+
+export function $aFiniteNumber(name, value) {
+	if (typeof value !== "number" || value - value !== 0) $refuse(null, name, value, "a number");
+}
+
+export function $anInt(name, value) {
+	if (typeof value !== "number" || value !== (value | 0)) $refuse(null, name, value, "a whole number");
+}
+
+export function $anOffset(name, value) {
+	if (typeof value !== "number" || value !== (value & 0x7fffffff)) $refuse(null, name, value, "a whole number, 0 or more");
+}
+
+export function $aUint(name, value) {
+	if (typeof value !== "number" || value !== value >>> 0) $refuse(null, name, value, "a whole number");
+}
+
+export function $aBoolean(name, value) {
+	if (typeof value !== "boolean") $refuse(null, name, value, "true or false");
+}
+
+export function $aString(name, value) {
+	if (typeof value !== "string") $refuse(null, name, value, "a string");
+}
+
+export function $aFunction(name, value) {
+	if (typeof value !== "function") $refuse(null, name, value, "a function");
+}
+
+/** Throws if one of a method's arguments is no number. `names` is the method, a colon, and the arguments' names. */
+export function $checkNumbers(names, ...values) {
+	const place = values.findIndex((value) => typeof value !== "number");
+	if (place >= 0) $refuse(null, names.replace(/: .*/, `: ${names.split(": ")[1].split(", ")[place]}`), values[place], "a number");
+}
+
+/** Whether an object's class has such a mark, in this copy of the engine. */
+export function $isMarked(value, mark) {
+	return typeof value === "object" && value !== null && value[mark] === $copy;
+}
+
+/** Throws if the value is no array, or if an element fails the test. `kind` is the required kind of an element, for example "an Agent". */
+export function $checkList(target, name, list, kind = "", test = null) {
+	if (!Array.isArray(list)) $refuse(target, name, list, kind === "" ? "an array" : `an array of ${kind.replace(/^an? /, "")}s`);
+	if (test === null) return;
+	const place = list.findIndex((each) => !test(each));
+	if (place >= 0) $refuse(target, `${name}[${place}]`, list[place], kind);
+}
+
+/** A point or a vector that a public method takes: a Vector3D, or one with the x, y and z that something else has at the call. */
+export function $point(target, name, value) {
+	if (typeof value !== "object" || value === null || !("x" in value && "y" in value && "z" in value)) $refuse(target, name, value, "a Vector3D, or anything with x, y and z");
+	if (typeof value.x !== "number") $refuse(target, `${name}.x`, value.x, "a number");
+	if (typeof value.y !== "number") $refuse(target, `${name}.y`, value.y, "a number");
+	if (typeof value.z !== "number") $refuse(target, `${name}.z`, value.z, "a number");
+	return value instanceof Vector3D ? value : new Vector3D(value.x, value.y, value.z);
+}
+
+/** What the elements of a list have to be. */
+const $KINDS = { Number: "a number", int: "an integer from -2147483648 to 2147483647", uint: "an integer from 0 to 4294967295" };
+
+/** The numbers for a Vector argument of a public method: an array, or a copy of a typed array as an array. */
+export function $numbers(target, name, list, type, isNullable) {
+	if (isNullable && (list === null || list === undefined)) return null;
+	if (ArrayBuffer.isView(list) && !(list instanceof DataView)) return $numbers(target, name, Array.from(list), type, false);
+	if (!Array.isArray(list)) $refuse(target, name, list, "an array of numbers");
+	for (let i = 0; i < list.length; i++) {
+		const value = list[i];
+		if (typeof value !== "number" || type !== "Number" && value !== (type === "int" ? value | 0 : value >>> 0)) $refuse(target, `${name}[${i}]`, value, $KINDS[type]);
+	}
+	return list;
+}
+
+/** The bytes for an argument of a public method: a ByteArray. An ArrayBuffer or a view of one is converted to one. */
+export function $bytes(target, name, value, isNullable) {
+	if (isNullable && (value === null || value === undefined)) return null;
+	const areBytes = value instanceof ByteArray || ArrayBuffer.isView(value) || value instanceof ArrayBuffer || Object.prototype.toString.call(value) === "[object SharedArrayBuffer]";
+	if (!areBytes) $refuse(target, name, value, "an ArrayBuffer, a view of one, or a ByteArray");
+	return ByteArray.from(value);
+}
+
+/** The bytes by name for an argument of a public method: a ByteArray under each name, or null if there are none. */
+export function $bytesByName(target, name, value) {
+	if (value === null || value === undefined) return null;
+	if (typeof value !== "object") $refuse(target, name, value, "an object with bytes under each name");
+	return Object.fromEntries(Object.entries(value).map(([key, bytes]) => [key, $bytes(target, `${name}[${JSON.stringify(key)}]`, bytes, true)]));
+}

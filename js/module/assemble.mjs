@@ -8,7 +8,7 @@ import { Program } from "./translate.mjs";
 
 const here = fileURLToPath(new URL(".", import.meta.url));
 const standins = join(here, "../standins/module");
-const FILES = ["language.mjs", "checks.mjs", "literals.mjs", "shown.mjs", "ByteArray.mjs", "machine.mjs", "contacts.mjs"];
+const FILES = ["checks.mjs", "literals.mjs", "shown.mjs", "language.mjs", "ByteArray.mjs", "machine.mjs", "contacts.mjs"];
 const WARNINGS = ["warn", "spelling", "properties", "arguments", "angles", "frames", "shots", "handlers", "questions", "walks"].map((name) => `warnings/${name}.mjs`);
 
 /**

@@ -37,9 +37,9 @@ export function standinsForUsers() {
 	return `${textOf(FILES)}\n${textOf(WARNINGS).split("\n").map(withoutBody).join("\n")}`;
 }
 
-/** Some files as parts of one scope. */
+/** Some files as parts of one scope, without the comments at their heads. */
 function textOf(files) {
-	return files.map((file) => readFileSync(join(standins, file), "utf8").replaceAll(/^import .*\n/gm, "").replaceAll(/^export /gm, "")).join("\n");
+	return files.map((file) => readFileSync(join(standins, file), "utf8").replace(/^\/\*\*[^]*?\*\/\n(?=\n|import )/, "").replaceAll(/^import .*\n/gm, "").replaceAll(/^export /gm, "")).join("\n");
 }
 
 /** What users get of a line of the warnings: an empty function, if one begins there that is called from outside. */

@@ -8,7 +8,7 @@ import { Program } from "./translate.mjs";
 
 const here = fileURLToPath(new URL(".", import.meta.url));
 const standins = join(here, "../standins/module");
-const FILES = ["language.mjs", "checks.mjs", "literals.mjs", "shown.mjs", "ByteArray.mjs", "machine.mjs", "contacts.mjs"];
+const FILES = ["checks.mjs", "literals.mjs", "shown.mjs", "language.mjs", "ByteArray.mjs", "machine.mjs", "contacts.mjs"];
 const WARNINGS = ["warn", "spelling", "properties", "arguments", "angles", "frames", "shots", "handlers", "questions", "walks"].map((name) => `warnings/${name}.mjs`);
 
 /**
@@ -37,9 +37,9 @@ export function standinsForUsers() {
 	return `${textOf(FILES)}\n${textOf(WARNINGS).split("\n").map(withoutBody).join("\n")}`;
 }
 
-/** Some files as parts of one scope. */
+/** Some files as parts of one scope, without the comments at their heads. */
 function textOf(files) {
-	return files.map((file) => readFileSync(join(standins, file), "utf8").replaceAll(/^import .*\n/gm, "").replaceAll(/^export /gm, "")).join("\n");
+	return files.map((file) => readFileSync(join(standins, file), "utf8").replace(/^\/\*\*[^]*?\*\/\n(?=\n|import )/, "").replaceAll(/^import .*\n/gm, "").replaceAll(/^export /gm, "")).join("\n");
 }
 
 /** What users get of a line of the warnings: an empty function, if one begins there that is called from outside. */

@@ -25,9 +25,8 @@ package starlogo.ground
         /** No answer. Only a test of the agent's shape decides. */
         public static const UNKNOWN:int = 2;
 
-        // The place under the agent's middle, and bounds of all heights and of those around it.
+        // The place under the agent's middle, and bounds of the heights around it.
         private var _under:GroundPoint = new GroundPoint();
-        private var _whole:HeightBounds = new HeightBounds();
         private var _around:HeightBounds = new HeightBounds();
 
         /**
@@ -63,12 +62,12 @@ package starlogo.ground
                 // no ground is below
                 return UNKNOWN;
             }
-            grid.pyramid.findWhole(_whole);
+            var whole:HeightBounds = grid.pyramid.whole;
             // agents that are this close may touch, because of rounding
             var slack:Number = Tolerances.ROUNDING * (Math.abs(grid.x) + Math.abs(grid.y) + (grid.columns + grid.rows) * grid.cellWidth
-                    + Math.abs(_whole.least) + Math.abs(_whole.greatest));
+                    + Math.abs(whole.least) + Math.abs(whole.greatest));
             // a whole grid has the same bound along both axes
-            var slope:Number = grid.isBlocky ? Infinity : _whole.riseX / grid.cellWidth;
+            var slope:Number = grid.isBlocky ? Infinity : whole.riseX / grid.cellWidth;
             // The height that the steepest slope of all reaches. For a sphere it is its radius times the root of 1 + 2 s², at most 1 + s².
             var height:Number = isSphere ? inner + inner * slope * slope : extents.halfZ + slope * (extents.halfX + extents.halfY);
             // an agent whose lowest height is in the ground under its middle is not far

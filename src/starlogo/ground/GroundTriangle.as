@@ -16,8 +16,8 @@ package starlogo.ground
         public var radius:Number = 0;
 
         /**
-         * A box around it: around its cell as seen from above, and between the least and the greatest height of a corner. NearTriangles makes it larger, for
-         * rounding.
+         * A box around it: around its cell as seen from above, and between the least and the greatest height of a corner. It is larger by the slack of
+         * GroundTriangles.
          */
         public var minX:Number = 0;
         public var maxX:Number = 0;

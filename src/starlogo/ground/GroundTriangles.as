@@ -51,6 +51,12 @@ package starlogo.ground
             return _firstLevel == 0;
         }
 
+        /** How much nearer to the box a triangle of the search may be than its numbers say, because of rounding and its margin. */
+        public function get slack():Number
+        {
+            return _path.slack;
+        }
+
         /** Writes the next triangle. Returns false if there is none. */
         public function next(out:GroundTriangle):Boolean
         {

@@ -67,7 +67,6 @@ package starlogo.terrain
             box.y = grid.y + (firstRow + lastRow) / 2 * grid.cellWidth;
             box.halfX = ((last - first) / 2 - 0.25) * grid.cellWidth;
             box.halfY = ((lastRow - firstRow) / 2 - 0.25) * grid.cellWidth;
-            box.halfZ = Infinity;
         }
 
         /**
@@ -84,9 +83,10 @@ package starlogo.terrain
             _revision = _terrain.worldAgent.revision;
             _search.grid = _terrain.grid;
             vertices.length = normals.length = triangles.length = 0;
-            var whole:HeightBounds = new HeightBounds();
-            _search.grid.pyramid.findWhole(whole);
+            var whole:HeightBounds = _search.grid.pyramid.whole;
             _search.floor = whole.least;
+            _search.box.z = (whole.least + whole.greatest) / 2;
+            _search.box.halfZ = (whole.greatest - whole.least) / 2;
             var source:GroundTriangles = new GroundTriangles();
             var triangle:GroundTriangle = new GroundTriangle();
             source.begin(_search);

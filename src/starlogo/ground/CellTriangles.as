@@ -129,7 +129,8 @@ package starlogo.ground
         private function writeTriangle(index:int, out:GroundTriangle):Boolean
         {
             var corners:Vector.<Number> = out.corners;
-            if (index < TOPS_END)
+            out.isWall = index >= TOPS_END;
+            if (!out.isWall)
             {
                 writeTop(index == 0, corners);
             }
@@ -181,6 +182,7 @@ package starlogo.ground
             var low:Number = floor;
             if (grid.hasCell(column, row))
             {
+                // no wall is between two slopes
                 low = grid.isBlocky ? grid.heights[row * grid.columns + column] + _path.zeroHeight : Infinity;
             }
             if (low >= top && low >= endTop || low > _passage.high)

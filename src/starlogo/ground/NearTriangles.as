@@ -11,12 +11,10 @@ package starlogo.ground
      */
     internal final class NearTriangles
     {
-        /** What is looked for. Set the ground, the origin, the motion and the limits before boxes begin. Then only the limits may be narrowed. */
-        public var search:GroundSearch = new GroundSearch();
-
         /** The triangle that <code>next()</code> has found. Read only. */
         public var triangle:GroundTriangle = null;
 
+        private var _search:GroundSearch;
         private var _source:GroundTriangles = new GroundTriangles();
 
         // A limit: only triangles count behind whose planes the box reaches at least this deep.
@@ -39,6 +37,12 @@ package starlogo.ground
         // The least and the greatest corner of the box with all of its motion.
         private var _least:Vector3D = new Vector3D();
         private var _greatest:Vector3D = new Vector3D();
+
+        /** @param search what is looked for, but for its box and shape. Before boxes begin, all of it is set. Then only the limits may be narrowed */
+        public function NearTriangles(search:GroundSearch)
+        {
+            _search = search;
+        }
 
         /** Ends all searches. */
         public function stop():void
@@ -71,10 +75,10 @@ package starlogo.ground
                 _mustBegin = _mayHaveMore = true;
                 _count = 0;
                 _boxesLeft = boxesLeft;
-                search.box.copyFrom(box);
-                search.shape = shape;
+                _search.box.copyFrom(box);
+                _search.shape = shape;
             }
-            var motion:RelativeMotion = search.motion;
+            var motion:RelativeMotion = _search.motion;
             var x:Number = motion.latest * motion.x;
             var y:Number = motion.latest * motion.y;
             var z:Number = motion.latest * motion.z;
@@ -95,10 +99,10 @@ package starlogo.ground
             if (_mustBegin)
             {
                 _mustBegin = false;
-                _source.begin(search);
+                _source.begin(_search);
                 _areKept = _source.comesToFewCells;
             }
-            var far:Number = search.maxDistance;
+            var far:Number = _search.maxDistance;
             var front:Number = far - _leastDepth + _source.slack;
             var minX:Number = _least.x - far;
             var minY:Number = _least.y - far;

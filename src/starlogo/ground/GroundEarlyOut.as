@@ -25,8 +25,9 @@ package starlogo.ground
         /** No answer. Only a test of the agent's shape decides. */
         public static const UNKNOWN:int = 2;
 
-        // The place under the agent's middle, and bounds of the heights around it.
+        // The place under the agent's middle, the one under the point of a sphere that is nearest to the ground, and bounds of the heights around.
         private var _under:GroundPoint = new GroundPoint();
+        private var _nearest:GroundPoint = new GroundPoint();
         private var _around:HeightBounds = new HeightBounds();
 
         /**
@@ -96,17 +97,16 @@ package starlogo.ground
             return !grid.isBlocky && above > height;
         }
 
-        // Whether a sphere above sloping ground touches it, as far as one of its points knows: the nearest one to the plane of the triangle under its
-        // middle. The point under its middle is moved to there.
+        // Whether a sphere above sloping ground touches it, as far as one of its points knows: the nearest one to the plane of the triangle under its middle.
         private function touchesSphere(grid:HeightGrid, extents:GroundBox, under:GroundPoint):Boolean
         {
             var width:Number = grid.cellWidth;
             grid.findFall(under);
             var step:Number = extents.halfX / Math.sqrt(under.fallX * under.fallX + under.fallY * under.fallY + width * width);
-            under.x -= step * under.fallX;
-            under.y -= step * under.fallY;
-            grid.findHeight(under);
-            return under.height >= extents.z - step * width;
+            _nearest.x = under.x - step * under.fallX;
+            _nearest.y = under.y - step * under.fallY;
+            grid.findHeight(_nearest);
+            return _nearest.height >= extents.z - step * width;
         }
     }
 }

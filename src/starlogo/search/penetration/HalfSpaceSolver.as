@@ -82,14 +82,13 @@ package starlogo.search.penetration
         public function solve(mostPlanes:int, slack:Number, out:ShortestDisplacement):Boolean
         {
             _slack = slack;
-            out.length = Infinity;
-            out.planeCount = 0;
             _tried.setTo(0, 0, 0);
+            out.setToNone();
             if (leadsOut(0))
             {
-                out.setToNone();
                 return true;
             }
+            out.length = Infinity;
             _longest = 0;
             for (var i:int = 0; i < count; i++)
             {

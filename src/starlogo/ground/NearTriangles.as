@@ -78,16 +78,30 @@ package starlogo.ground
                 _search.box.copyFrom(box);
                 _search.shape = shape;
             }
-            var motion:RelativeMotion = _search.motion;
+            _least.x = box.x - box.halfX;
+            _least.y = box.y - box.halfY;
+            _least.z = box.z - box.halfZ;
+            _greatest.x = box.x + box.halfX;
+            _greatest.y = box.y + box.halfY;
+            _greatest.z = box.z + box.halfZ;
+            if (!_search.motion.isStill)
+            {
+                extendAlong(_search.motion);
+            }
+        }
+
+        // Extends the corners of the box by its motion.
+        private function extendAlong(motion:RelativeMotion):void
+        {
             var x:Number = motion.latest * motion.x;
             var y:Number = motion.latest * motion.y;
             var z:Number = motion.latest * motion.z;
-            _least.x = box.x - box.halfX + Math.min(0, x);
-            _least.y = box.y - box.halfY + Math.min(0, y);
-            _least.z = box.z - box.halfZ + Math.min(0, z);
-            _greatest.x = box.x + box.halfX + Math.max(0, x);
-            _greatest.y = box.y + box.halfY + Math.max(0, y);
-            _greatest.z = box.z + box.halfZ + Math.max(0, z);
+            _least.x += Math.min(0, x);
+            _least.y += Math.min(0, y);
+            _least.z += Math.min(0, z);
+            _greatest.x += Math.max(0, x);
+            _greatest.y += Math.max(0, y);
+            _greatest.z += Math.max(0, z);
         }
 
         /**

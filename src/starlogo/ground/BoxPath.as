@@ -15,9 +15,9 @@ package starlogo.ground
         // boxes begin with squares that are larger than needed. Larger: long boxes begin with many squares.
         private static const FIRST_SQUARES:int = 3;
 
-        // How many rounded terms are compared with one another: the box's middle, half its length, how far it has moved, and a square's border. Each may be
-        // off by Tolerances.ROUNDING of the lengths.
-        private static const ROUNDED_TERMS:Number = 4;
+        // How many rounded terms are compared with one another: of each axis the box's middle, half its length, and how far it has moved; and a limit.
+        // Each may be off by Tolerances.ROUNDING of the lengths.
+        private static const ROUNDED_TERMS:Number = 10;
 
         /** The height 0 of the ground, relative to the search's origin. Read only. */
         public var zeroHeight:Number = 0;
@@ -28,15 +28,15 @@ package starlogo.ground
         /** The latest time of the motion when the search began. It may have become earlier since. Read only. */
         public var latest:Number = 0;
 
+        /** No rounding error of the search's coordinates is larger, and no margin of a triangle (see Touching). Read only. */
+        public var slack:Number = 0;
+
         /** How the box moves along x and along y. Read only. */
         public var alongX:AxisPath = new AxisPath();
         public var alongY:AxisPath = new AxisPath();
 
         // Half the box's height, with slack for rounding.
         private var _halfZ:Number = 0;
-
-        // No rounding error of the search's coordinates is larger.
-        private var _slack:Number = 0;
 
         private var _separation:SquareSeparation = new SquareSeparation();
         private var _least:Vector3D = new Vector3D();
@@ -53,16 +53,18 @@ package starlogo.ground
             alongX.firstCell = grid.x - search.origin.x - grid.border;
             alongY.firstCell = grid.y - search.origin.y - grid.border;
             zeroHeight = -search.origin.z;
-            _slack = ROUNDED_TERMS * Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(alongX.firstCell) + Math.abs(box.y) + Math.abs(alongY.firstCell) + Math.abs(box.z)
-                    + Math.abs(zeroHeight) + grid.cellWidth
+            // the margins are fractions of the triangles' sizes, and so of the cell's width and the heights
+            var whole:HeightBounds = grid.pyramid.whole;
+            slack = ROUNDED_TERMS * Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(box.y) + Math.abs(box.z) + box.halfX + box.halfY + box.halfZ
+                    + Math.abs(alongX.firstCell) + Math.abs(alongY.firstCell) + Math.abs(zeroHeight) + grid.cellWidth + whole.greatest - whole.least
                     + latest * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z)));
             alongX.middle = box.x;
-            alongX.half = box.halfX * Tolerances.OUTER + _slack;
+            alongX.half = box.halfX * Tolerances.OUTER + slack;
             alongX.travel = motion.x;
             alongY.middle = box.y;
-            alongY.half = box.halfY * Tolerances.OUTER + _slack;
+            alongY.half = box.halfY * Tolerances.OUTER + slack;
             alongY.travel = motion.y;
-            _halfZ = box.halfZ * Tolerances.OUTER + _slack;
+            _halfZ = box.halfZ * Tolerances.OUTER + slack;
         }
 
         /** The level with whose squares the search begins. */
@@ -173,8 +175,8 @@ package starlogo.ground
             var width:Number = widthAt(level);
             var x:Number = alongX.firstCell + column * width;
             var y:Number = alongY.firstCell + row * width;
-            _least.setTo(x - _slack, y - _slack, heights.least - _slack);
-            _greatest.setTo(x + width + _slack, y + width + _slack, heights.greatest + _slack);
+            _least.setTo(x - slack, y - slack, heights.least - slack);
+            _greatest.setTo(x + width + slack, y + width + slack, heights.greatest + slack);
             return _separation.isFarther(search, _least, _greatest);
         }
     }

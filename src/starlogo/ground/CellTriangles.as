@@ -129,7 +129,8 @@ package starlogo.ground
         private function writeTriangle(index:int, out:GroundTriangle):Boolean
         {
             var corners:Vector.<Number> = out.corners;
-            if (index < TOPS_END)
+            out.isWall = index >= TOPS_END;
+            if (!out.isWall)
             {
                 writeTop(index == 0, corners);
             }
@@ -141,12 +142,13 @@ package starlogo.ground
             low = low < corners[8] ? low : corners[8];
             var high:Number = corners[2] > corners[5] ? corners[2] : corners[5];
             high = high > corners[8] ? high : corners[8];
-            out.minX = _minX;
-            out.maxX = _maxX;
-            out.minY = _minY;
-            out.maxY = _maxY;
-            out.minZ = low;
-            out.maxZ = high;
+            var slack:Number = _path.slack;
+            out.minX = _minX - slack;
+            out.maxX = _maxX + slack;
+            out.minY = _minY - slack;
+            out.maxY = _maxY + slack;
+            out.minZ = low - slack;
+            out.maxZ = high + slack;
             out.radius = _path.search.grid.cellWidth + high - low;
             return _passage.low <= high && _passage.high >= low;
         }
@@ -180,6 +182,7 @@ package starlogo.ground
             var low:Number = floor;
             if (grid.hasCell(column, row))
             {
+                // no wall is between two slopes
                 low = grid.isBlocky ? grid.heights[row * grid.columns + column] + _path.zeroHeight : Infinity;
             }
             if (low >= top && low >= endTop || low > _passage.high)

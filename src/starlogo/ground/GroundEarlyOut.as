@@ -25,9 +25,9 @@ package starlogo.ground
         /** No answer. Only a test of the agent's shape decides. */
         public static const UNKNOWN:int = 2;
 
-        // The place under the agent's middle, and bounds of all heights and of those around it.
+        // The place under the agent's middle, the one under the point of a sphere that is nearest to the ground, and bounds of the heights around.
         private var _under:GroundPoint = new GroundPoint();
-        private var _whole:HeightBounds = new HeightBounds();
+        private var _nearest:GroundPoint = new GroundPoint();
         private var _around:HeightBounds = new HeightBounds();
 
         /**
@@ -63,12 +63,12 @@ package starlogo.ground
                 // no ground is below
                 return UNKNOWN;
             }
-            grid.pyramid.findWhole(_whole);
+            var whole:HeightBounds = grid.pyramid.whole;
             // agents that are this close may touch, because of rounding
             var slack:Number = Tolerances.ROUNDING * (Math.abs(grid.x) + Math.abs(grid.y) + (grid.columns + grid.rows) * grid.cellWidth
-                    + Math.abs(_whole.least) + Math.abs(_whole.greatest));
+                    + Math.abs(whole.least) + Math.abs(whole.greatest));
             // a whole grid has the same bound along both axes
-            var slope:Number = grid.isBlocky ? Infinity : _whole.riseX / grid.cellWidth;
+            var slope:Number = grid.isBlocky ? Infinity : whole.riseX / grid.cellWidth;
             // The height that the steepest slope of all reaches. For a sphere it is its radius times the root of 1 + 2 s², at most 1 + s².
             var height:Number = isSphere ? inner + inner * slope * slope : extents.halfZ + slope * (extents.halfX + extents.halfY);
             // an agent whose lowest height is in the ground under its middle is not far
@@ -97,17 +97,16 @@ package starlogo.ground
             return !grid.isBlocky && above > height;
         }
 
-        // Whether a sphere above sloping ground touches it, as far as one of its points knows: the nearest one to the plane of the triangle under its
-        // middle. The point under its middle is moved to there.
+        // Whether a sphere above sloping ground touches it, as far as one of its points knows: the nearest one to the plane of the triangle under its middle.
         private function touchesSphere(grid:HeightGrid, extents:GroundBox, under:GroundPoint):Boolean
         {
             var width:Number = grid.cellWidth;
             grid.findFall(under);
             var step:Number = extents.halfX / Math.sqrt(under.fallX * under.fallX + under.fallY * under.fallY + width * width);
-            under.x -= step * under.fallX;
-            under.y -= step * under.fallY;
-            grid.findHeight(under);
-            return under.height >= extents.z - step * width;
+            _nearest.x = under.x - step * under.fallX;
+            _nearest.y = under.y - step * under.fallY;
+            grid.findHeight(_nearest);
+            return _nearest.height >= extents.z - step * width;
         }
     }
 }

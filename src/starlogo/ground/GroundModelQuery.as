@@ -34,7 +34,8 @@ package starlogo.ground
         private var _sweep:RelativeMotion = new RelativeMotion();
         private var _touch:ImpactChoice = new ImpactChoice();
 
-        // For the upper bound of a distance: a point of the ground, and the same point as the corners of a triangle.
+        // For the upper bound of a distance: the box around the model, a point of the ground, and the same point as the corners of a triangle.
+        private var _around:GroundBox = new GroundBox();
         private var _nearest:GroundPoint = new GroundPoint();
         private var _point:Vector.<Number> = new Vector.<Number>(9, true);
 
@@ -168,8 +169,8 @@ package starlogo.ground
         private function boundDistance(out:ClosestPoints):void
         {
             var origin:Placement = _pairs.origin;
-            var box:GroundBox = _pairs.pieces.box;
-            _pairs.pieces.fitBoxToWhole();
+            var box:GroundBox = _around;
+            _pairs.pieces.findBoxAroundWhole(box);
             _nearest.x = box.x + origin.x;
             _nearest.y = box.y + origin.y;
             _pairs.grid.findNearest(_nearest);

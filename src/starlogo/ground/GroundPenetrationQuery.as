@@ -34,7 +34,8 @@ package starlogo.ground
 
         private var _exits:GroundExits = new GroundExits();
 
-        // Bounds of the heights around the model.
+        // The box around the model, and bounds of the heights around it.
+        private var _whole:GroundBox = new GroundBox();
         private var _around:HeightBounds = new HeightBounds();
 
         /**
@@ -70,8 +71,8 @@ package starlogo.ground
         public function findLift(out:ContactPoint):void
         {
             var origin:Placement = _pairs.origin;
-            var box:GroundBox = _pairs.pieces.box;
-            _pairs.pieces.fitBoxToWhole();
+            var box:GroundBox = _whole;
+            _pairs.pieces.findBoxAroundWhole(box);
             var low:Number = box.z - box.halfZ;
             _pairs.grid.pyramid.findAround(box.x + origin.x, box.y + origin.y, box.halfX, box.halfY, _around);
             out.setNormal(0, 0, 1);
@@ -147,15 +148,16 @@ package starlogo.ground
             while (_pairs.next())
             {
                 var rounding:Number = roundingHere();
-                // no overlap is deeper than the piece is behind the plane
                 _kernel.plane.findBehind(_kernel.shape, RelativeMotion.NONE, _tried);
-                var isLess:Boolean = mostOverlap > 0 && _tried.depth < mostOverlap - rounding;
+                var behind:Number = _tried.depth;
+                // no overlap is deeper than the piece is behind the plane
+                var isLess:Boolean = mostOverlap > 0 && behind < mostOverlap - rounding;
                 if (!isLess && findOverlap())
                 {
                     var overlap:Number = _tried.depth;
-                    // now the depth is how long the way out is
                     _kernel.plane.leadOutside(_kernel.shape, RelativeMotion.NONE, _tried);
-                    if (!isFound || overlap > mostOverlap + roundingFor(_tried.depth - out.depth, rounding))
+                    var wayOut:Number = _tried.depth;
+                    if (!isFound || overlap > mostOverlap + roundingFor(wayOut - out.depth, rounding))
                     {
                         isFound = true;
                         mostOverlap = Math.max(overlap, mostOverlap);

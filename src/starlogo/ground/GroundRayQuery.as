@@ -26,8 +26,7 @@ package starlogo.ground
         private var _sheared:ShearedRay = new ShearedRay();
         private var _first:TriangleCrossing = new TriangleCrossing();
 
-        // Bounds of all heights, and an upper bound of the radius of a triangle between them.
-        private var _whole:HeightBounds = new HeightBounds();
+        // An upper bound of the radius of a triangle between the least and the greatest height.
         private var _largest:Number = 0;
 
         /**
@@ -107,8 +106,8 @@ package starlogo.ground
             _triangles.begin(_search);
             // only now, so that the distance does not depend on where the ray ends
             _search.motion.latest = Math.min(ray.to, FARTHEST);
-            grid.pyramid.findWhole(_whole);
-            _largest = 3 * grid.cellWidth + _whole.greatest - _whole.least;
+            var whole:HeightBounds = grid.pyramid.whole;
+            _largest = 3 * grid.cellWidth + whole.greatest - whole.least;
             _sheared.setTo(ray, _largest);
         }
     }

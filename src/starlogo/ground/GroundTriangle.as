@@ -12,12 +12,15 @@ package starlogo.ground
         /** The corners, nine numbers; counter-clockwise as seen from outside of the ground. */
         public var corners:Vector.<Number> = new Vector.<Number>(9, true);
 
+        /** Whether it is a part of an upright wall. Then its first side leads from one end of the wall to the other. */
+        public var isWall:Boolean = false;
+
         /** A sphere with this radius around the triangle's middle contains it. It need not be the smallest. */
         public var radius:Number = 0;
 
         /**
-         * A box around it: around its cell as seen from above, and between the least and the greatest height of a corner. NearTriangles makes it larger, for
-         * rounding.
+         * A box around it: around its cell as seen from above, and between the least and the greatest height of a corner. It is larger by the slack of
+         * GroundTriangles.
          */
         public var minX:Number = 0;
         public var maxX:Number = 0;

@@ -25,10 +25,10 @@ package starlogo.ground
 
         // Level, column and row of each square that is still to be visited, and how many numbers these are.
         private var _squares:Vector.<int> = new Vector.<int>();
-        private var _top:int = 0;
+        private var _squaresEnd:int = 0;
 
-        // Whether the box stands and nothing beside it counts. Then its passage is the same over all squares, because only those below it are visited.
-        private var _isStill:Boolean = false;
+        // Whether the passage is the same over all squares: the box stands and nothing beside it counts, so only squares below it are visited.
+        private var _hasOnePassage:Boolean = false;
 
         // The level of the first squares.
         private var _firstLevel:int = 0;
@@ -38,7 +38,7 @@ package starlogo.ground
         {
             _path.begin(search);
             stop();
-            _isStill = search.motion.isStill && search.maxDistance == 0;
+            _hasOnePassage = search.motion.isStill && search.maxDistance == 0;
             _passage.begin(search.motion.latest);
             _path.findHeights(_passage);
             _firstLevel = _path.firstLevel();
@@ -51,12 +51,18 @@ package starlogo.ground
             return _firstLevel == 0;
         }
 
+        /** How much nearer to the box a triangle of the search may be than its numbers say, because of rounding and its margin. */
+        public function get slack():Number
+        {
+            return _path.slack;
+        }
+
         /** Writes the next triangle. Returns false if there is none. */
         public function next(out:GroundTriangle):Boolean
         {
             while (!_cell.next(out))
             {
-                if (_top == 0)
+                if (_squaresEnd == 0)
                 {
                     return false;
                 }
@@ -69,7 +75,7 @@ package starlogo.ground
         public function stop():void
         {
             _cell.leave();
-            _top = 0;
+            _squaresEnd = 0;
         }
 
         // Puts squares of a level on the stack if the box may pass over them in the current passage. Only a rectangle counts, with a first column and row
@@ -88,10 +94,10 @@ package starlogo.ground
             {
                 for (var column:int = left; column <= right; column++)
                 {
-                    _squares[_top] = level;
-                    _squares[int(_top + 1)] = motion.x < 0 ? column : left + right - column;
-                    _squares[int(_top + 2)] = motion.y < 0 ? row : bottom + top - row;
-                    _top += 3;
+                    _squares[_squaresEnd] = level;
+                    _squares[int(_squaresEnd + 1)] = motion.x < 0 ? column : left + right - column;
+                    _squares[int(_squaresEnd + 2)] = motion.y < 0 ? row : bottom + top - row;
+                    _squaresEnd += 3;
                 }
             }
         }
@@ -99,11 +105,11 @@ package starlogo.ground
         // Takes a square from the stack. If the box comes to its heights, continues with its smaller squares, or with the cell's triangles.
         private function visitSquare():void
         {
-            _top -= 3;
-            var level:int = _squares[_top];
-            var column:int = _squares[int(_top + 1)];
-            var row:int = _squares[int(_top + 2)];
-            if (!_isStill && !passesOver(level, column, row))
+            _squaresEnd -= 3;
+            var level:int = _squares[_squaresEnd];
+            var column:int = _squares[int(_squaresEnd + 1)];
+            var row:int = _squares[int(_squaresEnd + 2)];
+            if (!_hasOnePassage && !findPassage(level, column, row))
             {
                 return;
             }
@@ -120,8 +126,8 @@ package starlogo.ground
             }
         }
 
-        // Finds how the moving box passes over a square. Returns whether it does.
-        private function passesOver(level:int, column:int, row:int):Boolean
+        // Finds the passage over a square. Returns whether there is one.
+        private function findPassage(level:int, column:int, row:int):Boolean
         {
             _passage.begin(_path.search.motion.latest);
             return _path.findPassage(level, column, row, _passage);

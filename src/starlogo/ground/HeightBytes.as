@@ -43,23 +43,23 @@ package starlogo.ground
                         + ") on, in cells " + cellWidth + " wide");
             }
             var flag:int = bytes.readUnsignedByte();
-            var found:HeightGrid = new HeightGrid(columns, rows, cellWidth, x, y);
-            found.isBlocky = flag == 1;
-            found.heights = readNumbers(bytes, columns * rows, false);
-            var holes:Vector.<Number> = found.heights == null ? null : readNumbers(bytes, countHoleNumbers(grid), true);
-            if (flag > 1 || holes == null)
+            var heights:Vector.<Number> = readNumbers(bytes, columns * rows, false);
+            var bits:Vector.<Number> = heights == null ? null : readNumbers(bytes, countHoleNumbers(grid), true);
+            if (flag > 1 || bits == null)
             {
                 return null;
             }
-            for (var i:int = 0; i < holes.length; i++)
+            var holes:Vector.<int> = null;
+            for (var i:int = 0; i < bits.length; i++)
             {
-                if (holes[i] != 0)
+                if (bits[i] != 0)
                 {
-                    found.holes ||= new Vector.<int>(holes.length, true);
-                    found.holes[i] = holes[i];
+                    holes ||= new Vector.<int>(bits.length, true);
+                    holes[i] = bits[i];
                 }
             }
-            found.pyramid.update(0, 0, columns - 1, rows - 1);
+            var found:HeightGrid = new HeightGrid(columns, rows, cellWidth, x, y);
+            found.setSurface(flag == 1, heights, holes);
             return found;
         }
 

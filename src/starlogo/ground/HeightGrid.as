@@ -32,19 +32,19 @@ package starlogo.ground
         public var x:Number;
         public var y:Number;
 
-        /** Whether the surface is upright blocks; otherwise it is slopes. */
+        /** Whether the surface is upright blocks; otherwise it is slopes. May be set. */
         public var isBlocky:Boolean = false;
 
-        /** The heights, row by row. */
+        /** The heights, row by row. Read only. */
         public var heights:Vector.<Number>;
 
         /**
          * A bit for each cell: whether it is a hole. 32 cells are one number, in the order of the heights. The cell of a height is the block
-         * around it, or the slopes between it and the next heights along x and y. Null if there is no hole.
+         * around it, or the slopes between it and the next heights along x and y. Null if there is no hole. Read only.
          */
         public var holes:Vector.<int> = null;
 
-        /** Bounds of the heights. Who writes to <code>heights</code> or <code>holes</code> updates it. */
+        /** Bounds of the heights. Read only. */
         public var pyramid:HeightPyramid;
 
         // The number of frames that need the ground as it is.
@@ -85,11 +85,15 @@ package starlogo.ground
         /** Makes all heights 0, without holes. */
         public function reset():void
         {
-            for (var i:int = 0; i < heights.length; i++)
-            {
-                heights[i] = 0;
-            }
-            holes = null;
+            setSurface(isBlocky, new Vector.<Number>(columns * rows, true), null);
+        }
+
+        /** Sets all of the surface. The heights and the holes are kept. */
+        public function setSurface(isBlocky:Boolean, heights:Vector.<Number>, holes:Vector.<int>):void
+        {
+            this.isBlocky = isBlocky;
+            this.heights = heights;
+            this.holes = holes;
             pyramid.update(0, 0, columns - 1, rows - 1);
         }
 
@@ -147,15 +151,15 @@ package starlogo.ground
         }
 
         /** Whether a place is between the first height and the last, or at most this far outside along x and y. */
-        public function isWithin(atX:Number, atY:Number, border:Number):Boolean
+        public function isWithin(atX:Number, atY:Number, beyond:Number):Boolean
         {
-            return atX >= x - border && atY >= y - border && atX <= x + (columns - 1) * cellWidth + border && atY <= y + (rows - 1) * cellWidth + border;
+            return atX >= x - beyond && atY >= y - beyond && atX <= x + (columns - 1) * cellWidth + beyond && atY <= y + (rows - 1) * cellWidth + beyond;
         }
 
         // Whether a point is not outside of the ground, as seen from above. It takes a record, because V8 would make objects of the Numbers.
         private function hasGroundBelow(point:GroundPoint):Boolean
         {
-            var beyond:Number = isBlocky ? cellWidth / 2 : 0;
+            var beyond:Number = border;
             return point.x >= x - beyond && point.y >= y - beyond && point.x <= x + (columns - 1) * cellWidth + beyond && point.y <= y + (rows - 1) * cellWidth + beyond;
         }
 
@@ -251,7 +255,7 @@ package starlogo.ground
             var corner:int = row * columns + column;
             if (isHole(corner))
             {
-                corner = besideHole(corner, toX == column && column > 0, toY == row && row > 0);
+                corner = cellBeside(corner, toX == column && column > 0, toY == row && row > 0);
                 if (corner < 0)
                 {
                     point.height = NaN;
@@ -288,7 +292,7 @@ package starlogo.ground
 
         // The cell beside a hole to which a place at the hole's border belongs, or -1. The place is at the border to the cell before the hole
         // along x, or along y, or at both.
-        private function besideHole(hole:int, isAtX:Boolean, isAtY:Boolean):int
+        private function cellBeside(hole:int, isAtX:Boolean, isAtY:Boolean):int
         {
             if (isAtX && !isHole(hole - 1))
             {

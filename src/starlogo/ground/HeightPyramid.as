@@ -24,6 +24,9 @@ package starlogo.ground
         /** The number of the last level. Level 0 is the cells, whose heights need no bounds. */
         public var lastLevel:int = 0;
 
+        /** Bounds of all heights. Read only. */
+        public var whole:HeightBounds = new HeightBounds();
+
         private var _grid:HeightGrid;
 
         // The numbers of all squares, level by level and row by row; and by level, where its squares begin.
@@ -44,6 +47,7 @@ package starlogo.ground
                 size += NUMBERS * countSquares(grid.columns, lastLevel) * countSquares(grid.rows, lastLevel);
             }
             _bounds = new Vector.<Number>(size, true);
+            findWhole();
         }
 
         /** In which column or row of a level's squares a column or a row of cells is. */
@@ -65,12 +69,12 @@ package starlogo.ground
             {
                 _bounds[i] = other._bounds[i];
             }
+            findWhole();
         }
 
-        /** Finds bounds of all heights. */
-        public function findWhole(out:HeightBounds):void
+        private function findWhole():void
         {
-            findRange(lastLevel, 0, 0, 0, 0, out);
+            findRange(lastLevel, 0, 0, 0, 0, whole);
         }
 
         /** Finds bounds of a range of a level's squares. At level 0 they are of the heights themselves. */
@@ -189,6 +193,7 @@ package starlogo.ground
                     }
                 }
             }
+            findWhole();
         }
 
         // Computes the bounds of a square from the bounds of its squares of the level below, and of some rows and columns around these.

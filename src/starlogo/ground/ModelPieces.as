@@ -162,10 +162,10 @@ package starlogo.ground
             return _placement.r20 * boxes[at] + _placement.r21 * boxes[int(at + 1)] + _placement.r22 * boxes[int(at + 2)];
         }
 
-        /** Puts the box around the whole model, until the next piece. */
-        public function fitBoxToWhole():void
+        /** Finds the box around the whole model, relative to the origin. */
+        public function findBoxAroundWhole(out:GroundBox):void
         {
-            fitBoxTo(_structure);
+            findBoxAround(_structure, out);
         }
 
         // Makes a node current.
@@ -184,7 +184,7 @@ package starlogo.ground
                 takeStructure(nodeBox);
                 return;
             }
-            fitBoxTo(nodeBox);
+            findBoxAround(nodeBox, box);
             shapeInBox = null;
             point.x = box.x;
             point.y = box.y;
@@ -195,7 +195,7 @@ package starlogo.ground
         private function takeStructure(structure:BoundingStructure):void
         {
             kernel.setStructure(structure, _placement);
-            fitBoxTo(structure);
+            findBoxAround(structure, box);
             takeShape();
             shapeInBox = kernel.shape;
         }
@@ -212,16 +212,16 @@ package starlogo.ground
             point.z = shape.z;
         }
 
-        // Puts the box around a structure of the model.
-        private function fitBoxTo(structure:BoundingStructure):void
+        // Finds the box around a structure of the model.
+        private function findBoxAround(structure:BoundingStructure, out:GroundBox):void
         {
             structure.boxAroundInto(_placement, _middleAndHalves);
-            box.x = _middleAndHalves[0] + _placement.x;
-            box.y = _middleAndHalves[1] + _placement.y;
-            box.z = _middleAndHalves[2] + _placement.z;
-            box.halfX = _middleAndHalves[3] + _margin;
-            box.halfY = _middleAndHalves[4] + _margin;
-            box.halfZ = _middleAndHalves[5] + _margin;
+            out.x = _middleAndHalves[0] + _placement.x;
+            out.y = _middleAndHalves[1] + _placement.y;
+            out.z = _middleAndHalves[2] + _placement.z;
+            out.halfX = _middleAndHalves[3] + _margin;
+            out.halfY = _middleAndHalves[4] + _margin;
+            out.halfZ = _middleAndHalves[5] + _margin;
         }
     }
 }

@@ -3,7 +3,6 @@ package starlogo.ground
     import flash.geom.Vector3D;
     import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
-    import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
 
     /**
@@ -12,16 +11,10 @@ package starlogo.ground
      */
     internal final class NearTriangles
     {
-        // How many rounded terms are compared with one another: three of each axis, and a limit. Each may be off by Tolerances.ROUNDING of the lengths,
-        // and those of a triangle by its margin.
-        private static const ROUNDED_TERMS:Number = 10;
-
-        /** What is looked for. Set the ground, the origin, the motion and the limits before boxes begin. Then only the limits may be narrowed. */
-        public var search:GroundSearch = new GroundSearch();
-
         /** The triangle that <code>next()</code> has found. Read only. */
         public var triangle:GroundTriangle = null;
 
+        private var _search:GroundSearch;
         private var _source:GroundTriangles = new GroundTriangles();
 
         // A limit: only triangles count behind whose planes the box reaches at least this deep.
@@ -41,12 +34,15 @@ package starlogo.ground
         // How many boxes were left when the triangles that are kept were looked for.
         private var _boxesLeft:int = 0;
 
-        // By how much the box is larger with all of its motion, and where its middle then is, relative to the box.
-        private var _moved:GroundBox = new GroundBox();
-
         // The least and the greatest corner of the box with all of its motion.
         private var _least:Vector3D = new Vector3D();
         private var _greatest:Vector3D = new Vector3D();
+
+        /** @param search what is looked for, but for its box and shape. Before boxes begin, all of it is set. Then only the limits may be narrowed */
+        public function NearTriangles(search:GroundSearch)
+        {
+            _search = search;
+        }
 
         /** Ends all searches. */
         public function stop():void
@@ -72,41 +68,40 @@ package starlogo.ground
         public function begin(box:GroundBox, shape:ConvexShape, boxesLeft:int):void
         {
             _next = 0;
+            // fewer boxes are left: all inside of the box whose triangles are kept have been
             if (!_areKept || boxesLeft < _boxesLeft)
             {
                 _areKept = false;
                 _mustBegin = _mayHaveMore = true;
                 _count = 0;
                 _boxesLeft = boxesLeft;
-                search.box.copyFrom(box);
-                search.shape = shape;
-                measureMotion();
+                _search.box.copyFrom(box);
+                _search.shape = shape;
             }
-            var halfX:Number = box.halfX + _moved.halfX;
-            var halfY:Number = box.halfY + _moved.halfY;
-            var halfZ:Number = box.halfZ + _moved.halfZ;
-            _least.x = box.x + _moved.x - halfX;
-            _least.y = box.y + _moved.y - halfY;
-            _least.z = box.z + _moved.z - halfZ;
-            _greatest.x = box.x + _moved.x + halfX;
-            _greatest.y = box.y + _moved.y + halfY;
-            _greatest.z = box.z + _moved.z + halfZ;
+            _least.x = box.x - box.halfX;
+            _least.y = box.y - box.halfY;
+            _least.z = box.z - box.halfZ;
+            _greatest.x = box.x + box.halfX;
+            _greatest.y = box.y + box.halfY;
+            _greatest.z = box.z + box.halfZ;
+            if (!_search.motion.isStill)
+            {
+                extendAlong(_search.motion);
+            }
         }
 
-        private function measureMotion():void
+        // Extends the corners of the box by its motion.
+        private function extendAlong(motion:RelativeMotion):void
         {
-            var box:GroundBox = search.box;
-            var motion:RelativeMotion = search.motion;
-            var grid:HeightGrid = search.grid;
-            var toFirst:Number = Math.abs(grid.x - search.origin.x) + Math.abs(grid.y - search.origin.y);
-            var slack:Number = ROUNDED_TERMS * Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(box.y) + Math.abs(box.z) + Math.abs(motion.x) + Math.abs(motion.y)
-                    + Math.abs(motion.z) + box.halfX + box.halfY + box.halfZ + grid.cellWidth + toFirst);
-            _moved.x = motion.latest * motion.x / 2;
-            _moved.y = motion.latest * motion.y / 2;
-            _moved.z = motion.latest * motion.z / 2;
-            _moved.halfX = Math.abs(_moved.x) + slack;
-            _moved.halfY = Math.abs(_moved.y) + slack;
-            _moved.halfZ = Math.abs(_moved.z) + slack;
+            var x:Number = motion.latest * motion.x;
+            var y:Number = motion.latest * motion.y;
+            var z:Number = motion.latest * motion.z;
+            _least.x += Math.min(0, x);
+            _least.y += Math.min(0, y);
+            _least.z += Math.min(0, z);
+            _greatest.x += Math.max(0, x);
+            _greatest.y += Math.max(0, y);
+            _greatest.z += Math.max(0, z);
         }
 
         /**
@@ -115,8 +110,14 @@ package starlogo.ground
          */
         public function next():Boolean
         {
-            var far:Number = search.maxDistance;
-            var front:Number = far - _leastDepth;
+            if (_mustBegin)
+            {
+                _mustBegin = false;
+                _source.begin(_search);
+                _areKept = _source.comesToFewCells;
+            }
+            var far:Number = _search.maxDistance;
+            var front:Number = far - _leastDepth + _source.slack;
             var minX:Number = _least.x - far;
             var minY:Number = _least.y - far;
             var minZ:Number = _least.z - far;
@@ -137,7 +138,7 @@ package starlogo.ground
                 var y:Number = normal.y > 0 ? _least.y : _greatest.y;
                 var z:Number = normal.z > 0 ? _least.z : _greatest.z;
                 // a flat triangle has no plane
-                if (!(normal.x * x + normal.y * y + normal.z * z - near.plane.greatest > front + ROUNDED_TERMS * near.margin))
+                if (!(normal.x * x + normal.y * y + normal.z * z - near.plane.greatest > front))
                 {
                     triangle = near;
                     return true;
@@ -149,13 +150,7 @@ package starlogo.ground
         // Finds one more triangle, and sets what only tests of the model need: its margin and its plane. Returns false if there is none.
         private function findMore():Boolean
         {
-            if (_mustBegin)
-            {
-                _mustBegin = false;
-                _source.begin(search);
-                _areKept = _source.comesToFewCells;
-            }
-            else if (!_areKept)
+            if (!_areKept)
             {
                 _count = _next = 0;
             }
@@ -171,21 +166,8 @@ package starlogo.ground
             }
             found.margin = Touching.marginOfSurface(found.radius);
             found.plane.setTriangle(found.corners, 0);
-            widen(found);
             _count++;
             return true;
-        }
-
-        // Makes the box around a triangle larger. V8 would make an object of a Number that is passed.
-        private static function widen(found:GroundTriangle):void
-        {
-            var by:Number = ROUNDED_TERMS * found.margin;
-            found.minX -= by;
-            found.maxX += by;
-            found.minY -= by;
-            found.maxY += by;
-            found.minZ -= by;
-            found.maxZ += by;
         }
     }
 }

@@ -17,10 +17,12 @@ package starlogo.ground
         // The ground under a point of the piece.
         private var _ground:GroundPoint = new GroundPoint();
 
-        // The ground's normal below the piece, and the normal of the contact that was found last; and the piece's lowest points along both.
+        // The ground's normal below the piece, and the piece's lowest point along it.
         private var _normal:Vector3D = new Vector3D();
-        private var _wayOut:Vector3D = new Vector3D(0, 0, 1);
         private var _lowest:LowestPoint = new LowestPoint();
+
+        // The same along the normal of the contact that was found last.
+        private var _wayOut:Vector3D = new Vector3D(0, 0, 1);
         private var _lowestOnWayOut:LowestPoint = new LowestPoint();
 
         /** @param pairs of the model */
@@ -39,7 +41,13 @@ package starlogo.ground
                 return true;
             }
             // no triangle is near a node that stands for the pieces below it
-            return !_pairs.pieces.isDivisible && (isLowestUnder(_ground) || touchesTriangle());
+            if (_pairs.pieces.isDivisible)
+            {
+                return false;
+            }
+            _pairs.grid.findNormal(_ground, _normal);
+            _lowest.find(_normal, _pairs.kernel.shape);
+            return isLowestUnder() || touchesTriangle();
         }
 
         /** Whether a point of the piece is at least this deep under the ground. */
@@ -67,14 +75,12 @@ package starlogo.ground
             _pairs.grid.findHeight(out);
         }
 
-        // Whether the lowest point above the slope at a place of the ground is under the ground; the place is moved to there. Nearly all pieces that reach
-        // under the ground do so there.
-        private function isLowestUnder(ground:GroundPoint):Boolean
+        // Whether the piece's lowest point is under the ground. Nearly all pieces that reach under the ground do so there.
+        private function isLowestUnder():Boolean
         {
-            _pairs.grid.findNormal(ground, _normal);
-            _lowest.find(_normal, _pairs.kernel.shape);
-            findGroundUnder(_lowest.point, ground);
-            return ground.height >= _lowest.point.z + _pairs.origin.z;
+            var point:Vector3D = _lowest.point;
+            findGroundUnder(point, _ground);
+            return _ground.height >= point.z + _pairs.origin.z;
         }
 
         // Whether the piece touches a triangle near it. A model that is tried along its way out is above nearly all triangles there.

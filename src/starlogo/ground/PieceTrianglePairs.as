@@ -26,8 +26,8 @@ package starlogo.ground
         public var origin:Placement;
 
         // Finds triangles near the current piece.
-        private var _triangles:NearTriangles = new NearTriangles();
-        private var _search:GroundSearch = _triangles.search;
+        private var _search:GroundSearch = new GroundSearch();
+        private var _triangles:NearTriangles = new NearTriangles(_search);
 
         public function PieceTrianglePairs()
         {

@@ -261,14 +261,14 @@ package starlogo.terrain
             {
                 throw new RangeError("a mound of width " + width + " at (" + x + ", " + y + ") is not within the terrain");
             }
-            var first:int = Math.max(0, Math.ceil(middleColumn - radius));
-            var last:int = Math.min(ground.columns - 1, Math.floor(middleColumn + radius));
+            var firstColumn:int = Math.max(0, Math.ceil(middleColumn - radius));
+            var lastColumn:int = Math.min(ground.columns - 1, Math.floor(middleColumn + radius));
             var firstRow:int = Math.max(0, Math.ceil(middleRow - radius));
             var lastRow:int = Math.min(ground.rows - 1, Math.floor(middleRow + radius));
             var raised:Vector.<Number> = new Vector.<Number>();
             for (var row:int = firstRow; row <= lastRow; row++)
             {
-                for (var column:int = first; column <= last; column++)
+                for (var column:int = firstColumn; column <= lastColumn; column++)
                 {
                     var acrossX:Number = (column - middleColumn) / radius;
                     var acrossY:Number = (row - middleRow) / radius;
@@ -279,7 +279,7 @@ package starlogo.terrain
             // There are none if the hill is between heights.
             if (raised.length > 0)
             {
-                setHeights(first, firstRow, last - first + 1, lastRow - firstRow + 1, raised);
+                setHeights(firstColumn, firstRow, lastColumn - firstColumn + 1, lastRow - firstRow + 1, raised);
             }
         }
 

@@ -56,18 +56,17 @@ package starlogo.terrain
             }
             var grid:HeightGrid = terrain.grid;
             _terrain = terrain;
-            var first:int = clamp(Math.ceil((minX - grid.x) / grid.cellWidth), 0, grid.columns);
+            var firstColumn:int = clamp(Math.ceil((minX - grid.x) / grid.cellWidth), 0, grid.columns);
             var firstRow:int = clamp(Math.ceil((minY - grid.y) / grid.cellWidth), 0, grid.rows);
-            var last:int = clamp(Math.floor((maxX - grid.x) / grid.cellWidth), -1, grid.columns - 1);
+            var lastColumn:int = clamp(Math.floor((maxX - grid.x) / grid.cellWidth), -1, grid.columns - 1);
             var lastRow:int = clamp(Math.floor((maxY - grid.y) / grid.cellWidth), -1, grid.rows - 1);
             // A box from a quarter of a cell behind the first height to a quarter before the last one. So it passes over the blocks of these
             // heights and over the cells between them, and over no other.
             var box:GroundBox = _search.box;
-            box.x = grid.x + (first + last) / 2 * grid.cellWidth;
+            box.x = grid.x + (firstColumn + lastColumn) / 2 * grid.cellWidth;
             box.y = grid.y + (firstRow + lastRow) / 2 * grid.cellWidth;
-            box.halfX = ((last - first) / 2 - 0.25) * grid.cellWidth;
+            box.halfX = ((lastColumn - firstColumn) / 2 - 0.25) * grid.cellWidth;
             box.halfY = ((lastRow - firstRow) / 2 - 0.25) * grid.cellWidth;
-            box.halfZ = Infinity;
         }
 
         /**
@@ -84,15 +83,16 @@ package starlogo.terrain
             _revision = _terrain.worldAgent.revision;
             _search.grid = _terrain.grid;
             vertices.length = normals.length = triangles.length = 0;
-            var whole:HeightBounds = new HeightBounds();
-            _search.grid.pyramid.findWhole(whole);
+            var whole:HeightBounds = _search.grid.pyramid.whole;
             _search.floor = whole.least;
+            _search.box.z = (whole.least + whole.greatest) / 2;
+            _search.box.halfZ = (whole.greatest - whole.least) / 2;
             var source:GroundTriangles = new GroundTriangles();
             var triangle:GroundTriangle = new GroundTriangle();
             source.begin(_search);
             while (source.next(triangle))
             {
-                addTriangle(triangle.corners);
+                addTriangle(triangle);
             }
             return true;
         }
@@ -102,17 +102,16 @@ package starlogo.terrain
             return Math.max(least, Math.min(greatest, value));
         }
 
-        private function addTriangle(corners:Vector.<Number>):void
+        private function addTriangle(triangle:GroundTriangle):void
         {
-            // the first side of a wall's triangles is along the wall, and so are both others as seen from above
+            var corners:Vector.<Number> = triangle.corners;
             var x:Number = corners[3] - corners[0];
             var y:Number = corners[4] - corners[1];
-            var isWall:Boolean = x * (corners[7] - corners[1]) == y * (corners[6] - corners[0]);
             for (var i:int = 0; i < 9; i += 3)
             {
                 triangles.push(vertices.length / 3);
                 vertices.push(corners[i], corners[i + 1], corners[i + 2]);
-                if (isWall)
+                if (triangle.isWall)
                 {
                     var width:Number = Math.abs(x) + Math.abs(y);
                     normals.push(y / width, -x / width, 0);

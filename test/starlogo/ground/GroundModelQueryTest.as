@@ -3,6 +3,7 @@ package starlogo.ground
     import evaluation.pairs.RandomStructures;
     import evaluation.pairs.SeededRandom;
     import flash.geom.Vector3D;
+    import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
@@ -19,6 +20,7 @@ package starlogo.ground
     import support.Effort;
     import support.RandomGround;
     import support.assertClose;
+    import support.fillHeights;
 
     use namespace engine;
 
@@ -125,6 +127,34 @@ package starlogo.ground
             _placement.z = half + 0.99 * gap;
             setQuery();
             assertTrue(structure + " at " + far, _query.areTouchingAt(RelativeMotion.NONE, 0));
+        }
+
+        // The margin of a steep triangle is that of its height, and may be larger than that of a cell.
+        [Test]
+        public function aSteepSlopeIsTouchedAcrossItsWholeMargin():void
+        {
+            var height:Number = 1e6;
+            for each (var cells:int in [4, 100])
+            {
+                for each (var radius:Number in cells == 4 ? [1e-3, 0.5] : [1e-3, 0.5, 10])
+                {
+                    _terrain = new Terrain(cells, cells, 1, 1 - cells / 2, 0);
+                    fillHeights(_terrain, function(column:int, row:int):Number
+                        {
+                            return column < cells / 2 ? 0 : height;
+                        });
+                    _structure = new Sphere(new Vector3D(), radius);
+                    _placement.y = cells / 2 - 0.4;
+                    _placement.z = radius + 1e-3;
+                    for each (var margins:Number in [0.1, 0.5, 0.9, 1.1])
+                    {
+                        // the slope rises from x = 0 on
+                        _placement.x = _placement.z / height - radius - margins * Tolerances.SURFACES * height;
+                        setQuery();
+                        assertEquals(cells + " " + radius + " " + margins, margins < 1, _query.areTouchingAt(RelativeMotion.NONE, 0));
+                    }
+                }
+            }
         }
 
         // Two bars stick in the side of a column. The one that is deepest counts, whether it comes first or last.

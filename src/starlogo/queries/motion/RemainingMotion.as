@@ -3,7 +3,7 @@ package starlogo.queries.motion
     import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
     import starlogo.search.penetration.HalfSpaceSolver;
-    import starlogo.search.penetration.ShortestExit;
+    import starlogo.search.penetration.ShortestDisplacement;
 
     /**
      * The motion that remains of a slide. It is turned so that it crosses none of the planes that the slide has met (Fauerby, "Improved collision detection
@@ -39,7 +39,7 @@ package starlogo.queries.motion
 
         // The shortest displacement from the end of the wanted motion out of the planes.
         private var _halfSpaces:HalfSpaceSolver = new HalfSpaceSolver();
-        private var _exit:ShortestExit = new ShortestExit();
+        private var _exit:ShortestDisplacement = new ShortestDisplacement();
 
         /**
          * Begins a slide.

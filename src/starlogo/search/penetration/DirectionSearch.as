@@ -14,7 +14,7 @@ package starlogo.search.penetration
     {
         /**
          * The search improves the direction of a contact whose depth is more than this fraction of the larger extent. The search for a way out
-         * also begins with steps of this length.
+         * also begins with steps of this length. After a push that is longer, ExitSearch tries one against the motion too.
          */
         internal static const IMPROVED_DEPTH:Number = 1 / 256;
 
@@ -33,12 +33,9 @@ package starlogo.search.penetration
 
         private var _pair:DisplacedPair;
 
-        // The direction, with the distance that is tested.
+        // The direction, with the distance that is tested; and between which distances along it the two part.
         private var _tried:Displacement = new Displacement();
-
-        // The two part between these distances: they touch at the inner one, and not at the outer one, once it is tested.
-        private var _inner:Number = 0;
-        private var _outer:Number = 0;
+        private var _parted:PartingDistances = new PartingDistances();
 
         // The sweep back, and the contact at its end.
         private var _back:RelativeMotion = new RelativeMotion();
@@ -59,9 +56,9 @@ package starlogo.search.penetration
         public function findAlong(guess:ContactPoint, out:ContactPoint):void
         {
             _tried.setDirection(guess.normalX, guess.normalY, guess.normalZ);
-            _outer = guess.depth + _pair.tolerance;
-            goOut(IMPROVED_DEPTH * _pair.extent);
-            refine(out);
+            _parted.begin(guess.depth + _pair.tolerance);
+            goOut(IMPROVED_DEPTH * _pair.extent, _parted);
+            refine(_parted, out);
         }
 
         /**
@@ -73,31 +70,30 @@ package starlogo.search.penetration
         public function shorten(free:Displacement, out:ContactPoint):void
         {
             _tried.setDirection(free.x, free.y, free.z);
-            _inner = 0;
-            _outer = free.distance;
-            refine(out);
+            _parted.begin(free.distance);
+            refine(_parted, out);
         }
 
         // Sweeps back from the outer distance. If the depth is more than IMPROVED_DEPTH, improves the direction. Then the point becomes the
         // middle between the place where the two part and the matching place on the first body.
-        private function refine(out:ContactPoint):void
+        private function refine(between:PartingDistances, out:ContactPoint):void
         {
-            sweepBack(out);
+            sweepBack(between, out);
             if (out.depth > IMPROVED_DEPTH * _pair.extent)
             {
-                for (var left:int = IMPROVEMENTS; left > 0 && startAlongPartingNormal(out); left--)
+                for (var left:int = IMPROVEMENTS; left > 0 && startAlongPartingNormal(out, between); left--)
                 {
-                    sweepBack(out);
+                    sweepBack(between, out);
                 }
             }
             out.x = _parting.x - out.depth / 2 * out.normalX;
             out.y = _parting.y - out.depth / 2 * out.normalY;
             out.z = _parting.z - out.depth / 2 * out.normalZ;
-            correctDepth(out);
+            correctDepth(between, out);
         }
 
         // Starts along the normal of the surfaces where the two parted. Returns whether the way out along it is shorter than a contact's depth.
-        private function startAlongPartingNormal(contact:ContactPoint):Boolean
+        private function startAlongPartingNormal(contact:ContactPoint, out:PartingDistances):Boolean
         {
             var cosine:Number = _parting.normalX * contact.normalX + _parting.normalY * contact.normalY + _parting.normalZ * contact.normalZ;
             if (!(cosine > 0 && cosine < GAIN))
@@ -105,33 +101,33 @@ package starlogo.search.penetration
                 return false;
             }
             _tried.setDirection(_parting.normalX, _parting.normalY, _parting.normalZ);
-            _inner = 0;
-            _outer = cosine * contact.depth + _pair.tolerance;
-            return !areTouchingAtEnd();
+            out.begin(cosine * contact.depth + _pair.tolerance);
+            return !areTouchingAtOuter(out);
         }
 
-        // Increases the outer distance by a step until the two do not touch there. Each step is twice as long as the one before.
-        private function goOut(step:Number):void
+        // Increases the outer distance by a step until the two do not touch there. Each step is twice as long as the one before. Returns whether they were
+        // free at the first outer distance.
+        private function goOut(step:Number, out:PartingDistances):Boolean
         {
-            _inner = 0;
-            while (areTouchingAtEnd() && _outer < 1e300)
+            while (areTouchingAtOuter(out) && out.outer < 1e300)
             {
-                _inner = _outer;
-                _outer += step;
+                out.inner = out.outer;
+                out.outer += step;
                 step *= 2;
             }
+            return out.inner == 0;
         }
 
-        // Finds the place where the two part, in the interval. Its distance becomes the contact's depth.
-        private function sweepBack(out:ContactPoint):void
+        // Finds the place where the two part. Its distance becomes the contact's depth.
+        private function sweepBack(between:PartingDistances, out:ContactPoint):void
         {
-            while (_outer - _inner > NARROW * _pair.extent)
+            while (between.outer - between.inner > NARROW * _pair.extent)
             {
-                halve();
+                halve(between);
             }
-            _tried.distance = _inner;
+            _tried.distance = between.inner;
             _pair.displace(_tried);
-            var length:Number = _inner - _outer;
+            var length:Number = between.inner - between.outer;
             _back.endAfter(length * _tried.x, length * _tried.y, length * _tried.z);
             _pair.findImpact(_back, _parting);
             if (_back.time == RelativeMotion.NEVER)
@@ -141,48 +137,47 @@ package starlogo.search.penetration
             }
             var time:Number = Math.min(_back.time, 1);
             out.setNormal(_tried.x, _tried.y, _tried.z);
-            out.depth = _outer + time * length;
+            out.depth = between.outer + time * length;
         }
 
-        private function halve():void
+        private function halve(out:PartingDistances):void
         {
-            _tried.distance = (_inner + _outer) / 2;
+            _tried.distance = (out.inner + out.outer) / 2;
             if (_pair.touchesAt(_tried))
             {
-                _inner = _tried.distance;
+                out.inner = _tried.distance;
             }
             else
             {
-                _outer = _tried.distance;
+                out.outer = _tried.distance;
             }
         }
 
         // Corrects what rounding has made of a contact's depth: the two do not touch a little beyond it, and touch a little before it.
-        private function correctDepth(out:ContactPoint):void
+        private function correctDepth(between:PartingDistances, out:ContactPoint):void
         {
             var probe:Number = _pair.probeDistance;
             _tried.setDirection(out.normalX, out.normalY, out.normalZ);
-            _outer = out.depth + probe;
-            goOut(probe);
-            if (_inner == 0)
+            between.begin(out.depth + probe);
+            if (goOut(probe, between))
             {
                 _tried.distance = out.depth - probe;
                 if (_tried.distance <= 0 || _pair.touchesAt(_tried))
                 {
                     return;
                 }
-                _outer = _tried.distance;
+                between.outer = _tried.distance;
             }
-            for (var i:int = 0; i < MOST_STEPS && _outer - _inner > probe; i++)
+            for (var i:int = 0; i < MOST_STEPS && between.outer - between.inner > probe; i++)
             {
-                halve();
+                halve(between);
             }
-            out.depth = (_outer + _inner) / 2;
+            out.depth = (between.outer + between.inner) / 2;
         }
 
-        private function areTouchingAtEnd():Boolean
+        private function areTouchingAtOuter(between:PartingDistances):Boolean
         {
-            _tried.distance = _outer;
+            _tried.distance = between.outer;
             return _pair.touchesAt(_tried);
         }
     }

@@ -79,18 +79,16 @@ package starlogo.search.penetration
          * @param out receives it
          * @return whether there is one
          */
-        public function solve(mostPlanes:int, slack:Number, out:ShortestExit):Boolean
+        public function solve(mostPlanes:int, slack:Number, out:ShortestDisplacement):Boolean
         {
             _slack = slack;
-            out.length = Infinity;
-            out.planeCount = 0;
             _tried.setTo(0, 0, 0);
+            out.setToNone();
             if (leadsOut(0))
             {
-                out.displacement.setTo(0, 0, 0);
-                out.length = 0;
                 return true;
             }
+            out.length = Infinity;
             _longest = 0;
             for (var i:int = 0; i < count; i++)
             {
@@ -110,7 +108,7 @@ package starlogo.search.penetration
 
         // Tries the nearest point of the line in which two planes meet, then the points where this line meets planes before them. The sum and the
         // difference of two unit normals are perpendicular, so no digits are lost, even if the planes are nearly parallel.
-        private function tryLine(i:int, j:int, mostPlanes:int, out:ShortestExit):void
+        private function tryLine(i:int, j:int, mostPlanes:int, out:ShortestDisplacement):void
         {
             var sumX:Number = _xs[i] + _xs[j];
             var sumY:Number = _ys[i] + _ys[j];
@@ -137,7 +135,7 @@ package starlogo.search.penetration
         }
 
         // Keeps the displacement that is tried if it is shorter and leads out of all half-spaces. Planes that do not meet make no numbers of it.
-        private function keepShorter(planeCount:int, out:ShortestExit):void
+        private function keepShorter(planeCount:int, out:ShortestDisplacement):void
         {
             var length:Number = Math.sqrt(_tried.x * _tried.x + _tried.y * _tried.y + _tried.z * _tried.z);
             if (length < out.length && length <= _longest && leadsOut(length))

@@ -29,7 +29,7 @@ package starlogo.search.penetration
 
         // The planes that the body slides along, and the place where it slides to.
         private var _planes:HalfSpaceSolver = new HalfSpaceSolver();
-        private var _target:ShortestExit = new ShortestExit();
+        private var _target:ShortestDisplacement = new ShortestDisplacement();
 
         // The length of the shortest way out so far, a place above which one is looked for, and the displacement that is tried.
         private var _shortest:Number = 0;
@@ -39,6 +39,9 @@ package starlogo.search.penetration
         // The displacement along the shortest way at which the body was found free: a little beyond the way's end.
         private var _free:Displacement = new Displacement();
 
+        // The end of a sweep down, at the height of the body's own place.
+        private var _level:Displacement = new Displacement();
+
         // A sweep, and the contact at its end.
         private var _sweep:RelativeMotion = new RelativeMotion();
         private var _met:ContactPoint = new ContactPoint();
@@ -47,6 +50,7 @@ package starlogo.search.penetration
         public function PlacesAbove(pair:DisplacedPair)
         {
             _pair = pair;
+            _level.distance = 1;
         }
 
         /**
@@ -101,10 +105,10 @@ package starlogo.search.penetration
             _tried.distance = 1;
             if (!_pair.touchesAt(_tried))
             {
-                sweepDown();
+                var free:Number = sweepDown(_tried);
                 // halfway between the place and the one farther; and a little higher, because the ground may rise on the way back to there
                 var share:Number = (1 + fartherFactor) / (2 * fartherFactor);
-                var lowest:Number = high * (1 - Math.min(_sweep.time, 1)) + _pair.room;
+                var lowest:Number = high * (1 - free) + _pair.room;
                 if (takeIfFree(fartherX * share, fartherY * share, lowest, _pair.tolerance))
                 {
                     slideBackRepeatedly();
@@ -153,7 +157,7 @@ package starlogo.search.penetration
             var y:Number = _shortest * _free.y;
             var z:Number = _shortest * _free.z;
             _planes.begin();
-            _planes.solve(1, 0, _target);
+            _target.setToNone();
             for (var i:int = 0; i < MOST_PLANES && _target.length < _shortest; i++)
             {
                 _tried.setDirection(_target.displacement.x, _target.displacement.y, _target.displacement.z);
@@ -179,13 +183,14 @@ package starlogo.search.penetration
             takeIfFree(x, y, z, _pair.room);
         }
 
-        // Sweeps the first body down from the displacement that is tried, to the height of its own place, and finds when it meets the ground.
-        private function sweepDown():void
+        // Sweeps the first body down from a displacement to the height of its own place. Returns which part of this way is free.
+        private function sweepDown(from:Displacement):Number
         {
-            _sweep.endAfter(0, 0, -_tried.z);
-            _tried.z = 0;
-            _pair.displace(_tried);
+            _level.setDirection(from.distance * from.x, from.distance * from.y, 0);
+            _pair.displace(_level);
+            _sweep.endAfter(0, 0, -from.distance * from.z);
             _pair.findImpact(_sweep, _met);
+            return Math.min(_sweep.time, 1);
         }
     }
 }

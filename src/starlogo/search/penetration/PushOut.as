@@ -34,7 +34,7 @@ package starlogo.search.penetration
 
         // The contacts that decide about the push and the one after it, with depths from where the body was at the beginning; and the push out of these.
         private var _contacts:HalfSpaceSolver = new HalfSpaceSolver();
-        private var _push:ShortestExit = new ShortestExit();
+        private var _push:ShortestDisplacement = new ShortestDisplacement();
 
         // The contact after a push.
         private var _next:ContactPoint = new ContactPoint();
@@ -77,7 +77,7 @@ package starlogo.search.penetration
         {
             var count:int = 1;
             _contacts.begin();
-            _contacts.solve(1, 0, _push);
+            _push.setToNone();
             _pair.putBack();
             add(first);
             while (_push.length <= most && _push.length < Infinity && count <= MOST_CONTACTS)

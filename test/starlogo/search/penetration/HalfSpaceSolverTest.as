@@ -14,7 +14,7 @@ package starlogo.search.penetration
         private static const CLOSE:Number = 1e-9;
 
         private var _solver:HalfSpaceSolver = new HalfSpaceSolver();
-        private var _out:ShortestExit = new ShortestExit();
+        private var _out:ShortestDisplacement = new ShortestDisplacement();
         private var _random:SeededRandom = new SeededRandom(72);
         private var _normals:Vector.<Vector3D> = new Vector.<Vector3D>();
         private var _depths:Vector.<Number> = new Vector.<Number>();

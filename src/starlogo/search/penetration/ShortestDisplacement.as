@@ -7,7 +7,7 @@ package starlogo.search.penetration
      *
      * @private
      */
-    public final class ShortestExit
+    public final class ShortestDisplacement
     {
         /** The displacement. */
         public var displacement:Vector3D = new Vector3D();
@@ -17,5 +17,13 @@ package starlogo.search.penetration
 
         /** On how many planes the displacement ends: the half-spaces of these decide. */
         public var planeCount:int = 0;
+
+        /** Becomes no displacement. */
+        public function setToNone():void
+        {
+            displacement.setTo(0, 0, 0);
+            length = 0;
+            planeCount = 0;
+        }
     }
 }

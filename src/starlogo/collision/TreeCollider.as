@@ -7,7 +7,7 @@ package starlogo.collision
 
     /**
      * The base class of the HierarchicalCollider and the CombinationCollider: a game that has either can set how far hierarchies are tested. It is
-     * there for games alone. The engine reads these settings from the NarrowPhase.
+     * there for games alone. The engine does not use this class as a type.
      */
     public class TreeCollider extends Collider
     {

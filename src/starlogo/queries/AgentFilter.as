@@ -53,11 +53,11 @@ package starlogo.queries
          */
         public static function ofBreeds(...names):AgentFilter
         {
-            for each (var name:Object in names)
+            for (var i:int = 0; i < names.length; i++)
             {
-                if (!(name is String))
+                if (!(names[i] is String))
                 {
-                    throw new ArgumentError("ofBreeds() takes names of breeds, one after the other, not " + name);
+                    throw new ArgumentError("ofBreeds() takes names of breeds, one after the other, not " + names[i]);
                 }
             }
             var filter:AgentFilter = new AgentFilter();

@@ -87,7 +87,7 @@ test("a game loads the questions that it asks", () => {
 		[["Agent", "Collision", "BinCollider", "AgentQueries"], 75.2],
 		[[...level, "AgentRays"], 45.6],
 		[[...level, "AgentMotions"], 78.2],
-		[[...level, "AgentRays", "AgentMotions"], 79.9],
+		[[...level, "AgentRays", "AgentMotions"], 79.8],
 	];
 	for (const [names, limit] of limits) {
 		const size = weigh(bundle(names)) / KB;

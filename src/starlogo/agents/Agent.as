@@ -398,7 +398,7 @@ package starlogo.agents
             var found:Placement = new Placement();
             if (!found.setMatrix(data))
             {
-                throw new ArgumentError(this + ": matrix must turn, move and evenly scale, and nothing else: " + data);
+                throw new ArgumentError(this + ": matrix must only turn, move and evenly scale: " + data);
             }
             TraitChecks.requirePlace(this, found.x, found.y, found.z);
             size = found.size;

@@ -57,7 +57,7 @@ package starlogo.queries
             {
                 if (!(names[i] is String))
                 {
-                    throw new ArgumentError("ofBreeds() takes names of breeds, one after the other, not " + names[i]);
+                    throw new ArgumentError("ofBreeds() takes names, not " + names[i]);
                 }
             }
             var filter:AgentFilter = new AgentFilter();

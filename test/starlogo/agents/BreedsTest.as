@@ -120,7 +120,7 @@ package starlogo.agents
         [Test]
         public function filtersTakeNamesAlone():void
         {
-            assertThrows(ArgumentError, /takes names of breeds, one after the other, not cats,dogs$/, AgentFilter.ofBreeds, ["cats", "dogs"]);
+            assertThrows(ArgumentError, /takes names, not cats,dogs$/, AgentFilter.ofBreeds, ["cats", "dogs"]);
             assertThrows(ArgumentError, /not 5$/, AgentFilter.ofBreeds, "cats", 5);
             assertThrows(ArgumentError, /not null$/, AgentFilter.ofBreeds, null);
             assertEquals(0, AgentFilter.ofBreeds().breeds.length);

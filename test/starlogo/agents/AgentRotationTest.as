@@ -222,13 +222,13 @@ package starlogo.agents
                 };
             };
             assertThrows(ArgumentError, /matrix/, agent.setMatrix, null);
-            assertThrows(ArgumentError, /matrix must turn/, refuse(1, 1, 1.001, 0));
-            assertThrows(ArgumentError, /matrix must turn/, refuse(1, -1, 1, 0));
-            assertThrows(ArgumentError, /matrix must turn/, refuse(0, 0, 0, 0));
+            assertThrows(ArgumentError, /matrix must only turn/, refuse(1, 1, 1.001, 0));
+            assertThrows(ArgumentError, /matrix must only turn/, refuse(1, -1, 1, 0));
+            assertThrows(ArgumentError, /matrix must only turn/, refuse(0, 0, 0, 0));
             assertThrows(RangeError, /x/, refuse(1, 1, 1, Infinity));
             assertThrows(RangeError, /quaternion/, agent.setQuaternion, 0, 0, 0, 0);
             assertThrows(RangeError, /a quaternion's y/, agent.setQuaternion, 0, NaN, 0, 1);
-            assertThrows(ArgumentError, /matrix must turn/, function():void
+            assertThrows(ArgumentError, /matrix must only turn/, function():void
                 {
                     var shear:Matrix3D = new Matrix3D();
                     var data:Vector.<Number> = shear.rawData;

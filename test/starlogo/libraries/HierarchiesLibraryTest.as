@@ -35,9 +35,9 @@ package starlogo.libraries
         [Test]
         public function anUnknownNameGetsTheKnownOnes():void
         {
-            assertThrows(ArgumentError, /^there is no hierarchy for shape "baer": add its model to this library first(, which is empty)?$/, _library.root, "baer");
+            assertThrows(ArgumentError, /^there is no hierarchy for shape "baer": add its model to the GreatLand or to this library first(, which is empty)?$/, _library.root, "baer");
             add("bear", new <Number>[0, 0, 0]);
-            assertThrows(ArgumentError, /^there is no hierarchy for shape "baer": add its model to this library first.*"bear"/, _library.root, "baer");
+            assertThrows(ArgumentError, /^there is no hierarchy for shape "baer": add its model to the GreatLand or to this library first.*"bear"/, _library.root, "baer");
         }
 
         [Test]

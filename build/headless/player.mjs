@@ -48,12 +48,13 @@ export async function play(options, on) {
 	const server = await serve(page, { '/ruffle': ruffle, '/swf': swfFolder, ...options.folders });
 	// who started this hears signals, takes a picture, and closes
 	const isDeaf = { handleSIGHUP: false, handleSIGINT: false, handleSIGTERM: false };
-	const browser = await chromium.launch({ executablePath: options.chrome, args: browserArguments, timeout: PATIENCE, ...isDeaf });
+	let browser = null;
 	const close = async () => {
-		await browser.close();
+		await browser?.close();
 		server.close();
 	};
 	try {
+		browser = await chromium.launch({ executablePath: options.chrome, args: browserArguments, timeout: PATIENCE, ...isDeaf });
 		const tab = await browser.newPage({ viewport: { width: options.width, height: options.height } });
 		tab.setDefaultTimeout(PATIENCE);
 		tab.on('crash', () => on.crash('the browser\'s page crashed, most likely out of memory'));

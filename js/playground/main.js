@@ -34,14 +34,14 @@ const VIEWS = {
 const links = new Map(Object.keys(VIEWS).map((name) => [name, h("a", { href: `#${name}` })]));
 const note = h("p.note", { role: "status" });
 /** The milliseconds for which the note is shown. */
-const NOTED = 8000;
-let noted = 0;
+const NOTE_MS = 8000;
+let noteTimer = 0;
 
 /** Shows a note over the page's head, so that nothing moves; "" removes it. */
 function say(text) {
-	clearTimeout(noted);
+	clearTimeout(noteTimer);
 	note.textContent = text;
-	if (text) noted = setTimeout(() => say(""), NOTED);
+	if (text) noteTimer = setTimeout(() => say(""), NOTE_MS);
 }
 
 /**

@@ -350,6 +350,19 @@ test('a program has a terrain as JavaScript if a block is about it, and only the
 	assert.doesNotMatch(written(value('starlogo_touching', { BREED: 'anyone' })), /Terrain/);
 });
 
+test('a random number between random numbers is between them', () => {
+	const between = (from, to) => value('math_random_int', {}, { FROM: from, TO: to });
+	const SCORE = between(between(number(1), number(3)), number(5));
+	const world = played(program(start(create(1, 'bears', 'bear')), each('bears', { type: 'starlogo_score_change', inputs: { SCORE } })), 0);
+	const found = new Set();
+	for (let i = 0; i < 500; i++) {
+		const before = world.score;
+		world.step();
+		found.add(world.score - before);
+	}
+	assert.deepEqual([...found].sort(), [1, 2, 3, 4, 5]);
+});
+
 test('set back by frames, the game goes on as it did', () => {
 	const game = program(
 		start(create(20, 'turtles', 'turtle', { type: 'starlogo_scatter' }), create(8, 'walls', 'wall', { type: 'starlogo_scatter' }, sized(4))),

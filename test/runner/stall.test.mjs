@@ -86,6 +86,13 @@ for (const [signal, status] of [['SIGTERM', 143], ['SIGHUP', 129]]) {
 	});
 }
 
+test('a browser that does not start ends the run', { skip }, () => {
+	const options = [path.join(root, 'build/headless/run.mjs'), swf('going-on.swf', traced('it runs'))];
+	const { status, stderr } = spawnSync(process.execPath, options, { encoding: 'utf8', timeout: 60000, env: { ...process.env, CHROME: '/bin/false' } });
+	assert.equal(status, 70);
+	assert.match(stderr, /^headless: [^\n]*launch/);
+});
+
 test('a part that fails does not stop the others', { skip }, () => {
 	const { status, stderr } = run(swf('parts.swf', LOOP), 3, '--parts', '2');
 	assert.equal(status, 70);

@@ -16,7 +16,7 @@ class Place {
 }
 
 // the place that a call reads or writes; no call goes on with that of another one
-const drawn = new Place();
+const scratch = new Place();
 
 /**
  * Keeps an agent and an object, or an instance of an InstancedMesh, in the same place: position, rotation and size. The object's parent is
@@ -60,9 +60,9 @@ export class ThreeAgentBinding {
 
 	#setModel(model, isLandYUp) {
 		if (!model.source?.matrix) throw new ArgumentError(`ThreeAgentBinding: model must be a Model or null, not ${textOf(model)}`);
-		const { matrix, position, quaternion, scale } = drawn;
+		const { matrix, position, quaternion, scale } = scratch;
 		matrix.fromArray(model.source.matrix.rawData);
-		if (!decompose(drawn)) throw new ArgumentError(`model "${model.name}" is mirrored or stretched in what it was made of: no object can be bound with it`);
+		if (!decompose(scratch)) throw new ArgumentError(`model "${model.name}" is mirrored or stretched in what it was made of: no object can be bound with it`);
 		const { x, y, z, w } = quaternion;
 		if (w !== 1) this.#turn = isLandYUp ? new Quaternion(x, z, -y, w) : quaternion.clone();
 		if (isLandYUp) this.#origin.set(position.x, position.z, -position.y);
@@ -82,7 +82,7 @@ export class ThreeAgentBinding {
 	updateObject() {
 		const place = this.#place;
 		if (!place.read() && !this.#drawn.differsFrom(this.#last)) return;
-		const { position, quaternion } = drawn;
+		const { position, quaternion } = scratch;
 		position.copy(this.#origin).multiplyScalar(place.size).applyQuaternion(place.quaternion).add(place.position);
 		quaternion.copy(place.quaternion);
 		if (this.#turn) quaternion.multiply(this.#turn);
@@ -94,8 +94,8 @@ export class ThreeAgentBinding {
 	updateAgent() {
 		const place = this.#place;
 		if (!place.read() && !this.#drawn.differsFrom(this.#last)) return;
-		this.#readDrawn(drawn);
-		const { position, quaternion, scale } = drawn;
+		this.#readDrawn(scratch);
+		const { position, quaternion, scale } = scratch;
 		const size = scale.x / this.#scale;
 		if (this.#turn) quaternion.multiply(turned.copy(this.#turn).conjugate());
 		position.sub(offset.copy(this.#origin).multiplyScalar(size).applyQuaternion(quaternion));
@@ -160,7 +160,7 @@ function requireInstance(mesh, index) {
 
 const turned = new Quaternion();
 const offset = new Vector3();
-const factors = new Vector3();
+const evenScale = new Vector3();
 const composed = new Matrix4();
 
 /** The position, quaternion and scale of an object. If three.js does not use these for it, its matrix is read. */
@@ -246,7 +246,7 @@ class DrawnInstance {
 
 	write(at, turn, factor) {
 		const { object: mesh } = this;
-		mesh.setMatrixAt(this.index, composed.compose(at, turn, factors.set(factor, factor, factor)));
+		mesh.setMatrixAt(this.index, composed.compose(at, turn, evenScale.set(factor, factor, factor)));
 		mesh.instanceMatrix.needsUpdate = true;
 		// The bounding volumes would stay where the instances were, and three.js does not draw what they show off the screen.
 		mesh.boundingSphere = null;

@@ -72,7 +72,7 @@ export function terrainFromMesh(source, columns, rows, cellWidth = 1, x = 0, y =
 	for (let i = 0; i < triangles.length; i += 3) {
 		raise(heights, columns, rows, cornerOf(triangles[i]), cornerOf(triangles[i + 1]), cornerOf(triangles[i + 2]));
 	}
-	const least = heights.reduce((most, height) => (height > -Infinity ? Math.min(most, height) : most), Infinity);
+	const least = heights.reduce((lowest, height) => (height > -Infinity ? Math.min(lowest, height) : lowest), Infinity);
 	const missing = least < Infinity ? least : 0;
 	terrain.setHeights(0, 0, columns, rows, heights.map((height) => (height > -Infinity ? height : missing)));
 	return terrain;

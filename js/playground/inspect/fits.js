@@ -29,7 +29,7 @@ const COMPARED = ["naiveSphere", "orientedBox", "capsule"];
  * @param {object} model
  * @param {{increment: number, minVertices: number, byMean: boolean}} settings
  * @param {() => boolean} isWanted whether to go on
- * @returns {Promise<{rows: object[], chosen: string, root: object, hullMs: number, hierarchyMs: number, volume: number, greatLand: object}>}
+ * @returns {Promise<{rows: object[], chosen: string, root: object, hullMs: number, hierarchyMs: number, volume: number, greatLand: object} | null>} null if it is no longer wanted
  * @throws {Error} the engine's own error, if a setting is not possible
  */
 export async function measure(model, settings, isWanted) {
@@ -47,8 +47,7 @@ export async function measure(model, settings, isWanted) {
 	const hullMs = Math.min(msOf(HULL), ...rows.map(({ ms }) => ms));
 	greatLand.addModel(model);
 	const chosen = greatLand.boundingStructures.tightestFit(model.name);
-	const compared = rows.filter(({ name }) => COMPARED.includes(name));
-	const tightest = compared.reduce((best, row) => (row.structure.kind === chosen.kind && best?.structure.kind !== chosen.kind ? row : best), null);
+	const tightest = rows.find(({ name, structure }) => COMPARED.includes(name) && structure.kind === chosen.kind);
 	return { rows, chosen: tightest.name, root: greatLand.hierarchies.root(model.name), greatLand, hullMs, hierarchyMs: msOf(HIERARCHY), volume: volumeOf(model) };
 }
 

@@ -55,8 +55,8 @@ class LevelView {
 	#loop = new Loop((now) => this.#frames(now));
 	#shown = 0;
 	#held = new Set();
-	/** Keys that were pressed since the last frame. */
-	#taps = new Set();
+	/** Whether F was pressed since the last shot. */
+	#shoots = false;
 	#times = [];
 
 	constructor(main, greatLand, land, models, triangles) {
@@ -141,6 +141,7 @@ class LevelView {
 		const wish = this.#wish();
 		const start = performance.now();
 		game.step(wish);
+		// timed too: a game asks for it in each frame
 		game.cameraPlace();
 		this.#times.push(performance.now() - start);
 		if (this.#times.length > TIMED) this.#times.shift();
@@ -150,7 +151,9 @@ class LevelView {
 		const held = this.#held;
 		if (!this.isLed) return wander(this.frame);
 		const between = (less, more) => (held.has(more) ? 1 : 0) - (held.has(less) ? 1 : 0);
-		return { turn: between("ArrowLeft", "ArrowRight"), walk: between("ArrowDown", "ArrowUp"), jumps: held.has("Space"), shoots: this.#taps.delete("KeyF") };
+		const shoots = this.#shoots;
+		this.#shoots = false;
+		return { turn: between("ArrowLeft", "ArrowRight"), walk: between("ArrowDown", "ArrowUp"), jumps: held.has("Space"), shoots };
 	}
 
 	save() {
@@ -190,7 +193,7 @@ class LevelView {
 		// a key leads the player; going back does not
 		this.isLed ||= code !== "KeyR";
 		this.#held.add(code);
-		this.#taps.add(code);
+		this.#shoots ||= code === "KeyF";
 		if (!this.#loop.isRunning) this.run();
 	}
 

@@ -225,8 +225,8 @@ const VALUES = {
 	math_random_int: (block, world) => {
 		const [low, high] = ["FROM", "TO"].map((name) => number(block, name, world));
 		return () => {
-			const from = Math.min(low(), high());
-			return from + Math.floor(world.random() * (Math.abs(high() - low()) + 1));
+			const [a, b] = [low(), high()];
+			return Math.min(a, b) + Math.floor(world.random() * (Math.abs(b - a) + 1));
 		};
 	},
 	math_modulo: (block, world) => {

@@ -68,6 +68,25 @@ package starlogo.models
                 });
         }
 
+        /** A scaling in the place of the axis would otherwise be ignored where a file names its own axis. */
+        [Test(async, timeout="150000")]
+        public function aWrongUpAxisIsRefusedInEachFormat():void
+        {
+            var texts:Array = [OBJ, STL, DOCUMENT, Gltf.tetrahedron().toText()];
+            for each (var text:String in texts)
+            {
+                _loader.loadText("a", text, Model.AS_GIVEN);
+            }
+            whenComplete(function():void
+                {
+                    assertEquals(texts.length, _log.length);
+                    for each (var line:String in _log)
+                    {
+                        assertTrue(line, /the up axis must be .* not "as given": a scaling is the argument after it/.test(line));
+                    }
+                });
+        }
+
         [Test(async, timeout="150000")]
         public function aBinaryStlFileOfTooManyBytesIsRefused():void
         {

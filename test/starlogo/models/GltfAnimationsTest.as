@@ -71,6 +71,37 @@ package starlogo.models
             assertThrows(ModelError, /accessors\[3\]: its numbers at 0.5 seconds are not finite/, moves.verticesAt, 0, 0.5);
         }
 
+        [Test]
+        public function timesDoNotGoBack():void
+        {
+            for each (var times:Array in [[0, 2, 1], [0, 2, -Infinity], [0, 1, NaN], [NaN, 1, 2], [0, 1, Infinity]])
+            {
+                assertThrows(ModelError, /accessors\[2\]: its times must be finite and not go back, but found (1|NaN|-?Infinity)$/, read, timed(times));
+            }
+            assertEquals(1, new GltfAnimations("a", timed([0, 1, 1]).toBinary()).durationOf(0));
+        }
+
+        /** The times are looked at once for each channel, which costs more than the file if many share them. */
+        [Test]
+        public function timesCountForEachChannel():void
+        {
+            var file:Gltf = timed([0, 1, 2]);
+            var keys:int = 20000;
+            file.json.accessors[2].count = file.json.accessors[3].count = keys;
+            for (var i:int = 0; i < 2; i++)
+            {
+                file.json.accessors[2 + i].bufferView = file.json.bufferViews.length;
+                file.json.bufferViews.push({buffer: 0, byteLength: 12 * keys});
+            }
+            file.binary.length = 12 * keys;
+            var channels:Array = file.json.animations[0].channels;
+            for (i = 0; i < 1000; i++)
+            {
+                channels.push(channels[0]);
+            }
+            assertThrows(ModelError, /samplers\[0\]: it has more than \d+ numbers, each counted as often as it is used/, read, file);
+        }
+
         /** Of as many poses as a game has: none of them takes from what reading the file may cost. */
         [Test]
         public function posesAreManyAndFitTheModel():void
@@ -143,11 +174,16 @@ package starlogo.models
             assertClose(z, vertices[2], 1e-6);
         }
 
-        // A tetrahedron whose node has an animation with keys at 0, 1 and 2 seconds.
-        private static function animated(path:String, values:Array, type:String, interpolation:String):Gltf
+        private static function timed(times:Array):Gltf
+        {
+            return animated("translation", [0, 0, 0, 4, 0, 0, 4, 8, 0], "VEC3", "LINEAR", times);
+        }
+
+        // A tetrahedron whose node has an animation with keys at three times, in seconds; null for 0, 1 and 2.
+        private static function animated(path:String, values:Array, type:String, interpolation:String, times:Array = null):Gltf
         {
             var file:Gltf = Gltf.tetrahedron();
-            var sampler:Object = {input: file.addNumbers([0, 1, 2], "SCALAR", Gltf.FLOAT), output: file.addNumbers(values, type, Gltf.FLOAT), interpolation: interpolation};
+            var sampler:Object = {input: file.addNumbers(times || [0, 1, 2], "SCALAR", Gltf.FLOAT), output: file.addNumbers(values, type, Gltf.FLOAT), interpolation: interpolation};
             file.json.animations = [ {samplers: [sampler], channels: [ {sampler: 0, target: {node: 0, path: path}}]}];
             return file;
         }

@@ -62,7 +62,7 @@ package starlogo.models.collada
         public static function allIn(name:String, text:String, upAxis:Object):Vector.<FileAnimation>
         {
             var document:ColladaDocument = new ColladaDocument(name, text);
-            finish(document.xml);
+            finish(document);
             document.limits.restart();
             var root:ColladaElement = document.root;
             var read:Object = {};

@@ -27,7 +27,7 @@ package starlogo.models.collada
          * @param scene knows where joints are, and what moves
          * @param instance the element that places the geometry
          * @param place where it is
-         * @param mesh the geometry
+         * @param mesh the geometry, which is read before the first step
          * @param deformers the morphs and skins, the last one first
          */
         public function ColladaDeformation(scene:ColladaScene, instance:ColladaElement, place:ColladaPlace, mesh:ColladaMesh, deformers:Vector.<ColladaElement>)
@@ -35,7 +35,7 @@ package starlogo.models.collada
             _scene = scene;
             _mesh = mesh;
             _bound = transform = place.transform;
-            add(mesh).call(function():void
+            call(function():void
                 {
                     points = mesh.points.slice();
                 });

@@ -5,16 +5,16 @@ package starlogo.models.collada
     import starlogo.models.files.shortened;
     import starlogo.models.text.Decimal;
     import starlogo.models.text.TextWords;
+    import starlogo.steps.Steps;
 
     /**
-     * A COLLADA document, and what its poses share: its geometries and its skins are read once.
+     * A COLLADA document, and what its poses share: its geometries and its skins are read once. Its steps read the XML.
      *
      * @private
      */
-    public final class ColladaDocument
+    public final class ColladaDocument implements Steps
     {
-        /** Its steps read the document. */
-        internal var xml:XmlReader;
+        private var _xml:XmlReader;
 
         private var _meshes:Object = {}; // by the index of the geometry's element
         private var _skins:Object = {}; // by the index of the skin's element
@@ -27,21 +27,27 @@ package starlogo.models.collada
         public function ColladaDocument(name:String, text:String)
         {
             refuseIf(text == null, name, "there is no text to read");
-            xml = new XmlReader(text, new FileLimits(name, text.length));
+            _xml = new XmlReader(text, new FileLimits(name, text.length));
+        }
+
+        /** @inheritDoc */
+        public function step():Boolean
+        {
+            return _xml.step();
         }
 
         /** What the document may have and cost. */
         internal function get limits():FileLimits
         {
-            return xml.limits;
+            return _xml.limits;
         }
 
         /** The root, when all is read. @throws ModelError if it is not COLLADA */
         internal function get root():ColladaElement
         {
-            refuseIf(xml.root == null, limits.modelName, "this is not XML: expected a COLLADA document");
-            xml.root.refuseIf(xml.root.name != "COLLADA", "expected a COLLADA document, but its root element is <" + xml.root.name + ">");
-            return xml.root;
+            refuseIf(_xml.root == null, limits.modelName, "this is not XML: expected a COLLADA document");
+            _xml.root.refuseIf(_xml.root.name != "COLLADA", "expected a COLLADA document, but its root element is <" + _xml.root.name + ">");
+            return _xml.root;
         }
 
         /** The axis that points up: "x", "y" or "z"; y if none is named. @throws ModelError if there is no such axis */

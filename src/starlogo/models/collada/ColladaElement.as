@@ -33,12 +33,13 @@ package starlogo.models.collada
         /** The pieces of the element's own text. Comments and elements may divide it. */
         public var texts:Array = [];
 
-        private var _attributes:Object = {};
+        // the values of the attributes, by keyOf() their names
+        private var _attributes:Object;
 
         // The first element of each name and id in the document, by name, "#" and id; and of each sid, by "#" and the sid. All elements share it.
         private var _elements:Object;
 
-        // The first child of each name; and of each name and label, by name, "#" and label. It is made when it is first needed.
+        // The first child of each name; and of each name and childKey, by name, "#" and childKey. It is made when it is first needed.
         private var _first:Object = null;
 
         // for an element that is a transform: the transform, after it was first needed
@@ -49,34 +50,32 @@ package starlogo.models.collada
          * @param index its number in the document, from 0
          * @param name the element's name
          * @param parent the element around it, which takes it as a child; null for the root
+         * @param attributes the values of its attributes, by keyOf() their names; is kept
          */
-        public function ColladaElement(limits:FileLimits, index:int, name:String, parent:ColladaElement)
+        public function ColladaElement(limits:FileLimits, index:int, name:String, parent:ColladaElement, attributes:Object)
         {
             this.limits = limits;
             this.index = index;
             this.name = name;
             this.parent = parent;
+            _attributes = attributes;
             _elements = parent == null ? {} : parent._elements;
             if (parent != null)
             {
                 parent.children.push(this);
             }
+            // of several with the same name and id, the first one counts
+            if (id != "")
+            {
+                _elements[keyOf(name + "#" + id)] ||= this;
+            }
+            _elements[keyOf("#" + attribute("sid"))] ||= this;
         }
 
         /** The element's id; "" if it has none. */
         public function get id():String
         {
             return attribute("id");
-        }
-
-        /** Lets elementWith() find this element, when it has its attributes. Of several with the same name and id, the first one counts. */
-        public function register():void
-        {
-            if (id != "")
-            {
-                _elements[keyOf(name + "#" + id)] ||= this;
-            }
-            _elements[keyOf("#" + attribute("sid"))] ||= this;
         }
 
         /** Whether an element of the document has a sid. */
@@ -109,12 +108,6 @@ package starlogo.models.collada
             return _attributes[keyOf(name)] || "";
         }
 
-        /** Sets an attribute. */
-        public function setAttribute(name:String, value:String):void
-        {
-            _attributes[keyOf(name)] = value;
-        }
-
         /** The child elements with a name. */
         public function childrenNamed(name:String):Vector.<ColladaElement>
         {
@@ -132,9 +125,9 @@ package starlogo.models.collada
         /**
          * The first child element with a name, or null.
          *
-         * @param label its id; of an input its semantic, and of an instance_material its symbol. Null for any
+         * @param key its id; of an input its semantic, and of an instance_material its symbol. Null for any
          */
-        public function child(name:String, label:String = null):ColladaElement
+        public function child(name:String, key:String = null):ColladaElement
         {
             if (_first == null)
             {
@@ -142,13 +135,13 @@ package starlogo.models.collada
                 for each (var each:ColladaElement in children)
                 {
                     _first[keyOf(each.name)] ||= each;
-                    _first[keyOf(each.name + "#" + each.label)] ||= each;
+                    _first[keyOf(each.name + "#" + each.childKey)] ||= each;
                 }
             }
-            return _first[keyOf(label == null ? name : name + "#" + label)];
+            return _first[keyOf(key == null ? name : name + "#" + key)];
         }
 
-        private function get label():String
+        private function get childKey():String
         {
             return attribute(name == "input" ? "semantic" : (name == "instance_material" ? "symbol" : "id"));
         }
@@ -306,15 +299,15 @@ package starlogo.models.collada
         /** The path from the root: names, with ids. Elements without an id that have siblings of the same name get numbers from 1. */
         public function toString():String
         {
-            var places:Array = [];
+            var path:Array = [];
             for (var element:ColladaElement = this; element.parent != null; element = element.parent)
             {
-                places.unshift(element.place);
+                path.unshift(element.pathSegment);
             }
-            return places.length > 0 ? places.join("/") : name;
+            return path.length > 0 ? path.join("/") : name;
         }
 
-        private function get place():String
+        private function get pathSegment():String
         {
             var alike:Vector.<ColladaElement> = parent.childrenNamed(name);
             return name + (id != "" ? "#" + shortened(id) : (alike.length == 1 ? "" : "[" + (alike.indexOf(this) + 1) + "]"));

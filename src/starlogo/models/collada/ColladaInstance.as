@@ -40,14 +40,14 @@ package starlogo.models.collada
         }
 
         /**
-         * The steps that read the geometry, if they are not done yet, and add it to a model.
+         * The steps that add the geometry, which is read already, to a model.
          *
          * @param data takes the vertices, the triangles and what they belong to
          * @param loosePoints takes the points of a geometry without triangles
          */
         public function adding(data:ModelData, loosePoints:Vector.<Number>):Steps
         {
-            var work:StepSequence = new StepSequence().add(_mesh);
+            var work:StepSequence = new StepSequence();
             if (_deformation != null)
             {
                 work.add(_deformation);

@@ -27,7 +27,7 @@ package starlogo.models.collada
         /** When all is read: the first triangle of each primitive. */
         public var starts:Vector.<int> = new Vector.<int>();
 
-        private var _mesh:ColladaElement;
+        private var _meshElement:ColladaElement;
         private var _sources:Object = {}; // of positions, by the source's id
         private var _filter:VertexFilter;
 
@@ -35,9 +35,9 @@ package starlogo.models.collada
         public function ColladaMesh(geometry:ColladaElement)
         {
             this.geometry = geometry;
-            _mesh = geometry.child("mesh") || geometry.child("convex_mesh");
+            _meshElement = geometry.child("mesh") || geometry.child("convex_mesh");
             var triangulator:Triangulator = new Triangulator(geometry.limits, points, triangles);
-            for each (var element:ColladaElement in _mesh == null ? null : _mesh.children)
+            for each (var element:ColladaElement in _meshElement == null ? null : _meshElement.children)
             {
                 if (ColladaPrimitive.isSurface(element))
                 {
@@ -78,20 +78,20 @@ package starlogo.models.collada
         // The steps that read all points, if there is no primitive.
         private function readingPoints():Steps
         {
-            var element:ColladaElement = _mesh == null || symbols.length > 0 ? null : _mesh.child("vertices");
+            var element:ColladaElement = _meshElement == null || symbols.length > 0 ? null : _meshElement.child("vertices");
             return element == null ? null : pointsOf(sourceOfVertices(element));
         }
 
         // The source that an input refers to, directly or through an element "vertices".
         private function positionSource(input:ColladaElement):ColladaElement
         {
-            var target:ColladaElement = input.target("source", ["vertices", "source"], _mesh);
+            var target:ColladaElement = input.target("source", ["vertices", "source"], _meshElement);
             return target.name == "source" ? target : sourceOfVertices(target);
         }
 
         private function sourceOfVertices(vertices:ColladaElement):ColladaElement
         {
-            return vertices.requiredInput("POSITION").target("source", ["source"], _mesh);
+            return vertices.requiredInput("POSITION").target("source", ["source"], _meshElement);
         }
 
         // The points of a source, which are read once: several primitives may share them.

@@ -40,7 +40,7 @@ package starlogo.models.collada
         {
             _data = ModelData.forFile(document.limits.modelName, upAxis == null ? "z" : upAxis, scaling);
             var scene:ColladaScene;
-            add(document.xml).begin(function():Steps
+            add(document).begin(function():Steps
                 {
                     _data.upAxis = upAxis == null ? document.upAxis : _data.upAxis;
                     _data.transform = scaling == Model.AS_GIVEN && _data.transform == null ? scalingBy(document.unit) : _data.transform;

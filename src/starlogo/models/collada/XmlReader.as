@@ -1,5 +1,6 @@
 package starlogo.models.collada
 {
+    import starlogo.data.keyOf;
     import starlogo.models.ModelError;
     import starlogo.models.files.FileLimits;
     import starlogo.models.text.TextWords;
@@ -129,22 +130,22 @@ package starlogo.models.collada
             var name:String = _text.substring(_at, quote).split(NAME_END, 1)[0];
             refuseIf(name == "" || root != null && _open == null);
             limits.countElements(1, this);
-            var element:ColladaElement = new ColladaElement(limits, _elementCount++, localName(name), _open);
-            root ||= element;
+            var attributes:Object = {};
             _at += name.length;
             for (var count:int = 0; quote < end && count < MAX_ATTRIBUTES; count++)
             {
                 var words:Array = ATTRIBUTE.exec(_text.substring(_at, quote));
                 var close:int = _text.indexOf(_text.charAt(quote), quote + 1);
                 refuseIf(words == null || close < 0);
-                element.setAttribute(localName(words[1]), decoded(_text.substring(quote + 1, close)));
+                attributes[keyOf(localName(words[1]))] = decoded(_text.substring(quote + 1, close));
                 _at = close + 1;
                 end = end < close ? endOf(">") - 1 : end;
                 quote = TextWords.indexOfEither(_text, QUOTE, APOSTROPHE, _at, end);
             }
             refuseIf(quote < end, "an element has more than " + MAX_ATTRIBUTES + " attributes");
             refuseIf(!TAG_END.test(_text.substring(_at, end)));
-            element.register();
+            var element:ColladaElement = new ColladaElement(limits, _elementCount++, localName(name), _open, attributes);
+            root ||= element;
             if (_text.charAt(end - 1) != "/")
             {
                 _names.push(name);

@@ -13,7 +13,7 @@ package starlogo.models.cooked
      *
      * <pre>
      * at 0   "COOK"
-     *    4   the version of the form
+     *    4   the version of the layout
      *    8   the length of the whole in bytes, a multiple of 8
      *   12   0
      *   16   for each of the five sections: the fingerprint of its settings, its length, 0
@@ -56,7 +56,7 @@ package starlogo.models.cooked
         private static const HEAD_LENGTH:int = TABLE_AT + SECTION_COUNT * ENTRY_LENGTH;
         private static const WORDS_PER_STEP:int = 4000;
 
-        /** Whether the file has another form, because another version of the engine has made it. */
+        /** Whether the file has another layout, because another version of the engine has made it. */
         public var isOfOtherVersion:Boolean = false;
 
         private var _bytes:ByteArray = newBytes();

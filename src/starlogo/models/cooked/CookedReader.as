@@ -20,19 +20,22 @@ package starlogo.models.cooked
     use namespace engine;
 
     /**
-     * Reads the model of a cooked file. In most forms the file has the vertices of the source, the transform and the scaling. These vertices
-     * are normalised again, as for any source. In the form DOUBLE it has the vertices of the model, and the model's place in its source. In
+     * Reads the model of a cooked file. In most encodings the file has the vertices of the source, the transform and the scaling. These vertices
+     * are normalised again, as for any source. With the encoding DOUBLE it has the vertices of the model, and the model's place in its source. In
      * both cases the model equals the source's model to the last bit.
      *
      * @private
      */
     public final class CookedReader extends StepSequence implements ModelReader
     {
-        /** The form of coordinates as floats of 32 bits. A smaller form n has whole multiples of 1e-n. */
+        /** The encoding of coordinates as floats of 32 bits. A smaller encoding n has whole multiples of 1e-n. */
         internal static const SINGLE:int = 9;
 
-        /** The form of the model's own coordinates as doubles of 64 bits. */
+        /** The encoding of the model's own coordinates as doubles of 64 bits. */
         internal static const DOUBLE:int = 10;
+
+        // how many numbers a SourceFrame has
+        private static const SOURCE_LENGTH:int = 13;
 
         private static const VERTICES_PER_STEP:int = 1500;
         private static const CORNERS_PER_STEP:int = 4500;
@@ -62,10 +65,10 @@ package starlogo.models.cooked
             return _data;
         }
 
-        /** The divisor for the numbers of a form. */
-        internal static function divisorOf(form:int):Number
+        /** The divisor for the numbers of an encoding. */
+        internal static function divisorOf(encoding:int):Number
         {
-            return form < SINGLE ? Number("1e" + form) : 1;
+            return encoding < SINGLE ? Number("1e" + encoding) : 1;
         }
 
         /** @inheritDoc */
@@ -93,14 +96,14 @@ package starlogo.models.cooked
             refuseIf(modelKey != null && !file.isOf(modelKey), _data.name, "the cooked file is for another up axis, transform or scaling");
             _data.cooked = file;
             _data.scaling = Model.SCALINGS[readCount(Model.SCALINGS.length - 1)];
-            var form:int = readCount(DOUBLE);
+            var encoding:int = readCount(DOUBLE);
             // the model's own vertices are transformed already
-            var hasTransform:Boolean = readCount(form == DOUBLE ? 0 : 1) == 1;
+            var hasTransform:Boolean = readCount(encoding == DOUBLE ? 0 : 1) == 1;
             var vertexCount:int = readCount(int.MAX_VALUE);
             var triangleCount:int = readCount(int.MAX_VALUE);
             new FileLimits(_data.name, _bytes.length).requireMesh(vertexCount, triangleCount);
             _data.transform = hasTransform ? readTransform() : null;
-            if (form == DOUBLE)
+            if (encoding == DOUBLE)
             {
                 _data.source = readSource();
                 _data.isNormalised = true;
@@ -112,7 +115,7 @@ package starlogo.models.cooked
             _data.triangles.length = 3 * triangleCount;
             return new StepSequence().slices(vertexCount, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
-                    readNumbers(first, end, form);
+                    readNumbers(first, end, encoding);
                 }).slices(3 * triangleCount, CORNERS_PER_STEP, readCorners).begin(readingAllLabels);
         }
 
@@ -196,7 +199,7 @@ package starlogo.models.cooked
 
         private function readSource():SourceFrame
         {
-            var numbers:Vector.<Number> = new Vector.<Number>(13);
+            var numbers:Vector.<Number> = new Vector.<Number>(SOURCE_LENGTH);
             for (var i:int = 0; i < numbers.length; i++)
             {
                 numbers[i] = _bytes.readDouble();
@@ -209,13 +212,13 @@ package starlogo.models.cooked
             return new Vector3D(_bytes.readDouble(), _bytes.readDouble(), _bytes.readDouble());
         }
 
-        private function readNumbers(first:int, end:int, form:int):void
+        private function readNumbers(first:int, end:int, encoding:int):void
         {
             var all:Vector.<Number> = _data.vertices;
-            var divisor:Number = divisorOf(form);
+            var divisor:Number = divisorOf(encoding);
             for (var i:int = 3 * first; i < 3 * end; i++)
             {
-                if (form < SINGLE)
+                if (encoding < SINGLE)
                 {
                     // each number is stored as the difference from the one of the vertex before, in multiples of 1 / divisor
                     var multiple:int = i < 3 ? 0 : Math.round(all[int(i - 3)] * divisor);
@@ -224,7 +227,7 @@ package starlogo.models.cooked
                 }
                 else
                 {
-                    all[i] = form == DOUBLE ? _bytes.readDouble() : _bytes.readFloat();
+                    all[i] = encoding == DOUBLE ? _bytes.readDouble() : _bytes.readFloat();
                 }
             }
         }

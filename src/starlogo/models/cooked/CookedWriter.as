@@ -31,12 +31,12 @@ package starlogo.models.cooked
             var transform:ModelTransform = model.data.transform;
             // a transform that mirrors would turn the triangles over once more
             var isMirror:Boolean = transform != null && transform.isMirror;
-            for (var form:int = 0; form <= CookedReader.SINGLE && !isMirror; form++)
+            for (var encoding:int = 0; encoding <= CookedReader.SINGLE && !isMirror; encoding++)
             {
-                var points:Vector.<Number> = form < CookedReader.SINGLE ? multiples(source, CookedReader.divisorOf(form)) : singles(source);
+                var points:Vector.<Number> = encoding < CookedReader.SINGLE ? multiples(source, CookedReader.divisorOf(encoding)) : singles(source);
                 if (areSourceOf(points, model, transform))
                 {
-                    return writeAs(model, form, points, transform);
+                    return writeAs(model, encoding, points, transform);
                 }
             }
             refuseIf(SourceFrame.ofNumbers(model.source.numbers) == null, model.name, "its place in its source is not finite numbers, so it can't be cooked");
@@ -76,13 +76,13 @@ package starlogo.models.cooked
             return points;
         }
 
-        private static function writeAs(model:Model, form:int, points:Vector.<Number>, transform:ModelTransform):ByteArray
+        private static function writeAs(model:Model, encoding:int, points:Vector.<Number>, transform:ModelTransform):ByteArray
         {
             var out:ByteArray = CookedFile.newBytes();
             var data:ModelData = model.data;
             var triangles:Vector.<uint> = model.triangles || new Vector.<uint>();
             VarInt.write(Model.SCALINGS.indexOf(data.scaling), out);
-            VarInt.write(form, out);
+            VarInt.write(encoding, out);
             VarInt.write(transform == null ? 0 : 1, out);
             VarInt.write(points.length / 3, out);
             VarInt.write(triangles.length / 3, out);
@@ -92,14 +92,14 @@ package starlogo.models.cooked
                 writeVector(transform.scale, out);
                 writeVector(transform.translation, out);
             }
-            if (form == CookedReader.DOUBLE)
+            if (encoding == CookedReader.DOUBLE)
             {
                 for each (var number:Number in model.source.numbers)
                 {
                     out.writeDouble(number);
                 }
             }
-            writePoints(points, form, out);
+            writePoints(points, encoding, out);
             for (var i:int = 0; i < triangles.length; i++)
             {
                 VarInt.write(triangles[i] - (i == 0 ? 0 : triangles[i - 1]), out);
@@ -120,16 +120,16 @@ package starlogo.models.cooked
         }
 
         // Multiples are written as differences from the vertex before.
-        private static function writePoints(points:Vector.<Number>, form:int, out:ByteArray):void
+        private static function writePoints(points:Vector.<Number>, encoding:int, out:ByteArray):void
         {
-            var divisor:Number = CookedReader.divisorOf(form);
+            var divisor:Number = CookedReader.divisorOf(encoding);
             for (var i:int = 0; i < points.length; i++)
             {
-                if (form < CookedReader.SINGLE)
+                if (encoding < CookedReader.SINGLE)
                 {
                     VarInt.write(Math.round(points[i] * divisor) - (i < 3 ? 0 : Math.round(points[i - 3] * divisor)), out);
                 }
-                else if (form == CookedReader.SINGLE)
+                else if (encoding == CookedReader.SINGLE)
                 {
                     out.writeFloat(points[i]);
                 }

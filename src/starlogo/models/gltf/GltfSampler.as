@@ -38,7 +38,8 @@ package starlogo.models.gltf
             var wanted:Number = Number(_times.count) * perKey;
             _values.json.refuseIf(_times.count == 0 || _values.count < wanted || _values.count % wanted != 0 || path != "weights" && _values.count != wanted,
                     "it has " + _values.count + " elements for " + _times.count + " keys");
-            add(_times).add(_values);
+            file.limits.countNumbers(_times.count, sampler.place);
+            add(_times).add(_values).call(checkTimes);
         }
 
         /** The time of the last key. */
@@ -68,6 +69,19 @@ package starlogo.models.gltf
                 normalise(value);
             }
             return value;
+        }
+
+        private function checkTimes():void
+        {
+            var before:Number = -Infinity;
+            for each (var time:Number in _times.numbers)
+            {
+                if (!(time >= before && time - time == 0))
+                {
+                    throw _times.json.error("its times must be finite and not go back, but found " + time);
+                }
+                before = time;
+            }
         }
 
         // A part of a key: 0 the value; of a cubic spline 0 the tangent before it, 1 the value, 2 the tangent after it.

@@ -11,7 +11,7 @@ package starlogo.models.gltf
         /** The influences, when no step is left. */
         public var influences:JointInfluences;
 
-        /** How many influences there may be: four for each vertex and set. */
+        /** How many influences there may be: four for each vertex and set. Count them before the steps, which reserve memory for so many. */
         public var mostInfluences:Number;
 
         private var _jointCount:int;
@@ -35,8 +35,13 @@ package starlogo.models.gltf
                 _weights.push(accessorOf(file, attributes, "WEIGHTS_" + i, vertexCount));
             }
             mostInfluences = 4 * Number(vertexCount) * i;
+            call(reserve).slices(vertexCount, VERTICES_PER_STEP, read);
+        }
+
+        // a step, because these are counted before
+        private function reserve():void
+        {
             influences = new JointInfluences(mostInfluences);
-            slices(vertexCount, VERTICES_PER_STEP, read);
         }
 
         private function accessorOf(file:GltfFile, attributes:GltfJson, key:String, vertexCount:int):GltfAccessor

@@ -2,6 +2,7 @@ package starlogo.models.loading
 {
     import flash.utils.ByteArray;
     import starlogo.models.ModelTransform;
+    import starlogo.models.building.ModelData;
     import starlogo.models.building.ModelReader;
     import starlogo.models.collada.ColladaDocument;
     import starlogo.models.collada.ColladaReader;
@@ -47,6 +48,7 @@ package starlogo.models.loading
          */
         public static function newReader(file:ModelFile, upAxis:Object, scaling:String, fetch:Function):ModelReader
         {
+            ModelData.requireUpAxis(file.name, upAxis);
             switch (isBinary(file) ? ofBytes(file.bytes) : ofText(file.textOf(), file.url))
             {
                 case COOKED:

@@ -59,8 +59,9 @@ package starlogo.models.loading
         // the progress of a cooked file that gave no model; 0 if there was none
         private var _tried:Number = 0;
 
-        // The downloads that the next step waits for: the file and its transform file, or its cooked file, or other files that its reader asks for.
+        // The downloads that the next step waits for: the file and its transform file, or its cooked file; and other files that its reader asks for.
         private var _downloads:Vector.<FileDownload> = new Vector.<FileDownload>();
+        private var _beside:Vector.<FileDownload> = new Vector.<FileDownload>();
 
         // what reads the file, or makes the model instead; null before the file has come, and after the model is made
         private var _maker:ModelMaker = null;
@@ -84,7 +85,7 @@ package starlogo.models.loading
         /** Whether the load can go on: no download is running. */
         public function get isReady():Boolean
         {
-            return !_downloads.some(isUnderWay) && (_manifest == null || !_manifest.isUnderWay);
+            return !_downloads.some(isUnderWay) && !_beside.some(isUnderWay) && (_manifest == null || !_manifest.isUnderWay);
         }
 
         /** The share of the load that is done, from 0 to 1. */
@@ -148,7 +149,7 @@ package starlogo.models.loading
         /** Stops fetching. */
         public function cancel():void
         {
-            for each (var each:FileDownload in _downloads)
+            for each (var each:FileDownload in _downloads.concat(_beside))
             {
                 each.cancel();
             }
@@ -206,10 +207,10 @@ package starlogo.models.loading
                 });
         }
 
-        // Starts to fetch a file. The next step is done when it has come. @param take as for FileDownload
-        private function download(address:String, take:Function = null):FileDownload
+        // Starts to fetch a file. The next step is done when it has come.
+        private function download(address:String):FileDownload
         {
-            var started:FileDownload = new FileDownload(address, _newLoader(), take);
+            var started:FileDownload = new FileDownload(address, _newLoader());
             _downloads.push(started);
             return started;
         }
@@ -234,7 +235,7 @@ package starlogo.models.loading
         {
             if (FileAddress.hasFolder(_url))
             {
-                download(FileAddress.folderOf(_url) + uri, take);
+                _beside.push(new FileDownload(FileAddress.folderOf(_url) + uri, _newLoader(), take));
             }
             else
             {
@@ -244,11 +245,11 @@ package starlogo.models.loading
 
         private function stepMaker():Boolean
         {
-            for each (var file:FileDownload in _downloads)
+            for each (var file:FileDownload in _beside)
             {
                 file.deliver();
             }
-            _downloads.length = 0;
+            _beside.length = 0;
             return _maker.step();
         }
 

@@ -21,7 +21,7 @@ package starlogo.models.stl
     public final class StlReader extends StepSequence implements ModelReader
     {
         private static const HEADER_LENGTH:int = 84;
-        private static const COUNT_PLACE:int = 80;
+        private static const COUNT_AT:int = 80;
         private static const FACET_LENGTH:int = 50;
         private static const NORMAL_LENGTH:int = 12;
         private static const FACETS_PER_STEP:int = 300;
@@ -105,7 +105,7 @@ package starlogo.models.stl
 
         private static function countIn(bytes:ByteArray):uint
         {
-            return (bytes[COUNT_PLACE] | bytes[COUNT_PLACE + 1] << 8 | bytes[COUNT_PLACE + 2] << 16 | bytes[COUNT_PLACE + 3] << 24) >>> 0;
+            return (bytes[COUNT_AT] | bytes[COUNT_AT + 1] << 8 | bytes[COUNT_AT + 2] << 16 | bytes[COUNT_AT + 3] << 24) >>> 0;
         }
 
         private function readFacets(bytes:ByteArray, first:int, end:int):void

@@ -48,6 +48,20 @@ package starlogo.models.files
             refusesNumbers(skinned(2000, 2000).toBinary());
         }
 
+        /** All sets are of one accessor, and have more numbers than a Vector can have. */
+        [Test]
+        public function setsOfJointsAreCountedBeforeTheyAreRead():void
+        {
+            var file:Gltf = skinned(3, 600);
+            file.binary.length = 3800000;
+            for (var i:int = 0; i < 2; i++)
+            {
+                file.json.accessors[i].count = 950000;
+                file.json.bufferViews[i] = {buffer: 0, byteLength: file.binary.length};
+            }
+            refusesNumbers(file.toBinary());
+        }
+
         [Test(timeout="600000")]
         public function primitivesMayShareTheirPoints():void
         {

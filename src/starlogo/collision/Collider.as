@@ -19,7 +19,7 @@ package starlogo.collision
     use namespace engine;
 
     /**
-     * The base class of the engine's four collision systems. It finds collisions between the shapes that a BaseShapeChoice gives to agents.
+     * The base class of the engine's collision systems. It finds collisions between the shapes that a BaseShapeChoice gives to agents.
      *
      * <p>It tests only agents that are near each other on the ground plane (thesis §3.7), each pair once. A frame takes time in proportion to the
      * number of agents and of pairs that overlap on the ground plane. The memory is in proportion to the number of agents. After the first frame it

@@ -43,7 +43,8 @@ package starlogo.collision.snapshots
         private static const SYSTEM:int = 8;
 
         // The names of the collision systems, by BaseShapeChoice.system.
-        private static const SYSTEMS:Array = ["a collider of the game's own", "a BinCollider", "a TightestFitCollider", "a HierarchicalCollider", "a CombinationCollider"];
+        private static const SYSTEMS:Array = ["a collider of the game's own", "a BinCollider", "a TightestFitCollider", "a HierarchicalCollider", "a CombinationCollider",
+            "a LevelCollider"];
 
         private var _register:SnapshotRegister = new SnapshotRegister();
 

@@ -31,6 +31,9 @@ package starlogo.search.penetration
         // The most halvings. After 53 a Number has no more bits to halve.
         private static const MOST_STEPS:int = 60;
 
+        // No displacement is longer, in patches. Bodies in the world are free long before it.
+        private static const FARTHEST:Number = 1e300;
+
         private var _pair:DisplacedPair;
 
         // The direction, with the distance that is tested; and between which distances along it the two part.
@@ -109,7 +112,7 @@ package starlogo.search.penetration
         // free at the first outer distance.
         private function goOut(step:Number, out:PartingDistances):Boolean
         {
-            while (areTouchingAtOuter(out) && out.outer < 1e300)
+            while (areTouchingAtOuter(out) && out.outer < FARTHEST)
             {
                 out.inner = out.outer;
                 out.outer += step;

@@ -1,3 +1,6 @@
+// This folder takes a Collision back to earlier frames. Snapshots writes and reads the bytes: SnapshotPlaces, SnapshotPlatforms, SnapshotTraits and
+// SnapshotNames each a part of them. SnapshotParts has what was read. SnapshotRegister knows whose agents the last snapshots are of. Read this file
+// first, then SnapshotPlaces.
 package starlogo.collision.snapshots
 {
     import flash.errors.IllegalOperationError;

@@ -47,7 +47,7 @@ package starlogo.collision.snapshots
 
         // The names of the collision systems, by BaseShapeChoice.system.
         private static const SYSTEMS:Array = ["a collider of the game's own", "a BinCollider", "a TightestFitCollider", "a HierarchicalCollider", "a CombinationCollider",
-            "a LevelCollider"];
+                "a LevelCollider"];
 
         private var _register:SnapshotRegister = new SnapshotRegister();
 

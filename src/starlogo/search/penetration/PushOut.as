@@ -87,7 +87,7 @@ package starlogo.search.penetration
             {
                 if (!goToBlocked(_tried))
                 {
-                    takePush(first, _tried, out);
+                    takePush(first, out);
                     return true;
                 }
                 addBlock(_tried);
@@ -147,25 +147,25 @@ package starlogo.search.penetration
             return isOfSeveral && _pair.touchesAt(out);
         }
 
-        // Takes the push, after which the two are free. If they are free before its end, the depth is refined.
-        private function takePush(first:ContactPoint, free:Displacement, out:ContactPoint):void
+        // Takes the push along the direction of _tried. If the two are free before its end, the depth is refined.
+        private function takePush(first:ContactPoint, out:ContactPoint):void
         {
-            out.setNormal(free.x, free.y, free.z);
+            out.setNormal(_tried.x, _tried.y, _tried.z);
             out.depth = _push.length;
-            free.distance = _push.length - _pair.probeDistance;
-            if (free.distance > 0 && !isDeepestStillInside(first, free) && !_pair.touchesAt(free))
+            _tried.distance = _push.length - _pair.probeDistance;
+            if (_tried.distance > 0 && !isDeepestStillInside(first) && !_pair.touchesAt(_tried))
             {
-                _directions.shorten(free, out);
+                _directions.shorten(_tried, out);
             }
         }
 
-        // Whether the deepest point of a contact, displaced, is known to be of the first body and inside of the second.
-        private function isDeepestStillInside(contact:ContactPoint, by:Displacement):Boolean
+        // Whether the deepest point of a contact, displaced as is tried, is known to be of the first body and inside of the second.
+        private function isDeepestStillInside(contact:ContactPoint):Boolean
         {
             _deepest.copyFrom(contact);
-            _deepest.x += by.distance * by.x;
-            _deepest.y += by.distance * by.y;
-            _deepest.z += by.distance * by.z;
+            _deepest.x += _tried.distance * _tried.x;
+            _deepest.y += _tried.distance * _tried.y;
+            _deepest.z += _tried.distance * _tried.z;
             return _deepest.isDeepestOfA && _bounds.isDeepestInside(_pair.second, _deepest);
         }
     }

@@ -45,7 +45,7 @@ package starlogo.broadphase
          */
         public var slack:Number;
 
-        // The number of members in the last search, and in CellLists since.
+        // The number of members in the last search.
         internal var count:int;
 
         // The index of the level's first bucket.
@@ -109,10 +109,10 @@ package starlogo.broadphase
             mask = NO_BUCKETS;
         }
 
-        /** Whether the level has as many buckets as it would get for its present members. */
-        public function hasRightBucketCount():Boolean
+        /** Whether the level has as many buckets as it would get for so many members. */
+        public function hasRightBucketCount(members:int):Boolean
         {
-            return count == 0 || maskFor(count) == mask;
+            return members == 0 || maskFor(members) == mask;
         }
 
         private static function maskFor(members:int):int

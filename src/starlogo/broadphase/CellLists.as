@@ -5,8 +5,7 @@ package starlogo.broadphase
 
     /**
      * Finds rows near one row, among members that hardly change. Each bucket of cells has a list of its members, so a member that has moved changes
-     * two lists. The buckets are those of the last search of the bins, as long as the numbers of members need no others. It counts the members in
-     * the levels of the bins (<code>BinLevel.count</code>), until the bins count them anew.
+     * two lists. The buckets are those of the last search of the bins, as long as the numbers of members need no others.
      *
      * @private
      */
@@ -19,6 +18,9 @@ package starlogo.broadphase
 
         private var _levels:Vector.<BinLevel>;
         private var _extents:Extents = null;
+
+        // By level: the number of its members.
+        private var _counts:Vector.<int> = new Vector.<int>();
 
         // By bucket: the first row of its list, or NONE.
         private var _heads:Vector.<int> = new Vector.<int>();
@@ -54,8 +56,8 @@ package starlogo.broadphase
             for (var i:int = 0; i < members.count; i++)
             {
                 row = members.numbers[i];
-                var level:BinLevel = _levels[extents.level[row]];
-                enter(row, level.bucketAt(extents.x[row], extents.y[row]));
+                var index:int = extents.level[row];
+                enter(row, index, _levels[index].bucketAt(extents.x[row], extents.y[row]));
             }
         }
 
@@ -91,13 +93,11 @@ package starlogo.broadphase
             {
                 return false;
             }
-            var level:BinLevel = _levels[index];
-            var bucket:int = level.bucketAt(_extents.x[row], _extents.y[row]);
+            var bucket:int = _levels[index].bucketAt(_extents.x[row], _extents.y[row]);
             if (_buckets[row] != bucket)
             {
                 remove(row);
-                enter(row, bucket);
-                level.count++;
+                enter(row, index, bucket);
             }
             return true;
         }
@@ -124,18 +124,18 @@ package starlogo.broadphase
                 _next[before] = _next[row];
             }
             _buckets[row] = NONE;
-            levelOf(bucket).count--;
+            _counts[levelOf(bucket)]--;
         }
 
-        // The level that has a bucket.
-        private function levelOf(bucket:int):BinLevel
+        // The index of the level that has a bucket.
+        private function levelOf(bucket:int):int
         {
             var i:int = 1;
             while (!_levels[i].hasBucket(bucket))
             {
                 i++;
             }
-            return _levels[i];
+            return i;
         }
 
         /** Counts the members. */
@@ -144,7 +144,7 @@ package starlogo.broadphase
             var count:int = 0;
             for (var i:int = 1; i < _levels.length; i++)
             {
-                count += _levels[i].count;
+                count += _counts[i];
             }
             return count;
         }
@@ -154,7 +154,7 @@ package starlogo.broadphase
         {
             for (var i:int = 1; i < _levels.length; i++)
             {
-                if (!_levels[i].hasRightBucketCount())
+                if (!_levels[i].hasRightBucketCount(_counts[i]))
                 {
                     return false;
                 }
@@ -172,11 +172,11 @@ package starlogo.broadphase
             var own:BinLevel = _levels[_extents.level[row]];
             for (var i:int = 1; i < _levels.length; i++)
             {
-                var level:BinLevel = _levels[i];
-                if (level.count == 0)
+                if (_counts[i] == 0)
                 {
                     continue;
                 }
+                var level:BinLevel = _levels[i];
                 var coarser:BinLevel = own.width > level.width ? own : level;
                 var found:int = findOfLevel(row, level, own.width / 2 + level.width / 2 + coarser.slack);
                 found = keepNear(row, found, coarser.slack, asked);
@@ -223,8 +223,10 @@ package starlogo.broadphase
         private function emptyBuckets():void
         {
             var end:int = 0;
+            _counts.length = _levels.length;
             for (var i:int = 1; i < _levels.length; i++)
             {
+                _counts[i] = 0;
                 end = _levels[i].hasBuckets ? _levels[i].endBucket : end;
             }
             if (end > _heads.length)
@@ -237,8 +239,9 @@ package starlogo.broadphase
             }
         }
 
-        private function enter(row:int, bucket:int):void
+        private function enter(row:int, level:int, bucket:int):void
         {
+            _counts[level]++;
             _next[row] = _heads[bucket];
             _heads[bucket] = row;
             _buckets[row] = bucket;

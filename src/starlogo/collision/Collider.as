@@ -6,6 +6,7 @@ package starlogo.collision
     import starlogo.convex.RelativeMotion;
     import starlogo.data.requireGiven;
     import starlogo.engine;
+    import starlogo.ground.HeightGrid;
     import starlogo.search.BaseShapeChoice;
     import starlogo.search.BreedInterests;
     import starlogo.search.CollisionSearch;
@@ -19,7 +20,7 @@ package starlogo.collision
     use namespace engine;
 
     /**
-     * The base class of the engine's four collision systems. It finds collisions between the shapes that a BaseShapeChoice gives to agents.
+     * The base class of the engine's collision systems. It finds collisions between the shapes that a BaseShapeChoice gives to agents.
      *
      * <p>It tests only agents that are near each other on the ground plane (thesis §3.7), each pair once. A frame takes time in proportion to the
      * number of agents and of pairs that overlap on the ground plane. The memory is in proportion to the number of agents. After the first frame it
@@ -54,6 +55,9 @@ package starlogo.collision
 
         // What the Collision does.
         private var _phase:int = IDLE;
+
+        // The heights of the ground of the frame while handlers run, or null.
+        private var _heldGround:HeightGrid = null;
 
         // The search whose contacts contactOf gives.
         private var _contactSearch:CollisionSearch;
@@ -222,23 +226,23 @@ package starlogo.collision
          */
         override engine function enterPhase(phase:int):void
         {
-            var held:Boolean = _phase == HANDLING;
-            var holds:Boolean = phase == HANDLING;
-            if (holds)
+            _phase = phase;
+            if (phase == HANDLING)
             {
                 takeContactsFromFrame();
+                // only the ground is held: the edges never change
+                var ground:ModelShape = search.table.shapes[ListedAgents.GROUND_ROW];
+                if (ground != null)
+                {
+                    _heldGround = ground.grid;
+                    _heldGround.hold();
+                }
             }
-            // only the ground is held: the edges never change
-            var ground:ModelShape = search.table.shapes[ListedAgents.GROUND_ROW];
-            if (ground != null && holds && !held)
+            else if (_heldGround != null)
             {
-                ground.grid.hold();
+                _heldGround.release();
+                _heldGround = null;
             }
-            if (ground != null && held && !holds)
-            {
-                ground.grid.release();
-            }
-            _phase = phase;
         }
 
         /** @private */

@@ -1,6 +1,6 @@
 // This room is what a game calls: a Collision finds who touches, once a frame, and calls handlers. Its runFrame() shows the steps of a frame:
 // 1. HandlerTable (in the room handlers) takes the handlers as they are now. SearchInput asks the game's filter who takes part.
-// 2. Collider, the base of the four collision systems, searches for the pairs: CollisionSearch, in the room search. In its place BaseCollider asks a
+// 2. Collider, the base of the collision systems, searches for the pairs: CollisionSearch, in the room search. In its place BaseCollider asks a
 // system of the game's own, and PairReader reads what that has found.
 // 3. HandlerCalls lets FrameContacts compute the contacts that handlers take. It calls the handlers for touches that have ended (TouchTracker), and then
 // those of each pair.

@@ -138,10 +138,10 @@ package starlogo.ground
         /**
          * Finds how far the two are apart where the model stands, and between which points.
          *
-         * @param doTouch whether they overlap. If so, a point of both is found
+         * @param areTouching whether they overlap. If so, a point of both is found
          * @param out receives the distance and the points, in the world
          */
-        public function findClosest(doTouch:Boolean, out:ClosestPoints):void
+        public function findClosest(areTouching:Boolean, out:ClosestPoints):void
         {
             var origin:Placement = _pairs.origin;
             var kernel:TriangleKernel = _pairs.kernel;
@@ -154,13 +154,13 @@ package starlogo.ground
                     _pairs.leaveOutFarther(out.distance);
                 }
             }
-            if (doTouch)
+            if (areTouching)
             {
                 // either the model's point is in the ground, or the surface's point is in the model
                 var isUnder:Boolean = _pairs.grid.heightAt(out.a.x + origin.x, out.a.y + origin.y) - origin.z >= out.a.z;
                 out.setPoint(isUnder ? out.a : out.b);
             }
-            out.correct(doTouch);
+            out.correct(areTouching);
             out.placePoints(origin);
         }
 

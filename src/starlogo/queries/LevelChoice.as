@@ -32,7 +32,7 @@ package starlogo.queries
 
         public function LevelChoice()
         {
-            super(null);
+            super(null, LEVEL);
             narrowPhase = new NarrowPhase(this);
         }
 

@@ -37,6 +37,9 @@ package starlogo.search
         /** @private For <code>system</code>: a CombinationCollider. */
         engine static const COMBINATION:int = 4;
 
+        /** @private For <code>system</code>: a LevelCollider. */
+        engine static const LEVEL:int = 5;
+
         /** The models, or null if the shapes need no models. */
         public var greatLand:GreatLand;
 

@@ -99,7 +99,20 @@ package starlogo.search
             _conditions.setTo(input, _motions.isSwept, narrowPhase.treeLimits);
             // if the search throws, the next one is of all rows, because the table has been read
             _isPrepared = false;
-            narrowPhase.counts.members = beginsWithLast && findChangedRows(input) ? findOfChanged(input) : findOfAll(input, prepares);
+            var canUpdate:Boolean = false;
+            if (beginsWithLast)
+            {
+                _changedRows.find(input);
+                canUpdate = areFew(_changedRows.rows.count, input) && _changedRows.moveToCells(input);
+            }
+            if (canUpdate)
+            {
+                findOfChanged(input);
+            }
+            else
+            {
+                findOfAll(input, prepares);
+            }
             _isPrepared = prepares;
             return _pairs;
         }
@@ -143,15 +156,8 @@ package starlogo.search
             return rowsPerChange * changes <= table.list.rows.count;
         }
 
-        // Finds the rows that have changed. Returns false if all rows have to be searched, because they are too many, or the cells need other buckets.
-        private function findChangedRows(input:SearchInput):Boolean
-        {
-            _changedRows.find(input);
-            return areFew(_changedRows.rows.count, input) && _changedRows.moveToCells(input);
-        }
-
-        // Finds the pairs of all members, and prepares the cells if the next search may begin with these pairs. Returns the number of members.
-        private function findOfAll(input:SearchInput, prepares:Boolean):int
+        // Finds the pairs of all members, and prepares the cells if the next search may begin with these pairs.
+        private function findOfAll(input:SearchInput, prepares:Boolean):void
         {
             var members:IntList = input.findMembers(table, _members);
             if (_motions.isSwept)
@@ -167,13 +173,12 @@ package starlogo.search
             {
                 _changedRows.begin(members);
             }
-            return members.count;
+            narrowPhase.counts.members = members.count;
         }
 
         // Finds the pairs of the changed rows, and puts them between those of the last search. The pairs and their order are the same as in a search of
-        // all members: a test gives the same answer in either order of the two, because the row that has changed comes first here. Returns the number of
-        // members.
-        private function findOfChanged(input:SearchInput):int
+        // all members: a test gives the same answer in either order of the two, because the row that has changed comes first here.
+        private function findOfChanged(input:SearchInput):void
         {
             _tests.begin(input, _motions.isSwept, _pairsOfChanged);
             _changedRows.findPairs(_tests);
@@ -181,7 +186,7 @@ package starlogo.search
             _tests.testWithWorldAgent(ListedAgents.EDGES_ROW, _changedRows.rowsToTestWith(ListedAgents.EDGES_ROW));
             var earlyCount:int = _order.putInOrder(_pairsOfChanged);
             _update.replacePairsOf(_changedRows.rowsAndWorld, _pairs, _pairsOfChanged, earlyCount);
-            return _changedRows.memberCount;
+            narrowPhase.counts.members = _changedRows.memberCount;
         }
 
         // Whether an agent of the list sweeps. No entry is null.

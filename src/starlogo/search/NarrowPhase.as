@@ -83,13 +83,13 @@ package starlogo.search
                 return;
             }
             var tests:PairTests = pairTestsFor(a, b);
-            var areTouchingNow:Boolean = tests.areTouching(a, b);
-            if (areTouchingNow && !withPoints)
+            var areTouching:Boolean = tests.areTouching(a, b);
+            if (areTouching && !withPoints)
             {
                 out.distance = 0;
                 return;
             }
-            tests.findClosest(a, b, areTouchingNow, out);
+            tests.findClosest(a, b, areTouching, out);
         }
 
         /**

@@ -7,7 +7,7 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * Lets a game choose the shape of each agent's model for a Collider. Extend this abstract class if none of the engine's four colliders has
+     * Lets a game choose the shape of each agent's model for a Collider. Extend this abstract class if none of the engine's colliders has
      * the shapes that your game wants.
      *
      * <p>The Collider adds everything else: bins, sweeping, contacts, questions, snapshots and statistics.</p>

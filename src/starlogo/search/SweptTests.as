@@ -19,7 +19,7 @@ package starlogo.search
      */
     internal final class SweptTests
     {
-        /** In place of a level: the extents of a row say nothing, so they rule no pair out. */
+        /** In place of a level: its slack is infinite, so the extents of a row rule no pair out. */
         internal static const NO_EXTENTS:BinLevel = new BinLevel(Infinity);
 
         private var _table:AgentTable;
@@ -129,8 +129,7 @@ package starlogo.search
             _motions.relate(a, b, motion);
             if (!_motions.eitherSweeps(a, b))
             {
-                var isNear:Boolean = level == NO_EXTENTS || _table.extents.areNear(a, b, level.slack);
-                motion.time = isNear && areTouching(a, b) ? 1 : RelativeMotion.NEVER;
+                motion.time = _table.extents.areNear(a, b, level.slack) && areTouching(a, b) ? 1 : RelativeMotion.NEVER;
             }
             else if (motion.isStill)
             {
@@ -159,7 +158,7 @@ package starlogo.search
         private function sweep(a:int, b:int, level:BinLevel, motion:RelativeMotion):void
         {
             var areSpheres:Boolean = _table.shapes[a].form == BoundingStructure.SPHERE && _table.shapes[b].form == BoundingStructure.SPHERE;
-            if (level != NO_EXTENTS && !areSpheres && !overlapOnMotions(a, b, level))
+            if (!areSpheres && !overlapOnMotions(a, b, level))
             {
                 return;
             }

@@ -93,19 +93,19 @@ package starlogo.solid
         /**
          * Finds the distance and the closest points of the two where they stand.
          *
-         * @param doTouch whether the two touch. If so, a point of both is found
+         * @param areTouching whether the two touch. If so, a point of both is found
          * @param out receives the distance and the points, in the world
          */
-        public final function findClosest(doTouch:Boolean, out:ClosestPoints):void
+        public final function findClosest(areTouching:Boolean, out:ClosestPoints):void
         {
             pose.relate(placementA, placementB);
             findClosestOfSurfaces(out);
             out.distance *= placementA.size;
             // a point of both is known already if the measured distance is 0
-            var isPointNeeded:Boolean = doTouch && out.distance > 0;
+            var isPointNeeded:Boolean = areTouching && out.distance > 0;
             if (!isPointNeeded || !findInside(out))
             {
-                out.correct(doTouch);
+                out.correct(areTouching);
                 out.placePoints(placementA);
             }
         }

@@ -106,6 +106,19 @@ package starlogo.queries
         }
 
         [Test]
+        public function itsSnapshotsAreOfAKindOfTheirOwn():void
+        {
+            var agents:Vector.<Agent> = new <Agent>[new Agent("cube")];
+            var level:Collision = new Collision(new LevelCollider(_shapes));
+            var combination:Collision = new Collision(new CombinationCollider(_land));
+            level.update(agents);
+            combination.update(agents);
+            level.restore(level.snapshot(), agents);
+            assertThrows(ArgumentError, /with a CombinationCollider: that one had a LevelCollider/, combination.restore, level.snapshot(), agents);
+            assertThrows(ArgumentError, /with a LevelCollider: that one had a CombinationCollider/, level.restore, combination.snapshot(), agents);
+        }
+
+        [Test]
         public function aShapeThatIsReplacedCountsFromTheNextFrameOn():void
         {
             var collider:LevelCollider = new LevelCollider(_shapes);

@@ -1,3 +1,6 @@
+// This folder takes a Collision back to earlier frames. Snapshots writes and reads the bytes: SnapshotPlaces, SnapshotPlatforms, SnapshotTraits and
+// SnapshotNames each a part of them. SnapshotParts has what was read. SnapshotRegister knows whose agents the last snapshots are of. Read this file
+// first, then SnapshotPlaces.
 package starlogo.collision.snapshots
 {
     import flash.errors.IllegalOperationError;
@@ -43,7 +46,8 @@ package starlogo.collision.snapshots
         private static const SYSTEM:int = 8;
 
         // The names of the collision systems, by BaseShapeChoice.system.
-        private static const SYSTEMS:Array = ["a collider of the game's own", "a BinCollider", "a TightestFitCollider", "a HierarchicalCollider", "a CombinationCollider"];
+        private static const SYSTEMS:Array = ["a collider of the game's own", "a BinCollider", "a TightestFitCollider", "a HierarchicalCollider", "a CombinationCollider",
+                "a LevelCollider"];
 
         private var _register:SnapshotRegister = new SnapshotRegister();
 

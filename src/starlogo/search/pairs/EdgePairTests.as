@@ -104,7 +104,7 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function findClosest(a:Body, b:Body, doTouch:Boolean, out:ClosestPoints):void
+        override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
             var deepest:int = findDeepest(a, b, RelativeMotion.NONE, _penetrations);
             var outwards:Vector3D = OUTWARDS[deepest];
@@ -114,7 +114,7 @@ package starlogo.search.pairs
             // corners that count as equally far are not quite, and the point is their mean
             var toEnd:Number = toEdge + _penetrations[deepest];
             out.distance = -_penetrations[deepest];
-            if (doTouch)
+            if (areTouching)
             {
                 // what is beyond the edge is of both
                 toEdge = toEnd;
@@ -125,7 +125,7 @@ package starlogo.search.pairs
             out.b.x = _farthest.x + toEdge * outwards.x;
             out.b.y = _farthest.y + toEdge * outwards.y;
             out.b.z = _farthest.z + toEdge * outwards.z;
-            out.correct(doTouch);
+            out.correct(areTouching);
         }
 
         // Finds how far the body is beyond each edge at the time of a motion. Returns the edge that it is furthest beyond.

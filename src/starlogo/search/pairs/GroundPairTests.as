@@ -154,9 +154,9 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function findClosest(a:Body, b:Body, doTouch:Boolean, out:ClosestPoints):void
+        override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
-            queryOf(a, b).findClosest(doTouch, out);
+            queryOf(a, b).findClosest(areTouching, out);
         }
 
         private static function gridOf(ground:Body):HeightGrid

@@ -188,10 +188,10 @@ package starlogo.search.pairs
         /**
          * Finds the distance between two bodies, and their closest points. NarrowPhase.isReversed is false for the two.
          *
-         * @param doTouch what <code>areTouching()</code> says of the two. If it is true the distance is 0, and otherwise greater
+         * @param areTouching what <code>areTouching()</code> says of the two. If it is true the distance is 0, and otherwise greater
          * @param out receives the distance and the closest points, in the world
          */
-        public function findClosest(a:Body, b:Body, doTouch:Boolean, out:ClosestPoints):void
+        public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
             throw new IllegalOperationError(this + " does not implement findClosest");
         }

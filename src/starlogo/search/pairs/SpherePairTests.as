@@ -140,10 +140,10 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function findClosest(a:Body, b:Body, doTouch:Boolean, out:ClosestPoints):void
+        override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
             _kernel.findClosest(a.worldStructure(), b.worldStructure(), out);
-            out.correct(doTouch);
+            out.correct(areTouching);
         }
 
         /** @inheritDoc */

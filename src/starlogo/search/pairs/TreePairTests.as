@@ -144,9 +144,9 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function findClosest(a:Body, b:Body, doTouch:Boolean, out:ClosestPoints):void
+        override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
-            pairOf(a, b).findClosest(doTouch, out);
+            pairOf(a, b).findClosest(areTouching, out);
         }
 
         /**

@@ -31,6 +31,9 @@ package starlogo.search.penetration
         // The most halvings. After 53 a Number has no more bits to halve.
         private static const MOST_STEPS:int = 60;
 
+        // No displacement is longer, in patches. Bodies in the world are free long before it.
+        private static const FARTHEST:Number = 1e300;
+
         private var _pair:DisplacedPair;
 
         // The direction, with the distance that is tested; and between which distances along it the two part.
@@ -78,12 +81,12 @@ package starlogo.search.penetration
         // middle between the place where the two part and the matching place on the first body.
         private function refine(between:PartingDistances, out:ContactPoint):void
         {
-            sweepBack(between, out);
+            sweepBack(between, _parting, out);
             if (out.depth > IMPROVED_DEPTH * _pair.extent)
             {
-                for (var left:int = IMPROVEMENTS; left > 0 && startAlongPartingNormal(out, between); left--)
+                for (var left:int = IMPROVEMENTS; left > 0 && startAlong(_parting, out, between); left--)
                 {
-                    sweepBack(between, out);
+                    sweepBack(between, _parting, out);
                 }
             }
             out.x = _parting.x - out.depth / 2 * out.normalX;
@@ -93,14 +96,14 @@ package starlogo.search.penetration
         }
 
         // Starts along the normal of the surfaces where the two parted. Returns whether the way out along it is shorter than a contact's depth.
-        private function startAlongPartingNormal(contact:ContactPoint, out:PartingDistances):Boolean
+        private function startAlong(parting:ContactPoint, contact:ContactPoint, out:PartingDistances):Boolean
         {
-            var cosine:Number = _parting.normalX * contact.normalX + _parting.normalY * contact.normalY + _parting.normalZ * contact.normalZ;
+            var cosine:Number = parting.normalX * contact.normalX + parting.normalY * contact.normalY + parting.normalZ * contact.normalZ;
             if (!(cosine > 0 && cosine < GAIN))
             {
                 return false;
             }
-            _tried.setDirection(_parting.normalX, _parting.normalY, _parting.normalZ);
+            _tried.setDirection(parting.normalX, parting.normalY, parting.normalZ);
             out.begin(cosine * contact.depth + _pair.tolerance);
             return !areTouchingAtOuter(out);
         }
@@ -109,7 +112,7 @@ package starlogo.search.penetration
         // free at the first outer distance.
         private function goOut(step:Number, out:PartingDistances):Boolean
         {
-            while (areTouchingAtOuter(out) && out.outer < 1e300)
+            while (areTouchingAtOuter(out) && out.outer < FARTHEST)
             {
                 out.inner = out.outer;
                 out.outer += step;
@@ -118,8 +121,8 @@ package starlogo.search.penetration
             return out.inner == 0;
         }
 
-        // Finds the place where the two part. Its distance becomes the contact's depth.
-        private function sweepBack(between:PartingDistances, out:ContactPoint):void
+        // Finds the contact at the place where the two part. The distance of this place becomes the depth of the way out.
+        private function sweepBack(between:PartingDistances, parting:ContactPoint, out:ContactPoint):void
         {
             while (between.outer - between.inner > NARROW * _pair.extent)
             {
@@ -129,11 +132,11 @@ package starlogo.search.penetration
             _pair.displace(_tried);
             var length:Number = between.inner - between.outer;
             _back.endAfter(length * _tried.x, length * _tried.y, length * _tried.z);
-            _pair.findImpact(_back, _parting);
+            _pair.findImpact(_back, parting);
             if (_back.time == RelativeMotion.NEVER)
             {
                 // rounding hides the touch at the end
-                _pair.findContactOfParts(_parting);
+                _pair.findContactOfParts(parting);
             }
             var time:Number = Math.min(_back.time, 1);
             out.setNormal(_tried.x, _tried.y, _tried.z);

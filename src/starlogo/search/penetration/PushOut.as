@@ -39,6 +39,9 @@ package starlogo.search.penetration
         // The contact after a push.
         private var _next:ContactPoint = new ContactPoint();
 
+        // The first contact, displaced.
+        private var _deepest:ContactPoint = new ContactPoint();
+
         private var _pair:DisplacedPair;
         private var _bounds:ExitBounds;
         private var _directions:DirectionSearch;
@@ -82,12 +85,12 @@ package starlogo.search.penetration
             add(first);
             while (_push.length <= most && _push.length < Infinity && count <= MOST_CONTACTS)
             {
-                if (!goToBlocked())
+                if (!goToBlocked(_tried))
                 {
                     takePush(first, out);
                     return true;
                 }
-                addBlock();
+                addBlock(_tried);
                 count++;
             }
             return false;
@@ -102,8 +105,8 @@ package starlogo.search.penetration
             _contacts.solve(3, 0, _push);
         }
 
-        // Adds the contact of the first body, which is blocked on its way along the push.
-        private function addBlock():void
+        // Adds the contact of the first body, which is where it is blocked on its way along the push.
+        private function addBlock(blocked:Displacement):void
         {
             blockedPlaces[blockedEnd++] = _push.displacement.x;
             blockedPlaces[blockedEnd++] = _push.displacement.y;
@@ -114,37 +117,37 @@ package starlogo.search.penetration
                 lastBlock.copyFrom(_next);
                 // its exits are known where the push ended, not where the body was
                 lastBlock.exitBound = 0;
-                lastBlock.x -= _tried.distance * _tried.x;
-                lastBlock.y -= _tried.distance * _tried.y;
-                lastBlock.z -= _tried.distance * _tried.z;
+                lastBlock.x -= blocked.distance * blocked.x;
+                lastBlock.y -= blocked.distance * blocked.y;
+                lastBlock.z -= blocked.distance * blocked.z;
             }
             // the body is a little farther than the push
-            _next.depth += (_tried.distance - _push.length) * (_next.normalX * _tried.x + _next.normalY * _tried.y + _next.normalZ * _tried.z);
+            _next.depth += (blocked.distance - _push.length) * (_next.normalX * blocked.x + _next.normalY * blocked.y + _next.normalZ * blocked.z);
             add(_next);
         }
 
-        // Tries the push: at its end, and a little farther. If the two touch at one of these places, it leaves the body there, and _tried
-        // has the distance. Returns whether they touch.
-        private function goToBlocked():Boolean
+        // Tries the push: at its end, and a little farther. If the two touch at one of these places, it leaves the body there.
+        // Returns whether they touch, at the last displacement that it has tried.
+        private function goToBlocked(out:Displacement):Boolean
         {
             // beyond its end, a push out of several contacts may lead into one of them again
             var isOfSeveral:Boolean = _push.planeCount > 1;
-            _tried.setDirection(_push.displacement.x / _push.length, _push.displacement.y / _push.length, _push.displacement.z / _push.length);
-            _tried.distance = _push.length;
-            if (isOfSeveral && _pair.touchesAt(_tried))
+            out.setDirection(_push.displacement.x / _push.length, _push.displacement.y / _push.length, _push.displacement.z / _push.length);
+            out.distance = _push.length;
+            if (isOfSeveral && _pair.touchesAt(out))
             {
                 return true;
             }
-            _tried.distance = _push.length + _pair.probeDistance;
-            if (_pair.touchesAt(_tried))
+            out.distance = _push.length + _pair.probeDistance;
+            if (_pair.touchesAt(out))
             {
                 return true;
             }
-            _tried.distance = _push.length + _pair.room;
-            return isOfSeveral && _pair.touchesAt(_tried);
+            out.distance = _push.length + _pair.room;
+            return isOfSeveral && _pair.touchesAt(out);
         }
 
-        // Takes the push. If the two are free before its end, the depth is refined.
+        // Takes the push along the direction of _tried. If the two are free before its end, the depth is refined.
         private function takePush(first:ContactPoint, out:ContactPoint):void
         {
             out.setNormal(_tried.x, _tried.y, _tried.z);
@@ -159,11 +162,11 @@ package starlogo.search.penetration
         // Whether the deepest point of a contact, displaced as is tried, is known to be of the first body and inside of the second.
         private function isDeepestStillInside(contact:ContactPoint):Boolean
         {
-            _next.copyFrom(contact);
-            _next.x += _tried.distance * _tried.x;
-            _next.y += _tried.distance * _tried.y;
-            _next.z += _tried.distance * _tried.z;
-            return _next.isDeepestOfA && _bounds.isDeepestInside(_pair.second, _next);
+            _deepest.copyFrom(contact);
+            _deepest.x += _tried.distance * _tried.x;
+            _deepest.y += _tried.distance * _tried.y;
+            _deepest.z += _tried.distance * _tried.z;
+            return _deepest.isDeepestOfA && _bounds.isDeepestInside(_pair.second, _deepest);
         }
     }
 }

@@ -1,3 +1,5 @@
+// This folder reads the agents of a list into rows. Read this file first, then ListedAgents. acceptList() finds the rows to read, readChanges() reads
+// them.
 // This file is long because all that writes the columns of a row is in it.
 package starlogo.search.table
 {
@@ -50,19 +52,6 @@ package starlogo.search.table
         /** By row: the extents of the shape at that place. */
         engine var extents:Extents = new Extents();
 
-        // Chooses the shapes of the agents. It may have other tables too.
-        private var _choice:BaseShapeChoice;
-
-        // By row: the agent's revision when the last search saw it. Without a jump since, its next motion begins at its place. NO_START if none does.
-        private var _startRevisions:Vector.<int> = new Vector.<int>();
-
-        // By row: the way from the agent's place to the middle of its extents.
-        private var _offsets:Points = new Points();
-
-        // By row: the body, and the agent's bodyRevision at which it was read.
-        private var _bodies:Vector.<Body> = new Vector.<Body>();
-        private var _bodyRevisions:Vector.<int> = new Vector.<int>();
-
         /** The number of rows read last whose models are still loading. */
         engine var loadingCount:int = 0;
 
@@ -77,6 +66,19 @@ package starlogo.search.table
          * same order in both lists.
          */
         engine var leftOrReordered:IntList = new IntList();
+
+        // Chooses the shapes of the agents. It may have other tables too.
+        private var _choice:BaseShapeChoice;
+
+        // By row: the agent's revision when the last search saw it. Without a jump since, its next motion begins at its place. NO_START if none does.
+        private var _startRevisions:Vector.<int> = new Vector.<int>();
+
+        // By row: the way from the agent's place to the middle of its extents.
+        private var _offsets:Points = new Points();
+
+        // By row: the body, and the agent's bodyRevision at which it was read.
+        private var _bodies:Vector.<Body> = new Vector.<Body>();
+        private var _bodyRevisions:Vector.<int> = new Vector.<int>();
 
         // Of the changed rows, those whose bodies have changed, and their new shapes.
         private var _reshaped:IntList = new IntList();
@@ -111,13 +113,14 @@ package starlogo.search.table
             var isSame:Boolean = list.isAccepted && agents.length == list.rows.count;
             if (isSame)
             {
-                isSame = findChangedIfListed(agents, list.rows);
+                isSame = tryFindChanged(agents, list.rows);
             }
             if (!isSame)
             {
                 list.propose(agents);
                 makeRoom();
-                findChangedIfListed(agents, list.proposed);
+                // always finds them, because the proposed rows are those of the agents
+                tryFindChanged(agents, list.proposed);
             }
             findShapes(_reshaped, _newShapes);
             // nothing below throws
@@ -276,7 +279,7 @@ package starlogo.search.table
 
         // Finds the rows whose agents have changed since the last search, and those whose bodies have (_reshaped). If a row is another agent's, it stops
         // and returns false. It compares agents and rows on the way, because a second loop would read all of them again.
-        private function findChangedIfListed(agents:Vector.<Agent>, listed:IntList):Boolean
+        private function tryFindChanged(agents:Vector.<Agent>, listed:IntList):Boolean
         {
             var rows:Vector.<int> = listed.numbers;
             var byRow:Vector.<Agent> = list.agentsByRow;

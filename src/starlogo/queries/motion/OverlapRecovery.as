@@ -13,7 +13,8 @@ package starlogo.queries.motion
      * motions end (restoreClearance), and tells a walk how deep the body is in others (measureOverlaps).
      *
      * <p>A shallow overlap comes from rounding in the game: the body is pushed out of it. If the body overlaps a row more deeply, the plane of their
-     * contact stands for that row. The motion must not cross the plane, and nothing else of the row counts.</p>
+     * contact stands for that row. The motion must not cross the plane, and nothing else of the row counts. If no pushes lead out of shallow overlaps, planes
+     * stand for these rows too.</p>
      *
      * <p>The pushes go out of one row after the other, in rounds, because a push out of one side of a hollow leads a part of the way into
      * another. If it does not get free, for example between two opposite walls, it stays where it was. The tests of a pair know the shortest way
@@ -53,7 +54,7 @@ package starlogo.queries.motion
         /**
          * Frees the core of a body from the obstacles that it overlaps where its motion starts.
          *
-         * @param state how the motion starts. It receives the planes of deep overlaps. Obstacles for which a plane stands are none from then on. The
+         * @param state how the motion starts. It receives the planes of overlaps that stay. Obstacles for which a plane stands are none from then on. The
          *     place changes if the body is pushed
          */
         public function leaveOverlaps(state:MotionState):void

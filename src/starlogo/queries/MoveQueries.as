@@ -94,14 +94,14 @@ package starlogo.queries
             }
             if (contact != null)
             {
-                contact.time = _first.fraction;
+                contact.time = _first.time;
                 if (_first.isStopped)
                 {
                     contact.read(_first.contact);
                     contact.approachSpeed = Math.max(0, -_first.contact.along(body.motion));
                 }
             }
-            return _first.fraction;
+            return _first.time;
         }
 
         /** See AgentMotions.slide. */

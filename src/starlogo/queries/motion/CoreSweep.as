@@ -58,7 +58,7 @@ package starlogo.queries.motion
         }
 
         /**
-         * Finds what stops a straight motion: a plane of a deep overlap, or an obstacle.
+         * Finds what stops a straight motion: a plane of an overlap, or an obstacle.
          *
          * @param rows the rows that may be in its way
          * @param from where the motion begins
@@ -68,11 +68,11 @@ package starlogo.queries.motion
         public function findStop(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, state:MotionState, out:MotionResult):void
         {
             startMotion(body, rows, from, motion, state);
-            out.isDeep = state.planes.count > 0;
+            out.hasPlanes = state.planes.count > 0;
             out.row = state.isImpactKnown ? -1 : findCrossedPlane(state.planes, motion, out.contact);
             if (out.isStopped)
             {
-                out.fraction = 0;
+                out.time = 0;
                 return;
             }
             if (!state.isImpactKnown)
@@ -80,11 +80,11 @@ package starlogo.queries.motion
                 findFirstObstacle(state.core, state.obstacles, state.from, motion, state.impact);
             }
             out.row = state.impact.row;
-            out.fraction = 1;
+            out.time = 1;
             if (out.isStopped)
             {
                 out.contact.copyFrom(state.impact.contact);
-                out.fraction = findTouchTime(state.core, state.from, motion, state.impact);
+                out.time = findTouchTime(state.core, state.from, motion, state.impact);
                 setAlong(state.from, motion, state.impact.time, out.corePlace);
             }
         }

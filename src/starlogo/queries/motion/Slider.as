@@ -93,12 +93,12 @@ package starlogo.queries.motion
         public function goStraight(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, out:MotionResult):void
         {
             _sweep.findStop(body, rows, from, motion, _state, out);
-            var fraction:Number = 1;
+            var time:Number = 1;
             if (out.isStopped)
             {
-                fraction = Math.max(out.fraction + _state.core.clearance / out.contact.along(motion), 0);
+                time = Math.max(out.time + _state.core.clearance / out.contact.along(motion), 0);
             }
-            CoreSweep.setAlong(_state.from, motion, fraction, out.place);
+            CoreSweep.setAlong(_state.from, motion, time, out.place);
         }
 
         /** Whether a row, one of those near the way of a body, would stop a straight motion. */

@@ -120,7 +120,7 @@ package starlogo.queries.motion
          */
         public function findFirstObstacle(core:BodyCore, obstacles:IntList, from:Vector3D, motion:Vector3D, out:Impact):void
         {
-            while (findFirstImpact(core, obstacles, from, motion, false, out) && core.body.passesOneWay(out.row, out.contact))
+            while (findFirstImpact(core, obstacles, from, motion, false, out) && core.moving.passesOneWay(out.row, out.contact))
             {
                 obstacles.remove(out.row);
             }
@@ -143,7 +143,7 @@ package starlogo.queries.motion
         public function findTouchTime(core:BodyCore, from:Vector3D, motion:Vector3D, impact:Impact):Number
         {
             var contact:ContactPoint = impact.contact;
-            var whole:Body = core.body.whole;
+            var whole:Body = core.moving.whole;
             var shrink:Number = core.shrink;
             var recess:Number = shrink / (1 - shrink) * (contact.normalX * (from.x + whole.offsetX + impact.time * motion.x - contact.x)
                     + contact.normalY * (from.y + whole.offsetY + impact.time * motion.y - contact.y)
@@ -156,10 +156,10 @@ package starlogo.queries.motion
                 return ofPlane;
             }
             setAlong(from, motion, 1, _end);
-            core.body.moveTo(_end);
-            var other:Body = core.body.bodyOf(impact.row);
+            core.moving.moveTo(_end);
+            var other:Body = core.moving.bodyOf(impact.row);
             _relative.endAfter(motion.x, motion.y, motion.z);
-            core.body.narrowPhase.pairTestsFor(whole, other).findImpact(whole, other, _relative, null);
+            core.moving.narrowPhase.pairTestsFor(whole, other).findImpact(whole, other, _relative, null);
             var earliest:Number = Math.min(ofPlane, impact.time);
             var latest:Number = Math.max(ofPlane, impact.time);
             return Math.max(earliest, Math.min(latest, _relative.time));
@@ -180,7 +180,7 @@ package starlogo.queries.motion
         // nor motions that a one-way obstacle may stop first. Returns whether the core certainly overlaps nothing.
         private function findImpactIfFree(core:BodyCore, obstacles:IntList, from:Vector3D, motion:Vector3D, out:Impact):Boolean
         {
-            return !core.isFlat && (!findFirstImpact(core, obstacles, from, motion, true, out) || out.time > 0 && !core.body.isOneWay(out.row));
+            return !core.isFlat && (!findFirstImpact(core, obstacles, from, motion, true, out) || out.time > 0 && !core.moving.isOneWay(out.row));
         }
 
         // Finds the plane that the motion crosses at the steepest angle. Its contact is without a triangle, because the plane stands for all triangles of the
@@ -246,11 +246,11 @@ package starlogo.queries.motion
         private static function sweepCore(core:BodyCore, row:int, end:Vector3D, countsInside:Boolean, motion:RelativeMotion, out:ContactPoint):Boolean
         {
             var moved:Body = core.moveTo(end);
-            var other:Body = core.body.bodyOf(row);
+            var other:Body = core.moving.bodyOf(row);
             motion.time = RelativeMotion.NEVER;
             if (core.isNear(moved, other, motion))
             {
-                var tests:PairTests = core.body.narrowPhase.pairTestsFor(moved, other);
+                var tests:PairTests = core.moving.narrowPhase.pairTestsFor(moved, other);
                 tests.findImpact(moved, other, motion, out);
                 // a sheet may be wholly under the ground at the beginning, and then it touches no surface
                 var mayBeInside:Boolean = countsInside ? motion.time > 0 : motion.time == RelativeMotion.NEVER && other.form == ModelShape.GROUND;

@@ -173,7 +173,7 @@ package starlogo.queries.motion
             {
                 var row:int = obstacles.numbers[i];
                 var isOverlapped:Boolean = state.core.coreTouches(row, state.from);
-                if (isOverlapped && (state.core.body.passesOneWayAt(row, state.from) || addPlane(row, state, alsoShallow)))
+                if (isOverlapped && (state.core.moving.passesOneWayAt(row, state.from) || addPlane(row, state, alsoShallow)))
                 {
                     obstacles.remove(row);
                 }
@@ -192,13 +192,13 @@ package starlogo.queries.motion
         private function addPlane(row:int, state:MotionState, alsoShallow:Boolean):Boolean
         {
             var core:BodyCore = state.core;
-            if (!findOverlap(core.body, row, state.from, alsoShallow, _contact) || core.narrow(row, state.from)
+            if (!findOverlap(core.moving, row, state.from, alsoShallow, _contact) || core.narrow(row, state.from)
                     || !core.bodyOverlaps(row, state.from))
             {
                 return false;
             }
             state.planes.add(_contact, row);
-            core.body.warnIfInside(row, _contact);
+            core.moving.warnIfInside(row, _contact);
             return true;
         }
 
@@ -222,8 +222,8 @@ package starlogo.queries.motion
             {
                 return false;
             }
-            findContactOfPush(core.body, row, place, separates, last, out);
-            out.depth = core.body.isShallow(row, out) ? out.depth + core.clearance : TOO_DEEP;
+            findContactOfPush(core.moving, row, place, separates, last, out);
+            out.depth = core.moving.isShallow(row, out) ? out.depth + core.clearance : TOO_DEEP;
             return true;
         }
 
@@ -231,7 +231,7 @@ package starlogo.queries.motion
         // row deeply, or passes it.
         private function findPushOff(core:BodyCore, row:int, place:Vector3D, separates:Boolean, last:ContactPoint, out:ContactPoint):Boolean
         {
-            var body:MovingBody = core.body;
+            var body:MovingBody = core.moving;
             // mostly it is known faster that the core touches the row than how deep the overlap is
             if (!findTouchingPlace(core, row, place, _touching) || body.passesOneWayAt(row, _touching) || (!core.isFlat && core.coreTouches(row, place)))
             {
@@ -264,7 +264,7 @@ package starlogo.queries.motion
         // Finds an overlap that a walk begins with a push out of: see measureOverlaps. Returns whether it counts.
         private static function measureOverlap(core:BodyCore, row:int, place:Vector3D, out:ContactPoint):Boolean
         {
-            var body:MovingBody = core.body;
+            var body:MovingBody = core.moving;
             if (body.isOneWay(row) || !core.coreTouches(row, place))
             {
                 return false;

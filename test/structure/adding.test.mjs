@@ -42,10 +42,22 @@ test('every structure stands in the files of docs/adding-a-structure.md, "A stru
 	assert.deepEqual(missing(structures, filesOf('docs/adding-a-structure.md', 'A structure of the engine'), []), []);
 });
 
-test('every question stands in the files of docs/adding.md, "A question"', () => {
-	const source = read('src/starlogo/queries/AgentQueries.as');
+/** The older names of questions, with the present ones. */
+function olderNames(source) {
 	const older = [...source.matchAll(/An older name of <code>(\w+)\(\)<\/code>\. \*\/\s+public function (\w+)/g)].map(([, name, before]) => [before, name]);
 	assert.ok(older.length > 1);
+	return older;
+}
+
+test('the engine calls no question by an older name', () => {
+	const older = olderNames(read('src/starlogo/queries/AgentQueries.as')).map(([before]) => before);
+	const calls = new RegExp(`\\b_?queries\\.(?:${older.join('|')})\\(`);
+	assert.deepEqual(sourcesBelow('src/starlogo').filter((file) => calls.test(codeOf(read(file)))), []);
+});
+
+test('every question stands in the files of docs/adding.md, "A question"', () => {
+	const source = read('src/starlogo/queries/AgentQueries.as');
+	const older = olderNames(source);
 	const others = ['AgentQueries', 'update', 'refresh', 'moved', ...older.map(([before]) => before)];
 	const questions = [...codeOf(source).matchAll(/^ {8}public function (\w+)\(/gm)].map(([, name]) => name).filter((name) => !others.includes(name));
 	assert.ok(questions.length > 20);

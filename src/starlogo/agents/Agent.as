@@ -559,8 +559,7 @@ package starlogo.agents
             {
                 TraitChecks.requireAngles(this, heading, pitch, roll);
             }
-            // whoever turns by angles has read them, so the turn is there
-            if (_turn.setAngles(heading, pitch, roll))
+            if (turn.setAngles(heading, pitch, roll))
             {
                 countBodyChange();
             }

@@ -66,7 +66,7 @@ package starlogo.blocks
          */
         public function moved(agent:Agent):void
         {
-            queries.moved(agent);
+            queries.refresh(agent);
         }
 
         /**

@@ -1,4 +1,4 @@
-// All questions of a game. Each one is passed on, in the order of this file:
+// The head of SeenAgents says what this room is made of; this one lists its questions. Each one is passed on, in the order of this file:
 // - near to inCone: AgentPlaces finds places within a distance (NearSearch), or in a cone (Cone)
 // - touching to overlapping: TouchQueries finds the rows whose bodies touch a body that stands (SweptBoxSearch, NarrowPhase)
 // - distance, distanceToPoint: DistanceQueries measures between two bodies (NarrowPhase)

@@ -32,7 +32,7 @@ package starlogo.queries
 
         private var _slider:Slider = new Slider();
         private var _recovery:OverlapRecovery = new OverlapRecovery();
-        private var _touches:TouchSweep;
+        private var _sweep:TouchSweep;
         private var _hits:Hits;
         private var _spare:SpareHits = new SpareHits(ShapeHit);
 
@@ -47,7 +47,7 @@ package starlogo.queries
         public function MoveQueries(seen:SeenAgents)
         {
             _seen = seen;
-            _touches = new TouchSweep(seen);
+            _sweep = new TouchSweep(seen);
             _hits = new Hits(seen);
             _bodies = new PerQuestion(seen, MovingBody);
         }
@@ -85,7 +85,7 @@ package starlogo.queries
             findStops(body, filter, 1, _first);
             if (_first.isStopped)
             {
-                _touches.goIntoTouch(body, _first);
+                _sweep.goIntoTouch(body, _first);
             }
             // before the contact is written, because an agent that would leave the world throws an error
             if (dx != 0 || dy != 0 || dz != 0)
@@ -94,14 +94,14 @@ package starlogo.queries
             }
             if (contact != null)
             {
-                contact.time = _first.fraction;
+                contact.time = _first.time;
                 if (_first.isStopped)
                 {
                     contact.read(_first.contact);
                     contact.approachSpeed = Math.max(0, -_first.contact.along(body.motion));
                 }
             }
-            return _first.fraction;
+            return _first.time;
         }
 
         /** See AgentMotions.slide. */
@@ -162,7 +162,7 @@ package starlogo.queries
         private function findStops(body:MovingBody, filter:AgentFilter, wanted:int, first:MotionResult):int
         {
             body.collectRowsAlong(filter);
-            return _hits.end(_touches.findTouches(body, wanted, _hits, first));
+            return _hits.end(_sweep.findTouches(body, wanted, _hits, first));
         }
 
         // Writes how the body touches a row of the answer.

@@ -44,7 +44,7 @@ package starlogo.queries.motion
         private static const NO_MOTION:Vector3D = new Vector3D();
 
         /** The whole body. Read only. */
-        public var body:MovingBody;
+        public var moving:MovingBody;
 
         /**
          * The slop of the motion, in patches: how far the core's nearest faces are behind the body's own. They are less far behind if the body is slim, or
@@ -87,7 +87,7 @@ package starlogo.queries.motion
             var extent:Number = body.extent;
             var largest:Number = extent;
             var cell:Number = 0;
-            this.body = body;
+            moving = body;
             for (var i:int = 0; i < rows.count; i++)
             {
                 var other:Body = body.bodyOf(rows.numbers[i]);
@@ -138,15 +138,15 @@ package starlogo.queries.motion
         private function setInset(width:Number):void
         {
             _inset = width;
-            shrink = shrinkOf(body.whole, width);
-            _core.copyFrom(body.whole);
+            shrink = shrinkOf(moving.whole, width);
+            _core.copyFrom(moving.whole);
             _core.shrink(shrink);
         }
 
         /** Moves the core to where it is when the body stands at a place. Returns the core, which stays there until the next call. */
         public function moveTo(place:Vector3D):Body
         {
-            var whole:Body = body.whole;
+            var whole:Body = moving.whole;
             _place.setTo(place.x + shrink * whole.offsetX, place.y + shrink * whole.offsetY, place.z + shrink * whole.offsetZ);
             _core.moveTo(_place);
             return _core;
@@ -170,13 +170,13 @@ package starlogo.queries.motion
         /** Whether the whole body touches a row when it stands at a place. It compares their extents first. */
         public function bodyTouches(row:int, place:Vector3D):Boolean
         {
-            return isNear(body.moveTo(place), body.bodyOf(row), RelativeMotion.NONE) && body.touches(row, place);
+            return isNear(moving.moveTo(place), moving.bodyOf(row), RelativeMotion.NONE) && moving.touches(row, place);
         }
 
         /** Whether the core touches a row when the body stands at a place. The whole body is tested first, because mostly it does not touch either. */
         public function coreTouches(row:int, place:Vector3D):Boolean
         {
-            return bodyTouches(row, place) && body.narrowPhase.areTouching(moveTo(place), body.bodyOf(row));
+            return bodyTouches(row, place) && moving.narrowPhase.areTouching(moveTo(place), moving.bodyOf(row));
         }
 
         /**
@@ -186,15 +186,15 @@ package starlogo.queries.motion
          */
         public function bodyOverlaps(row:int, place:Vector3D):Boolean
         {
-            var other:Body = body.bodyOf(row);
-            var whole:Body = body.moveTo(place);
+            var other:Body = moving.bodyOf(row);
+            var whole:Body = moving.moveTo(place);
             if (other.form == ModelShape.GROUND)
             {
-                return body.narrowPhase.groundTestsOf(other).isDeeper(whole, other, slop);
+                return moving.narrowPhase.groundTestsOf(other).isDeeper(whole, other, slop);
             }
             _smaller.copyFrom(other);
             _smaller.shrink(shrinkOf(other, slop));
-            return body.narrowPhase.areTouching(whole, _smaller);
+            return moving.narrowPhase.areTouching(whole, _smaller);
         }
 
         // The part of its size that a body loses with an inset.

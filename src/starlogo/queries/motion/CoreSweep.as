@@ -58,7 +58,7 @@ package starlogo.queries.motion
         }
 
         /**
-         * Finds what stops a straight motion: a plane of a deep overlap, or an obstacle.
+         * Finds what stops a straight motion: a plane of an overlap, or an obstacle.
          *
          * @param rows the rows that may be in its way
          * @param from where the motion begins
@@ -68,11 +68,11 @@ package starlogo.queries.motion
         public function findStop(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, state:MotionState, out:MotionResult):void
         {
             startMotion(body, rows, from, motion, state);
-            out.isDeep = state.planes.count > 0;
+            out.hasPlanes = state.planes.count > 0;
             out.row = state.isImpactKnown ? -1 : findCrossedPlane(state.planes, motion, out.contact);
             if (out.isStopped)
             {
-                out.fraction = 0;
+                out.time = 0;
                 return;
             }
             if (!state.isImpactKnown)
@@ -80,11 +80,11 @@ package starlogo.queries.motion
                 findFirstObstacle(state.core, state.obstacles, state.from, motion, state.impact);
             }
             out.row = state.impact.row;
-            out.fraction = 1;
+            out.time = 1;
             if (out.isStopped)
             {
                 out.contact.copyFrom(state.impact.contact);
-                out.fraction = findTouchTime(state.core, state.from, motion, state.impact);
+                out.time = findTouchTime(state.core, state.from, motion, state.impact);
                 setAlong(state.from, motion, state.impact.time, out.corePlace);
             }
         }
@@ -120,7 +120,7 @@ package starlogo.queries.motion
          */
         public function findFirstObstacle(core:BodyCore, obstacles:IntList, from:Vector3D, motion:Vector3D, out:Impact):void
         {
-            while (findFirstImpact(core, obstacles, from, motion, false, out) && core.body.passesOneWay(out.row, out.contact))
+            while (findFirstImpact(core, obstacles, from, motion, false, out) && core.moving.passesOneWay(out.row, out.contact))
             {
                 obstacles.remove(out.row);
             }
@@ -143,7 +143,7 @@ package starlogo.queries.motion
         public function findTouchTime(core:BodyCore, from:Vector3D, motion:Vector3D, impact:Impact):Number
         {
             var contact:ContactPoint = impact.contact;
-            var whole:Body = core.body.whole;
+            var whole:Body = core.moving.whole;
             var shrink:Number = core.shrink;
             var recess:Number = shrink / (1 - shrink) * (contact.normalX * (from.x + whole.offsetX + impact.time * motion.x - contact.x)
                     + contact.normalY * (from.y + whole.offsetY + impact.time * motion.y - contact.y)
@@ -156,10 +156,10 @@ package starlogo.queries.motion
                 return ofPlane;
             }
             setAlong(from, motion, 1, _end);
-            core.body.moveTo(_end);
-            var other:Body = core.body.bodyOf(impact.row);
+            core.moving.moveTo(_end);
+            var other:Body = core.moving.bodyOf(impact.row);
             _relative.endAfter(motion.x, motion.y, motion.z);
-            core.body.narrowPhase.pairTestsFor(whole, other).findImpact(whole, other, _relative, null);
+            core.moving.narrowPhase.pairTestsFor(whole, other).findImpact(whole, other, _relative, null);
             var earliest:Number = Math.min(ofPlane, impact.time);
             var latest:Number = Math.max(ofPlane, impact.time);
             return Math.max(earliest, Math.min(latest, _relative.time));
@@ -180,7 +180,7 @@ package starlogo.queries.motion
         // nor motions that a one-way obstacle may stop first. Returns whether the core certainly overlaps nothing.
         private function findImpactIfFree(core:BodyCore, obstacles:IntList, from:Vector3D, motion:Vector3D, out:Impact):Boolean
         {
-            return !core.isFlat && (!findFirstImpact(core, obstacles, from, motion, true, out) || out.time > 0 && !core.body.isOneWay(out.row));
+            return !core.isFlat && (!findFirstImpact(core, obstacles, from, motion, true, out) || out.time > 0 && !core.moving.isOneWay(out.row));
         }
 
         // Finds the plane that the motion crosses at the steepest angle. Its contact is without a triangle, because the plane stands for all triangles of the
@@ -246,11 +246,11 @@ package starlogo.queries.motion
         private static function sweepCore(core:BodyCore, row:int, end:Vector3D, countsInside:Boolean, motion:RelativeMotion, out:ContactPoint):Boolean
         {
             var moved:Body = core.moveTo(end);
-            var other:Body = core.body.bodyOf(row);
+            var other:Body = core.moving.bodyOf(row);
             motion.time = RelativeMotion.NEVER;
             if (core.isNear(moved, other, motion))
             {
-                var tests:PairTests = core.body.narrowPhase.pairTestsFor(moved, other);
+                var tests:PairTests = core.moving.narrowPhase.pairTestsFor(moved, other);
                 tests.findImpact(moved, other, motion, out);
                 // a sheet may be wholly under the ground at the beginning, and then it touches no surface
                 var mayBeInside:Boolean = countsInside ? motion.time > 0 : motion.time == RelativeMotion.NEVER && other.form == ModelShape.GROUND;

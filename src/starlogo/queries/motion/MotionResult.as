@@ -17,8 +17,8 @@ package starlogo.queries.motion
         /** The place of the body where its core touches what stops it. */
         public var corePlace:Vector3D = new Vector3D();
 
-        /** The free fraction of the motion, up to the touch, from 0 to 1. */
-        public var fraction:Number = 1;
+        /** When it ends: in the touch, from 0 to 1; 1 without one. */
+        public var time:Number = 1;
 
         /** The row that stops it; -1 for none. */
         public var row:int = -1;
@@ -26,8 +26,8 @@ package starlogo.queries.motion
         /** The contact with that row. */
         public var contact:ContactPoint = new ContactPoint();
 
-        /** Whether it started in a deep overlap, which stays. */
-        public var isDeep:Boolean = false;
+        /** Whether planes stand for what the body overlaps at the start, deeply or without a way out. */
+        public var hasPlanes:Boolean = false;
 
         /** Whether a row stops it. */
         public function get isStopped():Boolean
@@ -40,10 +40,10 @@ package starlogo.queries.motion
         {
             place.copyFrom(other.place);
             corePlace.copyFrom(other.corePlace);
-            fraction = other.fraction;
+            time = other.time;
             row = other.row;
             contact.copyFrom(other.contact);
-            isDeep = other.isDeep;
+            hasPlanes = other.hasPlanes;
         }
     }
 }

@@ -20,7 +20,7 @@ package starlogo.queries.motion
         /** The pushes out of shallow overlaps: each along the normal of a contact, by its depth. */
         public var pushes:ContactList = new ContactList();
 
-        /** The contacts of deep overlaps, and those that a slide has met. The motion must not cross their planes. */
+        /** The contacts of overlaps that stay (deep, or without a way out), and those that a slide has met. The motion must not cross their planes. */
         public var planes:ContactList = new ContactList();
 
         /** The rows that can stop the motion: not those that a plane stands for, and no one-way rows that the body passes. */

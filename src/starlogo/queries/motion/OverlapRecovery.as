@@ -13,7 +13,8 @@ package starlogo.queries.motion
      * motions end (restoreClearance), and tells a walk how deep the body is in others (measureOverlaps).
      *
      * <p>A shallow overlap comes from rounding in the game: the body is pushed out of it. If the body overlaps a row more deeply, the plane of their
-     * contact stands for that row. The motion must not cross the plane, and nothing else of the row counts.</p>
+     * contact stands for that row. The motion must not cross the plane, and nothing else of the row counts. If no pushes lead out of shallow overlaps, planes
+     * stand for these rows too.</p>
      *
      * <p>The pushes go out of one row after the other, in rounds, because a push out of one side of a hollow leads a part of the way into
      * another. If it does not get free, for example between two opposite walls, it stays where it was. The tests of a pair know the shortest way
@@ -53,7 +54,7 @@ package starlogo.queries.motion
         /**
          * Frees the core of a body from the obstacles that it overlaps where its motion starts.
          *
-         * @param state how the motion starts. It receives the planes of deep overlaps. Obstacles for which a plane stands are none from then on. The
+         * @param state how the motion starts. It receives the planes of overlaps that stay. Obstacles for which a plane stands are none from then on. The
          *     place changes if the body is pushed
          */
         public function leaveOverlaps(state:MotionState):void
@@ -172,7 +173,7 @@ package starlogo.queries.motion
             {
                 var row:int = obstacles.numbers[i];
                 var isOverlapped:Boolean = state.core.coreTouches(row, state.from);
-                if (isOverlapped && (state.core.body.passesOneWayAt(row, state.from) || addPlane(row, state, alsoShallow)))
+                if (isOverlapped && (state.core.moving.passesOneWayAt(row, state.from) || addPlane(row, state, alsoShallow)))
                 {
                     obstacles.remove(row);
                 }
@@ -191,13 +192,13 @@ package starlogo.queries.motion
         private function addPlane(row:int, state:MotionState, alsoShallow:Boolean):Boolean
         {
             var core:BodyCore = state.core;
-            if (!findOverlap(core.body, row, state.from, alsoShallow, _contact) || core.narrow(row, state.from)
+            if (!findOverlap(core.moving, row, state.from, alsoShallow, _contact) || core.narrow(row, state.from)
                     || !core.bodyOverlaps(row, state.from))
             {
                 return false;
             }
             state.planes.add(_contact, row);
-            core.body.warnIfInside(row, _contact);
+            core.moving.warnIfInside(row, _contact);
             return true;
         }
 
@@ -221,8 +222,8 @@ package starlogo.queries.motion
             {
                 return false;
             }
-            findContactOfPush(core.body, row, place, separates, last, out);
-            out.depth = core.body.isShallow(row, out) ? out.depth + core.clearance : TOO_DEEP;
+            findContactOfPush(core.moving, row, place, separates, last, out);
+            out.depth = core.moving.isShallow(row, out) ? out.depth + core.clearance : TOO_DEEP;
             return true;
         }
 
@@ -230,7 +231,7 @@ package starlogo.queries.motion
         // row deeply, or passes it.
         private function findPushOff(core:BodyCore, row:int, place:Vector3D, separates:Boolean, last:ContactPoint, out:ContactPoint):Boolean
         {
-            var body:MovingBody = core.body;
+            var body:MovingBody = core.moving;
             // mostly it is known faster that the core touches the row than how deep the overlap is
             if (!findTouchingPlace(core, row, place, _touching) || body.passesOneWayAt(row, _touching) || (!core.isFlat && core.coreTouches(row, place)))
             {
@@ -263,7 +264,7 @@ package starlogo.queries.motion
         // Finds an overlap that a walk begins with a push out of: see measureOverlaps. Returns whether it counts.
         private static function measureOverlap(core:BodyCore, row:int, place:Vector3D, out:ContactPoint):Boolean
         {
-            var body:MovingBody = core.body;
+            var body:MovingBody = core.moving;
             if (body.isOneWay(row) || !core.coreTouches(row, place))
             {
                 return false;

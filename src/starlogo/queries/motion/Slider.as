@@ -70,7 +70,7 @@ package starlogo.queries.motion
                 _remaining.advance(out.place, Math.max(touchTime + core.clearance / impact.contact.along(_remaining.motion), 0));
                 noteContact(impact, limits, _remaining, out);
                 var newest:int = planes.add(impact.contact, impact.row);
-                dropNeedlessPlanes(out.place, _state, corner, newest);
+                dropNeedlessPlanes(out.place, _remaining, _state, corner, newest);
                 _remaining.project(planes);
                 sweepRest(out.place, _remaining.motion, _state);
             }
@@ -93,12 +93,12 @@ package starlogo.queries.motion
         public function goStraight(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, out:MotionResult):void
         {
             _sweep.findStop(body, rows, from, motion, _state, out);
-            var fraction:Number = 1;
+            var time:Number = 1;
             if (out.isStopped)
             {
-                fraction = Math.max(out.fraction + _state.core.clearance / out.contact.along(motion), 0);
+                time = Math.max(out.time + _state.core.clearance / out.contact.along(motion), 0);
             }
-            CoreSweep.setAlong(_state.from, motion, fraction, out.place);
+            CoreSweep.setAlong(_state.from, motion, time, out.place);
         }
 
         /** Whether a row, one of those near the way of a body, would stop a straight motion. */
@@ -168,14 +168,14 @@ package starlogo.queries.motion
         // Removes planes of this corner that are not needed, but not the newest. At the edges of tiles, a contact's plane may belong to a side that the
         // next tile hides. A plane is removed if the motion meets nothing in this corner without it. The rest of the motion has to be projected again
         // afterwards.
-        private function dropNeedlessPlanes(place:Vector3D, state:MotionState, corner:int, newest:int):void
+        private function dropNeedlessPlanes(place:Vector3D, remaining:RemainingMotion, state:MotionState, corner:int, newest:int):void
         {
             for (var i:int = state.planes.count - 1; i >= corner; i--)
             {
                 if (i != newest)
                 {
-                    _remaining.project(state.planes, i);
-                    if (_remaining.motion.lengthSquared > 0 && !meetsInCorner(state, place, _remaining.motion))
+                    remaining.project(state.planes, i);
+                    if (remaining.motion.lengthSquared > 0 && !meetsInCorner(state, place, remaining.motion))
                     {
                         state.planes.remove(i);
                     }
@@ -187,7 +187,7 @@ package starlogo.queries.motion
         private function meetsInCorner(state:MotionState, place:Vector3D, motion:Vector3D):Boolean
         {
             return _sweep.findFirstImpact(state.core, state.obstacles, place, motion, false, _without) && isInCorner(state.core, _without, motion)
-                && !state.core.body.passesOneWay(_without.row, _without.contact);
+                && !state.core.moving.passesOneWay(_without.row, _without.contact);
         }
 
         // Whether what a motion meets first is met in the corner where it begins.

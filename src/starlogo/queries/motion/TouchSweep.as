@@ -90,8 +90,8 @@ package starlogo.queries.motion
             var mayPush:Boolean = false;
             hits.begin();
             first.row = -1;
-            first.fraction = 1;
-            first.isDeep = false;
+            first.time = 1;
+            first.hasPlanes = false;
             // what stops the body at once does not end the loop, because a row behind it may push the body
             for (var i:int = 0; i < body.rows.count; i++)
             {
@@ -100,9 +100,9 @@ package starlogo.queries.motion
                 mayPush ||= mayPushChange(_alone, start, _touch);
                 if (_touch.isStopped)
                 {
-                    collector.add(row, _touch.fraction);
-                    hits.add(row, _touch.fraction).copyFrom(_touch.contact);
-                    if (!first.isStopped || _touch.fraction < first.fraction)
+                    collector.add(row, _touch.time);
+                    hits.add(row, _touch.time).copyFrom(_touch.contact);
+                    if (!first.isStopped || _touch.time < first.time)
                     {
                         first.copyFrom(_touch);
                     }
@@ -120,12 +120,12 @@ package starlogo.queries.motion
             _sweep.findStop(body, _rowAlone, start.from, body.motion, alone, out);
             if (out.isStopped)
             {
-                if (!out.isDeep)
+                if (!out.hasPlanes)
                 {
                     out.contact.depth = 0;
                     leaveOutPush(body, alone, out);
                 }
-                setEnd(body, out.fraction, start, out.place);
+                setEnd(body, out.time, start, out.place);
                 pushBack(body.from, alone, out.place);
             }
         }
@@ -133,7 +133,7 @@ package starlogo.queries.motion
         // Whether another start may change the answer for a row: the row alone pushes the body, or stops it at once in a shallow overlap.
         private static function mayPushChange(alone:MotionState, start:MotionState, touch:MotionResult):Boolean
         {
-            return !alone.from.equals(start.from) || (touch.fraction == 0 && !touch.isDeep);
+            return !alone.from.equals(start.from) || (touch.time == 0 && !touch.hasPlanes);
         }
 
         /**
@@ -146,7 +146,7 @@ package starlogo.queries.motion
          */
         public function goIntoTouch(body:MovingBody, touch:MotionResult):void
         {
-            if (touch.fraction == 0)
+            if (touch.time == 0)
             {
                 return;
             }
@@ -190,18 +190,18 @@ package starlogo.queries.motion
             var push:Number = contact.normalX * (state.from.x - from.x) + contact.normalY * (state.from.y - from.y)
                 + contact.normalZ * (state.from.z - from.z);
             var along:Number = contact.along(body.motion);
-            out.fraction = Math.max(0, Math.min(1, out.fraction + push / along));
-            if (-out.fraction * along < state.core.slop && state.core.bodyTouches(out.row, from))
+            out.time = Math.max(0, Math.min(1, out.time + push / along));
+            if (-out.time * along < state.core.slop && state.core.bodyTouches(out.row, from))
             {
                 // otherwise each motion against a wall would lead a little deeper
-                out.fraction = 0;
+                out.time = 0;
             }
         }
 
-        // Sets where a fraction of the motion ends without pushes, but no deeper in what the body was pushed out of at its start.
-        private static function setEnd(body:MovingBody, fraction:Number, start:MotionState, out:Vector3D):void
+        // Sets where the body is at a time of the motion without pushes, but no deeper in what the body was pushed out of at its start.
+        private static function setEnd(body:MovingBody, time:Number, start:MotionState, out:Vector3D):void
         {
-            CoreSweep.setAlong(body.from, body.motion, fraction, out);
+            CoreSweep.setAlong(body.from, body.motion, time, out);
             pushBack(body.from, start, out);
         }
 

@@ -98,7 +98,7 @@ package starlogo.queries.motion
             walk.legStart.copyFrom(walk.place);
             walk.footing.pushed = 0;
             goUpright(walk, walk.place, -walk.closeDepth, _upright);
-            if (!_upright.isDeep)
+            if (!_upright.hasPlanes)
             {
                 return standAtEnd(walk, _upright);
             }
@@ -252,7 +252,7 @@ package starlogo.queries.motion
                     return false;
                 }
                 goUpright(walk, _fallen, -depth, _upright);
-                left -= _upright.fraction * depth;
+                left -= _upright.time * depth;
                 isStopped = _upright.isStopped;
                 _fallen.copyFrom(_upright.place);
             }

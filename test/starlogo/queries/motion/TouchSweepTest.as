@@ -105,9 +105,9 @@ package starlogo.queries.motion
         {
             var from:Vector3D = new Vector3D(2, 0, 2);
             assertStops(true, from, new Vector3D(-0.5, 0, 0));
-            assertTrue("deep", _result.isDeep);
+            assertTrue("deep", _result.hasPlanes);
             assertStops(false, from, new Vector3D(9, 0, 0));
-            assertFalse("nothing stops it, so nothing is deep", _result.isDeep);
+            assertFalse("nothing stops it, so nothing is deep", _result.hasPlanes);
         }
 
         private function assertStops(isStopped:Boolean, from:Vector3D, motion:Vector3D):void
@@ -160,7 +160,7 @@ package starlogo.queries.motion
 
         private function check(tree:Body):void
         {
-            if (_result.isDeep)
+            if (_result.hasPlanes)
             {
                 assertEquals("the contact's plane stands for all triangles", -1, _result.contact.triangle);
                 _deep++;

@@ -42,8 +42,9 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * A model's tree, together with its triangles and what is inside of them. Only <code>refit()</code> changes the tree. The triangles
-     * and their inside are prepared when they are first needed, or when the model is loaded. For the engine.
+     * A model's tree, together with its triangles and what is inside of them. Once the work that was begun has made or restored the tree's nodes, only
+     * <code>refit()</code> changes them. The triangles and their inside are prepared when they are first needed, or when the model is loaded. For the
+     * engine.
      *
      * @private
      */

@@ -50,7 +50,7 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public final function findImpact(motion:RelativeMotion, out:ContactPoint):void
+        override public final function findImpactOfSurfaces(motion:RelativeMotion, out:ContactPoint):void
         {
             pose.relateAt(placementA, motion, 0, placementB);
             RelativePose.relateMotion(placementA, motion, _motion);

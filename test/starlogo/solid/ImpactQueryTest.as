@@ -72,7 +72,7 @@ package starlogo.solid
                     }
                     else
                     {
-                        pair.findImpact(motion, null);
+                        pair.findImpactOfSurfaces(motion, null);
                     }
                     var what:String = "exact " + exact + ", latest " + latest;
                     assertTrue(what + ": " + motion.time, latest < 2 / 3 ? motion.time == RelativeMotion.NEVER : Math.abs(motion.time - 2 / 3) < 1e-9);
@@ -94,7 +94,7 @@ package starlogo.solid
                 ends.x = -travel;
                 var pair:TreePair = pairOf(walls, ends, b, structure, exact);
                 motion.endAfter(-travel, 0, 0);
-                pair.findImpact(motion, null);
+                pair.findImpactOfSurfaces(motion, null);
                 var isMissed:Boolean = motion.time == RelativeMotion.NEVER;
                 pair.findFirstTouch(motion, contact);
                 if (motion.time == RelativeMotion.NEVER)

@@ -95,9 +95,9 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function findImpact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        override public function findImpactOfSurfaces(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            queryOf(a, b).findImpact(motion, out);
+            queryOf(a, b).findImpactOfSurfaces(motion, out);
         }
 
         /** A model may be wholly under the surface. @inheritDoc */

@@ -99,12 +99,12 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function findImpact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        override public function findImpactOfSurfaces(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             var isReversed:Boolean = NarrowPhase.isReversed(a, b);
             var own:RelativeMotion = motionOfFirst(motion, isReversed);
             _counts.pairTests++;
-            pairInOrder(a, b, isReversed).findImpact(own, out);
+            pairInOrder(a, b, isReversed).findImpactOfSurfaces(own, out);
             finish(own, motion, out);
         }
 

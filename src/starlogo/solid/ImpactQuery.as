@@ -5,7 +5,7 @@ package starlogo.solid
     import starlogo.convex.RelativeMotion;
 
     /**
-     * Finds when and where a moving model first touches what its surfaces cannot pass: another model (TreePair), or the ground. Abstract: a subclass is
+     * Finds when and where a moving model first touches what its surfaces cannot pass: another model (TreeQuery), or the ground. Abstract: a subclass is
      * set to the two before each question.
      *
      * <p>To get inside of a closed surface from outside, a part of the model has to cross it. So the surfaces are tested over time, and the

@@ -1,9 +1,9 @@
 // The package solid says how a model meets another model, a structure or a ray, where the model's tree decides, or in exact tests its triangles.
 // A question goes to one of the classes in the first row. A Search of the package hierarchy then visits nodes of one tree, a Traversal pairs of nodes
-// of two trees. Where the visit ends, boxes decide or triangles. Read ModelTree first, then TreePair and TreeTreePair, then TrianglePairVisitor.
+// of two trees. Where the visit ends, boxes decide or triangles. Read ModelTree first, then TreeQuery and TreeTreeQuery, then TrianglePairVisitor.
 // 
 // question              | a tree and a structure   | two trees              | a tree and a ray
-// who is asked          | TreeStructurePair        | TreeTreePair           | TreeRayEntryQuery (the first place), TreeRayCrossingQuery (all)
+// who is asked          | TreeStructureQuery       | TreeTreeQuery          | TreeRayEntryQuery (the first place), TreeRayCrossingQuery (all)
 // 
 // boxes decide
 // whether they touch    | NodeImpactVisitor        | OverlapTraversal       | -
@@ -19,7 +19,7 @@
 // 
 // what is inside        | ModelTree.isInside()     | TreeContainmentQuery   | ModelTree.isInside()
 // 
-// ImpactQuery, which both pairs extend, puts together when two first touch: standing tests at both ends, impacts of surfaces between. Of several triangles
+// ImpactQuery, which both extend, puts together when two first touch: standing tests at both ends, impacts of surfaces between. Of several triangles
 // that are touched first, the ImpactChoice chooses one. The package solid.interior knows what is inside of a surface.
 
 package starlogo.solid

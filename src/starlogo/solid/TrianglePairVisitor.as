@@ -48,7 +48,7 @@ package starlogo.solid
 
         private var _counts:TreeCounts;
 
-        // The largest distance at which triangles touch, and the largest one at which quick tests let them pass: see TreeTreePair.
+        // The largest distance at which triangles touch, and the largest one at which quick tests let them pass: see TreeTreeQuery.
         private var _tolerance:Number = 0;
         private var _quickDistance:Number = 0;
 
@@ -67,22 +67,22 @@ package starlogo.solid
         /**
          * Begins with two trees that have triangles.
          *
-         * @param pair its pose is where b is at time 0
+         * @param query its pose is where b is at time 0
          * @param motion of b in a's space; RelativeMotion.NONE if it stands
          * @return this
          */
-        public function begin(pair:TreeTreePair, motion:RelativeMotion):NodePairVisitor
+        public function begin(query:TreeTreeQuery, motion:RelativeMotion):NodePairVisitor
         {
-            _placement = pair.pose.placement;
-            _meshA = pair.a.mesh;
-            _meshB = pair.b.mesh;
+            _placement = query.pose.placement;
+            _meshA = query.a.mesh;
+            _meshB = query.b.mesh;
             _extentsOfA = _meshA.extents;
             _motion.copyVector(motion);
             _motion.latest = motion.latest;
             _choice.begin(motion.latest);
             _firstPlaced = NONE;
-            _tolerance = pair.triangleTolerance;
-            _quickDistance = pair.quickDistance(motion);
+            _tolerance = query.triangleTolerance;
+            _quickDistance = query.quickDistance(motion);
             return this;
         }
 

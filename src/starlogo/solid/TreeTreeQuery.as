@@ -26,7 +26,7 @@ package starlogo.solid
      *
      * @private
      */
-    public final class TreeTreePair extends TreePair
+    public final class TreeTreeQuery extends TreeQuery
     {
         /** The tree of a. */
         internal var a:ModelTree = null;
@@ -48,7 +48,7 @@ package starlogo.solid
         private var _containment:TreeContainmentQuery = new TreeContainmentQuery();
 
         /** @param counts counts what the questions take */
-        public function TreeTreePair(counts:TreeCounts)
+        public function TreeTreeQuery(counts:TreeCounts)
         {
             _trees.pose = pose;
             _pairVisitor = new TrianglePairVisitor(counts);
@@ -65,7 +65,7 @@ package starlogo.solid
          * @param exact whether triangles decide in place of depths, if both trees have triangles
          * @return this
          */
-        public function setTo(a:ModelTree, placementA:Placement, depthA:int, b:ModelTree, placementB:Placement, depthB:int, exact:Boolean):TreePair
+        public function setTo(a:ModelTree, placementA:Placement, depthA:int, b:ModelTree, placementB:Placement, depthB:int, exact:Boolean):TreeQuery
         {
             _isExact = exact && a.hasTriangles && b.hasTriangles;
             this.a = a;

@@ -1,6 +1,6 @@
 // The package solid says how a model meets another model, a structure or a ray, where the model's tree decides, or in exact tests its triangles.
 // A question goes to one of the classes in the first row. A Search of the package hierarchy then visits nodes of one tree, a Traversal pairs of nodes
-// of two trees. Where the visit ends, boxes decide or triangles. Read ModelTree first, then TreeQuery and TreeTreeQuery, then TrianglePairVisitor.
+// of two trees. Where the visit ends, boxes decide or triangles. Read ModelTree first, then TreeQuery and TreeTreeQuery, then TrianglePairKernel.
 // 
 // question              | a tree and a structure   | two trees              | a tree and a ray
 // who is asked          | TreeStructureQuery       | TreeTreeQuery          | TreeRayEntryQuery (the first place), TreeRayCrossingQuery (all)
@@ -12,14 +12,14 @@
 // the contact           | PairTable                | PairTable              | -
 // 
 // triangles decide
-// whether they touch    | TriangleImpactVisitor    | TrianglePairVisitor    | -
-// when or where first   | TriangleImpactVisitor    | TrianglePairVisitor    | TriangleRayEntryVisitor, TriangleRayCrossingVisitor
-// the distance          | TriangleDistanceVisitor  | TrianglePairVisitor    | -
+// whether they touch    | TriangleImpactVisitor    | TrianglePairKernel     | -
+// when or where first   | TriangleImpactVisitor    | TrianglePairKernel     | TriangleRayEntryVisitor, TriangleRayCrossingVisitor
+// the distance          | TriangleDistanceVisitor  | TrianglePairKernel     | -
 // the contact           | TriangleImpactVisitor    | TriangleContactFinder  | -
 // 
 // what is inside        | ModelTree.isInside()     | TreeContainmentQuery   | ModelTree.isInside()
 // 
-// ImpactQuery, which both extend, puts together when two first touch: standing tests at both ends, impacts of surfaces between. Of several triangles
+// ImpactQuery, which TreeQuery extends, puts together when two first touch: standing tests at both ends, impacts of surfaces between. Of several triangles
 // that are touched first, the ImpactChoice chooses one. The package solid.interior knows what is inside of a surface.
 
 package starlogo.solid

@@ -7,7 +7,7 @@ package starlogo.solid
     import starlogo.geometry.Placement;
     import starlogo.geometry.placePoints;
     import starlogo.hierarchy.BestPair;
-    import starlogo.hierarchy.NodePairVisitor;
+    import starlogo.hierarchy.NodePairKernel;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.hierarchy.TriangleMesh;
     import starlogo.intersection.TriangleKernel;
@@ -19,7 +19,7 @@ package starlogo.solid
      * triangles of b's node are placed in a's space, and kept as long as the next pairs have the same node. TriangleKernel decides about two triangles,
      * unless a quick test rules them out. TriangleContactFinder finds the contact of the two that touch first.
      */
-    internal final class TrianglePairVisitor extends NodePairVisitor
+    internal final class TrianglePairKernel extends NodePairKernel
     {
         private static const NONE:int = -1;
 
@@ -59,7 +59,7 @@ package starlogo.solid
         private var _choice:ImpactChoice = new ImpactChoice();
 
         /** @param counts counts the pairs of triangles that are tested or measured */
-        public function TrianglePairVisitor(counts:TreeCounts)
+        public function TrianglePairKernel(counts:TreeCounts)
         {
             _counts = counts;
         }
@@ -71,7 +71,7 @@ package starlogo.solid
          * @param motion of b in a's space; RelativeMotion.NONE if it stands
          * @return this
          */
-        public function begin(query:TreeTreeQuery, motion:RelativeMotion):NodePairVisitor
+        public function begin(query:TreeTreeQuery, motion:RelativeMotion):NodePairKernel
         {
             _placement = query.pose.placement;
             _meshA = query.a.mesh;

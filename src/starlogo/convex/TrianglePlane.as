@@ -89,15 +89,15 @@ package starlogo.convex
          * @param motion its vector; nothing else of it counts
          * @return at least 0. 0 for a flat triangle too. RelativeMotion.NEVER if the shape moves away from the plane or beside it
          */
-        public function findEntry(shape:ConvexShape, quickDistance:Number, motion:RelativeMotion):Number
+        public function timeOfEntry(shape:ConvexShape, quickDistance:Number, motion:RelativeMotion):Number
         {
             measureFromTriangle(shape);
             return entryOf(motion, quickDistance);
         }
 
         /**
-         * Whether a moving shape stays apart from the triangle until the motion's latest time, as far as the plane knows: findEntry() with a distance that
-         * covers all that is rounded. It takes and returns no Number, because V8 would make objects for them.
+         * Whether a moving shape stays apart from the triangle until the motion's latest time, as far as the plane knows: timeOfEntry() with a distance
+         * that covers all that is rounded. It takes and returns no Number, because V8 would make objects for them.
          *
          * @param motion its vector and its latest time; nothing else of it counts
          */

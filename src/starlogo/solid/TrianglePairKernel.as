@@ -260,7 +260,7 @@ package starlogo.solid
         // Whether b's current triangle stays on one side of the plane of a's.
         private function staysOnOneSide():Boolean
         {
-            return _kernel.plane.findEntry(_kernel.shape, _quickDistance, _motion) > _motion.latest;
+            return _kernel.plane.timeOfEntry(_kernel.shape, _quickDistance, _motion) > _motion.latest;
         }
 
         // The squared distance of the extents of a triangle of a from those of b's current triangle. Both are prepared, because each triangle is

@@ -65,7 +65,7 @@ package starlogo.search.pairs
         }
 
         /** Finds where a ray first meets the ground. Returns whether it does. */
-        public function findHit(b:Body, ray:Ray, out:RayEntry):Boolean
+        public function findRayEntry(b:Body, ray:Ray, out:RayEntry):Boolean
         {
             return _rays.find(gridOf(b), ray, out);
         }

@@ -99,8 +99,7 @@ package starlogo.solid
                     if (areExtentsNear(slot))
                     {
                         _counts.triangleTests++;
-                        setTriangleOfA(slot);
-                        if (areTrianglesTouching())
+                        if (isTouching(slot))
                         {
                             return true;
                         }
@@ -113,7 +112,6 @@ package starlogo.solid
         /** @inheritDoc */
         override public function findEarlier(a:int, b:int, best:BestPair):void
         {
-            var motion:RelativeMotion = _motion;
             var first:int = _meshA.tree.first[a];
             var end:int = _meshA.tree.end[a];
             // Higher slots come first, as the traversal visits the right child first if both bounds are equal.
@@ -128,16 +126,15 @@ package starlogo.solid
                         continue;
                     }
                     _counts.triangleTests++;
-                    setTriangleOfA(slot);
-                    if (findTime(motion))
+                    if (findTime(slot))
                     {
-                        if (_choice.choose(motion, _kernel.plane, _planeOfB))
+                        if (_choice.choose(_motion, _kernel.plane, _planeOfB))
                         {
                             best.a = slot;
                             best.b = _firstPlaced + i;
                         }
                         best.time = _choice.time;
-                        best.limit = motion.latest = _choice.latest;
+                        best.limit = _motion.latest = _choice.latest;
                     }
                 }
             }
@@ -204,28 +201,30 @@ package starlogo.solid
             _extents[int(to + 1)] = travel > 0 ? high + travel : high;
         }
 
-        // Sets a's current triangle.
-        private function setTriangleOfA(slot:int):void
+        // Whether a triangle of a touches b's current triangle.
+        private function isTouching(slot:int):Boolean
         {
-            _meshA.readTriangle(slot, _cornersOfA);
-            _kernel.setTriangle(_cornersOfA);
+            return !staysOnOneSide(slot) && !TriangleSeparation.areApart(_cornersOfA, 0, _kernel.shape) && _kernel.areTouching();
         }
 
-        // Whether the two current triangles touch.
-        private function areTrianglesTouching():Boolean
+        // Finds when b's current triangle first touches a triangle of a. Sets the motion's time if that is no later than its latest time, and returns
+        // whether it is.
+        private function findTime(slot:int):Boolean
         {
-            return !staysOnOneSide() && !TriangleSeparation.areApart(_cornersOfA, 0, _kernel.shape) && _kernel.areTouching();
-        }
-
-        // Finds when the two current triangles first touch. Sets the motion's time if that is no later than its latest time, and returns whether it is.
-        private function findTime(motion:RelativeMotion):Boolean
-        {
-            if (staysOnOneSide())
+            if (staysOnOneSide(slot))
             {
                 return false;
             }
-            _kernel.findTime(motion);
-            return motion.time <= motion.latest;
+            _kernel.findTime(_motion);
+            return _motion.time <= _motion.latest;
+        }
+
+        // Reads a triangle of a for the kernel. Returns whether b's current triangle stays on one side of its plane.
+        private function staysOnOneSide(slot:int):Boolean
+        {
+            _meshA.readTriangle(slot, _cornersOfA);
+            _kernel.setTriangle(_cornersOfA);
+            return _kernel.plane.timeOfEntry(_kernel.shape, _quickDistance, _motion) > _motion.latest;
         }
 
         // Finds the closest points of a triangle of a, and of b's triangle by its index in the node, if they are nearer than those so far.
@@ -255,12 +254,6 @@ package starlogo.solid
             var at:int = 6 * slot;
             return !(ofA[at] > ofB[1] || ofA[int(at + 1)] < ofB[0] || ofA[int(at + 2)] > ofB[3] || ofA[int(at + 3)] < ofB[2]
                     || ofA[int(at + 4)] > ofB[5] || ofA[int(at + 5)] < ofB[4]);
-        }
-
-        // Whether b's current triangle stays on one side of the plane of a's.
-        private function staysOnOneSide():Boolean
-        {
-            return _kernel.plane.timeOfEntry(_kernel.shape, _quickDistance, _motion) > _motion.latest;
         }
 
         // The squared distance of the extents of a triangle of a from those of b's current triangle. Both are prepared, because each triangle is

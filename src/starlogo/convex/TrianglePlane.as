@@ -162,11 +162,11 @@ package starlogo.convex
         /**
          * Whether a shape that touches the triangle comes against the plane, and is no deeper behind it than in their contact.
          *
-         * @param slack how much deeper it may be, because it is rounded
+         * @param depthTolerance how much deeper it may be, because it is rounded
          * @param motion of the shape; the shape is where it is at the motion's time
          * @param contact has the depth
          */
-        public function isMetBy(shape:ConvexShape, slack:Number, motion:RelativeMotion, contact:ContactPoint):Boolean
+        public function isMetBy(shape:ConvexShape, depthTolerance:Number, motion:RelativeMotion, contact:ContactPoint):Boolean
         {
             var speed:Number = normal.x * motion.x + normal.y * motion.y + normal.z * motion.z;
             if (!(speed < 0))
@@ -176,7 +176,7 @@ package starlogo.convex
             var ofShape:Interval = project(shape);
             var front:Number = normal.x * (shape.x + motion.startX) + normal.y * (shape.y + motion.startY) + normal.z * (shape.z + motion.startZ)
                 + motion.time * speed + ofShape.least - shape.radius;
-            return offset - front <= contact.depth + slack;
+            return offset - front <= contact.depth + depthTolerance;
         }
 
         /**

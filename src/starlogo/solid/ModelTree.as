@@ -171,13 +171,16 @@ package starlogo.solid
         internal function isInside(middle:Vector3D, radius:Number):Boolean
         {
             var box:Vector.<Number> = boxTree.boxes;
-            var isOutside:Boolean = !hasTriangles || Math.abs(middle.x - box[0]) > box[3] - radius || Math.abs(middle.y - box[1]) > box[4] - radius
-                || Math.abs(middle.z - box[2]) > box[5] - radius;
-            if (!isOutside && _interior == null)
+            if (!hasTriangles || Math.abs(middle.x - box[0]) > box[3] - radius || Math.abs(middle.y - box[1]) > box[4] - radius
+                    || Math.abs(middle.z - box[2]) > box[5] - radius)
             {
-                isOutside = OPEN_SIDES.hasOpenSide(middle, boxTree);
+                return false;
             }
-            return !isOutside && preparedInterior().isInside(middle);
+            if (_interior == null && OPEN_SIDES.hasOpenSide(middle, boxTree))
+            {
+                return false;
+            }
+            return preparedInterior().isInside(middle);
         }
 
         /**

@@ -30,8 +30,9 @@ package starlogo.convex
         /** Twice the triangle's area. */
         public var doubleArea:Number = 0;
 
-        // How far a shape's core extends along the normal: relative to the shape's origin, or to the triangle.
-        private var _interval:Interval = new Interval();
+        // How far the last shape's core extends along the normal: relative to the shape's origin, and relative to the triangle.
+        private var _ofShape:Interval = new Interval();
+        private var _fromTriangle:Interval = new Interval();
 
         /** Whether the triangle is flat. */
         public function get isFlat():Boolean
@@ -90,7 +91,8 @@ package starlogo.convex
          */
         public function timeOfEntry(shape:ConvexShape, quickDistance:Number, motion:RelativeMotion):Number
         {
-            return entryOf(measureFromTriangle(shape), quickDistance, motion);
+            measureFromTriangle(shape);
+            return entryOf(motion, quickDistance);
         }
 
         /**
@@ -101,22 +103,22 @@ package starlogo.convex
          */
         public function keepsApart(shape:ConvexShape, motion:RelativeMotion):Boolean
         {
+            measureFromTriangle(shape);
             var size:Number = shape.extent + Math.abs(shape.x) + Math.abs(shape.y) + Math.abs(shape.z) + Math.abs(offset)
                 + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z);
-            var quickDistance:Number = (shape.radius + shape.margin) * Tolerances.OUTER + Tolerances.EXTENTS * size;
-            return entryOf(measureFromTriangle(shape), quickDistance, motion) > motion.latest;
+            return entryOf(motion, (shape.radius + shape.margin) * Tolerances.OUTER + Tolerances.EXTENTS * size) > motion.latest;
         }
 
-        // When a shape that measureFromTriangle() has measured comes to the plane.
-        private function entryOf(fromTriangle:Interval, quickDistance:Number, motion:RelativeMotion):Number
+        // When the shape that was measured comes to the plane.
+        private function entryOf(motion:RelativeMotion, quickDistance:Number):Number
         {
             var speed:Number = normal.x * motion.x + normal.y * motion.y + normal.z * motion.z;
-            var above:Number = fromTriangle.least - quickDistance;
+            var above:Number = _fromTriangle.least - quickDistance;
             if (above > 0)
             {
                 return speed < 0 ? above / -speed : RelativeMotion.NEVER;
             }
-            var below:Number = -(fromTriangle.greatest + quickDistance);
+            var below:Number = -(_fromTriangle.greatest + quickDistance);
             if (below > 0)
             {
                 return speed > 0 ? below / speed : RelativeMotion.NEVER;
@@ -124,23 +126,15 @@ package starlogo.convex
             return 0;
         }
 
-        // Projects a shape's core on the normal, and returns it as measured from the triangle: all of it is at least the interval's least in front of the
-        // triangle, and at least minus its greatest behind. The next call overwrites the interval.
-        private function measureFromTriangle(shape:ConvexShape):Interval
+        // Projects a shape's core on the normal, and measures it from the triangle. All of it is at least _fromTriangle.least in front of the triangle, and
+        // at least -_fromTriangle.greatest behind.
+        private function measureFromTriangle(shape:ConvexShape):void
         {
             var across:Vector3D = normal;
-            var out:Interval = project(shape);
+            shape.project(across, _ofShape);
             var place:Number = across.x * shape.x + across.y * shape.y + across.z * shape.z;
-            out.least = place - greatest + out.least;
-            out.greatest = place - least + out.greatest;
-            return out;
-        }
-
-        // Projects a shape's core on the normal, relative to the shape's origin. The next call overwrites the interval.
-        private function project(shape:ConvexShape):Interval
-        {
-            shape.project(normal, _interval);
-            return _interval;
+            _fromTriangle.least = place - greatest + _ofShape.least;
+            _fromTriangle.greatest = place - least + _ofShape.greatest;
         }
 
         /**
@@ -173,9 +167,9 @@ package starlogo.convex
             {
                 return false;
             }
-            var ofShape:Interval = project(shape);
+            shape.project(normal, _ofShape);
             var front:Number = normal.x * (shape.x + motion.startX) + normal.y * (shape.y + motion.startY) + normal.z * (shape.z + motion.startZ)
-                + motion.time * speed + ofShape.least - shape.radius;
+                + motion.time * speed + _ofShape.least - shape.radius;
             return offset - front <= contact.depth + depthTolerance;
         }
 
@@ -188,7 +182,8 @@ package starlogo.convex
          */
         public function findBehind(shape:ConvexShape, motion:RelativeMotion, out:ContactPoint):void
         {
-            leadInFront(shape, project(shape), motion, out);
+            shape.project(normal, _ofShape);
+            leadInFront(shape, motion, out);
         }
 
         /**
@@ -201,21 +196,21 @@ package starlogo.convex
          */
         public function findDeeper(shape:ConvexShape, than:ContactPoint, out:ContactPoint):Boolean
         {
-            var ofShape:Interval = project(shape);
-            var front:Number = normal.x * shape.x + normal.y * shape.y + normal.z * shape.z + ofShape.least - shape.radius;
+            shape.project(normal, _ofShape);
+            var front:Number = normal.x * shape.x + normal.y * shape.y + normal.z * shape.z + _ofShape.least - shape.radius;
             if (!(offset - front > than.depth))
             {
                 return false;
             }
-            leadInFront(shape, ofShape, RelativeMotion.NONE, out);
+            leadInFront(shape, RelativeMotion.NONE, out);
             return true;
         }
 
-        // Writes the contact of findBehind() of a shape, whose core is projected on the normal.
-        private function leadInFront(shape:ConvexShape, ofShape:Interval, motion:RelativeMotion, out:ContactPoint):void
+        // Writes the contact of findBehind(). The shape is projected on the normal (_ofShape).
+        private function leadInFront(shape:ConvexShape, motion:RelativeMotion, out:ContactPoint):void
         {
             out.setNormal(normal.x, normal.y, normal.z);
-            moveToDeepest(shape, ofShape, out);
+            moveToDeepest(shape, out);
             out.x += motion.startX + motion.time * motion.x;
             out.y += motion.startY + motion.time * motion.y;
             out.z += motion.startZ + motion.time * motion.z;
@@ -242,12 +237,13 @@ package starlogo.convex
             }
         }
 
-        // Moves a contact to the point of the shape that is farthest against the normal, or to the middle of several.
-        private function moveToDeepest(shape:ConvexShape, ofShape:Interval, out:ContactPoint):void
+        // Moves a contact to the point of the shape that is farthest against the normal, or to the middle of several. The shape is projected on the normal
+        // (_ofShape).
+        private function moveToDeepest(shape:ConvexShape, out:ContactPoint):void
         {
             var p:Vector.<Number> = shape.points;
             var end:int = shape.pointsEnd;
-            var most:Number = ofShape.least + SAME_DEPTH * (ofShape.greatest - ofShape.least);
+            var most:Number = _ofShape.least + SAME_DEPTH * (_ofShape.greatest - _ofShape.least);
             var count:int = 0;
             var x:Number = 0;
             var y:Number = 0;

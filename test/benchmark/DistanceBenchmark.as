@@ -12,8 +12,8 @@ package benchmark
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
     import starlogo.solid.ModelTree;
-    import starlogo.solid.TreeStructurePair;
-    import starlogo.solid.TreeTreePair;
+    import starlogo.solid.TreeStructureQuery;
+    import starlogo.solid.TreeTreeQuery;
     import support.Fixtures;
 
     use namespace engine;
@@ -33,8 +33,8 @@ package benchmark
 
         private var _random:SeededRandom = new SeededRandom(2210);
         private var _counts:TreeCounts = new TreeCounts();
-        private var _trees:TreeTreePair = new TreeTreePair(_counts);
-        private var _treeAndBox:TreeStructurePair = new TreeStructurePair(_counts);
+        private var _trees:TreeTreeQuery = new TreeTreeQuery(_counts);
+        private var _treeAndBox:TreeStructureQuery = new TreeStructureQuery(_counts);
         private var _closest:ClosestPoints = new ClosestPoints();
         private var _all:Vector.<Measurement> = new Vector.<Measurement>();
         private var _visits:Array = [];

@@ -19,8 +19,8 @@ package benchmark
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
     import starlogo.solid.ModelTree;
-    import starlogo.solid.TreeStructurePair;
-    import starlogo.solid.TreeTreePair;
+    import starlogo.solid.TreeStructureQuery;
+    import starlogo.solid.TreeTreeQuery;
     import support.Fixtures;
 
     use namespace engine;
@@ -40,8 +40,8 @@ package benchmark
         private static const DEPTH:int = 5;
 
         private var _counts:TreeCounts = new TreeCounts();
-        private var _twoTrees:TreeTreePair = new TreeTreePair(_counts);
-        private var _treeAndStructure:TreeStructurePair = new TreeStructurePair(_counts);
+        private var _twoTrees:TreeTreeQuery = new TreeTreeQuery(_counts);
+        private var _treeAndStructure:TreeStructureQuery = new TreeStructureQuery(_counts);
         private var _trees:PosedTrees = new PosedTrees();
         private var _random:SeededRandom = new SeededRandom(2101);
         private var _ball:ModelTree;

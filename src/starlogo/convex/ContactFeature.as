@@ -16,10 +16,10 @@ package starlogo.convex
         public var farthest:Number = 0;
 
         // The rounding error of the corners that find() has found: how far from the farthest, from a line or from each other they still count.
-        private var _slack:Number = 0;
+        private var _rounding:Number = 0;
 
         // How far outside of a side of a face corners may be that clip() keeps.
-        private var _sideSlack:Number = 0;
+        private var _sideRounding:Number = 0;
 
         // A second list. An outline or the result of a cut is written to it, and then it takes the place of the first.
         private var _spare:Vector.<Number> = new Vector.<Number>();
@@ -52,12 +52,12 @@ package starlogo.convex
             var most:Number = -Infinity;
             for (var i:int = 0; i < shape.pointsEnd; i += 3)
             {
-                var along:Number = x * p[i] + y * p[int(i + 1)] + z * p[int(i + 2)];
-                most = along > most ? along : most;
+                var projection:Number = x * p[i] + y * p[int(i + 1)] + z * p[int(i + 2)];
+                most = projection > most ? projection : most;
             }
             farthest = most;
-            _slack = Tolerances.DIRECTION * shape.extent;
-            most -= _slack;
+            _rounding = Tolerances.DIRECTION * shape.extent;
+            most -= _rounding;
             end = 0;
             for (var k:int = 0; k < shape.pointsEnd; k += 3)
             {
@@ -120,7 +120,7 @@ package starlogo.convex
         {
             var sides:Vector.<Number> = face.points;
             // rounding is relative to the face's extent, which two of its sides tell
-            _sideSlack = Tolerances.ROUNDING * (Math.abs(sides[3] - sides[0]) + Math.abs(sides[4] - sides[1]) + Math.abs(sides[5] - sides[2])
+            _sideRounding = Tolerances.ROUNDING * (Math.abs(sides[3] - sides[0]) + Math.abs(sides[4] - sides[1]) + Math.abs(sides[5] - sides[2])
                     + Math.abs(sides[6] - sides[3]) + Math.abs(sides[7] - sides[4]) + Math.abs(sides[8] - sides[5]));
             var areAllCut:Boolean = true;
             var last:int = face.end - 3;
@@ -151,7 +151,7 @@ package starlogo.convex
             var x:Number = found[last] - found[first];
             var y:Number = found[int(last + 1)] - found[int(first + 1)];
             var z:Number = found[int(last + 2)] - found[int(first + 2)];
-            var most:Number = _slack * _slack * (x * x + y * y + z * z);
+            var most:Number = _rounding * _rounding * (x * x + y * y + z * z);
             for (var i:int = 0; i < foundEnd; i += 3)
             {
                 var ux:Number = found[i] - found[first];
@@ -174,7 +174,7 @@ package starlogo.convex
             var x:Number = found[corner] - found[other];
             var y:Number = found[int(corner + 1)] - found[int(other + 1)];
             var z:Number = found[int(corner + 2)] - found[int(other + 2)];
-            return x * x + y * y + z * z <= 4 * _slack * _slack;
+            return x * x + y * y + z * z <= 4 * _rounding * _rounding;
         }
 
         private static function farthestFrom(corner:int, found:Vector.<Number>, foundEnd:int):int
@@ -214,7 +214,7 @@ package starlogo.convex
                 var uz:Number = found[int(i + 2)] - found[int(at + 2)];
                 var left:Number = contact.normalX * (y * uz - z * uy) + contact.normalY * (z * ux - x * uz) + contact.normalZ * (x * uy - y * ux);
                 var further:Number = ux * ux + uy * uy + uz * uz - (x * x + y * y + z * z);
-                var rounding:Number = _slack * Math.sqrt(x * x + y * y + z * z);
+                var rounding:Number = _rounding * Math.sqrt(x * x + y * y + z * z);
                 if (left < -rounding || left <= rounding && further > 0 && x * ux + y * uy + z * uz >= 0)
                 {
                     x = ux;
@@ -243,10 +243,10 @@ package starlogo.convex
             var innermost:Number = -Infinity;
             for (var i:int = 0; i < end; i += 3)
             {
-                var along:Number = inX * before[i] + inY * before[int(i + 1)] + inZ * before[int(i + 2)];
-                innermost = along > innermost ? along : innermost;
+                var projection:Number = inX * before[i] + inY * before[int(i + 1)] + inZ * before[int(i + 2)];
+                innermost = projection > innermost ? projection : innermost;
             }
-            var rounding:Number = _sideSlack * Math.sqrt(inX * inX + inY * inY + inZ * inZ);
+            var rounding:Number = _sideRounding * Math.sqrt(inX * inX + inY * inY + inZ * inZ);
             var isAllOutside:Boolean = innermost < border - rounding;
             if (isAllOutside)
             {

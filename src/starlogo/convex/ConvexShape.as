@@ -183,12 +183,12 @@ package starlogo.convex
          * The support function of the core: returns the index of the first number of the point that is farthest along a direction, or against it if the
          * side is -1.
          */
-        public function support(along:Vector3D, side:int):int
+        public function support(direction:Vector3D, side:int):int
         {
             var p:Vector.<Number> = points;
-            var alongX:Number = side * along.x;
-            var alongY:Number = side * along.y;
-            var alongZ:Number = side * along.z;
+            var directionX:Number = side * direction.x;
+            var directionY:Number = side * direction.y;
+            var directionZ:Number = side * direction.z;
             var best:int = 0;
             if (coreKind == BOX)
             {
@@ -196,24 +196,24 @@ package starlogo.convex
                 var firstX:Number = p[0];
                 var firstY:Number = p[1];
                 var firstZ:Number = p[2];
-                if (alongX * (p[3] - firstX) + alongY * (p[4] - firstY) + alongZ * (p[5] - firstZ) > 0)
+                if (directionX * (p[3] - firstX) + directionY * (p[4] - firstY) + directionZ * (p[5] - firstZ) > 0)
                 {
                     best = 3;
                 }
-                if (alongX * (p[6] - firstX) + alongY * (p[7] - firstY) + alongZ * (p[8] - firstZ) > 0)
+                if (directionX * (p[6] - firstX) + directionY * (p[7] - firstY) + directionZ * (p[8] - firstZ) > 0)
                 {
                     best += 6;
                 }
-                if (alongX * (p[12] - firstX) + alongY * (p[13] - firstY) + alongZ * (p[14] - firstZ) > 0)
+                if (directionX * (p[12] - firstX) + directionY * (p[13] - firstY) + directionZ * (p[14] - firstZ) > 0)
                 {
                     best += 12;
                 }
                 return best;
             }
-            var most:Number = alongX * p[0] + alongY * p[1] + alongZ * p[2];
+            var most:Number = directionX * p[0] + directionY * p[1] + directionZ * p[2];
             for (var i:int = 3; i < pointsEnd; i += 3)
             {
-                var projection:Number = alongX * p[i] + alongY * p[int(i + 1)] + alongZ * p[int(i + 2)];
+                var projection:Number = directionX * p[i] + directionY * p[int(i + 1)] + directionZ * p[int(i + 2)];
                 if (projection > most)
                 {
                     most = projection;
@@ -224,24 +224,24 @@ package starlogo.convex
         }
 
         /** Finds how far the core extends along a direction of any length, relative to the origin and as a multiple of that length. */
-        public function project(along:Vector3D, out:Interval):void
+        public function project(direction:Vector3D, out:Interval):void
         {
             var p:Vector.<Number> = points;
-            var alongX:Number = along.x;
-            var alongY:Number = along.y;
-            var alongZ:Number = along.z;
-            var low:Number = alongX * p[0] + alongY * p[1] + alongZ * p[2];
+            var directionX:Number = direction.x;
+            var directionY:Number = direction.y;
+            var directionZ:Number = direction.z;
+            var low:Number = directionX * p[0] + directionY * p[1] + directionZ * p[2];
             var high:Number = low;
             var projection:Number;
             if (coreKind == BOX)
             {
                 // its origin is its middle, and each corner is opposite to one of these four
-                projection = Math.abs(alongX * p[3] + alongY * p[4] + alongZ * p[5]);
+                projection = Math.abs(directionX * p[3] + directionY * p[4] + directionZ * p[5]);
                 high = Math.abs(low);
                 high = projection > high ? projection : high;
-                projection = Math.abs(alongX * p[6] + alongY * p[7] + alongZ * p[8]);
+                projection = Math.abs(directionX * p[6] + directionY * p[7] + directionZ * p[8]);
                 high = projection > high ? projection : high;
-                projection = Math.abs(alongX * p[12] + alongY * p[13] + alongZ * p[14]);
+                projection = Math.abs(directionX * p[12] + directionY * p[13] + directionZ * p[14]);
                 high = projection > high ? projection : high;
                 low = -high;
             }
@@ -249,7 +249,7 @@ package starlogo.convex
             {
                 for (var i:int = 3; i < pointsEnd; i += 3)
                 {
-                    projection = alongX * p[i] + alongY * p[int(i + 1)] + alongZ * p[int(i + 2)];
+                    projection = directionX * p[i] + directionY * p[int(i + 1)] + directionZ * p[int(i + 2)];
                     low = projection < low ? projection : low;
                     high = projection > high ? projection : high;
                 }
@@ -297,8 +297,8 @@ package starlogo.convex
             var most:Number = 0;
             for (var i:int = 0; i < pointsEnd; i++)
             {
-                var along:Number = points[i] < 0 ? -points[i] : points[i];
-                most = along > most ? along : most;
+                var coordinate:Number = points[i] < 0 ? -points[i] : points[i];
+                most = coordinate > most ? coordinate : most;
             }
             extent = 2 * most;
         }

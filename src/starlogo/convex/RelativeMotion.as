@@ -7,9 +7,9 @@ package starlogo.convex
      * move, it is the first shape's motion minus the second's.
      *
      * <p>Its <code>time</code> says where on it the shape is. All <code>findTime()</code> of kernels and queries of trees and the ground read the
-     * vectors and the part of the motion that is asked about. They move the time to when the two first touch, if that is within this part. All
-     * <code>findContact()</code> read the vectors and the time. Quick tests take it for the vector from time 0 to 1, and for the latest time if they
-     * need one, because V8 makes objects of Numbers that are arguments.</p>
+     * vectors and the latest time. They move the time to when the two first touch, if that is no later. All <code>findContact()</code> read the
+     * vectors and the time. Quick tests take it for the vector from time 0 to 1, and for the latest time if they need one, because V8 makes objects
+     * of Numbers that are arguments.</p>
      *
      * @private
      */
@@ -31,10 +31,10 @@ package starlogo.convex
         public var y:Number = 0;
         public var z:Number = 0;
 
-        /** Where the part of the motion that is asked about begins. The shapes are known not to touch before, so a test may begin at 0. */
+        /** The shapes are known not to touch before. ConvexSweep alone reads it and begins there; all other tests begin at 0. */
         public var earliest:Number = 0;
 
-        /** Where that part ends, from 0 to 1. No answer is later. */
+        /** Where the part of the motion that is asked about ends, from 0 to 1. No answer is later. */
         public var latest:Number = 1;
 
         /** The time at which the shape is on the motion. NEVER after a <code>findTime()</code> of two that do not touch. */

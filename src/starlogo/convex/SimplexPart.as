@@ -48,17 +48,17 @@ package starlogo.convex
             var uy:Number = w[int(to + 1)] - toY;
             var uz:Number = w[int(to + 2)] - toZ;
             var uu:Number = ux * ux + uy * uy + uz * uz;
-            var along:Number = -(toX * ux + toY * uy + toZ * uz);
-            if (!(along > 0) || along >= uu)
+            var projection:Number = -(toX * ux + toY * uy + toZ * uz);
+            if (!(projection > 0) || projection >= uu)
             {
-                var end:int = along > 0 ? j : i;
+                var end:int = projection > 0 ? j : i;
                 if (newest < 0 || newest == end)
                 {
                     tryCorner(w, end, out);
                 }
                 return;
             }
-            var share:Number = along / uu;
+            var share:Number = projection / uu;
             toX += share * ux;
             toY += share * uy;
             toZ += share * uz;
@@ -127,12 +127,12 @@ package starlogo.convex
             hy -= foot * uy;
             hz -= foot * uz;
             var hh:Number = hx * hx + hy * hy + hz * hz;
-            var along:Number = -(toX * ux + toY * uy + toZ * uz) / uu;
-            toX += along * ux;
-            toY += along * uy;
-            toZ += along * uz;
+            var projection:Number = -(toX * ux + toY * uy + toZ * uz) / uu;
+            toX += projection * ux;
+            toY += projection * uy;
+            toZ += projection * uz;
             var up:Number = -(toX * hx + toY * hy + toZ * hz) / hh;
-            var low:Number = along - foot * up;
+            var low:Number = projection - foot * up;
             if (!(hh > Tolerances.NARROW_TRIANGLE * uu && up > 0 && low > 0 && low < 1 - up))
             {
                 tryEdges(w, i, j, k, newest, out);

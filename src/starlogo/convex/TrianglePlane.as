@@ -89,15 +89,15 @@ package starlogo.convex
          * @param motion its vector; nothing else of it counts
          * @return at least 0. 0 for a flat triangle too. RelativeMotion.NEVER if the shape moves away from the plane or beside it
          */
-        public function findEntry(shape:ConvexShape, quickDistance:Number, motion:RelativeMotion):Number
+        public function timeOfEntry(shape:ConvexShape, quickDistance:Number, motion:RelativeMotion):Number
         {
             measureFromTriangle(shape);
             return entryOf(motion, quickDistance);
         }
 
         /**
-         * Whether a moving shape stays apart from the triangle until the motion's latest time, as far as the plane knows: findEntry() with a distance that
-         * covers all that is rounded. It takes and returns no Number, because V8 would make objects for them.
+         * Whether a moving shape stays apart from the triangle until the motion's latest time, as far as the plane knows: timeOfEntry() with a distance
+         * that covers all that is rounded. It takes and returns no Number, because V8 would make objects for them.
          *
          * @param motion its vector and its latest time; nothing else of it counts
          */
@@ -156,11 +156,11 @@ package starlogo.convex
         /**
          * Whether a shape that touches the triangle comes against the plane, and is no deeper behind it than in their contact.
          *
-         * @param slack how much deeper it may be, because it is rounded
+         * @param depthTolerance how much deeper it may be, because it is rounded
          * @param motion of the shape; the shape is where it is at the motion's time
          * @param contact has the depth
          */
-        public function isMetBy(shape:ConvexShape, slack:Number, motion:RelativeMotion, contact:ContactPoint):Boolean
+        public function isMetBy(shape:ConvexShape, depthTolerance:Number, motion:RelativeMotion, contact:ContactPoint):Boolean
         {
             var speed:Number = normal.x * motion.x + normal.y * motion.y + normal.z * motion.z;
             if (!(speed < 0))
@@ -170,7 +170,7 @@ package starlogo.convex
             shape.project(normal, _ofShape);
             var front:Number = normal.x * (shape.x + motion.startX) + normal.y * (shape.y + motion.startY) + normal.z * (shape.z + motion.startZ)
                 + motion.time * speed + _ofShape.least - shape.radius;
-            return offset - front <= contact.depth + slack;
+            return offset - front <= contact.depth + depthTolerance;
         }
 
         /**

@@ -76,7 +76,7 @@ package starlogo.ground
         }
 
         /** @inheritDoc */
-        override public function findImpact(motion:RelativeMotion, out:ContactPoint):void
+        override public function findImpactOfSurfaces(motion:RelativeMotion, out:ContactPoint):void
         {
             var kernel:TriangleKernel = _pairs.kernel;
             _touch.begin(motion.latest);
@@ -123,7 +123,7 @@ package starlogo.ground
             var time:Number = motion.time;
             if (!motion.isStill)
             {
-                findImpact(motion, out);
+                findImpactOfSurfaces(motion, out);
                 var isSame:Boolean = motion.time <= time + Tolerances.SAME_TIME;
                 motion.time = time;
                 if (isSame)

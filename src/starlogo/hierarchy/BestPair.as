@@ -10,13 +10,13 @@ package starlogo.hierarchy
      */
     public final class BestPair
     {
-        /** No larger time or distance counts. It is the best one found, or Infinity; a visitor of times may leave room for others at the same time. */
+        /** No larger time or distance counts. It is the best one found, or Infinity; a kernel of times may leave room for others at the same time. */
         public var limit:Number = Infinity;
 
         /** For times: when two first touch, or Infinity. */
         public var time:Number = Infinity;
 
-        /** For times: the two that touch first, which are nodes, or slots if a visitor decides by items. Undefined if none touch. */
+        /** For times: the two that touch first, which are nodes, or slots if a kernel decides by items. Undefined if none touch. */
         public var a:int = 0;
         public var b:int = 0;
 

@@ -31,10 +31,10 @@ package starlogo.hierarchy
         /**
          * Finds the best pair of nodes that decide. A subclass calls it when all is set that does not depend on the nodes.
          *
-         * @param visitor decides about such nodes; null if their boxes decide
+         * @param kernel decides about such nodes; null if their boxes decide
          * @return the best pair; the next search overwrites it
          */
-        protected final function find(trees:PosedTrees, visitor:NodePairVisitor):BestPair
+        protected final function find(trees:PosedTrees, kernel:NodePairKernel):BestPair
         {
             var treeA:BoxTree = trees.a;
             var treeB:BoxTree = trees.b;
@@ -65,7 +65,7 @@ package starlogo.hierarchy
                 var bEnds:Boolean = endsB[b] >= trees.depthB;
                 if (aEnds && bEnds)
                 {
-                    measure(trees, a, b, visitor, out);
+                    measure(trees, a, b, kernel, out);
                     continue;
                 }
                 var dividesA:Boolean = bEnds || !aEnds && trees.isNodeALarger(a, b);
@@ -101,8 +101,8 @@ package starlogo.hierarchy
             throw new IllegalOperationError(this + " does not implement estimate");
         }
 
-        /** Measures two nodes that decide, by the visitor, or by their boxes if it is null. If they are better than the best pair so far, they become it. */
-        protected function measure(trees:PosedTrees, a:int, b:int, visitor:NodePairVisitor, out:BestPair):void
+        /** Measures two nodes that decide, by the kernel, or by their boxes if it is null. If they are better than the best pair so far, they become it. */
+        protected function measure(trees:PosedTrees, a:int, b:int, kernel:NodePairKernel, out:BestPair):void
         {
             throw new IllegalOperationError(this + " does not implement measure");
         }

@@ -41,15 +41,15 @@ package starlogo.hierarchy
         /**
          * Finds the closest points of two trees.
          *
-         * @param visitor decides about nodes that decide; null if their boxes do
+         * @param kernel decides about nodes that decide; null if their boxes do
          * @param out receives the points and their distance, in a's space
          */
-        public function findClosest(trees:PosedTrees, visitor:NodePairVisitor, out:ClosestPoints):void
+        public function findClosest(trees:PosedTrees, kernel:NodePairKernel, out:ClosestPoints):void
         {
             var relative:Placement = trees.pose.placement;
             _radii = trees.a.radius + trees.b.radius * relative.size;
             _pair.axes.readAxes(relative, 1);
-            out.copyFrom(find(trees, visitor).points);
+            out.copyFrom(find(trees, kernel).points);
         }
 
         /**
@@ -149,11 +149,11 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override protected function measure(trees:PosedTrees, a:int, b:int, visitor:NodePairVisitor, out:BestPair):void
+        override protected function measure(trees:PosedTrees, a:int, b:int, kernel:NodePairKernel, out:BestPair):void
         {
-            if (visitor != null)
+            if (kernel != null)
             {
-                visitor.findCloser(a, b, out);
+                kernel.findCloser(a, b, out);
                 return;
             }
             var placedB:BoundingStructure = trees.pose.placeWidened(trees.b.boxOf(b));

@@ -27,10 +27,10 @@ package starlogo.hierarchy
          * Finds when two trees first touch.
          *
          * @param motion of tree b, from the pose on
-         * @param visitor decides about nodes that decide; null if their boxes do
+         * @param kernel decides about nodes that decide; null if their boxes do
          * @return the nodes or items that touch first, and the time; the next search overwrites it
          */
-        public function findImpact(trees:PosedTrees, motion:RelativeMotion, visitor:NodePairVisitor):BestPair
+        public function findImpact(trees:PosedTrees, motion:RelativeMotion, kernel:NodePairKernel):BestPair
         {
             var relative:Placement = trees.pose.placement;
             _pair.axes.readAxes(relative, 1);
@@ -40,7 +40,7 @@ package starlogo.hierarchy
             _pair.motionZ = motion.z;
             _pair.tolerance = trees.pose.tolerance + Touching.marginOfMotion(relative.x, relative.y, relative.z)
                 + Touching.marginOfMotion(motion.x, motion.y, motion.z);
-            return find(trees, visitor);
+            return find(trees, kernel);
         }
 
         /**
@@ -56,11 +56,11 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override protected function measure(trees:PosedTrees, a:int, b:int, visitor:NodePairVisitor, out:BestPair):void
+        override protected function measure(trees:PosedTrees, a:int, b:int, kernel:NodePairKernel, out:BestPair):void
         {
-            if (visitor != null)
+            if (kernel != null)
             {
-                visitor.findEarlier(a, b, out);
+                kernel.findEarlier(a, b, out);
                 return;
             }
             readPair(trees, a, b, out);

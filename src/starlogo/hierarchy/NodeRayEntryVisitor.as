@@ -34,7 +34,7 @@ package starlogo.hierarchy
          * @param out receives the place and the normal
          * @return whether there is such a place
          */
-        public function findHit(tree:BoxTree, depth:int, ray:Ray, out:RayEntry):Boolean
+        public function findRayEntry(tree:BoxTree, depth:int, ray:Ray, out:RayEntry):Boolean
         {
             _ray.copyFrom(ray);
             _first = -1;

@@ -56,10 +56,10 @@ package starlogo.hierarchy
          * <p>An axis of a's box separates most pairs of boxes a and b, mostly z. So these axes are tested in the loop, because a call for each pair
          * takes about a tenth more time.</p>
          *
-         * @param visitor decides about such nodes; null if their boxes decide
+         * @param kernel decides about such nodes; null if their boxes decide
          * @return APART, ONLY_ROOTS or OVERLAPPING
          */
-        public function find(trees:PosedTrees, visitor:NodePairVisitor):int
+        public function find(trees:PosedTrees, kernel:NodePairKernel):int
         {
             var pair:BoxPair = _pair;
             var axes:BoxAxes = pair.axes;
@@ -122,7 +122,7 @@ package starlogo.hierarchy
                 var overlap:int = overlapBesideAxesOfA(pair);
                 var aEnds:Boolean = endsA[a] >= depthA;
                 var bEnds:Boolean = endsB[b] >= depthB;
-                var doBoxesDecide:Boolean = aEnds && bEnds && visitor == null;
+                var doBoxesDecide:Boolean = aEnds && bEnds && kernel == null;
                 if (overlap == SEPARATE || overlap == SHALLOW && doBoxesDecide && !BoxSeparation.overlapAcrossEdges(pair))
                 {
                     continue;
@@ -132,7 +132,7 @@ package starlogo.hierarchy
                 {
                     top = pushChildren(trees, pair, a, aEnds, b, bEnds, overlap == DEEP, top);
                 }
-                else if (doBoxesDecide || visitor.areTouching(a, b))
+                else if (doBoxesDecide || kernel.areTouching(a, b))
                 {
                     result = OVERLAPPING;
                 }

@@ -15,8 +15,8 @@ package starlogo.intersection
 
     /**
      * The kernel of a convex shape and triangles: whether the shape touches a triangle, when and how it first does, and how far the two are apart. The
-     * shape is set once for many triangles, the triangle for some questions. ConvexKernel decides. The triangle's plane rules out most triangles
-     * before.
+     * shape is set once for many triangles, the triangle for some questions. ConvexKernel decides. The triangle's plane rules out most triangles:
+     * callers ask it first.
      *
      * @private
      */

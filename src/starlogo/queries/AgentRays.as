@@ -172,7 +172,7 @@ package starlogo.queries
             var collector:Collector = begin(1, from, towards, distance, filter);
             for (var row:int = collector.nextCandidate(_search); row >= 0; row = collector.nextCandidate(_search))
             {
-                if (row != rowA && row != rowB && _rowRays.findHit(row, _ray, _entry))
+                if (row != rowA && row != rowB && _rowRays.findRayEntry(row, _ray, _entry))
                 {
                     collector.add(row, _entry.distance);
                     if (collector.hasEnoughOfAny)
@@ -233,7 +233,7 @@ package starlogo.queries
         {
             for (var row:int = collector.nextCandidate(_search); row >= 0; row = collector.nextCandidate(_search))
             {
-                if (_rowRays.findHit(row, _ray, _entry))
+                if (_rowRays.findRayEntry(row, _ray, _entry))
                 {
                     collector.add(row, _entry.distance);
                     out.addEntry(row, _ray, _entry);

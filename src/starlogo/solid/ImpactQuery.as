@@ -5,7 +5,7 @@ package starlogo.solid
     import starlogo.convex.RelativeMotion;
 
     /**
-     * Finds when and where a moving model first touches what its surfaces cannot pass: another model (TreePair), or the ground. Abstract: a subclass is
+     * Finds when and where a moving model first touches what its surfaces cannot pass: another model (TreeQuery), or the ground. Abstract: a subclass is
      * set to the two before each question.
      *
      * <p>To get inside of a closed surface from outside, a part of the model has to cross it. So the surfaces are tested over time, and the
@@ -27,7 +27,7 @@ package starlogo.solid
             var time:Number = 0;
             if (!areTouchingAt(motion, 0))
             {
-                findImpact(motion, out);
+                findImpactOfSurfaces(motion, out);
                 if (motion.time != RelativeMotion.NEVER)
                 {
                     return;
@@ -51,9 +51,9 @@ package starlogo.solid
          * Finds when and where the surfaces of the two first touch. The parameters are those of <code>findFirstTouch()</code>. If one of the two begins
          * wholly inside of the other, that is no touch of surfaces.
          */
-        public function findImpact(motion:RelativeMotion, out:ContactPoint):void
+        public function findImpactOfSurfaces(motion:RelativeMotion, out:ContactPoint):void
         {
-            throw new IllegalOperationError(this + " does not implement findImpact");
+            throw new IllegalOperationError(this + " does not implement findImpactOfSurfaces");
         }
 
         /**

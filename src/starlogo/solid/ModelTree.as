@@ -1,9 +1,9 @@
 // The package solid says how a model meets another model, a structure or a ray, where the model's tree decides, or in exact tests its triangles.
 // A question goes to one of the classes in the first row. A Search of the package hierarchy then visits nodes of one tree, a Traversal pairs of nodes
-// of two trees. Where the visit ends, boxes decide or triangles. Read ModelTree first, then TreePair and TreeTreePair, then TrianglePairVisitor.
+// of two trees. Where the visit ends, boxes decide or triangles. Read ModelTree first, then TreeQuery and TreeTreeQuery, then TrianglePairKernel.
 // 
 // question              | a tree and a structure   | two trees              | a tree and a ray
-// who is asked          | TreeStructurePair        | TreeTreePair           | TreeRayEntryQuery (the first place), TreeRayCrossingQuery (all)
+// who is asked          | TreeStructureQuery       | TreeTreeQuery          | TreeRayEntryQuery (the first place), TreeRayCrossingQuery (all)
 // 
 // boxes decide
 // whether they touch    | NodeImpactVisitor        | OverlapTraversal       | -
@@ -12,14 +12,14 @@
 // the contact           | PairTable                | PairTable              | -
 // 
 // triangles decide
-// whether they touch    | TriangleImpactVisitor    | TrianglePairVisitor    | -
-// when or where first   | TriangleImpactVisitor    | TrianglePairVisitor    | TriangleRayEntryVisitor, TriangleRayCrossingVisitor
-// the distance          | TriangleDistanceVisitor  | TrianglePairVisitor    | -
+// whether they touch    | TriangleImpactVisitor    | TrianglePairKernel     | -
+// when or where first   | TriangleImpactVisitor    | TrianglePairKernel     | TriangleRayEntryVisitor, TriangleRayCrossingVisitor
+// the distance          | TriangleDistanceVisitor  | TrianglePairKernel     | -
 // the contact           | TriangleImpactVisitor    | TriangleContactFinder  | -
 // 
 // what is inside        | ModelTree.isInside()     | TreeContainmentQuery   | ModelTree.isInside()
 // 
-// ImpactQuery, which both pairs extend, puts together when two first touch: standing tests at both ends, impacts of surfaces between. Of several triangles
+// ImpactQuery, which TreeQuery extends, puts together when two first touch: standing tests at both ends, impacts of surfaces between. Of several triangles
 // that are touched first, the ImpactChoice chooses one. The package solid.interior knows what is inside of a surface.
 
 package starlogo.solid
@@ -42,8 +42,9 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * A model's tree, together with its triangles and what is inside of them. Only <code>refit()</code> changes the tree. The triangles
-     * and their inside are prepared when they are first needed, or when the model is loaded. For the engine.
+     * A model's tree, together with its triangles and what is inside of them. Once the work that was begun has made or restored the tree's nodes, only
+     * <code>refit()</code> changes them. The triangles and their inside are prepared when they are first needed, or when the model is loaded. For the
+     * engine.
      *
      * @private
      */
@@ -170,13 +171,16 @@ package starlogo.solid
         internal function isInside(middle:Vector3D, radius:Number):Boolean
         {
             var box:Vector.<Number> = boxTree.boxes;
-            var isOutside:Boolean = !hasTriangles || Math.abs(middle.x - box[0]) > box[3] - radius || Math.abs(middle.y - box[1]) > box[4] - radius
-                || Math.abs(middle.z - box[2]) > box[5] - radius;
-            if (!isOutside && _interior == null)
+            if (!hasTriangles || Math.abs(middle.x - box[0]) > box[3] - radius || Math.abs(middle.y - box[1]) > box[4] - radius
+                    || Math.abs(middle.z - box[2]) > box[5] - radius)
             {
-                isOutside = OPEN_SIDES.hasOpenSide(middle, boxTree);
+                return false;
             }
-            return !isOutside && preparedInterior().isInside(middle);
+            if (_interior == null && OPEN_SIDES.hasOpenSide(middle, boxTree))
+            {
+                return false;
+            }
+            return preparedInterior().isInside(middle);
         }
 
         /**

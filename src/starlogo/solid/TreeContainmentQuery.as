@@ -31,17 +31,17 @@ package starlogo.solid
          * @param out receives the point twice, in the world, if there is one; null if only the answer is needed
          * @return whether there is one
          */
-        public function findInside(pair:TreeTreePair, out:ClosestPoints):Boolean
+        public function findInside(query:TreeTreeQuery, out:ClosestPoints):Boolean
         {
-            if (!pair.a.hasTriangles || !pair.b.hasTriangles)
+            if (!query.a.hasTriangles || !query.b.hasTriangles)
             {
                 return false;
             }
-            var insideA:Interior = pair.a.preparedInterior();
-            var insideB:Interior = pair.b.preparedInterior();
-            var treeA:BoxTree = pair.a.boxTree;
-            var treeB:BoxTree = pair.b.boxTree;
-            var pose:Placement = pair.pose.placement;
+            var insideA:Interior = query.a.preparedInterior();
+            var insideB:Interior = query.b.preparedInterior();
+            var treeA:BoxTree = query.a.boxTree;
+            var treeB:BoxTree = query.b.boxTree;
+            var pose:Placement = query.pose.placement;
             var size:Number = pose.size;
             var isInA:Boolean = insideA.hasClosedShell && insideB.leastPartExtent * size <= 2 * treeA.radius
                 && findPartInside(treeA, insideA, insideB, pose, _point);
@@ -60,7 +60,7 @@ package starlogo.solid
             if (out != null)
             {
                 out.setPoint(_point);
-                out.placePoints(isInA ? pair.placementA : pair.placementB);
+                out.placePoints(isInA ? query.placementA : query.placementB);
             }
             return true;
         }

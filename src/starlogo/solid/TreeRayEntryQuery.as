@@ -45,9 +45,9 @@ package starlogo.solid
             }
             if (exact && model.hasTriangles)
             {
-                return _triangles.findHit(model, ray, out);
+                return _triangles.findRayEntry(model, ray, out);
             }
-            return _nodes.findHit(model.boxTree, exact ? BoxTree.EXACT : depth, ray, out);
+            return _nodes.findRayEntry(model.boxTree, exact ? BoxTree.EXACT : depth, ray, out);
         }
 
         /** Whether a ray begins inside of the surface of a model. */

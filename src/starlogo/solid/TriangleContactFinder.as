@@ -56,25 +56,25 @@ package starlogo.solid
         /**
          * Finds the contact, in a's space.
          *
-         * @param pair the two trees
+         * @param query the two trees
          * @param best has the slots of the triangles
          * @param motion of b, which is where it is at the motion's time; its start must be 0
          * @param out receives the contact, with a normal from a to b
          */
-        public function find(pair:TreeTreePair, best:BestPair, motion:RelativeMotion, out:ContactPoint):void
+        public function find(query:TreeTreeQuery, best:BestPair, motion:RelativeMotion, out:ContactPoint):void
         {
-            var placement:Placement = pair.pose.placement;
-            var slack:Number = pair.quickDistance(motion);
+            var placement:Placement = query.pose.placement;
+            var quickDistance:Number = query.quickDistance(motion);
             var plane:TrianglePlane;
-            pair.a.mesh.readTriangle(best.a, _cornersOfA);
-            pair.b.mesh.readTriangle(best.b, _cornersOfB);
+            query.a.mesh.readTriangle(best.a, _cornersOfA);
+            query.b.mesh.readTriangle(best.b, _cornersOfB);
             placePoints(placement, _cornersOfB, 0, 9, _cornersOfB);
             _kernel.shape.setTriangle(_cornersOfB, 0);
             _kernel.setTriangle(_cornersOfA);
             _kernel.findContact(motion, out);
             Placement.invert(placement, _inB.placement);
             plane = _kernel.plane;
-            if (plane.isMetBy(_kernel.shape, slack, motion, out) && !hasTriangleBehind(pair.b, _inB, pair.triangleTolerance, motion, out))
+            if (plane.isMetBy(_kernel.shape, quickDistance, motion, out) && !hasTriangleBehind(query.b, _inB, query.triangleTolerance, motion, out))
             {
                 out.setNormal(plane.normal.x, plane.normal.y, plane.normal.z);
                 return;
@@ -83,7 +83,7 @@ package starlogo.solid
             _kernel.shape.setTriangle(_cornersOfA, 0);
             _reversed.setReversed(motion);
             plane = _kernel.plane;
-            if (plane.isMetBy(_kernel.shape, slack, _reversed, out) && !hasTriangleBehind(pair.a, _inA, pair.triangleTolerance, RelativeMotion.NONE, out))
+            if (plane.isMetBy(_kernel.shape, quickDistance, _reversed, out) && !hasTriangleBehind(query.a, _inA, query.triangleTolerance, RelativeMotion.NONE, out))
             {
                 out.setNormal(-plane.normal.x, -plane.normal.y, -plane.normal.z);
             }

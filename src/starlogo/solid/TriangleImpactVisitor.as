@@ -147,7 +147,7 @@ package starlogo.solid
                     continue;
                 }
                 _kernel.setTriangle(_corners);
-                _triangleMotion.earliest = _kernel.plane.findEntry(_kernel.shape, _quickDistance, _motion);
+                _triangleMotion.earliest = _kernel.plane.timeOfEntry(_kernel.shape, _quickDistance, _motion);
                 if (_triangleMotion.earliest > limit)
                 {
                     continue;

@@ -29,7 +29,7 @@ package starlogo.solid
          * @param out receives the distance, the normal and the triangle
          * @return whether it meets one
          */
-        public function findHit(model:ModelTree, ray:Ray, out:RayEntry):Boolean
+        public function findRayEntry(model:ModelTree, ray:Ray, out:RayEntry):Boolean
         {
             _mesh = model.mesh;
             _ray.setTo(ray, model.boxTree.radiusAboutOrigin);

@@ -89,7 +89,7 @@ package starlogo.convex
                 assertTrue("is flat: " + corners, _plane.isFlat);
                 assertEquals("normal: " + corners, 0, _plane.normal.length);
                 assertTrue("offset: " + corners, isNaN(_plane.offset));
-                assertEquals("the quick test says nothing: " + corners, 0, _plane.findEntry(_shape, 0, _motion));
+                assertEquals("the quick test says nothing: " + corners, 0, _plane.timeOfEntry(_shape, 0, _motion));
             }
         }
 
@@ -124,7 +124,7 @@ package starlogo.convex
         {
             new Sphere(new Vector3D(0, 0, z), 1).shapeInto(_shape);
             _motion.z = motionZ;
-            assertEquals(message, expected, _plane.findEntry(_shape, margin, _motion));
+            assertEquals(message, expected, _plane.timeOfEntry(_shape, margin, _motion));
         }
     }
 }

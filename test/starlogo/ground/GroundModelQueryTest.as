@@ -59,7 +59,7 @@ package starlogo.ground
                 {
                     continue;
                 }
-                _query.findImpact(down, _out);
+                _query.findImpactOfSurfaces(down, _out);
                 var time:Number = down.time;
                 if (!(time > 0.02 && time < 0.98))
                 {
@@ -67,13 +67,13 @@ package starlogo.ground
                 }
                 met++;
                 down.latest = time - 0.01;
-                _query.findImpact(down, _out);
+                _query.findImpactOfSurfaces(down, _out);
                 _wrong.addIf(down.time != RelativeMotion.NEVER, "a touch after the latest time", i + ": " + down.time);
                 down.latest = time + 0.01;
-                _query.findImpact(down, _out);
+                _query.findImpactOfSurfaces(down, _out);
                 _wrong.addIf(!(Math.abs(down.time - time) < 1e-9), "until a latest time", i + ": " + down.time + " instead of " + time);
                 down.earliest = time - 0.01;
-                _query.findImpact(down, _out);
+                _query.findImpactOfSurfaces(down, _out);
                 _wrong.addIf(!(Math.abs(down.time - time) < 1e-9), "from an earliest time on", i + ": " + down.time + " instead of " + time);
             }
             _wrong.assertNone();

@@ -22,8 +22,8 @@ package starlogo.solid
         private static const TRAVEL:Number = 0.4;
 
         private var _counts:TreeCounts = new TreeCounts();
-        private var _trees:TreeTreePair = new TreeTreePair(_counts);
-        private var _treeAndStructure:TreeStructurePair = new TreeStructurePair(_counts);
+        private var _trees:TreeTreeQuery = new TreeTreeQuery(_counts);
+        private var _treeAndStructure:TreeStructureQuery = new TreeStructureQuery(_counts);
 
         [Test]
         public function trianglesOfTwoTrees():void
@@ -64,15 +64,15 @@ package starlogo.solid
                 {
                     var ends:Placement = new Placement();
                     ends.x = -0.6;
-                    var pair:TreePair = pairOf(walls, ends, b, structure, exact);
+                    var query:TreeQuery = queryOf(walls, ends, b, structure, exact);
                     motion.latest = latest;
                     if (testsEnds)
                     {
-                        pair.findFirstTouch(motion, null);
+                        query.findFirstTouch(motion, null);
                     }
                     else
                     {
-                        pair.findImpact(motion, null);
+                        query.findImpactOfSurfaces(motion, null);
                     }
                     var what:String = "exact " + exact + ", latest " + latest;
                     assertTrue(what + ": " + motion.time, latest < 2 / 3 ? motion.time == RelativeMotion.NEVER : Math.abs(motion.time - 2 / 3) < 1e-9);
@@ -92,11 +92,11 @@ package starlogo.solid
                 var travel:Number = TRAVEL - step * Math.pow(2, -51);
                 var ends:Placement = new Placement();
                 ends.x = -travel;
-                var pair:TreePair = pairOf(walls, ends, b, structure, exact);
+                var query:TreeQuery = queryOf(walls, ends, b, structure, exact);
                 motion.endAfter(-travel, 0, 0);
-                pair.findImpact(motion, null);
+                query.findImpactOfSurfaces(motion, null);
                 var isMissed:Boolean = motion.time == RelativeMotion.NEVER;
-                pair.findFirstTouch(motion, contact);
+                query.findFirstTouch(motion, contact);
                 if (motion.time == RelativeMotion.NEVER)
                 {
                     continue;
@@ -111,7 +111,7 @@ package starlogo.solid
         }
 
         // The second model is a tree or a structure, and stands at the origin.
-        private function pairOf(a:ModelTree, at:Placement, b:ModelTree, structure:BoundingStructure, exact:Boolean):TreePair
+        private function queryOf(a:ModelTree, at:Placement, b:ModelTree, structure:BoundingStructure, exact:Boolean):TreeQuery
         {
             return b != null ? _trees.setTo(a, at, BoxTree.EXACT, b, new Placement(), BoxTree.EXACT, exact)
                 : _treeAndStructure.setTo(a, at, BoxTree.EXACT, structure, new Placement(), exact);

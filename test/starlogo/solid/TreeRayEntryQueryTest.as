@@ -93,7 +93,7 @@ package starlogo.solid
                 var direction:Vector3D = new Vector3D(x, y, z).subtract(origin);
                 ray.aim(origin, direction);
                 hit.distance = NaN;
-                triangles.findHit(hierarchy, ray, hit);
+                triangles.findRayEntry(hierarchy, ray, hit);
                 if (!(hit.distance <= direction.length + 1e-12))
                 {
                     assertTrue(model.name + ", " + i + (isFromInside ? " from inside, " : " from outside, ") + origin + " to " + new Vector3D(x, y, z) + ": " + hit.distance, false);

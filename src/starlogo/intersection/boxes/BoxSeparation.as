@@ -32,15 +32,15 @@ package starlogo.intersection.boxes
             var aHalfX:Number = pair.aHalfX;
             var aHalfY:Number = pair.aHalfY;
             var aHalfZ:Number = pair.aHalfZ;
-            var along:Number = x * axes.m00 + y * axes.m10 + z * axes.m20;
+            var projection:Number = x * axes.m00 + y * axes.m10 + z * axes.m20;
             var radius:Number = axes.length * pair.bHalfX + aHalfX * axes.abs00 + aHalfY * axes.abs10 + aHalfZ * axes.abs20;
-            var overlap:Boolean = along <= radius && along >= -radius;
-            along = x * axes.m01 + y * axes.m11 + z * axes.m21;
+            var overlap:Boolean = projection <= radius && projection >= -radius;
+            projection = x * axes.m01 + y * axes.m11 + z * axes.m21;
             radius = axes.length * pair.bHalfY + aHalfX * axes.abs01 + aHalfY * axes.abs11 + aHalfZ * axes.abs21;
-            overlap = overlap && along <= radius && along >= -radius;
-            along = x * axes.m02 + y * axes.m12 + z * axes.m22;
+            overlap = overlap && projection <= radius && projection >= -radius;
+            projection = x * axes.m02 + y * axes.m12 + z * axes.m22;
             radius = axes.length * pair.bHalfZ + aHalfX * axes.abs02 + aHalfY * axes.abs12 + aHalfZ * axes.abs22;
-            return overlap && along <= radius && along >= -radius;
+            return overlap && projection <= radius && projection >= -radius;
         }
 
         /**
@@ -60,33 +60,33 @@ package starlogo.intersection.boxes
             var bHalfX:Number = pair.bHalfX;
             var bHalfY:Number = pair.bHalfY;
             var bHalfZ:Number = pair.bHalfZ;
-            var along:Number = z * axes.m10 - y * axes.m20;
+            var projection:Number = z * axes.m10 - y * axes.m20;
             var radius:Number = aHalfY * axes.abs20 + aHalfZ * axes.abs10 + bHalfY * axes.abs02 + bHalfZ * axes.abs01;
-            var overlap:Boolean = along <= radius && along >= -radius;
-            along = z * axes.m11 - y * axes.m21;
+            var overlap:Boolean = projection <= radius && projection >= -radius;
+            projection = z * axes.m11 - y * axes.m21;
             radius = aHalfY * axes.abs21 + aHalfZ * axes.abs11 + bHalfZ * axes.abs00 + bHalfX * axes.abs02;
-            overlap = overlap && along <= radius && along >= -radius;
-            along = z * axes.m12 - y * axes.m22;
+            overlap = overlap && projection <= radius && projection >= -radius;
+            projection = z * axes.m12 - y * axes.m22;
             radius = aHalfY * axes.abs22 + aHalfZ * axes.abs12 + bHalfX * axes.abs01 + bHalfY * axes.abs00;
-            overlap = overlap && along <= radius && along >= -radius;
-            along = x * axes.m20 - z * axes.m00;
+            overlap = overlap && projection <= radius && projection >= -radius;
+            projection = x * axes.m20 - z * axes.m00;
             radius = aHalfZ * axes.abs00 + aHalfX * axes.abs20 + bHalfY * axes.abs12 + bHalfZ * axes.abs11;
-            overlap = overlap && along <= radius && along >= -radius;
-            along = x * axes.m21 - z * axes.m01;
+            overlap = overlap && projection <= radius && projection >= -radius;
+            projection = x * axes.m21 - z * axes.m01;
             radius = aHalfZ * axes.abs01 + aHalfX * axes.abs21 + bHalfZ * axes.abs10 + bHalfX * axes.abs12;
-            overlap = overlap && along <= radius && along >= -radius;
-            along = x * axes.m22 - z * axes.m02;
+            overlap = overlap && projection <= radius && projection >= -radius;
+            projection = x * axes.m22 - z * axes.m02;
             radius = aHalfZ * axes.abs02 + aHalfX * axes.abs22 + bHalfX * axes.abs11 + bHalfY * axes.abs10;
-            overlap = overlap && along <= radius && along >= -radius;
-            along = y * axes.m00 - x * axes.m10;
+            overlap = overlap && projection <= radius && projection >= -radius;
+            projection = y * axes.m00 - x * axes.m10;
             radius = aHalfX * axes.abs10 + aHalfY * axes.abs00 + bHalfY * axes.abs22 + bHalfZ * axes.abs21;
-            overlap = overlap && along <= radius && along >= -radius;
-            along = y * axes.m01 - x * axes.m11;
+            overlap = overlap && projection <= radius && projection >= -radius;
+            projection = y * axes.m01 - x * axes.m11;
             radius = aHalfX * axes.abs11 + aHalfY * axes.abs01 + bHalfZ * axes.abs20 + bHalfX * axes.abs22;
-            overlap = overlap && along <= radius && along >= -radius;
-            along = y * axes.m02 - x * axes.m12;
+            overlap = overlap && projection <= radius && projection >= -radius;
+            projection = y * axes.m02 - x * axes.m12;
             radius = aHalfX * axes.abs12 + aHalfY * axes.abs02 + bHalfX * axes.abs21 + bHalfY * axes.abs20;
-            return overlap && along <= radius && along >= -radius;
+            return overlap && projection <= radius && projection >= -radius;
         }
     }
 }

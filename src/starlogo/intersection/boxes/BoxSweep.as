@@ -25,7 +25,7 @@ package starlogo.intersection.boxes
         private var _halves:Vector.<Number> = new Vector.<Number>(9, true);
 
         private var _times:ContactInterval = new ContactInterval();
-        private var _along:AxisMotion = new AxisMotion();
+        private var _axisMotion:AxisMotion = new AxisMotion();
 
         // The pair of two boxes that are given as structures.
         private var _boxes:BoxPair = new BoxPair();
@@ -106,53 +106,53 @@ package starlogo.intersection.boxes
         {
             var times:ContactInterval = _times;
             var axes:BoxAxes = pair.axes;
-            var along:AxisMotion = _along;
-            along.tolerance = pair.tolerance;
+            var axisMotion:AxisMotion = _axisMotion;
+            axisMotion.tolerance = pair.tolerance;
             var fromX:Number = pair.offsetX;
             var fromY:Number = pair.offsetY;
             var fromZ:Number = pair.offsetZ;
             var bHalfX:Number = pair.bHalfX;
             var bHalfY:Number = pair.bHalfY;
             var bHalfZ:Number = pair.bHalfZ;
-            along.offset = fromX;
-            along.travel = pair.motionX;
-            along.halfExtents = pair.aHalfX + bHalfX * axes.abs00 + bHalfY * axes.abs01 + bHalfZ * axes.abs02;
-            if (!times.narrow(along))
+            axisMotion.offset = fromX;
+            axisMotion.travel = pair.motionX;
+            axisMotion.halfExtents = pair.aHalfX + bHalfX * axes.abs00 + bHalfY * axes.abs01 + bHalfZ * axes.abs02;
+            if (!times.narrow(axisMotion))
             {
                 return false;
             }
-            along.offset = fromY;
-            along.travel = pair.motionY;
-            along.halfExtents = pair.aHalfY + bHalfX * axes.abs10 + bHalfY * axes.abs11 + bHalfZ * axes.abs12;
-            if (!times.narrow(along))
+            axisMotion.offset = fromY;
+            axisMotion.travel = pair.motionY;
+            axisMotion.halfExtents = pair.aHalfY + bHalfX * axes.abs10 + bHalfY * axes.abs11 + bHalfZ * axes.abs12;
+            if (!times.narrow(axisMotion))
             {
                 return false;
             }
-            along.offset = fromZ;
-            along.travel = pair.motionZ;
-            along.halfExtents = pair.aHalfZ + bHalfX * axes.abs20 + bHalfY * axes.abs21 + bHalfZ * axes.abs22;
-            if (!times.narrow(along))
+            axisMotion.offset = fromZ;
+            axisMotion.travel = pair.motionZ;
+            axisMotion.halfExtents = pair.aHalfZ + bHalfX * axes.abs20 + bHalfY * axes.abs21 + bHalfZ * axes.abs22;
+            if (!times.narrow(axisMotion))
             {
                 return false;
             }
-            along.offset = fromX * axes.m00 + fromY * axes.m10 + fromZ * axes.m20;
-            along.travel = axes.m00 * pair.motionX + axes.m10 * pair.motionY + axes.m20 * pair.motionZ;
-            along.halfExtents = bHalfX + pair.aHalfX * axes.abs00 + pair.aHalfY * axes.abs10 + pair.aHalfZ * axes.abs20;
-            if (!times.narrow(along))
+            axisMotion.offset = fromX * axes.m00 + fromY * axes.m10 + fromZ * axes.m20;
+            axisMotion.travel = axes.m00 * pair.motionX + axes.m10 * pair.motionY + axes.m20 * pair.motionZ;
+            axisMotion.halfExtents = bHalfX + pair.aHalfX * axes.abs00 + pair.aHalfY * axes.abs10 + pair.aHalfZ * axes.abs20;
+            if (!times.narrow(axisMotion))
             {
                 return false;
             }
-            along.offset = fromX * axes.m01 + fromY * axes.m11 + fromZ * axes.m21;
-            along.travel = axes.m01 * pair.motionX + axes.m11 * pair.motionY + axes.m21 * pair.motionZ;
-            along.halfExtents = bHalfY + pair.aHalfX * axes.abs01 + pair.aHalfY * axes.abs11 + pair.aHalfZ * axes.abs21;
-            if (!times.narrow(along))
+            axisMotion.offset = fromX * axes.m01 + fromY * axes.m11 + fromZ * axes.m21;
+            axisMotion.travel = axes.m01 * pair.motionX + axes.m11 * pair.motionY + axes.m21 * pair.motionZ;
+            axisMotion.halfExtents = bHalfY + pair.aHalfX * axes.abs01 + pair.aHalfY * axes.abs11 + pair.aHalfZ * axes.abs21;
+            if (!times.narrow(axisMotion))
             {
                 return false;
             }
-            along.offset = fromX * axes.m02 + fromY * axes.m12 + fromZ * axes.m22;
-            along.travel = axes.m02 * pair.motionX + axes.m12 * pair.motionY + axes.m22 * pair.motionZ;
-            along.halfExtents = bHalfZ + pair.aHalfX * axes.abs02 + pair.aHalfY * axes.abs12 + pair.aHalfZ * axes.abs22;
-            return times.narrow(along);
+            axisMotion.offset = fromX * axes.m02 + fromY * axes.m12 + fromZ * axes.m22;
+            axisMotion.travel = axes.m02 * pair.motionX + axes.m12 * pair.motionY + axes.m22 * pair.motionZ;
+            axisMotion.halfExtents = bHalfZ + pair.aHalfX * axes.abs02 + pair.aHalfY * axes.abs12 + pair.aHalfZ * axes.abs22;
+            return times.narrow(axisMotion);
         }
 
         // Narrows the interval by the edges of both. Returns whether anything is left. The boxes are projected in full on the cross product of an edge of
@@ -186,7 +186,7 @@ package starlogo.intersection.boxes
         private function narrowAcross(pair:BoxPair, p:int, q:int, r:int):Boolean
         {
             var times:ContactInterval = _times;
-            var along:AxisMotion = _along;
+            var axisMotion:AxisMotion = _axisMotion;
             var halves:Vector.<Number> = _halves;
             var pX:Number = _edges[p];
             var pY:Number = _edges[int(p + 1)];
@@ -206,11 +206,11 @@ package starlogo.intersection.boxes
             alongR = alongR < 0 ? -alongR : alongR;
             if (sizeY + sizeZ > SHORTEST)
             {
-                along.offset = pair.offsetZ * pY - pair.offsetY * pZ;
-                along.travel = pair.motionZ * pY - pair.motionY * pZ;
-                along.halfExtents = pair.aHalfY * sizeZ + pair.aHalfZ * sizeY + alongQ + alongR;
-                along.tolerance = pair.tolerance * (sizeY + sizeZ);
-                if (!times.narrow(along))
+                axisMotion.offset = pair.offsetZ * pY - pair.offsetY * pZ;
+                axisMotion.travel = pair.motionZ * pY - pair.motionY * pZ;
+                axisMotion.halfExtents = pair.aHalfY * sizeZ + pair.aHalfZ * sizeY + alongQ + alongR;
+                axisMotion.tolerance = pair.tolerance * (sizeY + sizeZ);
+                if (!times.narrow(axisMotion))
                 {
                     return false;
                 }
@@ -221,11 +221,11 @@ package starlogo.intersection.boxes
             alongR = alongR < 0 ? -alongR : alongR;
             if (sizeX + sizeZ > SHORTEST)
             {
-                along.offset = pair.offsetX * pZ - pair.offsetZ * pX;
-                along.travel = pair.motionX * pZ - pair.motionZ * pX;
-                along.halfExtents = pair.aHalfZ * sizeX + pair.aHalfX * sizeZ + alongQ + alongR;
-                along.tolerance = pair.tolerance * (sizeX + sizeZ);
-                if (!times.narrow(along))
+                axisMotion.offset = pair.offsetX * pZ - pair.offsetZ * pX;
+                axisMotion.travel = pair.motionX * pZ - pair.motionZ * pX;
+                axisMotion.halfExtents = pair.aHalfZ * sizeX + pair.aHalfX * sizeZ + alongQ + alongR;
+                axisMotion.tolerance = pair.tolerance * (sizeX + sizeZ);
+                if (!times.narrow(axisMotion))
                 {
                     return false;
                 }
@@ -238,11 +238,11 @@ package starlogo.intersection.boxes
             alongQ = alongQ < 0 ? -alongQ : alongQ;
             alongR = rY * pX - rX * pY;
             alongR = alongR < 0 ? -alongR : alongR;
-            along.offset = pair.offsetY * pX - pair.offsetX * pY;
-            along.travel = pair.motionY * pX - pair.motionX * pY;
-            along.halfExtents = pair.aHalfX * sizeY + pair.aHalfY * sizeX + alongQ + alongR;
-            along.tolerance = pair.tolerance * (sizeX + sizeY);
-            return times.narrow(along);
+            axisMotion.offset = pair.offsetY * pX - pair.offsetX * pY;
+            axisMotion.travel = pair.motionY * pX - pair.motionX * pY;
+            axisMotion.halfExtents = pair.aHalfX * sizeY + pair.aHalfY * sizeX + alongQ + alongR;
+            axisMotion.tolerance = pair.tolerance * (sizeX + sizeY);
+            return times.narrow(axisMotion);
         }
     }
 }

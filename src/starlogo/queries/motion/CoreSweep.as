@@ -159,7 +159,7 @@ package starlogo.queries.motion
             core.moving.moveTo(_end);
             var other:Body = core.moving.bodyOf(impact.row);
             _relative.endAfter(motion.x, motion.y, motion.z);
-            core.moving.narrowPhase.pairTestsFor(whole, other).findImpact(whole, other, _relative, null);
+            core.moving.narrowPhase.pairTestsFor(whole, other).findImpactOfSurfaces(whole, other, _relative, null);
             var earliest:Number = Math.min(ofPlane, impact.time);
             var latest:Number = Math.max(ofPlane, impact.time);
             return Math.max(earliest, Math.min(latest, _relative.time));
@@ -251,7 +251,7 @@ package starlogo.queries.motion
             if (core.isNear(moved, other, motion))
             {
                 var tests:PairTests = core.moving.narrowPhase.pairTestsFor(moved, other);
-                tests.findImpact(moved, other, motion, out);
+                tests.findImpactOfSurfaces(moved, other, motion, out);
                 // a sheet may be wholly under the ground at the beginning, and then it touches no surface
                 var mayBeInside:Boolean = countsInside ? motion.time > 0 : motion.time == RelativeMotion.NEVER && other.form == ModelShape.GROUND;
                 if (mayBeInside && tests.beginsInside(moved, other, motion))

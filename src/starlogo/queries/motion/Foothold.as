@@ -75,7 +75,7 @@ package starlogo.queries.motion
             _origin.setTo(contact.x - behind * contact.normalX / across, contact.y - behind * contact.normalY / across, contact.z + above);
             _ray.aim(_origin, DOWN);
             _ray.to = 2 * above;
-            if (!_rowRays.findHit(row, _ray, _entry) || _entry.distance == 0 || !(_entry.normalZ >= walk.walkableZ))
+            if (!_rowRays.findRayEntry(row, _ray, _entry) || _entry.distance == 0 || !(_entry.normalZ >= walk.walkableZ))
             {
                 return false;
             }

@@ -47,12 +47,12 @@ package starlogo.queries.rays
          * @param out receives the distance of the hit, 0 if the origin is inside, and the normal and the triangle there
          * @return whether it meets the row
          */
-        public function findHit(row:int, ray:Ray, out:RayEntry):Boolean
+        public function findRayEntry(row:int, ray:Ray, out:RayEntry):Boolean
         {
             var body:Body = _seen.table.bodyOf(row);
             if (body.form == ModelShape.GROUND)
             {
-                return _seen.narrowPhase.groundTestsOf(body).findHit(body, ray, out);
+                return _seen.narrowPhase.groundTestsOf(body).findRayEntry(body, ray, out);
             }
             bringIntoModel(ray, body.placement, _inModel);
             return _inModel.isFinite && findHitOfShape(body, _inModel, out) && bringBack(out, _inModel, body.placement, ray);

@@ -65,7 +65,7 @@ package starlogo.search.pairs
         }
 
         /** Finds where a ray first meets the ground. Returns whether it does. */
-        public function findHit(b:Body, ray:Ray, out:RayEntry):Boolean
+        public function findRayEntry(b:Body, ray:Ray, out:RayEntry):Boolean
         {
             return _rays.find(gridOf(b), ray, out);
         }
@@ -95,9 +95,9 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function findImpact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        override public function findImpactOfSurfaces(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            queryOf(a, b).findImpact(motion, out);
+            queryOf(a, b).findImpactOfSurfaces(motion, out);
         }
 
         /** A model may be wholly under the surface. @inheritDoc */

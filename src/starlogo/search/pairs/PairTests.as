@@ -2,7 +2,7 @@
 // for agents, GroundPairTests and EdgePairTests for an agent and the ground or the edges of the world. SupportSearch finds how far a body reaches.
 // Read this file first, then StructurePairTests, the shortest one. Its methods for motions differ if the two touch where the motion begins:
 // - findFirstTouch: the time 0, and the contact there.
-// - findImpact: the time 0, or the first moment at which their surfaces touch. Then beginsInside says whether one is inside of the other.
+// - findImpactOfSurfaces: the time 0, or the first moment at which their surfaces touch. Then beginsInside says whether one is inside of the other.
 // Otherwise all find the first touch. Only findFirstTouch finds one that rounding hides at the end of the motion.
 package starlogo.search.pairs
 {
@@ -145,7 +145,7 @@ package starlogo.search.pairs
          * @param motion as in findFirstTouch. But a touch that rounding errors hide at its end may be missing
          * @param out receives the contact, as in findContactOfParts; null if only the time is needed
          */
-        public function findImpact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        public function findImpactOfSurfaces(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             findFirstTouch(a, b, motion, out);
         }

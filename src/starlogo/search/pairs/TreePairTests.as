@@ -18,9 +18,9 @@ package starlogo.search.pairs
     import starlogo.search.penetration.ExitSearch;
     import starlogo.search.TreeLimits;
     import starlogo.solid.ModelTree;
-    import starlogo.solid.TreePair;
-    import starlogo.solid.TreeStructurePair;
-    import starlogo.solid.TreeTreePair;
+    import starlogo.solid.TreeQuery;
+    import starlogo.solid.TreeStructureQuery;
+    import starlogo.solid.TreeTreeQuery;
 
     use namespace engine;
 
@@ -35,8 +35,8 @@ package starlogo.search.pairs
 
         private var _limits:TreeLimits;
         private var _counts:TreeCounts;
-        private var _trees:TreeTreePair;
-        private var _treeAndStructure:TreeStructurePair;
+        private var _trees:TreeTreeQuery;
+        private var _treeAndStructure:TreeStructureQuery;
         private var _exitSearch:ExitSearch;
 
         // The motion of the second body while the first one stands still.
@@ -56,8 +56,8 @@ package starlogo.search.pairs
         {
             _limits = limits;
             _counts = counts;
-            _trees = new TreeTreePair(counts);
-            _treeAndStructure = new TreeStructurePair(counts);
+            _trees = new TreeTreeQuery(counts);
+            _treeAndStructure = new TreeStructureQuery(counts);
             _exitSearch = new ExitSearch(new DisplacedPair(this), this, null);
         }
 
@@ -75,7 +75,7 @@ package starlogo.search.pairs
                 return areTouching(b, a);
             }
             _counts.pairTests++;
-            return pairOf(a, b).areTouching();
+            return queryOf(a, b).areTouching();
         }
 
         /** @inheritDoc */
@@ -84,7 +84,7 @@ package starlogo.search.pairs
             var isReversed:Boolean = NarrowPhase.isReversed(a, b);
             var own:RelativeMotion = motionOfFirst(motion, isReversed);
             _counts.pairTests++;
-            pairInOrder(a, b, isReversed).findFirstTouch(own, out);
+            queryInOrder(a, b, isReversed).findFirstTouch(own, out);
             finish(own, motion, out);
         }
 
@@ -94,17 +94,17 @@ package starlogo.search.pairs
             // Two trees stay in this order. TwoAgents.findContact puts two agents into the order of the list before, so a contact is the same in either order.
             var isReversed:Boolean = a.form != ModelShape.TREE;
             var own:RelativeMotion = motionOfFirst(motion, isReversed);
-            pairInOrder(a, b, isReversed).findContact(own, out);
+            queryInOrder(a, b, isReversed).findContact(own, out);
             finish(own, motion, out);
         }
 
         /** @inheritDoc */
-        override public function findImpact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        override public function findImpactOfSurfaces(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             var isReversed:Boolean = NarrowPhase.isReversed(a, b);
             var own:RelativeMotion = motionOfFirst(motion, isReversed);
             _counts.pairTests++;
-            pairInOrder(a, b, isReversed).findImpact(own, out);
+            queryInOrder(a, b, isReversed).findImpactOfSurfaces(own, out);
             finish(own, motion, out);
         }
 
@@ -112,7 +112,7 @@ package starlogo.search.pairs
         override public function beginsInside(a:Body, b:Body, motion:RelativeMotion):Boolean
         {
             var isReversed:Boolean = NarrowPhase.isReversed(a, b);
-            return pairInOrder(a, b, isReversed).beginsInside(motionOfFirst(motion, isReversed));
+            return queryInOrder(a, b, isReversed).beginsInside(motionOfFirst(motion, isReversed));
         }
 
         /** @inheritDoc */
@@ -146,7 +146,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
-            pairOf(a, b).findClosest(areTouching, out);
+            queryOf(a, b).findClosest(areTouching, out);
         }
 
         /**
@@ -189,14 +189,14 @@ package starlogo.search.pairs
             }
         }
 
-        // Returns two bodies as a pair, in this order or the reverse.
-        private function pairInOrder(a:Body, b:Body, isReversed:Boolean):TreePair
+        // Returns the question about two bodies, in this order or the reverse.
+        private function queryInOrder(a:Body, b:Body, isReversed:Boolean):TreeQuery
         {
-            return isReversed ? pairOf(b, a) : pairOf(a, b);
+            return isReversed ? queryOf(b, a) : queryOf(a, b);
         }
 
-        // Returns two bodies as a pair that the next call overwrites. The first one is a tree.
-        private function pairOf(a:Body, b:Body):TreePair
+        // Returns the question about two bodies that the next call overwrites. The first one is a tree.
+        private function queryOf(a:Body, b:Body):TreeQuery
         {
             var tree:ModelTree = a.shape.tree;
             if (b.shape.tree != null)

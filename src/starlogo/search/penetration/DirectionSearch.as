@@ -132,7 +132,7 @@ package starlogo.search.penetration
             _pair.displace(_tried);
             var length:Number = between.inner - between.outer;
             _back.endAfter(length * _tried.x, length * _tried.y, length * _tried.z);
-            _pair.findImpact(_back, parting);
+            _pair.findImpactOfSurfaces(_back, parting);
             if (_back.time == RelativeMotion.NEVER)
             {
                 // rounding hides the touch at the end

@@ -158,10 +158,10 @@ package starlogo.search.penetration
             return _tests.areTouching(first, second);
         }
 
-        /** Finds the first touch on a motion that ends where the first body is. See PairTests.findImpact. */
-        public function findImpact(motion:RelativeMotion, out:ContactPoint):void
+        /** Finds the first touch on a motion that ends where the first body is. See PairTests.findImpactOfSurfaces. */
+        public function findImpactOfSurfaces(motion:RelativeMotion, out:ContactPoint):void
         {
-            _tests.findImpact(first, second, motion, out);
+            _tests.findImpactOfSurfaces(first, second, motion, out);
         }
 
         /** Finds the contact of two parts where the first body is. See PairTests.findContactOfParts. */

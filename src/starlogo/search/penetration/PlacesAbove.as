@@ -164,7 +164,7 @@ package starlogo.search.penetration
                 _tried.distance = 1;
                 _pair.displace(_tried);
                 _sweep.endAfter(_target.displacement.x - x, _target.displacement.y - y, _target.displacement.z - z);
-                _pair.findImpact(_sweep, _met);
+                _pair.findImpactOfSurfaces(_sweep, _met);
                 var time:Number = Math.min(_sweep.time, 1);
                 x += time * _sweep.x;
                 y += time * _sweep.y;
@@ -189,7 +189,7 @@ package starlogo.search.penetration
             _level.setDirection(from.distance * from.x, from.distance * from.y, 0);
             _pair.displace(_level);
             _sweep.endAfter(0, 0, -from.distance * from.z);
-            _pair.findImpact(_sweep, _met);
+            _pair.findImpactOfSurfaces(_sweep, _met);
             return Math.min(_sweep.time, 1);
         }
     }

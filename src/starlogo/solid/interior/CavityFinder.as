@@ -159,8 +159,8 @@ package starlogo.solid.interior
             return closed.enclosing == null || closed.enclosing.length > 0 && _testedShells < WindingCounter.MOST_TESTS_PER_TRIANGLE * _mesh.tree.itemCount;
         }
 
-        // Finds the shells that enclose a point of a triangle of a shell. The triangle is the one that was taken. The point is near a corner, or in the
-        // middle, and a little inside of the shell.
+        // Finds the shells that enclose a point of a triangle of a shell: near a corner, or in the middle, and a little inside of the shell. readTriangle()
+        // must have read the triangle.
         private function findEnclosingNear(shell:int, slot:int, corner:int):void
         {
             var inwards:Number = INWARDS * _extremes.extentOf(shell);

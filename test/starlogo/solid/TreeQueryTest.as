@@ -31,14 +31,14 @@ package starlogo.solid
     use namespace engine;
 
     /** Depths of all combinations find no more the deeper they are; nothing overflows, whatever the sizes. */
-    public class TreePairTest
+    public class TreeQueryTest
     {
         public static const FIXTURES:Array = ["/assets/bear.obj"];
 
         private static var sHierarchies:Object = {};
 
-        private var _trees:TreeTreePair = new TreeTreePair(new TreeCounts());
-        private var _treeAndStructure:TreeStructurePair = new TreeStructurePair(new TreeCounts());
+        private var _trees:TreeTreeQuery = new TreeTreeQuery(new TreeCounts());
+        private var _treeAndStructure:TreeStructureQuery = new TreeStructureQuery(new TreeCounts());
 
         [Test]
         public function specksBesideGiants():void
@@ -89,7 +89,7 @@ package starlogo.solid
             var bear:ModelTree = hierarchyOf(new ObjModel("bear", Fixtures.text(FIXTURES[0])));
             var cube:ModelTree = hierarchyOf(BuiltInModel.cube());
             var stands:Placement = new Placement();
-            var pair:TreeStructurePair = _treeAndStructure;
+            var pair:TreeStructureQuery = _treeAndStructure;
             var out:ClosestPoints = new ClosestPoints();
             var corners:Vector.<Number> = new Vector.<Number>(9);
             for (var slot:int = bear.boxTree.itemCount - 1; slot > cube.boxTree.itemCount; slot -= 100)

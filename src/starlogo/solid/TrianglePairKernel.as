@@ -7,7 +7,7 @@ package starlogo.solid
     import starlogo.geometry.Placement;
     import starlogo.geometry.placePoints;
     import starlogo.hierarchy.BestPair;
-    import starlogo.hierarchy.NodePairVisitor;
+    import starlogo.hierarchy.NodePairKernel;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.hierarchy.TriangleMesh;
     import starlogo.intersection.TriangleKernel;
@@ -19,7 +19,7 @@ package starlogo.solid
      * triangles of b's node are placed in a's space, and kept as long as the next pairs have the same node. TriangleKernel decides about two triangles,
      * unless a quick test rules them out. TriangleContactFinder finds the contact of the two that touch first.
      */
-    internal final class TrianglePairVisitor extends NodePairVisitor
+    internal final class TrianglePairKernel extends NodePairKernel
     {
         private static const NONE:int = -1;
 
@@ -48,7 +48,7 @@ package starlogo.solid
 
         private var _counts:TreeCounts;
 
-        // The largest distance at which triangles touch, and the largest one at which quick tests let them pass: see TreeTreePair.
+        // The largest distance at which triangles touch, and the largest one at which quick tests let them pass: see TreeTreeQuery.
         private var _tolerance:Number = 0;
         private var _quickDistance:Number = 0;
 
@@ -59,7 +59,7 @@ package starlogo.solid
         private var _choice:ImpactChoice = new ImpactChoice();
 
         /** @param counts counts the pairs of triangles that are tested or measured */
-        public function TrianglePairVisitor(counts:TreeCounts)
+        public function TrianglePairKernel(counts:TreeCounts)
         {
             _counts = counts;
         }
@@ -67,22 +67,22 @@ package starlogo.solid
         /**
          * Begins with two trees that have triangles.
          *
-         * @param pair its pose is where b is at time 0
+         * @param query its pose is where b is at time 0
          * @param motion of b in a's space; RelativeMotion.NONE if it stands
          * @return this
          */
-        public function begin(pair:TreeTreePair, motion:RelativeMotion):NodePairVisitor
+        public function begin(query:TreeTreeQuery, motion:RelativeMotion):NodePairKernel
         {
-            _placement = pair.pose.placement;
-            _meshA = pair.a.mesh;
-            _meshB = pair.b.mesh;
+            _placement = query.pose.placement;
+            _meshA = query.a.mesh;
+            _meshB = query.b.mesh;
             _extentsOfA = _meshA.extents;
             _motion.copyVector(motion);
             _motion.latest = motion.latest;
             _choice.begin(motion.latest);
             _firstPlaced = NONE;
-            _tolerance = pair.triangleTolerance;
-            _quickDistance = pair.quickDistance(motion);
+            _tolerance = query.triangleTolerance;
+            _quickDistance = query.quickDistance(motion);
             return this;
         }
 
@@ -99,8 +99,7 @@ package starlogo.solid
                     if (areExtentsNear(slot))
                     {
                         _counts.triangleTests++;
-                        setTriangleOfA(slot);
-                        if (areTrianglesTouching())
+                        if (isTouching(slot))
                         {
                             return true;
                         }
@@ -113,7 +112,6 @@ package starlogo.solid
         /** @inheritDoc */
         override public function findEarlier(a:int, b:int, best:BestPair):void
         {
-            var motion:RelativeMotion = _motion;
             var first:int = _meshA.tree.first[a];
             var end:int = _meshA.tree.end[a];
             // Higher slots come first, as the traversal visits the right child first if both bounds are equal.
@@ -128,16 +126,15 @@ package starlogo.solid
                         continue;
                     }
                     _counts.triangleTests++;
-                    setTriangleOfA(slot);
-                    if (findTime(motion))
+                    if (findTime(slot))
                     {
-                        if (_choice.choose(motion, _kernel.plane, _planeOfB))
+                        if (_choice.choose(_motion, _kernel.plane, _planeOfB))
                         {
                             best.a = slot;
                             best.b = _firstPlaced + i;
                         }
                         best.time = _choice.time;
-                        best.limit = motion.latest = _choice.latest;
+                        best.limit = _motion.latest = _choice.latest;
                     }
                 }
             }
@@ -204,28 +201,30 @@ package starlogo.solid
             _extents[int(to + 1)] = travel > 0 ? high + travel : high;
         }
 
-        // Sets a's current triangle.
-        private function setTriangleOfA(slot:int):void
+        // Whether a triangle of a touches b's current triangle.
+        private function isTouching(slot:int):Boolean
         {
-            _meshA.readTriangle(slot, _cornersOfA);
-            _kernel.setTriangle(_cornersOfA);
+            return !staysOnOneSide(slot) && !TriangleSeparation.areApart(_cornersOfA, 0, _kernel.shape) && _kernel.areTouching();
         }
 
-        // Whether the two current triangles touch.
-        private function areTrianglesTouching():Boolean
+        // Finds when b's current triangle first touches a triangle of a. Sets the motion's time if that is no later than its latest time, and returns
+        // whether it is.
+        private function findTime(slot:int):Boolean
         {
-            return !staysOnOneSide() && !TriangleSeparation.areApart(_cornersOfA, 0, _kernel.shape) && _kernel.areTouching();
-        }
-
-        // Finds when the two current triangles first touch. Sets the motion's time if that is no later than its latest time, and returns whether it is.
-        private function findTime(motion:RelativeMotion):Boolean
-        {
-            if (staysOnOneSide())
+            if (staysOnOneSide(slot))
             {
                 return false;
             }
-            _kernel.findTime(motion);
-            return motion.time <= motion.latest;
+            _kernel.findTime(_motion);
+            return _motion.time <= _motion.latest;
+        }
+
+        // Reads a triangle of a for the kernel. Returns whether b's current triangle stays on one side of its plane.
+        private function staysOnOneSide(slot:int):Boolean
+        {
+            _meshA.readTriangle(slot, _cornersOfA);
+            _kernel.setTriangle(_cornersOfA);
+            return _kernel.plane.timeOfEntry(_kernel.shape, _quickDistance, _motion) > _motion.latest;
         }
 
         // Finds the closest points of a triangle of a, and of b's triangle by its index in the node, if they are nearer than those so far.
@@ -255,12 +254,6 @@ package starlogo.solid
             var at:int = 6 * slot;
             return !(ofA[at] > ofB[1] || ofA[int(at + 1)] < ofB[0] || ofA[int(at + 2)] > ofB[3] || ofA[int(at + 3)] < ofB[2]
                     || ofA[int(at + 4)] > ofB[5] || ofA[int(at + 5)] < ofB[4]);
-        }
-
-        // Whether b's current triangle stays on one side of the plane of a's.
-        private function staysOnOneSide():Boolean
-        {
-            return _kernel.plane.findEntry(_kernel.shape, _quickDistance, _motion) > _motion.latest;
         }
 
         // The squared distance of the extents of a triangle of a from those of b's current triangle. Both are prepared, because each triangle is

@@ -12,7 +12,7 @@ package starlogo.solid
 
     /**
      * Two placed models a and b, of which a is a tree: whether they overlap, how far they are apart, and when and where they touch while a moves. Abstract:
-     * b is a tree too (TreeTreePair), or a structure stands for it (TreeStructurePair). Nothing is allocated once the stacks have grown and the models'
+     * b is a tree too (TreeTreeQuery), or a structure stands for it (TreeStructureQuery). Nothing is allocated once the stacks have grown and the models'
      * triangles are prepared.
      *
      * <p>The thesis transforms both structures into the world for each pair of nodes (§4.5). Here one RelativePose for each pair of models transforms
@@ -22,7 +22,7 @@ package starlogo.solid
      *
      * @private
      */
-    public class TreePair extends ImpactQuery
+    public class TreeQuery extends ImpactQuery
     {
         /** The placement of a in the world. */
         public var placementA:Placement = null;
@@ -50,7 +50,7 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public final function findImpact(motion:RelativeMotion, out:ContactPoint):void
+        override public final function findImpactOfSurfaces(motion:RelativeMotion, out:ContactPoint):void
         {
             pose.relateAt(placementA, motion, 0, placementB);
             RelativePose.relateMotion(placementA, motion, _motion);

@@ -4,11 +4,11 @@ package starlogo.hierarchy
 
     /**
      * Decides about the pairs of nodes at which a traversal ends, by their items. Abstract: a subclass knows the two trees and their items. If a traversal
-     * has no visitor, the nodes' boxes decide.
+     * has no kernel, the nodes' boxes decide.
      *
      * @private
      */
-    public class NodePairVisitor
+    public class NodePairKernel
     {
         /** Whether items of two nodes, which stand, touch. */
         public function areTouching(a:int, b:int):Boolean

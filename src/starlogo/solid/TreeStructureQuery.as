@@ -22,7 +22,7 @@ package starlogo.solid
      *
      * @private
      */
-    public final class TreeStructurePair extends TreePair
+    public final class TreeStructureQuery extends TreeQuery
     {
         private var _tree:ModelTree = null;
         private var _depth:int = 0;
@@ -46,7 +46,7 @@ package starlogo.solid
         private var _measured:ClosestPoints = new ClosestPoints();
 
         /** @param counts counts what the questions take */
-        public function TreeStructurePair(counts:TreeCounts)
+        public function TreeStructureQuery(counts:TreeCounts)
         {
             _nodeImpact = new NodeImpactVisitor(counts);
             _triangleImpact = new TriangleImpactVisitor(counts);
@@ -62,7 +62,7 @@ package starlogo.solid
          * @param exact whether triangles decide in place of the depth, if the tree has triangles
          * @return this
          */
-        public function setTo(tree:ModelTree, placementA:Placement, depth:int, structure:BoundingStructure, placementB:Placement, exact:Boolean):TreePair
+        public function setTo(tree:ModelTree, placementA:Placement, depth:int, structure:BoundingStructure, placementB:Placement, exact:Boolean):TreeQuery
         {
             _tree = tree;
             _isExact = exact && tree.hasTriangles;

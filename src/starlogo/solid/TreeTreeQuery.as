@@ -12,7 +12,7 @@ package starlogo.solid
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.DistanceTraversal;
     import starlogo.hierarchy.ImpactTraversal;
-    import starlogo.hierarchy.NodePairVisitor;
+    import starlogo.hierarchy.NodePairKernel;
     import starlogo.hierarchy.OverlapTraversal;
     import starlogo.hierarchy.PosedTrees;
     import starlogo.hierarchy.TreeCounts;
@@ -26,7 +26,7 @@ package starlogo.solid
      *
      * @private
      */
-    public final class TreeTreePair extends TreePair
+    public final class TreeTreeQuery extends TreeQuery
     {
         /** The tree of a. */
         internal var a:ModelTree = null;
@@ -39,7 +39,7 @@ package starlogo.solid
 
         // Whether triangles decide, and how.
         private var _isExact:Boolean = false;
-        private var _pairVisitor:TrianglePairVisitor;
+        private var _pairKernel:TrianglePairKernel;
         private var _contactFinder:TriangleContactFinder;
 
         private var _overlap:OverlapTraversal;
@@ -48,10 +48,10 @@ package starlogo.solid
         private var _containment:TreeContainmentQuery = new TreeContainmentQuery();
 
         /** @param counts counts what the questions take */
-        public function TreeTreePair(counts:TreeCounts)
+        public function TreeTreeQuery(counts:TreeCounts)
         {
             _trees.pose = pose;
-            _pairVisitor = new TrianglePairVisitor(counts);
+            _pairKernel = new TrianglePairKernel(counts);
             _contactFinder = new TriangleContactFinder(counts);
             _overlap = new OverlapTraversal(counts);
             _impact = new ImpactTraversal(counts);
@@ -65,7 +65,7 @@ package starlogo.solid
          * @param exact whether triangles decide in place of depths, if both trees have triangles
          * @return this
          */
-        public function setTo(a:ModelTree, placementA:Placement, depthA:int, b:ModelTree, placementB:Placement, depthB:int, exact:Boolean):TreePair
+        public function setTo(a:ModelTree, placementA:Placement, depthA:int, b:ModelTree, placementB:Placement, depthB:int, exact:Boolean):TreeQuery
         {
             _isExact = exact && a.hasTriangles && b.hasTriangles;
             this.a = a;
@@ -97,7 +97,7 @@ package starlogo.solid
         /** @inheritDoc */
         override internal function areTouchingInPose():Boolean
         {
-            var result:int = _overlap.find(_trees, visitorFor(RelativeMotion.NONE));
+            var result:int = _overlap.find(_trees, kernelFor(RelativeMotion.NONE));
             // If the roots do not overlap, neither model is inside of the other. This holds for most models that are close but do not collide.
             return result == OverlapTraversal.OVERLAPPING || result == OverlapTraversal.ONLY_ROOTS && _containment.findInside(this, null);
         }
@@ -105,7 +105,7 @@ package starlogo.solid
         /** @inheritDoc */
         override internal function findImpactInPose(motion:RelativeMotion, out:ContactPoint):void
         {
-            var best:BestPair = _impact.findImpact(_trees, motion, visitorFor(motion));
+            var best:BestPair = _impact.findImpact(_trees, motion, kernelFor(motion));
             motion.time = best.time;
             if (out == null || motion.time == RelativeMotion.NEVER)
             {
@@ -138,7 +138,7 @@ package starlogo.solid
         /** @inheritDoc */
         override internal function findClosestOfSurfaces(out:ClosestPoints):void
         {
-            _distance.findClosest(_trees, visitorFor(RelativeMotion.NONE), out);
+            _distance.findClosest(_trees, kernelFor(RelativeMotion.NONE), out);
         }
 
         /** Neither is inside if the boxes of the roots do not touch. Then the insides are not prepared. @inheritDoc */
@@ -148,9 +148,9 @@ package starlogo.solid
         }
 
         // What decides about two nodes: their triangles, or null for their boxes. The motion is that of b.
-        private function visitorFor(motion:RelativeMotion):NodePairVisitor
+        private function kernelFor(motion:RelativeMotion):NodePairKernel
         {
-            return _isExact ? _pairVisitor.begin(this, motion) : null;
+            return _isExact ? _pairKernel.begin(this, motion) : null;
         }
     }
 }

@@ -12,7 +12,7 @@ package starlogo.ground
         /** How far the box moves from time 0 to time 1. */
         public var travel:Number = 0;
 
-        /** Where the first cell of the ground begins. */
-        public var firstCell:Number = 0;
+        /** Where the cells of the ground begin. */
+        public var cellsBegin:Number = 0;
     }
 }

@@ -25,15 +25,15 @@ package starlogo.ground
         /** The search. Read only. */
         public var search:GroundSearch;
 
-        /** The latest time of the motion when the search began. It may have become earlier since. Read only. */
-        public var latest:Number = 0;
-
         /** No rounding error of the search's coordinates is larger, and no margin of a triangle (see Touching). Read only. */
         public var slack:Number = 0;
 
         /** How the box moves along x and along y. Read only. */
         public var alongX:AxisPath = new AxisPath();
         public var alongY:AxisPath = new AxisPath();
+
+        // The latest time of the motion when the search began. It may have become earlier since.
+        private var _latest:Number = 0;
 
         // Half the box's height, with slack for rounding.
         private var _halfZ:Number = 0;
@@ -49,15 +49,15 @@ package starlogo.ground
             var grid:HeightGrid = search.grid;
             var box:GroundBox = search.box;
             var motion:RelativeMotion = search.motion;
-            latest = motion.latest;
-            alongX.firstCell = grid.x - search.origin.x - grid.border;
-            alongY.firstCell = grid.y - search.origin.y - grid.border;
+            _latest = motion.latest;
+            alongX.cellsBegin = grid.x - search.origin.x - grid.border;
+            alongY.cellsBegin = grid.y - search.origin.y - grid.border;
             zeroHeight = -search.origin.z;
             // the margins are fractions of the triangles' sizes, and so of the cell's width and the heights
             var whole:HeightBounds = grid.pyramid.whole;
             slack = ROUNDED_TERMS * Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(box.y) + Math.abs(box.z) + box.halfX + box.halfY + box.halfZ
-                    + Math.abs(alongX.firstCell) + Math.abs(alongY.firstCell) + Math.abs(zeroHeight) + grid.cellWidth + whole.greatest - whole.least
-                    + latest * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z)));
+                    + Math.abs(alongX.cellsBegin) + Math.abs(alongY.cellsBegin) + Math.abs(zeroHeight) + grid.cellWidth + whole.greatest - whole.least
+                    + _latest * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z)));
             alongX.middle = box.x;
             alongX.half = box.halfX * Tolerances.OUTER + slack;
             alongX.travel = motion.x;
@@ -71,7 +71,7 @@ package starlogo.ground
         public function firstLevel():int
         {
             // the longer side of the rectangle over which the box passes
-            var length:Number = Math.max(2 * alongX.half + latest * Math.abs(alongX.travel), 2 * alongY.half + latest * Math.abs(alongY.travel))
+            var length:Number = Math.max(2 * alongX.half + _latest * Math.abs(alongX.travel), 2 * alongY.half + _latest * Math.abs(alongY.travel))
                 + 2 * search.maxDistance;
             var level:int = 0;
             while (level < search.grid.pyramid.lastLevel && length > FIRST_SQUARES * widthAt(level))
@@ -90,14 +90,14 @@ package starlogo.ground
         /** The first column or row of a level that the box may pass over in a passage. It may be outside of the grid. */
         public function firstOf(axis:AxisPath, passage:SquarePassage, level:int):int
         {
-            var least:Number = axis.middle - axis.firstCell + Math.min(passage.from * axis.travel, passage.to * axis.travel);
+            var least:Number = axis.middle - axis.cellsBegin + Math.min(passage.from * axis.travel, passage.to * axis.travel);
             return squareAt(least - (axis.half + search.maxDistance), level);
         }
 
         /** The last column or row of a level that the box may pass over in a passage. It may be outside of the grid. */
         public function lastOf(axis:AxisPath, passage:SquarePassage, level:int):int
         {
-            var greatest:Number = axis.middle - axis.firstCell + Math.max(passage.from * axis.travel, passage.to * axis.travel);
+            var greatest:Number = axis.middle - axis.cellsBegin + Math.max(passage.from * axis.travel, passage.to * axis.travel);
             return squareAt(greatest + (axis.half + search.maxDistance), level);
         }
 
@@ -107,29 +107,45 @@ package starlogo.ground
             return Math.max(-1, Math.min(int.MAX_VALUE, Math.floor(distance / widthAt(level))));
         }
 
-        /**
-         * Narrows a passage to the part in which the box is over a square, and finds the heights between which the box is then.
-         *
-         * @param passage a part of the motion; receives the part and the heights
-         * @return whether there is such a part
-         */
-        public function findPassage(level:int, column:int, row:int, passage:SquarePassage):Boolean
+        /** Finds the passage over the whole ground: all of the motion until its latest time. */
+        public function findWholePassage(out:SquarePassage):void
+        {
+            out.begin(search.motion.latest);
+            findHeights(out);
+        }
+
+        /** Finds the passage over a square until the latest time. Returns whether there is one. */
+        public function findPassage(level:int, column:int, row:int, out:SquarePassage):Boolean
+        {
+            out.begin(search.motion.latest);
+            narrowToSquare(level, column, row, out);
+            return out.from <= out.to;
+        }
+
+        /** Finds the passage over a cell until the time that was the latest when the search began. */
+        public function findLongestPassage(column:int, row:int, out:SquarePassage):void
+        {
+            out.begin(_latest);
+            narrowToSquare(0, column, row, out);
+        }
+
+        // Narrows a passage to the part in which the box is over a square, and finds its heights.
+        private function narrowToSquare(level:int, column:int, row:int, passage:SquarePassage):void
         {
             narrowAlong(alongX, column, level, passage);
             narrowAlong(alongY, row, level, passage);
             findHeights(passage);
-            return passage.from <= passage.to;
         }
 
-        /** Finds the heights between which the box is in a passage over a square. */
-        public function findHeights(passage:SquarePassage):void
+        // Finds the heights between which the box is in a passage.
+        private function findHeights(passage:SquarePassage):void
         {
             var start:Number = search.box.z + passage.from * search.motion.z;
             var end:Number = search.box.z + passage.to * search.motion.z;
             // a triangle beside the box must be nearer in height to be near enough
             var up:Number = Math.sqrt(Math.max(0, search.maxDistance * search.maxDistance - passage.besideSquared));
-            passage.low = Math.min(start, end) - _halfZ - up;
-            passage.high = Math.max(start, end) + _halfZ + up;
+            passage.least = Math.min(start, end) - _halfZ - up;
+            passage.greatest = Math.max(start, end) + _halfZ + up;
         }
 
         // Narrows a passage to the part in which the box is over a column or a row. If the box does not move along this axis, it is near enough to the
@@ -140,13 +156,13 @@ package starlogo.ground
             var travel:Number = axis.travel;
             if (travel == 0)
             {
-                var beside:Number = Math.max(0, Math.abs(axis.middle - axis.firstCell - (square + 0.5) * width) - width / 2 - axis.half);
+                var beside:Number = Math.max(0, Math.abs(axis.middle - axis.cellsBegin - (square + 0.5) * width) - width / 2 - axis.half);
                 passage.besideSquared += beside * beside;
                 passage.to = beside > search.maxDistance ? -1 : passage.to;
                 return;
             }
-            var low:Number = (axis.firstCell + square * width - (axis.middle + axis.half)) / travel;
-            var high:Number = (axis.firstCell + (square + 1) * width - (axis.middle - axis.half)) / travel;
+            var low:Number = (axis.cellsBegin + square * width - (axis.middle + axis.half)) / travel;
+            var high:Number = (axis.cellsBegin + (square + 1) * width - (axis.middle - axis.half)) / travel;
             passage.from = Math.max(passage.from, Math.min(low, high));
             passage.to = Math.min(passage.to, Math.max(low, high));
         }
@@ -173,8 +189,8 @@ package starlogo.ground
                 return false;
             }
             var width:Number = widthAt(level);
-            var x:Number = alongX.firstCell + column * width;
-            var y:Number = alongY.firstCell + row * width;
+            var x:Number = alongX.cellsBegin + column * width;
+            var y:Number = alongY.cellsBegin + row * width;
             _least.setTo(x - slack, y - slack, heights.least - slack);
             _greatest.setTo(x + width + slack, y + width + slack, heights.greatest + slack);
             return _separation.isFarther(search, _least, _greatest);

@@ -24,8 +24,8 @@ package starlogo.ground
         private var _minY:Number = 0;
         private var _maxY:Number = 0;
         private var _tops:Vector.<Number> = new Vector.<Number>(4, true);
-        private var _lowest:Number = 0;
-        private var _highest:Number = 0;
+        private var _least:Number = 0;
+        private var _greatest:Number = 0;
 
         // The index of the cell's next triangle, and the end of its triangles: 0, TOPS_END or WALLS_END.
         private var _next:int = 0;
@@ -36,7 +36,7 @@ package starlogo.ground
 
         // How the box passes over the cell until the latest time at the beginning of the search. Tall walls are cut above and below it, so no corner
         // depends on what the latest time has become.
-        private var _wholePassage:SquarePassage = new SquarePassage();
+        private var _longestPassage:SquarePassage = new SquarePassage();
 
         /** @param path of the boxes over the ground */
         public function CellTriangles(path:BoxPath)
@@ -71,18 +71,17 @@ package starlogo.ground
             readTops(at);
             var isAtBorder:Boolean = column == 0 || row == 0 || column == grid.lastCellColumn || row == grid.lastCellRow;
             var hasWalls:Boolean = isAtBorder || grid.isBlocky || hasHoles && grid.isBesideHole(at);
-            if (passage.low <= _highest && (hasWalls || passage.high >= _lowest))
+            if (passage.least <= _greatest && (hasWalls || passage.greatest >= _least))
             {
                 var width:Number = grid.cellWidth;
-                _minX = _path.alongX.firstCell + column * width;
-                _maxX = _path.alongX.firstCell + (column + 1) * width;
-                _minY = _path.alongY.firstCell + row * width;
-                _maxY = _path.alongY.firstCell + (row + 1) * width;
+                _minX = _path.alongX.cellsBegin + column * width;
+                _maxX = _path.alongX.cellsBegin + (column + 1) * width;
+                _minY = _path.alongY.cellsBegin + row * width;
+                _maxY = _path.alongY.cellsBegin + (row + 1) * width;
                 _end = TOPS_END;
                 if (hasWalls)
                 {
-                    _wholePassage.begin(_path.latest);
-                    _path.findPassage(0, column, row, _wholePassage);
+                    _path.findLongestPassage(column, row, _longestPassage);
                     _end = WALLS_END;
                 }
             }
@@ -106,10 +105,10 @@ package starlogo.ground
             // comparisons take the player less time than Math.min() and Math.max()
             var low:Number = first < second ? first : second;
             low = low < third ? low : third;
-            _lowest = low < fourth ? low : fourth;
+            _least = low < fourth ? low : fourth;
             var high:Number = first > second ? first : second;
             high = high > third ? high : third;
-            _highest = high > fourth ? high : fourth;
+            _greatest = high > fourth ? high : fourth;
         }
 
         /** Writes the next triangle near the box. Returns false if there is none. */
@@ -150,7 +149,7 @@ package starlogo.ground
             out.minZ = low - slack;
             out.maxZ = high + slack;
             out.radius = _path.search.grid.cellWidth + high - low;
-            return _passage.low <= high && _passage.high >= low;
+            return _passage.least <= high && _passage.greatest >= low;
         }
 
         // Writes half of the top: the first half is beside the side with the greatest x.
@@ -185,18 +184,18 @@ package starlogo.ground
                 // no wall is between two slopes
                 low = grid.isBlocky ? grid.heights[row * grid.columns + column] + _path.zeroHeight : Infinity;
             }
-            if (low >= top && low >= endTop || low > _passage.high)
+            if (low >= top && low >= endTop || low > _passage.greatest)
             {
                 return false;
             }
             var width:Number = grid.cellWidth;
             if (floor == -Infinity)
             {
-                low = Math.max(low, Math.min(_wholePassage.low, Math.min(top, endTop)) - width);
+                low = Math.max(low, Math.min(_longestPassage.least, Math.min(top, endTop)) - width);
             }
-            if (Math.min(top, endTop) > _wholePassage.high + width)
+            if (Math.min(top, endTop) > _longestPassage.greatest + width)
             {
-                top = endTop = _wholePassage.high + width;
+                top = endTop = _longestPassage.greatest + width;
             }
             writeCorner(side, corners, 0);
             writeCorner(end, corners, 3);

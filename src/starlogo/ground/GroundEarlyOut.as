@@ -28,7 +28,7 @@ package starlogo.ground
         // The place under the agent's middle, the one under the point of a sphere that is nearest to the ground, and bounds of the heights around.
         private var _under:GroundPoint = new GroundPoint();
         private var _nearest:GroundPoint = new GroundPoint();
-        private var _around:HeightBounds = new HeightBounds();
+        private var _heightsAround:HeightBounds = new HeightBounds();
 
         /**
          * Decides about an agent. Nothing is known about trees, about hulls whose extents have their middle in the ground, and about agents whose middle
@@ -86,13 +86,13 @@ package starlogo.ground
             var halfX:Number = extents.halfX * Tolerances.OUTER + slack;
             var halfY:Number = extents.halfY * Tolerances.OUTER + slack;
             var halfZ:Number = extents.halfZ * Tolerances.OUTER + slack;
-            grid.pyramid.findAround(extents.x, extents.y, halfX, halfY, _around);
-            if (extents.z - halfZ > _around.greatest)
+            grid.pyramid.findAround(extents.x, extents.y, halfX, halfY, _heightsAround);
+            if (extents.z - halfZ > _heightsAround.greatest)
             {
                 return true;
             }
-            var riseX:Number = _around.riseX * halfX / width;
-            var riseY:Number = _around.riseY * halfY / width;
+            var riseX:Number = _heightsAround.riseX * halfX / width;
+            var riseY:Number = _heightsAround.riseY * halfY / width;
             var height:Number = isSphere ? Math.sqrt(halfZ * halfZ + riseX * riseX + riseY * riseY) : halfZ + riseX + riseY;
             return !grid.isBlocky && above > height;
         }

@@ -14,7 +14,7 @@ package starlogo.ground
         private var _deepest:Vector3D = new Vector3D();
 
         // Bounds of the heights around the deepest point.
-        private var _around:HeightBounds = new HeightBounds();
+        private var _heightsAround:HeightBounds = new HeightBounds();
 
         /** Whether the deepest point is below the surface. */
         public function isInside(grid:HeightGrid, contact:ContactPoint):Boolean
@@ -35,19 +35,19 @@ package starlogo.ground
             {
                 return 0;
             }
-            grid.pyramid.findAround(_deepest.x, _deepest.y, maxLength, maxLength, _around);
-            if (_around.hasHole)
+            grid.pyramid.findAround(_deepest.x, _deepest.y, maxLength, maxLength, _heightsAround);
+            if (_heightsAround.hasHole)
             {
                 return 0;
             }
             // all of the ground around is at least as high as its least height, and no slope leads to the point faster than the steepest
-            var least:Number = Math.max(0, _around.least - _deepest.z);
+            var least:Number = Math.max(0, _heightsAround.least - _deepest.z);
             if (grid.isBlocky)
             {
                 return least;
             }
-            var slopeX:Number = _around.riseX / grid.cellWidth;
-            var slopeY:Number = _around.riseY / grid.cellWidth;
+            var slopeX:Number = _heightsAround.riseX / grid.cellWidth;
+            var slopeY:Number = _heightsAround.riseY / grid.cellWidth;
             return Math.max(least, below / Math.sqrt(1 + slopeX * slopeX + slopeY * slopeY));
         }
 

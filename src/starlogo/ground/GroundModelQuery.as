@@ -35,7 +35,7 @@ package starlogo.ground
         private var _touch:ImpactChoice = new ImpactChoice();
 
         // For the upper bound of a distance: the box around the model, a point of the ground, and the same point as the corners of a triangle.
-        private var _around:GroundBox = new GroundBox();
+        private var _modelBox:GroundBox = new GroundBox();
         private var _nearest:GroundPoint = new GroundPoint();
         private var _point:Vector.<Number> = new Vector.<Number>(9, true);
 
@@ -169,7 +169,7 @@ package starlogo.ground
         private function boundDistance(out:ClosestPoints):void
         {
             var origin:Placement = _pairs.origin;
-            var box:GroundBox = _around;
+            var box:GroundBox = _modelBox;
             _pairs.pieces.findBoxAroundWhole(box);
             _nearest.x = box.x + origin.x;
             _nearest.y = box.y + origin.y;

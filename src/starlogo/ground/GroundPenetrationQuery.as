@@ -35,8 +35,8 @@ package starlogo.ground
         private var _exits:GroundExits = new GroundExits();
 
         // The box around the model, and bounds of the heights around it.
-        private var _whole:GroundBox = new GroundBox();
-        private var _around:HeightBounds = new HeightBounds();
+        private var _modelBox:GroundBox = new GroundBox();
+        private var _heightsAround:HeightBounds = new HeightBounds();
 
         /**
          * @param pairs of the model, where it stands
@@ -71,12 +71,12 @@ package starlogo.ground
         public function findLift(out:ContactPoint):void
         {
             var origin:Placement = _pairs.origin;
-            var box:GroundBox = _whole;
+            var box:GroundBox = _modelBox;
             _pairs.pieces.findBoxAroundWhole(box);
             var low:Number = box.z - box.halfZ;
-            _pairs.grid.pyramid.findAround(box.x + origin.x, box.y + origin.y, box.halfX, box.halfY, _around);
+            _pairs.grid.pyramid.findAround(box.x + origin.x, box.y + origin.y, box.halfX, box.halfY, _heightsAround);
             out.setNormal(0, 0, 1);
-            out.depth = Math.max(0, _around.greatest - origin.z - low);
+            out.depth = Math.max(0, _heightsAround.greatest - origin.z - low);
             out.x = box.x;
             out.y = box.y;
             out.z = low + out.depth / 2;
@@ -102,8 +102,8 @@ package starlogo.ground
                         isApart = false;
                     }
                 }
-                // the point of a flat piece of a tree may be on the surface
-                if ((isApart || !_pairs.pieces.isTree) && _pieceTest.isUnder(depth))
+                // A structure's middle is inside of it. A tree's piece may be flat, with its middle on the surface. So there it counts only if no triangle touches.
+                if ((isApart || !_pairs.pieces.isTree) && _pieceTest.hasPointUnder(depth))
                 {
                     return true;
                 }

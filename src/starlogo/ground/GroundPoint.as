@@ -11,7 +11,7 @@ package starlogo.ground
         public var x:Number = NaN;
         public var y:Number = NaN;
 
-        /** The height there; NaN outside of the ground and over a hole. */
+        /** The height there; NaN outside of the ground and over a hole; Infinity if <code>findNearest()</code> found no ground. */
         public var height:Number = NaN;
 
         /**

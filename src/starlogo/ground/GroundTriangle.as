@@ -29,7 +29,7 @@ package starlogo.ground
         public var minZ:Number = 0;
         public var maxZ:Number = 0;
 
-        /** The margin of its surface (see Touching) and its plane. Only NearTriangles sets them. */
+        /** The margin of its surface (see Touching) and its plane. Only KeptTriangles sets them. */
         public var margin:Number = 0;
         public var plane:TrianglePlane = new TrianglePlane();
     }

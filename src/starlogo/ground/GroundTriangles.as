@@ -39,8 +39,7 @@ package starlogo.ground
             _path.begin(search);
             stop();
             _hasOnePassage = search.motion.isStill && search.maxDistance == 0;
-            _passage.begin(search.motion.latest);
-            _path.findHeights(_passage);
+            _path.findWholePassage(_passage);
             _firstLevel = _path.firstLevel();
             addSquares(_firstLevel, 0, 0, int.MAX_VALUE);
         }
@@ -109,7 +108,7 @@ package starlogo.ground
             var level:int = _squares[_squaresEnd];
             var column:int = _squares[int(_squaresEnd + 1)];
             var row:int = _squares[int(_squaresEnd + 2)];
-            if (!_hasOnePassage && !findPassage(level, column, row))
+            if (!_hasOnePassage && !_path.findPassage(level, column, row, _passage))
             {
                 return;
             }
@@ -119,18 +118,11 @@ package starlogo.ground
                 return;
             }
             readHeights(level, column, row);
-            if (_passage.low <= _heights.greatest && _passage.high >= _heights.least && !_path.isFarther(level, column, row, _heights))
+            if (_passage.least <= _heights.greatest && _passage.greatest >= _heights.least && !_path.isFarther(level, column, row, _heights))
             {
                 _path.narrowPassage(_heights, _passage);
                 addSquares(level - 1, column << HeightPyramid.SHIFT, row << HeightPyramid.SHIFT, 1 << HeightPyramid.SHIFT);
             }
-        }
-
-        // Finds the passage over a square. Returns whether there is one.
-        private function findPassage(level:int, column:int, row:int):Boolean
-        {
-            _passage.begin(_path.search.motion.latest);
-            return _path.findPassage(level, column, row, _passage);
         }
 
         // Reads between which heights the triangles of the current square are. Walls go down to below the box.
@@ -144,7 +136,7 @@ package starlogo.ground
             _heights.greatest += _path.zeroHeight;
             if (isAtBorder || _heights.hasHole)
             {
-                _heights.least = Math.min(_heights.least, _passage.low);
+                _heights.least = Math.min(_heights.least, _passage.least);
             }
         }
     }

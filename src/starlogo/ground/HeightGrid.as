@@ -1,7 +1,7 @@
 // This room says how shapes and rays meet the ground, a solid whose surface is triangles over a grid of heights. HeightGrid has the heights, and
 // HeightPyramid bounds of them. Three parts build on these:
 // - GroundTriangles finds the triangles near the box of a GroundSearch: square by square (BoxPath), then those of each cell (CellTriangles).
-// - GroundModelQuery tests a model. PieceTrianglePairs are its convex pieces (ModelPieces), each with the triangles near it (NearTriangles).
+// - GroundModelQuery tests a model. PieceTrianglePairs are its convex pieces (ModelPieces), each with the triangles near it (KeptTriangles).
 // PieceTouchTest decides whether a piece touches, GroundPenetrationQuery how deep the model is, GroundExits how long its way out is at least.
 // - GroundRayQuery tests a ray, and GroundEarlyOut decides about most agents by the heights alone.
 // Read this file first, then GroundSearch, GroundTriangles and GroundModelQuery.
@@ -32,7 +32,7 @@ package starlogo.ground
         public var x:Number;
         public var y:Number;
 
-        /** Whether the surface is upright blocks; otherwise it is slopes. May be set. */
+        /** Whether the surface is upright blocks; otherwise it is slopes. Read only. */
         public var isBlocky:Boolean = false;
 
         /** The heights, row by row. Read only. */
@@ -80,6 +80,12 @@ package starlogo.ground
                 }
             }
             pyramid.update(column, row, column + columns - 1, row + rows - 1);
+        }
+
+        /** Makes the surface blocks or slopes. */
+        public function setBlocky(value:Boolean):void
+        {
+            isBlocky = value;
         }
 
         /** Makes all heights 0, without holes. */
@@ -156,8 +162,9 @@ package starlogo.ground
             return atX >= x - beyond && atY >= y - beyond && atX <= x + (columns - 1) * cellWidth + beyond && atY <= y + (rows - 1) * cellWidth + beyond;
         }
 
-        // Whether a point is not outside of the ground, as seen from above. It takes a record, because V8 would make objects of the Numbers.
-        private function hasGroundBelow(point:GroundPoint):Boolean
+        // Whether a point is between the sides of the outermost cells, as seen from above; over a hole too. It takes a record, because V8 would make
+        // objects of the Numbers.
+        private function isInOutline(point:GroundPoint):Boolean
         {
             var beyond:Number = border;
             return point.x >= x - beyond && point.y >= y - beyond && point.x <= x + (columns - 1) * cellWidth + beyond && point.y <= y + (rows - 1) * cellWidth + beyond;
@@ -221,7 +228,7 @@ package starlogo.ground
         /** Finds the height at a point's x and y, and on slopes its triangle. */
         public function findHeight(point:GroundPoint):void
         {
-            if (!hasGroundBelow(point))
+            if (!isInOutline(point))
             {
                 point.height = NaN;
             }
@@ -341,21 +348,21 @@ package starlogo.ground
             var column:int = Math.max(0, Math.min(columns - 1, Math.round((point.x - x) / cellWidth)));
             var row:int = Math.max(0, Math.min(rows - 1, Math.round((point.y - y) / cellWidth)));
             point.height = Infinity;
-            for (var around:int = 0; point.height == Infinity && around < columns + rows; around++)
+            for (var ring:int = 0; point.height == Infinity && ring < columns + rows; ring++)
             {
-                findOnRing(column, row, around, point);
+                findOnRing(column, row, ring, point);
             }
         }
 
         // Moves a point to the last height of a ring that belongs to the ground, if there is one. The ring is the border of a square of heights around a
-        // height. <code>around</code> is how many columns and rows away from that height the border is.
-        private function findOnRing(column:int, row:int, around:int, point:GroundPoint):void
+        // height. <code>ring</code> is how many columns and rows away from that height the border is.
+        private function findOnRing(column:int, row:int, ring:int, point:GroundPoint):void
         {
-            for (var i:int = Math.max(0, row - around); i <= Math.min(rows - 1, row + around); i++)
+            for (var i:int = Math.max(0, row - ring); i <= Math.min(rows - 1, row + ring); i++)
             {
                 // in rows between the first and the last, only both ends
-                var step:int = Math.abs(i - row) == around ? 1 : 2 * around;
-                for (var k:int = column - around; k <= column + around; k += step)
+                var step:int = Math.abs(i - row) == ring ? 1 : 2 * ring;
+                for (var k:int = column - ring; k <= column + ring; k += step)
                 {
                     if (k >= 0 && k < columns && isOfCell(k, i))
                     {

@@ -180,16 +180,16 @@ package starlogo.ground
         {
             for (var level:int = 1; level <= lastLevel; level++)
             {
-                var around:int = level == 1 ? 1 : 0;
-                firstColumn = Math.max(0, firstColumn - around) >> SHIFT;
-                firstRow = Math.max(0, firstRow - around) >> SHIFT;
-                lastColumn = Math.min(countSquares(_grid.columns, level - 1) - 1, lastColumn + around) >> SHIFT;
-                lastRow = Math.min(countSquares(_grid.rows, level - 1) - 1, lastRow + around) >> SHIFT;
+                var overlap:int = level == 1 ? 1 : 0;
+                firstColumn = Math.max(0, firstColumn - overlap) >> SHIFT;
+                firstRow = Math.max(0, firstRow - overlap) >> SHIFT;
+                lastColumn = Math.min(countSquares(_grid.columns, level - 1) - 1, lastColumn + overlap) >> SHIFT;
+                lastRow = Math.min(countSquares(_grid.rows, level - 1) - 1, lastRow + overlap) >> SHIFT;
                 for (var row:int = firstRow; row <= lastRow; row++)
                 {
                     for (var column:int = firstColumn; column <= lastColumn; column++)
                     {
-                        updateSquare(level, column, row, around);
+                        updateSquare(level, column, row, overlap);
                     }
                 }
             }
@@ -197,12 +197,12 @@ package starlogo.ground
         }
 
         // Computes the bounds of a square from the bounds of its squares of the level below, and of some rows and columns around these.
-        private function updateSquare(level:int, column:int, row:int, around:int):void
+        private function updateSquare(level:int, column:int, row:int, overlap:int):void
         {
-            var firstColumn:int = Math.max(0, (column << SHIFT) - around);
-            var firstRow:int = Math.max(0, (row << SHIFT) - around);
-            var lastColumn:int = Math.min(countSquares(_grid.columns, level - 1), ((column + 1) << SHIFT) + around) - 1;
-            var lastRow:int = Math.min(countSquares(_grid.rows, level - 1), ((row + 1) << SHIFT) + around) - 1;
+            var firstColumn:int = Math.max(0, (column << SHIFT) - overlap);
+            var firstRow:int = Math.max(0, (row << SHIFT) - overlap);
+            var lastColumn:int = Math.min(countSquares(_grid.columns, level - 1), ((column + 1) << SHIFT) + overlap) - 1;
+            var lastRow:int = Math.min(countSquares(_grid.rows, level - 1), ((row + 1) << SHIFT) + overlap) - 1;
             findRange(level - 1, firstColumn, firstRow, lastColumn, lastRow, _range);
             var at:int = _begins[level] + NUMBERS * (row * countSquares(_grid.columns, level) + column);
             _bounds[at] = _range.least;

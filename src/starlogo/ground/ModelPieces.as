@@ -16,33 +16,33 @@ package starlogo.ground
     use namespace engine;
 
     /**
-     * Goes through the convex pieces of a placed model, one after the other. A structure is one piece. The pieces of a tree are its nodes at the depth
-     * limit, or its triangles.
+     * Goes through the convex pieces of a placed model, one after the other. A structure is one piece. The smallest pieces of a tree are its nodes at
+     * the depth limit, or its triangles.
      *
-     * <p>Before the pieces of a tree come the nodes above them, which are divisible. Only after <code>divide()</code> does <code>next()</code> go on to
-     * what is below such a node.</p>
+     * <p>Before these come the nodes above them, as divisible pieces. Only after <code>divide()</code> does <code>next()</code> go on to the pieces
+     * inside of such a piece.</p>
      */
     internal final class ModelPieces
     {
         // In the list of nodes: the structure around the whole model.
         private static const WHOLE:int = -1;
 
-        /** Its shape is the current piece, relative to the origin. */
+        /** Its shape is the current piece, relative to the origin, unless that is divisible. */
         public var kernel:TriangleKernel = new TriangleKernel();
 
-        /** The margin of the current piece, with the margins of the model's place and surface. Read only. */
+        /** The margin of the kernel's shape, with the margins of the model's place and surface. Read only. */
         public var margin:Number = 0;
 
-        /** The box around the current piece or node; around the node of a piece that is a triangle. Relative to the origin. Read only. */
+        /** The box around the current piece; if that is a triangle, around its node. Relative to the origin. Read only. */
         public var box:GroundBox = new GroundBox();
 
         /** The kernel's shape if the box is around it, null otherwise. Read only. */
         public var shapeInBox:ConvexShape = null;
 
-        /** Whether the current one is a node above the pieces. Then the kernel has another shape. Read only. */
+        /** Whether the current piece is a node above the smallest pieces. Read only. */
         public var isDivisible:Boolean = false;
 
-        /** A point of the current piece or node. Read only. */
+        /** A point of the current piece; the middle of the box of a divisible one. Read only. */
         public var point:Vector3D = new Vector3D();
 
         private var _tree:ModelTree;
@@ -99,7 +99,7 @@ package starlogo.ground
             _placement.z = motion.startZ + time * motion.z;
         }
 
-        /** Begins. Then <code>next()</code> goes on to the first piece or node. */
+        /** Begins. Then <code>next()</code> goes on to the first piece. */
         public function begin():void
         {
             _nextTriangle = _trianglesEnd = 0;
@@ -107,13 +107,13 @@ package starlogo.ground
             _nodeCount = 1;
         }
 
-        /** How many nodes come after the current one and those below it. Read only. */
+        /** How many nodes come after the current piece and the pieces inside of it. Read only. */
         public function get nodesLeft():int
         {
             return _nodeCount;
         }
 
-        /** Goes on to the next piece, or to the next node above the pieces. Returns false if there is none. */
+        /** Goes on to the next piece. Returns false if there is none. */
         public function next():Boolean
         {
             if (_nextTriangle < _trianglesEnd)
@@ -135,7 +135,7 @@ package starlogo.ground
             return true;
         }
 
-        /** Goes on below the current node, which is above the pieces. The lower one of two nodes comes first, because the ground is below. */
+        /** Divides the current piece, which is divisible: the pieces inside of it come next. The lower one of two nodes comes first, because the ground is below. */
         public function divide():void
         {
             var tree:BoxTree = _tree.boxTree;
@@ -168,7 +168,7 @@ package starlogo.ground
             findBoxAround(_structure, out);
         }
 
-        // Makes a node current.
+        // Makes a node the current piece.
         private function enter(node:int):void
         {
             if (node == WHOLE)
@@ -191,7 +191,7 @@ package starlogo.ground
             point.z = box.z;
         }
 
-        // Makes a structure of the model the piece.
+        // Makes a structure of the model the current piece.
         private function takeStructure(structure:BoundingStructure):void
         {
             kernel.setStructure(structure, _placement);
@@ -200,7 +200,7 @@ package starlogo.ground
             shapeInBox = kernel.shape;
         }
 
-        // Makes the kernel's new shape the piece.
+        // Makes the kernel's new shape the current piece.
         private function takeShape():void
         {
             var shape:ConvexShape = kernel.shape;

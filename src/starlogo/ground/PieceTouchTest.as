@@ -40,7 +40,7 @@ package starlogo.ground
             {
                 return true;
             }
-            // no triangle is near a node that stands for the pieces below it
+            // no triangle is near a divisible piece
             if (_pairs.pieces.isDivisible)
             {
                 return false;
@@ -51,7 +51,7 @@ package starlogo.ground
         }
 
         /** Whether a point of the piece is at least this deep under the ground. */
-        public function isUnder(depth:Number):Boolean
+        public function hasPointUnder(depth:Number):Boolean
         {
             var point:Vector3D = _pairs.pieces.point;
             findGroundUnder(point, _ground);

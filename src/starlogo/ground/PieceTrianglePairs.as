@@ -9,7 +9,7 @@ package starlogo.ground
 
     /**
      * Finds the pairs of a placed model's convex pieces and the triangles of the ground's surface near each. The model is a structure or a tree.
-     * A node of a tree that the surface does not come near is a piece without triangles, in place of all pieces below it.
+     * A divisible piece is divided if the surface comes near it. Otherwise it has no triangles, and stands for all pieces inside of it.
      *
      * <p>After <code>begin()</code>, <code>next()</code> goes through the pairs. If the pieces count too, <code>nextPiece()</code> goes through them, and
      * <code>nextTriangle()</code> through the triangles near the current one. The limits may be narrowed meanwhile.</p>
@@ -27,7 +27,7 @@ package starlogo.ground
 
         // Finds triangles near the current piece.
         private var _search:GroundSearch = new GroundSearch();
-        private var _triangles:NearTriangles = new NearTriangles(_search);
+        private var _triangles:KeptTriangles = new KeptTriangles(_search);
 
         public function PieceTrianglePairs()
         {
@@ -70,6 +70,7 @@ package starlogo.ground
             _search.motion.copyVector(motion);
             _search.motion.latest = motion.latest;
             _search.maxDistance = maxDistance;
+            _search.leastDepth = 0;
         }
 
         /** From now on only triangles count that the pieces may meet until a motion's latest time. */
@@ -87,7 +88,7 @@ package starlogo.ground
         /** From now on only triangles count behind whose planes the piece, or its box, is at least this deep. */
         public function leaveOutShallower(depth:Number):void
         {
-            _triangles.leaveOutShallower(depth);
+            _search.leastDepth = depth;
         }
 
         /** Goes on to the next triangle near the piece, or near the next piece that has one. Returns false if there is none. */

@@ -21,14 +21,14 @@ package starlogo.ground
          * boxes.
          *
          * @param search has the shape, and its motion
-         * @param low the least corner around the square
-         * @param high the greatest one
+         * @param least the least corner around the square
+         * @param greatest the greatest one
          */
-        public function isFarther(search:GroundSearch, low:Vector3D, high:Vector3D):Boolean
+        public function isFarther(search:GroundSearch, least:Vector3D, greatest:Vector3D):Boolean
         {
             var shape:ConvexShape = search.shape;
             var direction:Vector3D = _direction;
-            findDirection(shape, low, high);
+            findDirection(shape, least, greatest);
             if (!(direction.normalize() > 0))
             {
                 return false;
@@ -36,21 +36,21 @@ package starlogo.ground
             shape.project(direction, _ofShape);
             var distance:Number = direction.x * shape.x + direction.y * shape.y + direction.z * shape.z + _ofShape.least
                 - (shape.radius + shape.margin) * Tolerances.OUTER - Tolerances.EXTENTS * shape.extent
-                - Math.max(direction.x * high.x, direction.x * low.x) - Math.max(direction.y * high.y, direction.y * low.y)
-                - Math.max(direction.z * high.z, direction.z * low.z);
+                - Math.max(direction.x * greatest.x, direction.x * least.x) - Math.max(direction.y * greatest.y, direction.y * least.y)
+                - Math.max(direction.z * greatest.z, direction.z * least.z);
             var motion:RelativeMotion = search.motion;
             var travel:Number = motion.latest * (direction.x * motion.x + direction.y * motion.y + direction.z * motion.z);
             return distance + Math.min(0, travel) > search.maxDistance;
         }
 
         // Finds a direction along which the two may be apart. It is between points of both that are near each other.
-        private function findDirection(shape:ConvexShape, low:Vector3D, high:Vector3D):void
+        private function findDirection(shape:ConvexShape, least:Vector3D, greatest:Vector3D):void
         {
             var direction:Vector3D = _direction;
-            _place.setTo((low.x + high.x) / 2, (low.y + high.y) / 2, (low.z + high.z) / 2);
+            _place.setTo((least.x + greatest.x) / 2, (least.y + greatest.y) / 2, (least.z + greatest.z) / 2);
             findNear(shape, _place, direction);
-            _place.setTo(Math.max(low.x, Math.min(high.x, direction.x)), Math.max(low.y, Math.min(high.y, direction.y)),
-                    Math.max(low.z, Math.min(high.z, direction.z)));
+            _place.setTo(Math.max(least.x, Math.min(greatest.x, direction.x)), Math.max(least.y, Math.min(greatest.y, direction.y)),
+                    Math.max(least.z, Math.min(greatest.z, direction.z)));
             findNear(shape, _place, direction);
             direction.decrementBy(_place);
         }

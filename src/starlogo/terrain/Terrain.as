@@ -113,7 +113,7 @@ package starlogo.terrain
         {
             if (value != grid.isBlocky)
             {
-                worldAgent.beginChange().isBlocky = value;
+                worldAgent.beginChange().setBlocky(value);
             }
         }
 
@@ -342,7 +342,7 @@ package starlogo.terrain
         }
 
         /**
-         * Whether the ground is higher than an agent's place. False outside of the terrain and over a hole.
+         * Whether an agent's place is under the ground. False outside of the terrain and over a hole.
          *
          * @throws ArgumentError if the agent is null
          */

@@ -6,19 +6,16 @@ package starlogo.ground
     import starlogo.geometry.Touching;
 
     /**
-     * Finds the triangles of the ground near the boxes of a model's tree. Those near a box that comes to few cells are found once, and kept for the boxes
-     * inside of it.
+     * The triangles of the ground near the boxes of a model. Those near a box that comes to few cells are found once, and kept for the boxes inside of
+     * it.
      */
-    internal final class NearTriangles
+    internal final class KeptTriangles
     {
         /** The triangle that <code>next()</code> has found. Read only. */
         public var triangle:GroundTriangle = null;
 
         private var _search:GroundSearch;
         private var _source:GroundTriangles = new GroundTriangles();
-
-        // A limit: only triangles count behind whose planes the box reaches at least this deep.
-        private var _leastDepth:Number = 0;
 
         // The triangles so far, and the next of them. If they are not kept, the first one is overwritten. The list grows during the first searches,
         // up to the triangles of few cells, and its records are used again: later frames allocate nothing.
@@ -27,9 +24,8 @@ package starlogo.ground
         private var _next:int = 0;
         private var _areKept:Boolean = false;
 
-        // Whether the source has still to begin, because many questions need no triangle; and whether it may have more.
+        // Whether the source has still to begin, because many questions need no triangle.
         private var _mustBegin:Boolean = false;
-        private var _mayHaveMore:Boolean = false;
 
         // How many boxes were left when the triangles that are kept were looked for.
         private var _boxesLeft:int = 0;
@@ -39,7 +35,7 @@ package starlogo.ground
         private var _greatest:Vector3D = new Vector3D();
 
         /** @param search what is looked for, but for its box and shape. Before boxes begin, all of it is set. Then only the limits may be narrowed */
-        public function NearTriangles(search:GroundSearch)
+        public function KeptTriangles(search:GroundSearch)
         {
             _search = search;
         }
@@ -47,16 +43,9 @@ package starlogo.ground
         /** Ends all searches. */
         public function stop():void
         {
-            _areKept = _mustBegin = _mayHaveMore = false;
+            _areKept = _mustBegin = false;
             _count = _next = 0;
-            _leastDepth = 0;
             _source.stop();
-        }
-
-        /** From now on only triangles count behind whose planes the boxes reach at least this deep, until the searches end. */
-        public function leaveOutShallower(depth:Number):void
-        {
-            _leastDepth = depth;
         }
 
         /**
@@ -72,7 +61,7 @@ package starlogo.ground
             if (!_areKept || boxesLeft < _boxesLeft)
             {
                 _areKept = false;
-                _mustBegin = _mayHaveMore = true;
+                _mustBegin = true;
                 _count = 0;
                 _boxesLeft = boxesLeft;
                 _search.box.copyFrom(box);
@@ -117,14 +106,14 @@ package starlogo.ground
                 _areKept = _source.comesToFewCells;
             }
             var far:Number = _search.maxDistance;
-            var front:Number = far - _leastDepth + _source.slack;
+            var front:Number = far - _search.leastDepth + _source.slack;
             var minX:Number = _least.x - far;
             var minY:Number = _least.y - far;
             var minZ:Number = _least.z - far;
             var maxX:Number = _greatest.x + far;
             var maxY:Number = _greatest.y + far;
             var maxZ:Number = _greatest.z + far;
-            while (_next < _count || _mayHaveMore && findMore())
+            while (_next < _count || findMore())
             {
                 var near:GroundTriangle = _found[_next];
                 _next++;
@@ -161,7 +150,6 @@ package starlogo.ground
             var found:GroundTriangle = _found[_count];
             if (!_source.next(found))
             {
-                _mayHaveMore = false;
                 return false;
             }
             found.margin = Touching.marginOfSurface(found.radius);

@@ -36,7 +36,7 @@ test('without a server, all eleven lessons are solved', { skip }, async () => {
 	await ready(page, 'play');
 	assert.equal(await page.locator('.silent').count(), 0, 'what is said where no script arrives is gone');
 	await page.locator('.gallery .next').click();
-	const names = await page.evaluate(() => globalThis.playground.programs.groups[0].entries.map(({ id }) => id.replace('lesson-', '')));
+	const names = await page.evaluate(() => globalThis.playground.programs.gallery.groups[0].entries.map(({ id }) => id.replace('lesson-', '')));
 	assert.equal(names.length, 11);
 	for (const [i, name] of names.entries()) {
 		await page.waitForFunction((number) => document.querySelector('.lesson')?.textContent.startsWith(`Lesson ${number} of 11`), i + 1);

@@ -41,9 +41,9 @@ export async function timesOf(greatLand, count, isWanted) {
  * Compares the pairs of all systems with those of a reference system, which is taken as right.
  *
  * @param {(name: string) => object} systemNamed gives the system with a name
- * @param {Agent[]} agents
+ * @param {object[]} agents
  * @param {string} reference the reference system's name
- * @returns {{truth: Map, systems: Record<string, {right: Agent[][], wrong: Agent[][], missed: Agent[][]}>}} pairs of agents
+ * @returns {{truth: Map, systems: Record<string, {right: object[][], wrong: object[][], missed: object[][]}>}} pairs of agents
  */
 export function compare(systemNamed, agents, reference) {
 	const truth = pairsOf(systemNamed(reference), agents);

@@ -113,7 +113,7 @@ function readArguments() {
 /** What is wrong with an option that there is not: the nearest one is, or all are. */
 function thereIsNo(name) {
 	const names = Object.keys(options);
-	return `--${name} is no option; ${$hintOfOption(name, names, options)}there are ${names.map((each) => `--${each}`).join(", ")}`;
+	return `--${name} is no option; ${$hintOfOption(name, names)}there are ${names.map((each) => `--${each}`).join(", ")}`;
 }
 
 function fail(problem) {

@@ -2,7 +2,7 @@
 import { $refuse } from "./checks.mjs";
 import { ArgumentError } from "./language.mjs";
 import { $stateOf } from "./shown.mjs";
-import { $hintOfOption } from "./warnings/spelling.mjs";
+import { $hintOfOption, $hintOfOptions } from "./warnings/spelling.mjs";
 
 /**
  * Options or a filter that a public method receives as a literal: a copy, whose setters check the values. An undefined value counts as absent.
@@ -16,7 +16,7 @@ export function $options(target, name, value, options, kind) {
 		if (!(key in options)) {
 			if (/^[_$]/.test(key)) $refuse(target, name, value, kind);
 			const names = Object.keys($stateOf(options));
-			throw new ArgumentError(`${target === null ? "" : `${target}: `}${name}.${key} is no option; ${$hintOfOption(key, names, value)}there are ${names.join(", ")}`);
+			throw new ArgumentError(`${target === null ? "" : `${target}: `}${name}.${key} is no option; ${$hintOfOptions(value) || $hintOfOption(key, names)}there are ${names.join(", ")}`);
 		}
 		if (value[key] !== undefined) options[key] = value[key];
 	}

@@ -45,13 +45,13 @@ package starlogo.fitting
 
         /**
          * @param session the vertices
-         * @param stepXY degrees between the rotations about x and about y
-         * @param stepZ degrees between the rotations about z
+         * @param incrementXY degrees between the rotations about x and about y
+         * @param incrementZ degrees between the rotations about z
          */
-        public function RotationSearch(session:FitSession, stepXY:Number, stepZ:Number)
+        public function RotationSearch(session:FitSession, incrementXY:Number, incrementZ:Number)
         {
-            _incrementXY = stepXY;
-            _incrementZ = stepZ;
+            _incrementXY = incrementXY;
+            _incrementZ = incrementZ;
             call(function():void
                 {
                     prepare(session.hull);
@@ -62,12 +62,12 @@ package starlogo.fitting
          * The fit of the smallest box.
          *
          * @param session the vertices; their hull may not exist before the first step
-         * @param stepXY degrees between the rotations about x and about y; 90 for rotations about z only
-         * @param stepZ degrees between the rotations about z
+         * @param incrementXY degrees between the rotations about x and about y; 90 for rotations about z only
+         * @param incrementZ degrees between the rotations about z
          */
-        public static function fitting(session:FitSession, stepXY:Number, stepZ:Number):Fit
+        public static function fitting(session:FitSession, incrementXY:Number, incrementZ:Number):Fit
         {
-            var search:RotationSearch = new RotationSearch(session, stepXY, stepZ);
+            var search:RotationSearch = new RotationSearch(session, incrementXY, incrementZ);
             return new Fit(session, search.smallestBox, search);
         }
 

@@ -18,7 +18,7 @@ package starlogo.intersection
         private var _segments:SegmentPair = new SegmentPair();
         private var _segment:BoxSegment = new BoxSegment();
 
-        // A place as seen from a box's middle, in the box's segments.
+        // A place as seen from a box's middle, in the box's axes.
         private var _place:Vector3D = new Vector3D();
 
         /**

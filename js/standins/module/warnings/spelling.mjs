@@ -6,9 +6,13 @@ export function $hintOfName(name, names) {
 	return meant === undefined ? "" : `; is ${JSON.stringify(meant)} meant?`;
 }
 
-/** What an error says about an option that is not among the names of all: the nearest one, or that the options are something else. */
-export function $hintOfOption(key, names, options) {
-	if ("stands" in options) return "a Footing is the argument after the options: walk(agent, dx, dy, null, footing); ";
+/** What an error says about options that are something else. */
+export function $hintOfOptions(value) {
+	return "stands" in value ? "a Footing is the argument after the options: walk(agent, dx, dy, null, footing); " : "";
+}
+
+/** What an error says about an option that is not among the names of all: the nearest one. */
+export function $hintOfOption(key, names) {
 	const word = key.toLowerCase();
 	// each letter in common counts against two changes, because abbreviations are common
 	const farAway = names.map((each) => $changesBetween(word, each.toLowerCase()) - 2 * $commonLetters(word, each.toLowerCase()));

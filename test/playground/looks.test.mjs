@@ -478,7 +478,8 @@ test('Play\'s world loads 260 KB of scripts at most, Inspect 171 and Compare 226
 		// blocks are loaded after the world
 		await page.route(/\/editor-[^/]*\.js$/, (route) => route.abort());
 		await page.goto(`${site.url}#${view}`);
-		await page.waitForSelector('.world canvas');
+		// Play's gallery opens over the world, which may be seen for a moment only
+		await page.waitForSelector('.world canvas', { state: 'attached' });
 		await page.waitForLoadState('networkidle');
 		const files = await page.evaluate(() => performance.getEntriesByType('resource').map(({ name }) => new URL(name).pathname).filter((name) => /\.js$/.test(name) && !/\/(formats|editor)-/.test(name)));
 		const sizes = [...new Set(files)].map((name) => gzipSync(readFileSync(path.join(root, 'bin/playground', name.replace('/any/where/', '')))).length);

@@ -4,7 +4,7 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { EXTERNALS } from "./names.mjs";
 import { qnameOf } from "./signatures.mjs";
-import { Program } from "./translate.mjs";
+import { Program } from "./translation/translate.mjs";
 
 const here = fileURLToPath(new URL(".", import.meta.url));
 const standins = join(here, "../standins/module");

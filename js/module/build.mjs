@@ -10,8 +10,8 @@ import { copyFileSync, cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } 
 import { basename, join, resolve } from "node:path";
 import { buildSync, transformSync } from "esbuild";
 import { standinsForUsers, standinsText, translate } from "./assemble.mjs";
-import { writeDeclarations } from "./declarations.mjs";
-import { writePages } from "./guide.mjs";
+import { writeDeclarations } from "./types/declarations.mjs";
+import { writePages } from "./pages/guide.mjs";
 import { manglingOf, minified } from "./minified.mjs";
 import { ROOT, moduleRoots, publicSignatures } from "./names.mjs";
 

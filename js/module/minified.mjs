@@ -3,7 +3,7 @@ import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { transformSync } from "esbuild";
 import { ByteArray } from "../standins/module/ByteArray.mjs";
-import { ADDED } from "./added.mjs";
+import { ONLY_IN_JAVASCRIPT } from "./differences.mjs";
 import { standinsForUsers } from "./assemble.mjs";
 import { ROOT } from "./names.mjs";
 
@@ -26,11 +26,11 @@ export function manglingOf(program, users) {
 function namesToMangle(program, users) {
 	const platform = [Array, Error, Function, Map, Math, Number, Object, RegExp, Set, String, Uint8Array].flatMap((type) => [type, type.prototype ?? type]);
 	const bytes = Object.getOwnPropertyNames(ByteArray.prototype);
-	const declared = readFileSync(join(ROOT, "js/module/byhand.d.ts"), "utf8").match(/\w+/g);
+	const declared = readFileSync(join(ROOT, "js/module/types/byhand.d.ts"), "utf8").match(/\w+/g);
 	const outside = memberNamesIn([...["three", "nova"].flatMap(adapterTexts), readFileSync(join(ROOT, "js/module/cook.mjs"), "utf8")]);
 	// the stand-ins are renamed too; these names of theirs are members of the engine's classes alone
 	const isOwn = (name) => /^[_$]/.test(name) || bytes.includes(name);
-	const standIns = memberNamesIn([standinsForUsers(), ...Object.values(ADDED).map((added) => added.text)]).filter((name) => !isOwn(name));
+	const standIns = memberNamesIn([standinsForUsers(), ...Object.values(ONLY_IN_JAVASCRIPT).map((added) => added.text)]).filter((name) => !isOwn(name));
 	const quoted = [...users.matchAll(/"([\w$]+)"/g)].map((match) => match[1]);
 	const kept = new Set([...outside, ...standIns, ...quoted, ...declared, ...platform.flatMap((each) => Object.getOwnPropertyNames(each))]);
 	return [...program.hiddenNames, ...bytes].filter((name) => !kept.has(name)).sort();

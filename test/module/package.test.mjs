@@ -191,7 +191,7 @@ test("names of classes are the sources' own, minified too", async () => {
 	assert.equal(String(new all.Sphere(new all.Vector3D(), 1)), "a Sphere of radius 1 at Vector3D(0, 0, 0)");
 });
 
-// see #classText in js/module/translate.mjs
+// see #classText in js/module/translation/translate.mjs
 test("V8 can compile constructors: no class is a dictionary", () => {
 	for (const file of [minified, readable]) {
 		const script = `import(${JSON.stringify(pathToFileURL(path.resolve(folder, file)))}).then((all) => console.log(Object.keys(all).filter((name) => !%HasFastProperties(all[name])).join()))`;

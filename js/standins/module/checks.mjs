@@ -1,5 +1,5 @@
 /**
- * Checks of the arguments of public members. js/module/checks.mjs writes the calls.
+ * Checks of the arguments of public members. js/module/translation/checks.mjs writes the calls.
  *
  * All files here and the translated classes are one scope (js/module/assemble.mjs): Vector3D is the engine's.
  */

@@ -1,10 +1,10 @@
-/**
- * Methods that return a ByteArray in ActionScript and a Uint8Array in JavaScript, which can be copied and sent by the platform's functions.
- */
-export const PLAIN_BYTES = new Set(["starlogo.GreatLand.cook", "starlogo.collision.Collision.snapshot"]);
+/** Where the module's classes differ from those in ActionScript. */
 
-/** Members that classes have only in JavaScript: their code, and their declaration in index.d.ts, unless they are for the adapters alone. */
-export const ADDED = {
+/** Methods that return a Uint8Array in place of a ByteArray, because the platform's functions can copy and send it. */
+export const RETURNS_UINT8ARRAY = new Set(["starlogo.GreatLand.cook", "starlogo.collision.Collision.snapshot"]);
+
+/** Members of a class by its qualified name: their code, and their declaration in index.d.ts unless they are for the adapters alone. */
+export const ONLY_IN_JAVASCRIPT = {
 	// for the adapter to three.js, which fills the data of a model as a reader of files does
 	"starlogo.models.Model": {
 		text: `static get $parts() {

@@ -1,7 +1,7 @@
 /** Finds which classes of errors the sources catch. The compiler drops the classes, so its output catches everything. */
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
-import { ROOT, SOURCES } from "./names.mjs";
+import { ROOT, SOURCES } from "../names.mjs";
 
 const FOLDERS = [...SOURCES, join(ROOT, "test")];
 

@@ -9,12 +9,12 @@
  * unit.mjs reads the compiler's files, scopes.mjs tells what names mean there, bodies.mjs writes functions, statics.mjs the statics, and this file the
  * classes around them.
  */
-import { ADDED, PLAIN_BYTES } from "./added.mjs";
+import { ONLY_IN_JAVASCRIPT, RETURNS_UINT8ARRAY } from "../differences.mjs";
 import { Bodies } from "./bodies.mjs";
 import { Checks, isWrapped } from "./checks.mjs";
 import { MemberNames } from "./members.mjs";
 import { Scopes } from "./scopes.mjs";
-import { isShown } from "./signatures.mjs";
+import { isShown } from "../signatures.mjs";
 import { isConstant, staticsText } from "./statics.mjs";
 import { LANGUAGE, indent, isAbstract, isBaseCall, isFieldAssignment, pathOf, plainComment } from "./syntax.mjs";
 import { unitsOf } from "./unit.mjs";
@@ -218,10 +218,10 @@ export class Program {
 			} else {
 				const taken = this.#checks.of(unit.qname, member.name, member.kind);
 				const text = this.#bodies.functionText(member.node, member.doc, taken);
-				lines.push(`${this.#docOf(unit, member.doc)}${prefix}${name}${!this.isForTests && PLAIN_BYTES.has(`${unit.qname}.${member.name}`) ? asPlainBytes(text) : text}`);
+				lines.push(`${this.#docOf(unit, member.doc)}${prefix}${name}${!this.isForTests && RETURNS_UINT8ARRAY.has(`${unit.qname}.${member.name}`) ? asPlainBytes(text) : text}`);
 			}
 		}
-		if (ADDED[unit.qname]) lines.push(ADDED[unit.qname].text);
+		if (ONLY_IN_JAVASCRIPT[unit.qname]) lines.push(ONLY_IN_JAVASCRIPT[unit.qname].text);
 		return `class ${this.shortName(unit.qname)}${base} {\n${indent(lines.filter((line) => line !== "").join("\n\n"))}\n}`;
 	}
 

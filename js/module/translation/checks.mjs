@@ -1,15 +1,15 @@
 /**
  * Writes the statements that check arguments of the module's public members. They refuse the values that ActionScript's types refuse.
  * JavaScript has no types, so without checks a string could be stored in place of a number. The functions that they call are in
- * ../standins/module/checks.mjs.
+ * ../../standins/module/checks.mjs.
  *
  * Numbers, strings, Booleans and functions are checked by small functions, which take little of a bundle and which V8 inlines. Where an
  * error names the object too, as for agents, they are checked in place. null is accepted if the documentation mentions it, and for
  * names and files. Numbers that are not finite are accepted if the documentation mentions errors. In these cases the engine itself
  * throws the error.
  */
-import { TAKES_LITERAL, docOf, docOfParameter, endingBooleans, isWritten, mayHaveNull } from "./signatures.mjs";
-import { warningsOf, warningsOfMember } from "./warned.mjs";
+import { TAKES_LITERAL, docOf, docOfParameter, endingBooleans, isWritten, mayHaveNull } from "../signatures.mjs";
+import { warningsOf, warningsOfMember } from "./warnings.mjs";
 
 /** Classes that are recognised by a mark of their own. Naming them would bring all the classes that they use into every bundle. */
 const MARKED = new Set(["starlogo.GreatLand", "starlogo.libraries.FitStore", "starlogo.terrain.Terrain", "starlogo.terrain.WorldBounds"]);

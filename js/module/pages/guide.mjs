@@ -1,7 +1,7 @@
 /** The pages of the guide that the package has in its folder docs: without ActionScript, and with links that lead somewhere in the package. */
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { ROOT } from "./names.mjs";
+import { ROOT } from "../names.mjs";
 
 /** The pages. build/module.xml lists them too. */
 const PAGES = ["choosing", "loading", "motion", "poses", "queries", "questions", "snapshots", "terrain", "three"];

@@ -1,6 +1,6 @@
 /**
  * The statements by which the module's members warn while a game is developed. The functions that they call are in
- * ../standins/module/warnings.
+ * ../../standins/module/warnings.
  */
 
 /** What a method or a setting calls first. addModel looks at its object's properties, because settings are often made just before. */

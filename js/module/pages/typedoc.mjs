@@ -2,7 +2,7 @@
 /**
  * Writes the JavaScript API's documentation as pages, from the types of the package: the same bytes everywhere.
  *
- *   node js/module/pages.mjs bin/module bin/typedoc
+ *   node js/module/pages/typedoc.mjs bin/module bin/typedoc
  */
 import { readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
@@ -17,8 +17,8 @@ const here = fileURLToPath(new URL(".", import.meta.url));
 const app = await Application.bootstrapWithPlugins({
 	name: `${name} ${version}`,
 	entryPoints: ["index.d.ts", "three/index.d.ts"].map((file) => join(from, file)),
-	tsconfig: join(here, "pages.json"),
-	favicon: join(here, "../playground/icon.svg"),
+	tsconfig: join(here, "typedoc.json"),
+	favicon: join(here, "../../playground/icon.svg"),
 	readme: join(from, "README.md"),
 	projectDocuments: [join(from, "docs/*.md")],
 	// three.js's own types are not here, and the package's have been checked by its tests

@@ -317,7 +317,7 @@ export class Bodies {
 			case "sortOn":
 				return `$${helper}(${args.map((each) => this.text(each)).join(", ")})`;
 			default:
-				throw new Error(`${path} is not known: write it another way, for example int(x) for uint(x), or translate it here, in js/module/bodies.mjs`);
+				throw new Error(`${path} is not known: write it another way, for example int(x) for uint(x), or translate it here, in js/module/translation/bodies.mjs`);
 		}
 	}
 }

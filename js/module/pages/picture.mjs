@@ -2,12 +2,12 @@
 /**
  * Draws the picture of README.md: the shapes that the collision systems use for a bear, computed by the package itself.
  *
- * node js/module/picture.mjs after ./antw module
+ * node js/module/pages/picture.mjs after ./antw module
  */
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { GreatLand, ObjModel, Sphere, Vector3D, Wireframes } from "../../bin/module/starlogo-collision.js";
-import { ROOT } from "./names.mjs";
+import { GreatLand, ObjModel, Sphere, Vector3D, Wireframes } from "../../../bin/module/starlogo-collision.js";
+import { ROOT } from "../names.mjs";
 
 const WIDTH = 260;
 const HEIGHT = 430;

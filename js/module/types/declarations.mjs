@@ -1,13 +1,13 @@
 /** Writes index.d.ts: the TypeScript declarations of the public classes, with their documentation. */
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
-import { ADDED, PLAIN_BYTES } from "./added.mjs";
-import { PLATFORM_NAMES, ROOT } from "./names.mjs";
-import { TAKES_LITERAL, docOf, docOfParameter, endingBooleans, isShown, isWritten, mayHaveNull } from "./signatures.mjs";
+import { ONLY_IN_JAVASCRIPT, RETURNS_UINT8ARRAY } from "../differences.mjs";
+import { PLATFORM_NAMES, ROOT } from "../names.mjs";
+import { TAKES_LITERAL, docOf, docOfParameter, endingBooleans, isShown, isWritten, mayHaveNull } from "../signatures.mjs";
 import { PRIMITIVES, docComment } from "./tsdoc.mjs";
 
 /** The types that no class of ActionScript has. */
-const BY_HAND = readFileSync(join(ROOT, "js/module/byhand.d.ts"), "utf8");
+const BY_HAND = readFileSync(join(ROOT, "js/module/types/byhand.d.ts"), "utf8");
 
 /** TypeScript types that ActionScript's types do not express, by the names of parameters and members. */
 const BY_NAME = new Map([
@@ -124,7 +124,7 @@ class Writer {
 		const hasHandlers = type.members.some((member) => HANDLER.test(docOf(type, member, this.#exported)));
 		const parameters = this.#isGeneric(type) ? (hasHandlers ? OF_BREEDS : OF_AGENTS) : "";
 		if (type.events.length > 0) members.unshift(...this.#listening(type));
-		if (ADDED[type.qname]?.declaration) members.push(ADDED[type.qname].declaration);
+		if (ONLY_IN_JAVASCRIPT[type.qname]?.declaration) members.push(ONLY_IN_JAVASCRIPT[type.qname].declaration);
 		const modifiers = `${PLATFORM_NAMES.has(type.name) ? "declare" : "export"} ${isAbstract(type) ? "abstract " : ""}`;
 		const head = `${modifiers}${type.kind} ${type.name}${parameters}${heritage}`;
 		return `${this.#eventsText(type)}${docComment(type.doc, "")}${head} {\n${members.join("\n")}\n}\n`;
@@ -213,7 +213,7 @@ class Writer {
 
 	/** The type of what a member has or returns. */
 	#resultOf(type, member, said, isFinding) {
-		if (PLAIN_BYTES.has(`${type.qname}.${member.name}`)) return "OwnBytes";
+		if (RETURNS_UINT8ARRAY.has(`${type.qname}.${member.name}`)) return "OwnBytes";
 		const known = BY_NAME.get(member.name) ?? this.#literalOf(member) ?? this.#unionOf(type, member.result, said);
 		if (known) return known;
 		const orNull = this.#mayBeNull({ ...member, doc: said }) ? " | null" : "";

@@ -39,7 +39,7 @@ function loadedWith(file) {
 	if (/(lateengine|queries|questions)\.js$/.test(file)) return path.relative(here, file);
 	if (/inspect[/\\]fits\.js$/.test(file)) return "inspect";
 	if (/sight\.js$/.test(file)) return "compare";
-	return /(play|compare|measure|level)[/\\]\w+\.js$/.exec(file)?.[1] ?? "";
+	return /playground[/\\](play|compare|measure|level)[/\\]/.exec(file)?.[1] ?? "";
 }
 
 /** The settings of esbuild for the page, as it is served or as a single file. */
@@ -79,7 +79,7 @@ await writeSingle(out, "starlogo-nova.html", settings(true));
 const WORDS = { play: ["game"], inspect: ["lab"], compare: ["lab"], measure: ["lab"], level: ["lab"], teach: ["class", "game"] };
 for (const [view, folders] of Object.entries(WORDS)) {
 	const first = neededFor(`js/playground/${view}/view.js`, ...folders.map((folder) => `js/playground/languages/${folder}/en.js`));
-	const editor = view === "play" ? neededFor("js/playground/play/editor.js").filter((file) => !first.includes(file)) : [];
+	const editor = view === "play" ? neededFor("js/playground/play/blocks/editor.js").filter((file) => !first.includes(file)) : [];
 	console.log(`${view}: ${sizes(first)}${editor.length > 0 ? `, and then for the blocks ${sizes(editor)}` : ""}`);
 }
 // last, because with this file the page counts as made

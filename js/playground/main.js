@@ -2,12 +2,12 @@
  * Loads the page's words in one language, and shows the view in the address: #play, #inspect, #compare, #measure, #level or #teach. Each view
  * loads only the files that it needs.
  */
-import { lendColours } from "./shared/colours.js";
+import { lendColours } from "./shared/drawing/colours.js";
 import { button, choice, h } from "./shared/dom.js";
-import { chiefOf } from "./shared/files.js";
+import { chiefOf } from "./shared/files/files.js";
 import { failure, further, learn, speak, texts } from "./shared/language.js";
-import { recall, remember } from "./shared/memory.js";
-import { DOCS } from "./shared/served.js";
+import { recall, remember } from "./shared/files/memory.js";
+import { DOCS } from "./shared/files/served.js";
 
 /** The languages, each with its own name, the words that every view needs, and further parts of its words. */
 const LANGUAGES = {

@@ -13,7 +13,7 @@ const TYPES = { ".svg": "image/svg+xml", ".png": "image/png", ".gif": "image/gif
 const addressOf = (file) => `data:${TYPES[path.extname(file)]};base64,${readFileSync(file).toString("base64")}`;
 const hashOf = (text) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
 
-/** The module in place of shared/served.js. */
+/** The module in place of shared/files/served.js. */
 function servedInside(out) {
 	const models = Object.fromEntries(readdirSync(path.join(out, "models")).filter((file) => file.endsWith(".json")).map((file) => [path.parse(file).name, readFileSync(path.join(out, "models", file), "utf8")]));
 	return `
@@ -31,7 +31,7 @@ function servedInside(out) {
 const filesInside = (out) => ({
 	name: "files-inside",
 	setup({ onLoad }) {
-		onLoad({ filter: /shared[/\\]served\.js$/ }, () => ({ contents: servedInside(out), loader: "js" }));
+		onLoad({ filter: /shared[/\\]files[/\\]served\.js$/ }, () => ({ contents: servedInside(out), loader: "js" }));
 	},
 });
 

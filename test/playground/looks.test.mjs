@@ -139,7 +139,7 @@ test('colours mean the same in every view, a sign says it too, and they differ f
 	const colours = Object.values(found.play).map(([colour]) => seen(colour));
 	colours.forEach((a, i) => colours.slice(i + 1).forEach((b) => assert.ok(Math.hypot(...a.map((each, k) => each - b[k])) > 45, `${a} and ${b}`)));
 	// no view has colours of its own for what is said of agents
-	for (const file of ['play/scene.js', 'play/beside.js', 'inspect/view.js', 'inspect/questions.js', 'compare/view.js', 'shared/sight.js', 'shared/lab.js', 'shared/signs.js']) {
+	for (const file of ['play/screen/scene.js', 'play/beside.js', 'inspect/view.js', 'inspect/questions.js', 'compare/view.js', 'shared/drawing/sight.js', 'shared/drawing/lab.js', 'shared/drawing/signs.js']) {
 		assert.doesNotMatch(readFileSync(path.join(root, 'js/playground', file), 'utf8'), /0x[0-9a-f]{6}\b|#[0-9a-f]{6}\b/, file);
 	}
 	await page.getByLabel('What the engine sees').uncheck();

@@ -6,7 +6,7 @@ import { pathToFileURL } from 'node:url';
 import { root } from './browser.mjs';
 
 const { buildSync } = createRequire(path.join(root, 'js/playground/package.json'))('esbuild');
-const MODULES = ['play/world.js', 'play/moves.js', 'play/examples.js', 'play/games.js', 'play/program.js', 'play/blocks.js', 'play/storage.js', 'play/lessons.js', 'play/javascript.js', 'teach/solutions.js', 'shared/language.js', 'shared/colours.js', 'shared/made.js'];
+const MODULES = ['play/game/world.js', 'play/game/moves.js', 'play/brought/examples.js', 'play/brought/games.js', 'play/game/program.js', 'play/blocks/blocks.js', 'play/programs/storage.js', 'play/brought/lessons.js', 'play/export/javascript.js', 'teach/solutions.js', 'shared/language.js', 'shared/drawing/colours.js', 'shared/files/made.js'];
 const FILES = ['bear.obj', 'seagull.dae', 'fireman.dae', 'dragon.dae', 'person.dae', 'fortress.obj', 'spaceship.obj', 'kelp.obj', 'tree.obj'];
 const folder = path.join(root, 'bin/generated');
 

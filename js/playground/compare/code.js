@@ -1,5 +1,5 @@
 /** Writes a program for the npm package with two agents and a collision system. */
-import { BUILT_IN, fileOf } from "../shared/assets.js";
+import { BUILT_IN, fileOf } from "../shared/files/assets.js";
 import { CollisionBlocks } from "starlogo-collision";
 import { INSTALL } from "../shared/names.js";
 import { HULLS } from "./systems.js";

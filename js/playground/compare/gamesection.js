@@ -1,9 +1,9 @@
 /** A whole game of agents all over the ground: what each system finds in it, beside a system that is taken as right. */
 import { CollisionBlocks } from "starlogo-collision";
-import { grid } from "../shared/backdrop.js";
-import { VERDICTS } from "../shared/colours.js";
+import { grid } from "../shared/drawing/backdrop.js";
+import { VERDICTS } from "../shared/drawing/colours.js";
 import { button, choice, field, h, short } from "../shared/dom.js";
-import { Lab } from "../shared/lab.js";
+import { Lab } from "../shared/drawing/lab.js";
 import { texts } from "../shared/language.js";
 import { ScatteredGame } from "../shared/scattered.js";
 import { gameTo } from "./link.js";

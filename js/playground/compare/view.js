@@ -1,16 +1,16 @@
 /** Compare: shows which collisions each system finds, for two agents, and for a game of many. */
 import { Agent, CollisionBlocks } from "starlogo-collision";
-import { grid } from "../shared/backdrop.js";
-import { AGENTS, TOUCHING } from "../shared/colours.js";
+import { grid } from "../shared/drawing/backdrop.js";
+import { AGENTS, TOUCHING } from "../shared/drawing/colours.js";
 import { copyLink, listing } from "../shared/copying.js";
 import { button, choice, field, fileButton, h, modes } from "../shared/dom.js";
-import { dragAgents } from "../shared/dragging.js";
-import { MODEL_FILE } from "../shared/files.js";
-import { Lab, orbitByKeys } from "../shared/lab.js";
-import { loadLand } from "../shared/models.js";
+import { dragAgents } from "../shared/drawing/dragging.js";
+import { MODEL_FILE } from "../shared/files/files.js";
+import { Lab, orbitByKeys } from "../shared/drawing/lab.js";
+import { loadLand } from "../shared/files/models.js";
 import { SHAPES } from "../shared/names.js";
-import { offerFile, ownModels } from "../shared/ownmodels.js";
-import { Sight } from "../shared/sight.js";
+import { offerFile, ownModels } from "../shared/files/ownmodels.js";
+import { Sight } from "../shared/drawing/sight.js";
 import { TraitSliders, moveWithin } from "../shared/traits.js";
 import { texts } from "../shared/language.js";
 import { codeOf } from "./code.js";

@@ -1,11 +1,11 @@
 /** Questions about the space around a model, asked with the pointer and answered in the picture. */
 import { Agent, AgentQueries, CollisionBlocks, RayHit, Vector3D } from "starlogo-collision";
-import { AGENTS, LINES, VERDICTS } from "../shared/colours.js";
+import { AGENTS, LINES, VERDICTS } from "../shared/drawing/colours.js";
 import { choice, field, h, short, slider, tick } from "../shared/dom.js";
-import { dragAgents } from "../shared/dragging.js";
-import { loadModel } from "../shared/models.js";
+import { dragAgents } from "../shared/drawing/dragging.js";
+import { loadModel } from "../shared/files/models.js";
 import { SHAPES } from "../shared/names.js";
-import { Sight, placeText } from "../shared/sight.js";
+import { Sight, placeText } from "../shared/drawing/sight.js";
 import { TraitSliders, moveWithin } from "../shared/traits.js";
 import { texts } from "../shared/language.js";
 

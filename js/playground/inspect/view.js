@@ -1,11 +1,11 @@
 /** Inspect: shows a model, the structures around it, and their costs. */
 import { Agent, Model } from "starlogo-collision";
-import { grid } from "../shared/backdrop.js";
-import { AGENTS, LINES, OWN_COLOURS } from "../shared/colours.js";
+import { grid } from "../shared/drawing/backdrop.js";
+import { AGENTS, LINES, OWN_COLOURS } from "../shared/drawing/colours.js";
 import { button, choice, field, fileButton, h, modes, short, slider, tick } from "../shared/dom.js";
-import { Lab, orbitByKeys } from "../shared/lab.js";
-import { loadModel } from "../shared/models.js";
-import { openModel, ownModels } from "../shared/ownmodels.js";
+import { Lab, orbitByKeys } from "../shared/drawing/lab.js";
+import { loadModel } from "../shared/files/models.js";
+import { openModel, ownModels } from "../shared/files/ownmodels.js";
 import { MODELS } from "../shared/names.js";
 import { texts } from "../shared/language.js";
 import { depthOf, measure, nodesAt } from "./fits.js";
@@ -112,7 +112,7 @@ class InspectView {
 
 	/** If a file is a program or a pupil's work, says so, with the way to where it opens. Returns whether it was one. */
 	async #refusedAsProgram(file) {
-		const { isProgram, isWork, packed } = await import("../shared/packing.js");
+		const { isProgram, isWork, packed } = await import("../shared/files/packing.js");
 		try {
 			const { models, ...program } = JSON.parse(await file.text());
 			if (isWork(program)) this.#say(texts.play.isWork(file.name), true);

@@ -4,15 +4,15 @@ import { levelFromObject } from "starlogo-collision/three";
 import { Game, wander } from "../../../examples/level/game.js";
 import { Shadows, chequer, personShape } from "../../../examples/level/looks.js";
 import source from "../../../examples/level/game.js" with { type: "text" };
-import { outdoors } from "../shared/backdrop.js";
+import { outdoors } from "../shared/drawing/backdrop.js";
 import { listing } from "../shared/copying.js";
 import { button, h, short } from "../shared/dom.js";
 import { Figures, median } from "../shared/figures.js";
 import { texts } from "../shared/language.js";
 import { Loop } from "../shared/loop.js";
 import { padKey } from "../shared/pad.js";
-import { DOCS, readLevel } from "../shared/served.js";
-import { Stage } from "../shared/stage.js";
+import { DOCS, readLevel } from "../shared/files/served.js";
+import { Stage } from "../shared/drawing/stage.js";
 import { sceneIn } from "./glb.js";
 
 const words = texts.level;

@@ -1,7 +1,7 @@
 /** The world of a running measurement: every agent as a box of its colour. One draw call draws 20,000 of them. */
 import { BoxGeometry, DynamicDrawUsage, InstancedBufferAttribute, InstancedMesh, MeshLambertMaterial } from "three";
-import { grid } from "../shared/backdrop.js";
-import { Stage } from "../shared/stage.js";
+import { grid } from "../shared/drawing/backdrop.js";
+import { Stage } from "../shared/drawing/stage.js";
 
 /** The width of the drawn ground, whatever the width of the game's. */
 const GROUND = 100;

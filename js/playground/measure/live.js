@@ -2,13 +2,13 @@
 import KDBush from "kdbush";
 import { Collision, CollisionBlocks } from "starlogo-collision";
 import { CAST, HALF_WIDTH, ScatteredGame } from "../shared/scattered.js";
-import { VERDICTS } from "../shared/colours.js";
+import { VERDICTS } from "../shared/drawing/colours.js";
 import { button, choice, field, h, short, slider, tick } from "../shared/dom.js";
 import { Figures } from "../shared/figures.js";
 import { failure, texts } from "../shared/language.js";
 import { Loop } from "../shared/loop.js";
-import { offerFile } from "../shared/ownmodels.js";
-import { loadRapier } from "../shared/served.js";
+import { offerFile } from "../shared/files/ownmodels.js";
+import { loadRapier } from "../shared/files/served.js";
 import { Crowd, DRAWN } from "./crowd.js";
 import { Parts } from "./parts.js";
 

@@ -4,12 +4,12 @@
 import { CollisionBlocks } from "starlogo-collision";
 import { CAST } from "../shared/scattered.js";
 import { button, choice, field, fileButton, h, modes, short } from "../shared/dom.js";
-import { hand } from "../shared/hand.js";
+import { hand } from "../shared/files/hand.js";
 import { texts } from "../shared/language.js";
-import { recallList, rememberValue } from "../shared/memory.js";
-import { MODEL_FILE } from "../shared/files.js";
-import { loadLand } from "../shared/models.js";
-import { ownModels } from "../shared/ownmodels.js";
+import { recallList, rememberValue } from "../shared/files/memory.js";
+import { MODEL_FILE } from "../shared/files/files.js";
+import { loadLand } from "../shared/files/models.js";
+import { ownModels } from "../shared/files/ownmodels.js";
 import { chart, fileOf } from "./chart.js";
 import { Live } from "./live.js";
 import { COUNTS, isMeasured, measureAll } from "./times.js";

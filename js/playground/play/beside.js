@@ -1,10 +1,10 @@
 /** Plays the same game a second time with another collision system, beside the first one. It has the same start and the same keys. */
 import { h } from "../shared/dom.js";
 import { fixed, texts } from "../shared/language.js";
-import { LandStage } from "./landstage.js";
-import { nameOf } from "./panel.js";
-import { Scene } from "./scene.js";
-import { FRAMES_A_SECOND, World } from "./world.js";
+import { LandStage } from "./screen/landstage.js";
+import { nameOf } from "./screen/panel.js";
+import { Scene } from "./screen/scene.js";
+import { FRAMES_A_SECOND, World } from "./game/world.js";
 
 const words = texts.play;
 

@@ -1,24 +1,24 @@
-/** Play: a program of blocks beside its world. The view starts, stops and draws the game; layout.js has its elements. */
+/** Play: a program of blocks beside its world. The view starts, stops and draws the game; screen/layout.js has its elements. */
 import { CollisionBlocks } from "starlogo-collision";
 import { button } from "../shared/dom.js";
-import { dragAgents } from "../shared/dragging.js";
-import { loadLand } from "../shared/models.js";
+import { dragAgents } from "../shared/drawing/dragging.js";
+import { loadLand } from "../shared/files/models.js";
 import { SHAPES } from "../shared/names.js";
 import { texts } from "../shared/language.js";
 import { Loop } from "../shared/loop.js";
-import { BuildBar } from "./buildbar.js";
-import { Keys } from "./keys.js";
-import { Models } from "./kept.js";
-import { LandStage } from "./landstage.js";
-import { Layout } from "./layout.js";
-import { loadMessages } from "./messages.js";
-import { onGround } from "./moves.js";
-import { Panel } from "./panel.js";
-import { Scene } from "./scene.js";
-import { Sound } from "./sound.js";
-import { Programs } from "./programs.js";
-import { meaning } from "./storage.js";
-import { FRAMES_A_SECOND, SEED, World } from "./world.js";
+import { BuildBar } from "./screen/buildbar.js";
+import { Keys } from "./screen/keys.js";
+import { Models } from "./programs/kept.js";
+import { LandStage } from "./screen/landstage.js";
+import { Layout } from "./screen/layout.js";
+import { loadMessages } from "./blocks/messages.js";
+import { onGround } from "./game/moves.js";
+import { Panel } from "./screen/panel.js";
+import { Scene } from "./screen/scene.js";
+import { Sound } from "./screen/sound.js";
+import { Programs } from "./programs/programs.js";
+import { meaning } from "./programs/storage.js";
+import { FRAMES_A_SECOND, SEED, World } from "./game/world.js";
 
 const words = texts.play;
 /** The most frames that are computed between two pictures to make up for lost time. */
@@ -35,7 +35,7 @@ export async function createView(main, link) {
 	await messages;
 	view.preview(await view.programs.first(link));
 	if (view.programs.isHome(link)) await view.programs.openHome();
-	const [{ Editor }] = await Promise.all([messages.then(() => import("./editor.js")), view.own.takeKept()]);
+	const [{ Editor }] = await Promise.all([messages.then(() => import("./blocks/editor.js")), view.own.takeKept()]);
 	view.edit(Editor);
 	await opening;
 	return view;
@@ -169,7 +169,7 @@ class PlayView {
 		this.say(texts.loading);
 		this.keys.show(program);
 		if (this.#tryToShow(program)) return;
-		await import("./lateengine.js").catch(() => null);
+		await import("./game/lateengine.js").catch(() => null);
 		if (!this.editor) this.#tryToShow(program);
 	}
 

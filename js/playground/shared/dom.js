@@ -1,5 +1,5 @@
 /** Makes elements with few words. Styles are classes, because the page's policy allows no style attributes. */
-import { chiefOf } from "./files.js";
+import { chiefOf } from "./files/files.js";
 import { fixed } from "./language.js";
 
 /**

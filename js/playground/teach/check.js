@@ -1,8 +1,8 @@
 /** Plays what pupils have handed in, to see which lessons it does. */
-import { LESSONS } from "../play/library.js";
-import "../play/lateengine.js";
-import { landFor } from "../play/pictures.js";
-import { World } from "../play/world.js";
+import { LESSONS } from "../play/brought/library.js";
+import "../play/game/lateengine.js";
+import { landFor } from "../play/screen/pictures.js";
+import { World } from "../play/game/world.js";
 
 /** A lesson is done within so many frames. */
 const LONGEST = 1900;

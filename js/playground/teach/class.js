@@ -1,7 +1,7 @@
 /** The page of a class: what pupils have handed in, who has solved what, and each program with its picture, to play at a click. */
 import { button, fileButton, h } from "../shared/dom.js";
-import { hand } from "../shared/hand.js";
-import { handed } from "../shared/handed.js";
+import { hand } from "../shared/files/hand.js";
+import { handed } from "../shared/files/handed.js";
 import { failure, texts } from "../shared/language.js";
 
 const words = texts.handing;
@@ -163,7 +163,7 @@ export class ClassPage {
 
 	/** Draws the pictures one after the other, so that the page stays responsive. */
 	async #draw() {
-		const { Studio } = await import("../play/pictures.js");
+		const { Studio } = await import("../play/screen/pictures.js");
 		const pictures = this.list.querySelectorAll("img");
 		if (pictures.length === 0 || !this.list.isConnected) return;
 		const studio = new Studio(this.main);

@@ -1,0 +1,22 @@
+/** The programs that the page brings along, by their names: games, examples, and those of lessons. They load when one is first wanted. */
+import { learn, texts } from "../../shared/language.js";
+import { LESSON_NAMES } from "../programs/lessoncard.js";
+
+/** The name of a lesson's program begins with this. */
+const LESSON = "lesson-";
+
+/** The name of a lesson's program. */
+export const programOfLesson = (lesson) => LESSON + lesson;
+
+/** The lesson that a program's name is of, or null. */
+export const lessonOf = (name) => (name.startsWith(LESSON) ? name.slice(LESSON.length) : null);
+
+/** Whether the page has a program with this name. */
+export const isBrought = (name) => name in texts.play.games || name in texts.play.examples || LESSON_NAMES.includes(lessonOf(name));
+
+/** A program of the page. */
+export async function brought(name) {
+	await learn("game");
+	const { BROUGHT } = await import("./library.js");
+	return BROUGHT[name];
+}

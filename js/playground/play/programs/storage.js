@@ -1,0 +1,129 @@
+/** Stores programs: in the browser, each under its own name, in files, and in links. */
+import { recallValue, rememberValue } from "../../shared/files/memory.js";
+import { isProgram, packed, unpacked } from "../../shared/files/packing.js";
+
+const KEY = "starlogo-playground.programs";
+/** The key for the last program, from a release in which programs had no names. */
+const OLD_KEY = "starlogo-playground.program";
+
+/**
+ * The programs of the browser's user, each {id, name, program, picture, changed}. Another tab may change them too, so they are read again
+ * before each change.
+ */
+export class Shelf {
+	/** Whether the last change is stored. */
+	isKept = true;
+	/** The programs, if the browser refuses to store them. */
+	#unkept = null;
+
+	get all() {
+		return this.#unkept ?? recallValue(KEY) ?? this.#taken();
+	}
+
+	/** The program that an earlier release has stored. */
+	#taken() {
+		const old = recallValue(OLD_KEY);
+		return old?.name === "own" && isProgram(old.program) ? [{ id: "own", name: "1", program: old.program, changed: 0 }] : [];
+	}
+
+	find(id) {
+		return this.all.find((each) => each.id === id) ?? null;
+	}
+
+	/** Adds a program, or replaces the one with the same id. */
+	put(entry) {
+		const { all } = this;
+		const at = all.findIndex(({ id }) => id === entry.id);
+		if (at < 0) all.push(entry);
+		else all[at] = { ...all[at], ...entry };
+		this.#write(all);
+	}
+
+	remove(id) {
+		this.#write(this.all.filter((each) => each.id !== id));
+	}
+
+	/** Removes all programs, the memory of the last one, the best times, the cameras and the solutions. */
+	forget() {
+		this.#write([]);
+		this.#keep(`${KEY}.records`, {});
+		this.#keep(`${KEY}.cameras`, {});
+		this.#keep(`${KEY}.solutions`, {});
+		this.last = null;
+	}
+
+	/** The seconds of the best victory in a game, or null. */
+	recordOf(id) {
+		return recallValue(`${KEY}.records`)?.[id] ?? null;
+	}
+
+	putRecord(id, seconds) {
+		this.#keep(`${KEY}.records`, { ...recallValue(`${KEY}.records`), [id]: seconds });
+	}
+
+	/** The camera that was chosen for a program, or null. A program from a link has none, because the next link is another one. */
+	cameraOf(id) {
+		return recallValue(`${KEY}.cameras`)?.[id] ?? null;
+	}
+
+	putCamera(id, camera) {
+		if (id !== "link") rememberValue(`${KEY}.cameras`, { ...recallValue(`${KEY}.cameras`), [id]: camera });
+	}
+
+	/** The programs that did lessons, by the lessons' names. If the lesson's own program did it, only its collision system is kept. */
+	get solutions() {
+		return recallValue(`${KEY}.solutions`) ?? {};
+	}
+
+	putSolution(lesson, program) {
+		this.#keep(`${KEY}.solutions`, { ...this.solutions, [lesson]: program });
+	}
+
+	/** The id of the program that was open last. */
+	get last() {
+		return recallValue(`${KEY}.last`);
+	}
+
+	set last(id) {
+		this.#keep(`${KEY}.last`, id);
+	}
+
+	#write(all) {
+		this.#keep(KEY, all);
+		this.#unkept = this.isKept ? null : all;
+	}
+
+	#keep(key, value) {
+		this.isKept = rememberValue(key, value);
+	}
+
+	/** Calls the listener for changes by other tabs, until the returned function is called. */
+	watch(listener) {
+		const heard = ({ key }) => {
+			if (key === KEY) listener();
+		};
+		addEventListener("storage", heard);
+		return () => removeEventListener("storage", heard);
+	}
+}
+
+/** A program as text for an address. */
+export const toLink = packed;
+
+/** The program in such a text. Throws if there is none. */
+export async function fromLink(text) {
+	const program = await unpacked(text);
+	if (!isProgram(program)) throw new Error("no program");
+	return program;
+}
+
+/**
+ * The parts of a program that change its game. Left out are the places of blocks, which ones are folded, and the collision system, which
+ * can change during the game.
+ */
+export const meaning = (program) => JSON.stringify(program, function meant(key, value) {
+	return key === "system" || key === "languageVersion" || ("type" in this && ["id", "x", "y", "collapsed"].includes(key)) ? undefined : value;
+});
+
+/** A name that is allowed for a file on every system. */
+export const fileName = (title) => title.replaceAll(/[\\/:*?"<>|\p{Cc}]+/gu, " ").replaceAll(/\s+/g, " ").trim() || "program";

@@ -1,0 +1,102 @@
+/** The panel beside the world: figures, meetings of agents, totals. */
+import { button, h, short } from "../../shared/dom.js";
+import { Figures } from "../../shared/figures.js";
+import { fixed, texts } from "../../shared/language.js";
+import { FRAMES_A_SECOND } from "../game/world.js";
+
+const words = texts.play;
+const LISTED = 12;
+
+const breedName = (breed) => texts.breeds[breed] ?? breed;
+
+/** An agent's name: its breed, and its number in the game. */
+export const nameOf = ({ breed, number }) => `${breedName(breed)} ${number}`;
+
+export class Panel {
+	#ms = 0;
+	#scriptMs = 0;
+	#ticks = 0;
+	#frames = 0;
+	#since = 0;
+	/** The largest numbers in the frames since the figures were last shown. */
+	#most = { pairs: 0, tests: 0, collisions: 0 };
+	#shown = "";
+	#chosen = "";
+	#next = 0;
+
+	/**
+	 * @param {import("../game/world.js").World} world
+	 * @param {(agent: object) => void} onChoose called with an agent that the user chose
+	 */
+	constructor(world, onChoose) {
+		this.world = world;
+		this.onChoose = onChoose;
+		this.figures = new Figures(words.panel);
+		this.list = h("ol.met", { "aria-label": words.events, tabindex: "0" });
+		this.cast = h("ul.cast");
+		this.totals = h("ul.totals", { "aria-label": words.totals });
+		this.element = h("div.panel", {},
+			h("h2.visually-hidden", {}, words.cast), this.cast,
+			h("details.numbers", {}, h("summary", {}, words.figures),
+				this.figures.element,
+				h("div.meetings", {}, h("h2", {}, words.events), this.totals, this.list)));
+	}
+
+	/** Counts a frame. */
+	count() {
+		const { collisionMs, scriptMs, collisions } = this.world;
+		this.#ms += collisionMs;
+		this.#scriptMs += scriptMs;
+		this.#ticks++;
+		const { candidatePairs: pairs, tests, hierarchyTests, collisions: touching } = collisions.collision.statistics;
+		for (const [name, value] of Object.entries({ pairs, tests: tests + hierarchyTests, collisions: touching })) this.#most[name] = Math.max(this.#most[name], value);
+	}
+
+	/** Shows the figures; twice a second while the game runs. */
+	show(now = 0) {
+		this.#frames++;
+		if (now > 0 && now - this.#since < 500) return;
+		const { agents, state } = this.world;
+		// while the game stands still, the last figures stay
+		const counted = this.#ticks > 0 || state.frame === 0 ? { ms: short(this.#ms / this.#ticks), scripts: short(this.#scriptMs / this.#ticks), ...this.#most } : {};
+		const fps = now > 0 ? Math.round((this.#frames * 1000) / (now - this.#since)) : "–";
+		this.figures.show({ ...counted, agents: agents.length, meetings: state.meetings, ...(now === 0 && { collisions: state.touching }), fps });
+		this.forget(now);
+		this.#list();
+		this.#listCast();
+	}
+
+	forget(now = 0) {
+		this.#since = now;
+		this.#ms = this.#scriptMs = this.#ticks = this.#frames = 0;
+		this.#most = { pairs: 0, tests: 0, collisions: 0 };
+	}
+
+	/** Lists the agents by breed. Clicking a breed's name chooses its agents one after the other. */
+	#listCast() {
+		const counts = new Map();
+		for (const { breed } of this.world.agents) counts.set(breed, (counts.get(breed) ?? 0) + 1);
+		const shown = [...this.cast.children].map(({ dataset }) => dataset.breed);
+		if ([...counts.keys()].join("\n") !== shown.join("\n")) {
+			this.cast.replaceChildren(...[...counts.keys()].map((breed) => h("li", { "data-breed": breed }, button("", () => this.#choose(breed), { title: words.castNote }))));
+		}
+		for (const { dataset, firstChild } of this.cast.children) firstChild.textContent = `${breedName(dataset.breed)} ${counts.get(dataset.breed)}`;
+	}
+
+	#choose(breed) {
+		const all = this.world.agents.filter((agent) => agent.breed === breed);
+		this.#next = this.#chosen === breed ? this.#next + 1 : 0;
+		this.#chosen = breed;
+		this.onChoose(all[this.#next % all.length]);
+	}
+
+	#list() {
+		const { events, totals, state } = this.world;
+		const shown = `${state.meetings} ${state.frame < (events[0]?.frame ?? 0)} ${events[0]?.frame}`;
+		if (shown === this.#shown) return;
+		this.#shown = shown;
+		this.list.replaceChildren(...(events.length === 0 ? [h("li", {}, words.noEvents)] : events.slice(0, LISTED).map(({ frame, a, b, names }) => h("li", {},
+			h("time", {}, words.after(fixed(frame / FRAMES_A_SECOND, 1))), ` ${words.met(nameOf({ breed: names[0], number: a.number }), nameOf({ breed: names[1], number: b.number }))}`))));
+		this.totals.replaceChildren(...[...totals].sort(([, a], [, b]) => b - a).slice(0, 8).map(([names, count]) => h("li", {}, `${names.split("\n").map(breedName).join(" × ")} `, h("b", {}, String(count)))));
+	}
+}

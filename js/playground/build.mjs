@@ -39,7 +39,7 @@ function loadedWith(file) {
 	if (/(lateengine|queries|questions)\.js$/.test(file)) return path.relative(here, file);
 	if (/inspect[/\\]fits\.js$/.test(file)) return "inspect";
 	if (/sight\.js$/.test(file)) return "compare";
-	return /playground[/\\](play|compare|measure|level)[/\\]/.exec(file)?.[1] ?? "";
+	return /[/\\](play|compare|measure|level)[/\\](?:\w+[/\\])?\w+\.js$/.exec(file)?.[1] ?? "";
 }
 
 /** The settings of esbuild for the page, as it is served or as a single file. */

@@ -24,6 +24,8 @@ const WARNINGS = new Map([
 	]),
 	["agents.Agent.moveTo", ["$warnOfPlace(this, x, y, z, false);"]],
 	["agents.Agent.jumpTo", ["$warnOfPlace(this, x, y, z, true);"]],
+	["collision.Collision.snapshot", ["$warnOfSnapshot(this, withTraits);"]],
+	["collision.Collision.restore", ["$warnOfRestore(this, bytes, agents);"]],
 	["collision.Collision.removeHandler", ["$warnOfRemoval(this, breed, otherBreed, handler);"]],
 	["queries.AgentFilter.accepts", ["$warnOfAccepts(value);"]],
 	["queries.AgentQueries.update", [
@@ -36,6 +38,9 @@ const WARNINGS = new Map([
 		"$warnOfFall(agent, dx, dy);",
 		"$warnOfWalk(this, agent, dx, dy, options);",
 	]),
+	...["AgentQueries", "AgentRays"].flatMap((name) => ["cast", "castAll"].map((method) => [`queries.${name}.${method}`, [
+		`$warnOfDirection("${name}.${method}", direction);`,
+	]])),
 	["queries.AgentPlaces.inCone", ["$warnOfCone(degrees);"]],
 ].map(([name, statements]) => [`starlogo.${name}`, statements]));
 

@@ -79,6 +79,13 @@ test("a bundle has what is used and no more", () => {
 	assert.match(bundle(["ModelLoader"]), /COLLADA/);
 });
 
+test("./readable is the readable file in every bundle, and in Node", () => {
+	const { outputFiles: [{ text }] } = esbuild.buildSync({ stdin: { contents: 'export { Agent } from "starlogo-collision/readable";\n', resolveDir: work }, bundle: true, format: "esm", write: false });
+	assert.match(text, /Angles are in degrees/);
+	assert.doesNotMatch(bundle(["Agent"]), /Angles are in degrees/);
+	assert.equal(createRequire(path.join(work, "package.json")).resolve("starlogo-collision/readable"), path.join(folder, "starlogo-collision.js"));
+});
+
 test("a game loads the questions that it asks", () => {
 	const level = ["Agent", "Model", "Capsule", "LevelShapes", "SeenAgents"];
 	const limits = [
@@ -262,7 +269,7 @@ test("a class with a part of AgentQueries declares the same results", () => {
 	const text = readFileSync(path.join(folder, "index.d.ts"), "utf8");
 	const resultsOf = (name) => new Map([...text.match(new RegExp(`^export class ${name}<[^]*?^}`, "m"))[0].matchAll(/^\t(\w+)(?:<.*?>)?\(.*\): (.*);$/gm)].map(([, method, result]) => [method, result]));
 	const expected = resultsOf("AgentQueries");
-	assert.equal(expected.get("cast"), "RayHit<A> | null");
+	assert.equal(expected.get("cast"), "RayHit<Uninferred<F>> | null");
 	for (const part of ["AgentPlaces", "AgentRays", "AgentMotions"]) {
 		const results = [...resultsOf(part)].filter(([method]) => expected.has(method));
 		assert.ok(results.length > 2, part);

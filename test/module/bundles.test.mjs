@@ -79,6 +79,18 @@ test("a bundle has what is used and no more", () => {
 	assert.match(bundle(["ModelLoader"]), /COLLADA/);
 });
 
+test("the package's page says what bundles weigh", () => {
+	const [, table] = /^## What a bundle weighs\n([^]*?)^## /m.exec(readFileSync(path.join(root, "js/module/README.md"), "utf8"));
+	const rows = [...table.matchAll(/^\|[^|]*\| (`.*`) \| ([\d.]+) \|$/gm)].map(([, names, said]) => [names.match(/[\w*]+/g), Number(said)]);
+	assert.ok(rows.length > 15);
+	for (const [names, said] of rows) {
+		const size = weigh(names[0] === "*" ? bundleOf('export * from "starlogo-collision";') : bundle(names)) / KB;
+		assert.ok(Math.abs(size - said) < (said < 10 ? 0.1 : 1), `${names.join(", ")}: ${size.toFixed(1)} KB, and the page says ${said}`);
+	}
+	const said = Number(/\[The lightest player\]\(.*?\) has (\d+) KB/.exec(table)[1]);
+	assert.ok(Math.abs(weigh(bundleOf(COINS)) / KB - said) < 1);
+});
+
 test("./readable is the readable file in every bundle, and in Node", () => {
 	const { outputFiles: [{ text }] } = esbuild.buildSync({ stdin: { contents: 'export { Agent } from "starlogo-collision/readable";\n', resolveDir: work }, bundle: true, format: "esm", write: false });
 	assert.match(text, /Angles are in degrees/);

@@ -1,4 +1,4 @@
-/** Questions whose update is forgotten, or whose Collision's is, or that have not seen the ground yet; and rays that meet who sends them. */
+/** Questions whose update is forgotten, or whose Collision's is; that have not seen the ground; and rays that meet who sends them. */
 import { $isUpdated, $updates } from "./frames.mjs";
 import { $breedsWithHandlers } from "./handlers.mjs";
 import { $hasWarned, $keptOf, $warn } from "./warn.mjs";
@@ -64,7 +64,8 @@ export function $warnOfStale(queries, agents, mover) {
 /** Warns of a ground that has come since the last update of questions, if they have seen none: rays and walks go through it. */
 function $warnOfLateGround(queries) {
 	if (!queries._isUpdated || queries.$table.list.agentsByRow[0] !== null) return; // ListedAgents.GROUND_ROW
-	$warn("the ground was set after the last queries.update(agents), so questions do not see it: set it before, or update them again", "ground");
+	$warn("the ground was set after the last queries.update(agents), so questions do not see it: "
+		+ "set it before, or update them again", "ground");
 }
 
 function $countMove(kept, mover) {

@@ -20,17 +20,19 @@ export function $warnOfSnapshot(collision, given) {
 	const agents = [...collision.lastAgents];
 	if (given === true || given?.withTraits === true) {
 		if (agents.length > 0 || $isUpdated(collision)) return;
-		$warn("a snapshot before the first update has no agents, so restore() puts nobody back: it is of the list of the last collision.update(agents)");
+		$warn("a snapshot before the first update has no agents, so restore() puts nobody back: "
+			+ "it is of the list of the last collision.update(agents)");
 		return;
 	}
 	const taken = $keptOf($withoutTraits, collision, $newList);
 	if (taken.length <= $MOST_SNAPSHOTS) taken.push(agents.map((agent) => ({ agent, x: agent.x, y: agent.y, z: agent.z })));
 }
 
-/** Warns of going back by a snapshot without traits while an agent is elsewhere than it was at any such snapshot: the game has not put it back. */
+/** Warns of going back by a snapshot without traits if an agent is elsewhere than at any such snapshot: the game has not put it back. */
 export function $warnOfRestore(collision, bytes, agents) {
 	const taken = $withoutTraits.get(collision);
-	if (!taken || taken.length > $MOST_SNAPSHOTS || !Array.isArray(agents) || ByteArray.from(bytes)?.byteAt($CONTENTS) & $HAS_TRAITS) return;
+	if (!taken || taken.length > $MOST_SNAPSHOTS || !Array.isArray(agents)) return;
+	if (ByteArray.from(bytes)?.byteAt($CONTENTS) & $HAS_TRAITS) return;
 	const ofThese = taken.filter((places) => places.length === agents.length && places.every(({ agent }, i) => agent === agents[i]));
 	const movedSince = ofThese.map((places) => places.find(({ agent, x, y, z }) => agent.x !== x || agent.y !== y || agent.z !== z));
 	if (movedSince.length === 0 || movedSince.includes(undefined)) return;

@@ -53,10 +53,12 @@ function $commonLetters(word, other) {
 	return same;
 }
 
+const $HINT_OF_WALK = ". A walk has no dz: its options come after dx and dy. { fall: 0.2 } lets it fall";
+
 /** What an error says about a value of the wrong kind: what is probably meant by it. */
 export function $hintOfValue(value, kind) {
 	if (typeof value === "function" && kind.startsWith("an AgentFilter")) return ". A function goes into one: { accepts: (agent) => agent.size > 1 }";
-	if (typeof value === "number" && kind.startsWith("WalkOptions")) return ". A walk has no dz: its options come after dx and dy. { fall: 0.2 } lets it fall";
+	if (typeof value === "number" && kind.startsWith("WalkOptions")) return $HINT_OF_WALK;
 	if (typeof value === "string" && kind === "an array of strings") return `; is [${JSON.stringify(value)}] meant?`;
 	if (typeof value !== "object" || value === null) return "";
 	if (typeof value.then === "function") return ": await it first";

@@ -54,7 +54,7 @@ const OF_BREEDS = "<B extends Agent | { [K in keyof B]: Agent } = Agent, A exten
 const PICKING = "<A extends Agent>";
 const NAMING = "N extends BreedOf<B> = BreedOf<B>, M extends BreedOf<B> = BreedOf<B>>";
 const HANDLING = `<C extends AgentOf<B, N>, D extends AgentOf<B, M>, ${NAMING}`;
-const fillingOf = (agent) => `<O extends Agent = ${agent}>`;
+const FILLING = "<O extends Agent = Agent>";
 const findingOf = (agent) => `<F extends ${agent} = ${agent}>`;
 
 /** Questions about places never find the ground. All others with a filter may. */
@@ -217,7 +217,7 @@ class Writer {
 		if (HANDLER.test(said)) return HANDLING;
 		if (parameters.some(({ name }) => name === "otherBreed")) return `<${NAMING}`;
 		const takes = (wanted) => parameters.some(({ type }) => type === wanted);
-		if (takes("Footing")) return fillingOf(this.#agent);
+		if (takes("Footing")) return FILLING;
 		return takes("AgentFilter") && /^(?:Vector\.<)?(?:Agent|RayHit|ShapeHit)>?$/.test(result) ? findingOf(this.#agent) : "";
 	}
 
@@ -287,8 +287,8 @@ class Writer {
 	}
 
 	#parameterType(parameter, said = "") {
-		// what is filled may be for a base class of the agents, not for another one
-		if (parameter.type === "Footing" && this.#agent !== "Agent") return `(Footing<O> & ([${this.#agent}] extends [O] ? unknown : never)) | null`;
+		// what is filled has to take the ground, too
+		if (parameter.type === "Footing" && this.#agent !== "Agent") return "(Footing<O> & ([Agent] extends [O] ? unknown : never)) | null";
 		// who asks a question need not be in the list, and what it fills may have been made for any class of agents before
 		const agent = this.#agent;
 		const isForAny = parameter.type !== "SeenAgents" && this.#isGeneric(this.#exported.get(/^(?:Vector\.<)?(\w+)>?$/.exec(parameter.type)?.[1]));

@@ -30,6 +30,7 @@ const WARNINGS = new Map([
 	["queries.AgentFilter.accepts", ["$warnOfAccepts(value);"]],
 	["queries.AgentQueries.update", [
 		"$warnOfTime(\"AgentQueries.update\", arguments);",
+		"$warnOfNoAgent(\"AgentQueries.update\", agents);",
 		"$warnOfLaterProperties(this, agents);",
 	]],
 	["queries.SeenAgents.update", ["$warnOfNoFrames(this);", "$warnOfStale(this, agents, null);"]],

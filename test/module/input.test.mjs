@@ -391,6 +391,11 @@ test("while a game is developed, an error about a value in a literal names the c
 	refused(() => queries.walk(walker, 1, 0, { stepHeight: -1 }), "AgentQueries.walk: options.stepHeight must be between 0 and 1000000000: -1");
 	refused(() => queries.near(walker, 5, { except: ["coins"] }), 'AgentQueries.near: filter.except[0] must be an Agent, not "coins"');
 	refused(() => collision.snapshot({ traits: true }), "Collision.snapshot: options.traits is no option; the nearest is withTraits; there are withTraits, withGround");
+	refused(() => collision.update("coins"), 'Collision.update: agents must be an array, not "coins"');
+	for (const each of [undefined, "coin"]) {
+		refused(() => collision.update([walker, each]), "Collision.update: agents[1] must be an Agent, not ");
+		refused(() => queries.update([walker, each]), "AgentQueries.update: agents[1] must be an Agent, not ");
+	}
 	for (const rays of [queries, new AgentRays(new SeenAgents(collision))]) {
 		for (const call of ["cast", "castAll"]) {
 			refused(() => rays[call](new engine.Vector3D(), { x: 0, y: 0, z: 0 }), `${rays.constructor.name}.${call}: direction must not be 0`);

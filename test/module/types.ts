@@ -219,6 +219,8 @@ for (const footing of [new Footing(), new Footing<Hero | Agent>(), null]) {
 }
 // @ts-expect-error the hero stands on heroes or on the ground, not on coins
 walks.walk(near[0]!, 1, 0, null, new Footing<Coin>());
+const walkOf = <A extends Agent>(asked: AgentQueries<A>, walker: A): Footing => asked.walk(walker, 1, 0, null, new Footing());
+walkOf(walks, near[0]!).on?.breed;
 // @ts-expect-error nor on heroes alone
 walks.walk(near[0]!, 1, 0, null, new Footing<Hero>());
 // @ts-expect-error the ground has no life

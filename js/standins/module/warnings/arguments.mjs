@@ -1,4 +1,5 @@
 /** Arguments that a call takes, and does nothing with, or not what is probably meant. */
+import { $refuse } from "../checks.mjs";
 import { ArgumentError } from "../language.mjs";
 import { $hintOfName } from "./spelling.mjs";
 import { $warn } from "./warn.mjs";
@@ -37,6 +38,14 @@ export function $warnOfSetting(target, name, key, value, options) {
 		const where = `${target === null ? "" : `${target}: `}${name}.${key}`;
 		const known = message.replace(/^\w+\.(?=\w)/, "");
 		throw new Refusal(known.startsWith(key) ? where + known.slice(key.length) : message);
+	}
+}
+
+/** Refuses what is no agent in the list of an update, and names the call: the engine says only where in the list it is. */
+export function $warnOfNoAgent(call, agents) {
+	if (!Array.isArray(agents)) return;
+	for (let i = 0; i < agents.length; i++) {
+		if (agents[i]?.id === undefined) $refuse(null, `${call}: agents[${i}]`, agents[i], "an Agent");
 	}
 }
 

@@ -121,7 +121,7 @@ function manifest() {
 		types: "./index.d.ts",
 		exports: {
 			".": engine,
-			"./readable": engine,
+			"./readable": { types: "./index.d.ts", default: `./${readable}` },
 			"./package.json": "./package.json",
 			"./three": { types: "./three/index.d.ts", default: "./three/index.js" },
 			"./nova": { types: "./nova/index.d.ts", default: "./nova/index.js" },

@@ -52,12 +52,13 @@ test("esbuild takes one engine and one three.js into a bundle, of it what is use
 	assert.ok(bundle('import { modelFromObject } from "starlogo-collision/three";\nexport const one = 1;\n', { external: ["three", "starlogo-collision"] }).size < 300);
 });
 
-test("there is no address of a second engine, for which the adapter's models would be foreign", () => {
-	const { exports } = JSON.parse(readFileSync(path.join(root, "bin/module/package.json"), "utf8"));
+test("only ./readable is an address of a second engine, for which the adapter's models are foreign: it is the readable file everywhere", () => {
+	const { exports: { "./readable": readable, ...exports } } = JSON.parse(readFileSync(path.join(root, "bin/module/package.json"), "utf8"));
 	for (const [condition, engine] of [["node", "./starlogo-collision.js"], ["development", "./starlogo-collision.js"], ["default", "./starlogo-collision.min.js"]]) {
 		const files = Object.values(exports).map((each) => each[condition]).filter((file) => /starlogo-collision[^/]*\.js$/.test(file));
 		assert.deepEqual([...new Set(files)], [engine]);
 	}
+	assert.deepEqual(readable, { types: "./index.d.ts", default: "./starlogo-collision.js" });
 });
 
 test("where two copies are loaded all the same, the error says so", async () => {

@@ -79,6 +79,25 @@ test("a bundle has what is used and no more", () => {
 	assert.match(bundle(["ModelLoader"]), /COLLADA/);
 });
 
+test("the package's page says what bundles weigh", () => {
+	const [, table] = /^## What a bundle weighs\n([^]*?)^## /m.exec(readFileSync(path.join(root, "js/module/README.md"), "utf8"));
+	const rows = [...table.matchAll(/^\|[^|]*\| (`.*`) \| ([\d.]+) \|$/gm)].map(([, names, said]) => [names.match(/[\w*]+/g), Number(said)]);
+	assert.ok(rows.length > 15);
+	for (const [names, said] of rows) {
+		const size = weigh(names[0] === "*" ? bundleOf('export * from "starlogo-collision";') : bundle(names)) / KB;
+		assert.ok(Math.abs(size - said) < (said < 10 ? 0.1 : 1), `${names.join(", ")}: ${size.toFixed(1)} KB, and the page says ${said}`);
+	}
+	const said = Number(/\[The lightest player\]\(.*?\) has (\d+) KB/.exec(table)[1]);
+	assert.ok(Math.abs(weigh(bundleOf(COINS)) / KB - said) < 1);
+});
+
+test("./readable is the readable file in every bundle, and in Node", () => {
+	const { outputFiles: [{ text }] } = esbuild.buildSync({ stdin: { contents: 'export { Agent } from "starlogo-collision/readable";\n', resolveDir: work }, bundle: true, format: "esm", write: false });
+	assert.match(text, /Angles are in degrees/);
+	assert.doesNotMatch(bundle(["Agent"]), /Angles are in degrees/);
+	assert.equal(createRequire(path.join(work, "package.json")).resolve("starlogo-collision/readable"), path.join(folder, "starlogo-collision.js"));
+});
+
 test("a game loads the questions that it asks", () => {
 	const level = ["Agent", "Model", "Capsule", "LevelShapes", "SeenAgents"];
 	const limits = [
@@ -262,7 +281,7 @@ test("a class with a part of AgentQueries declares the same results", () => {
 	const text = readFileSync(path.join(folder, "index.d.ts"), "utf8");
 	const resultsOf = (name) => new Map([...text.match(new RegExp(`^export class ${name}<[^]*?^}`, "m"))[0].matchAll(/^\t(\w+)(?:<.*?>)?\(.*\): (.*);$/gm)].map(([, method, result]) => [method, result]));
 	const expected = resultsOf("AgentQueries");
-	assert.equal(expected.get("cast"), "RayHit<A> | null");
+	assert.equal(expected.get("cast"), "RayHit<Uninferred<F>> | null");
 	for (const part of ["AgentPlaces", "AgentRays", "AgentMotions"]) {
 		const results = [...resultsOf(part)].filter(([method]) => expected.has(method));
 		assert.ok(results.length > 2, part);

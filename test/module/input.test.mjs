@@ -368,8 +368,46 @@ test("while a game is developed, an error says where a value of another kind bel
 	for (const kind of ["isObject3D", "isBufferGeometry"]) {
 		refused(() => new GreatLand().addModel({ [kind]: true }), "model must be a Model, not a plain object. modelFromObject() and levelFromObject() of starlogo-collision/three make a model of it");
 	}
+	refused(() => queries.walk(walker, 0.1, 0, 0), "AgentQueries.walk: options must be WalkOptions", "not 0. A walk has no dz: its options come after dx and dy");
+	refused(() => new GreatLand().addModel(Promise.resolve()), "GreatLand.addModel: model must be a Model, not an object of class Promise: await it first");
+	refused(() => queries.near(walker, 5, { except: walker }), "AgentQueries.near: filter.except must be an array of Agents, not an object of class Agent: put it into one, [agent]");
 	const small = new engine.AgentQueries(new engine.BinCollider());
 	assert.throws(() => small.near(new engine.Agent("cube"), 5, isLarge), /not the function isLarge$/);
+});
+
+test("while a game is developed, an error about a value in a literal names the call, and so does one about a direction", async () => {
+	const { Agent, AgentFilter, AgentQueries, AgentRays, BinCollider, Collision, SeenAgents, WalkOptions } = await import(pathToFileURL(path.join(folder, manifest.exports["."].node)));
+	const collision = new Collision(new BinCollider());
+	const queries = new AgentQueries(collision);
+	const walker = new Agent("cube");
+	queries.update([walker]);
+	const filter = { breeds: "coins" };
+	const meant = 'breeds must be an array of strings, not "coins"; is ["coins"] meant?';
+	refused(() => queries.near(walker, 5, filter), `AgentQueries.near: filter.${meant}`);
+	refused(() => queries.walk(walker, 1, 0, { filter }), `AgentQueries.walk: options.filter.${meant}`);
+	refused(() => (collision.filter = filter), `Collision.filter.${meant}`);
+	refused(() => new WalkOptions({ filter }), `new WalkOptions: settings.filter.${meant}`);
+	refused(() => (new AgentFilter().breeds = "coins"), `AgentFilter.${meant}`);
+	refused(() => queries.walk(walker, 1, 0, { stepHeight: -1 }), "AgentQueries.walk: options.stepHeight must be between 0 and 1000000000: -1");
+	refused(() => queries.near(walker, 5, { except: ["coins"] }), 'AgentQueries.near: filter.except[0] must be an Agent, not "coins"');
+	refused(() => collision.snapshot({ traits: true }), "Collision.snapshot: options.traits is no option; the nearest is withTraits; there are withTraits, withGround");
+	refused(() => collision.update("coins"), 'Collision.update: agents must be an array, not "coins"');
+	for (const each of [undefined, "coin"]) {
+		refused(() => collision.update([walker, each]), "Collision.update: agents[1] must be an Agent, not ");
+		refused(() => queries.update([walker, each]), "AgentQueries.update: agents[1] must be an Agent, not ");
+	}
+	for (const rays of [queries, new AgentRays(new SeenAgents(collision))]) {
+		for (const call of ["cast", "castAll"]) {
+			refused(() => rays[call](new engine.Vector3D(), { x: 0, y: 0, z: 0 }), `${rays.constructor.name}.${call}: direction must not be 0`);
+		}
+	}
+});
+
+test("Node prints an error of a model without the engine's own fields", () => {
+	const error = new engine.ModelError("bear", "line 3", "no vertex 9");
+	assert.deepEqual([error.modelName, error.place, error.message], ["bear", "line 3", 'model "bear", line 3: no vertex 9']);
+	for (const each of [error, new engine.BlockError("walk", "needs an agent")]) assert.doesNotMatch(util.inspect(each), /\{$|_(?:modelName|place|block)/m);
+	assert.equal(new engine.BlockError("walk", "needs an agent").block, "walk");
 });
 
 test("constructors of settings take a literal", () => {

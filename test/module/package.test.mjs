@@ -231,7 +231,7 @@ test("the package weighs 3 MB at most, and its map 1.2", () => {
 	const files = readdirSync(folder, { recursive: true, withFileTypes: true }).filter((file) => file.isFile()).map((file) => path.join(file.parentPath ?? file.path, file.name));
 	const sizeOf = (some) => some.reduce((sum, file) => sum + statSync(file).size, 0);
 	const isMap = (file) => path.dirname(file) === path.join(folder, "maps");
-	assert.ok(sizeOf(files.filter((file) => !isMap(file))) < 3.03e6);
+	assert.ok(sizeOf(files.filter((file) => !isMap(file))) < 3.05e6);
 	assert.ok(sizeOf(files.filter(isMap)) < 1.2e6);
 });
 
@@ -252,7 +252,8 @@ test("while a game is developed, names that do nothing are warned of, once", () 
 	const program = (module) => `import { Agent, AgentFilter, AgentQueries, BinCollider, BuiltInModel, Collision, CombinationCollider, GreatLand, Model, ModelLoader, WalkOptions } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
 		const said = [];
 		console.warn = (text) => said.push(text);
-		class Wolf extends Agent { hunger = 3; colour = "grey"; }
+		class Wolf extends Agent { hunger = 3; colour = 0x808080; }
+		class Herd extends Agent { colour = "grey"; sizes = 3; headings = []; shapes = {}; breeds = ["cows"]; }
 		const [agent, wolf, plain] = [new Agent("sphere"), new Wolf("sphere"), new Agent("sphere")];
 		agent.sweep = true;
 		agent.speed = 3;
@@ -261,7 +262,7 @@ test("while a game is developed, names that do nothing are warned of, once", () 
 		const collider = new BinCollider();
 		collider.exact = true;
 		const collision = new Collision(collider);
-		for (let i = 0; i < 3; i++) collision.update([agent, wolf, plain]);
+		for (let i = 0; i < 3; i++) collision.update([agent, wolf, plain, new Herd("sphere")]);
 		const flock = new Collision(new BinCollider());
 		flock.onCollision("wolfs", "sheep", function eat(a, b, contact, more) {});
 		flock.onCollision(Collision.ANY_BREED, "team2", (a, b, contact) => 0);
@@ -786,6 +787,78 @@ test("an error says that a point's numbers are passed one by one, while a game i
 	assert.match(run("starlogo-collision.min.js"), /: x must be a number, not a plain object$/);
 });
 
+test("while a game is developed, a ground that comes after the update of questions is warned of, once, and not if it is exchanged or new to a frame", () => {
+	const program = (module) => `import { Agent, AgentMotions, AgentQueries, BinCollider, Collision, SeenAgents, Terrain } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
+		const said = [];
+		console.warn = (text) => said.push(text);
+		const ask = (queries) => queries.cast({ x: 0, y: 0, z: 9 }, { x: 0, y: 0, z: -1 });
+		const hero = new Agent("hero");
+		const makeQueries = (ground) => {
+			const game = new Collision(new BinCollider());
+			game.terrain = ground;
+			const queries = new AgentQueries(game);
+			queries.update([hero]);
+			ask(queries);
+			return queries;
+		};
+		const makeGround = () => new Terrain(9, 9, 1, -4, -4);
+		const [exchanged, taken, late, early] = [makeGround(), makeGround(), null, null].map(makeQueries);
+		exchanged.terrain = makeGround();
+		taken.terrain = null;
+		early.terrain = makeGround();
+		early.update([hero]);
+		for (const queries of [exchanged, taken, early]) ask(queries);
+		const counts = [said.length];
+		late.terrain = makeGround();
+		for (let i = 0; i < 2; i++) ask(late);
+		counts.push(said.length);
+		console.log(JSON.stringify({ said, counts }));`;
+	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
+	const { said, counts } = run("starlogo-collision.js");
+	assert.deepEqual(counts, [0, 1], said.join("\n"));
+	assert.match(said[0], /the ground was set after the last queries\.update\(agents\), so questions do not see it/);
+	assert.deepEqual(run("starlogo-collision.min.js").said, []);
+});
+
+test("while a game is developed, snapshots that put nobody back are warned of, once, and those of games that keep the traits never", () => {
+	const program = (module) => `import { Agent, BinCollider, Collision } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
+		const said = [];
+		console.warn = (text) => said.push(text);
+		const agents = ["heroes", "coins"].map((breed) => new Agent("sphere", breed));
+		const places = () => agents.map(({ x, y, z }) => [x, y, z]);
+		const putBack = (kept) => agents.forEach((agent, i) => agent.moveTo(...kept[i]));
+		const play = (take) => {
+			const game = new Collision(new BinCollider());
+			game.onCollisionStart("heroes", "coins", (hero) => (hero.x += 2));
+			return take(game, () => (agents[0].moveTo(0, 0, 0), game.update(agents), [...game.lastAgents]));
+		};
+		const right = [
+			// with traits; without, but put back, after a handler has moved one too; of an empty game
+			(game, frame) => { const listed = frame(); const bytes = game.snapshot({ withTraits: true }); agents[1].x += 5; game.restore(bytes, listed); },
+			(game, frame) => { for (let i = 0; i < 3; i++) { const listed = frame(); const [bytes, kept] = [game.snapshot(), places()]; agents[1].x += 5; frame(); putBack(kept); game.restore(bytes, listed); } },
+			(game, frame) => { const first = game.snapshot(); frame(); game.restore(first, []); },
+			(game) => { game.update([]); game.restore(game.snapshot(true), []); },
+			// other objects, and a game that rewinds frame by frame
+			(game, frame) => { const listed = frame(); const bytes = game.snapshot(); game.restore(structuredClone(bytes), listed.map(({ shape, breed }) => new Agent(shape, breed))); },
+			(game, frame) => { for (let i = 0; i < 99; i++) { const listed = frame(); const bytes = game.snapshot(); agents[1].x += 1; if (i > 50) game.restore(bytes, listed); } },
+		];
+		const wrong = [
+			(game, frame) => { const [bytes, listed] = [game.snapshot(true), [...game.lastAgents]]; frame(); game.restore(bytes, listed); },
+			(game, frame) => { const listed = frame(); const bytes = game.snapshot(); agents[1].moveTo(9, 0, 0); for (let i = 0; i < 2; i++) game.restore(structuredClone(bytes), listed); },
+		];
+		for (const each of right) play(each);
+		const before = said.length;
+		for (const each of wrong) play(each);
+		console.log(JSON.stringify({ said, before }));`;
+	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
+	const { said, before } = run("starlogo-collision.js");
+	assert.equal(before, 0, said.join("\n"));
+	assert.equal(said.length, 2, said.join("\n"));
+	assert.match(said[0], /a snapshot before the first update has no agents/);
+	assert.match(said[1], /restore\(\) leaves agent \d+ \(breed "coins".*\) at \(9, 0, 0\), and it was at \(.*\) when the snapshot was taken, which has no traits/);
+	assert.deepEqual(run("starlogo-collision.min.js").said, []);
+});
+
 test("while a game is developed, walks that stop before what has a handler with the walker are warned of, once, unless the two meet otherwise", () => {
 	const program = (module) => `import { Agent, AgentQueries, BuiltInModel, Collision, GreatLand, TightestFitCollider } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
 		const said = [];
@@ -824,6 +897,7 @@ test("while a game is developed, walks that stop before what has a handler with 
 	// no handlers, left out, met after a while, not stopped for long, stopped, and stood on
 	assert.deepEqual(steps, ["0 0", "0 1", "0 2", "0 2", "1 2", "1 2", "2 2"]);
 	assert.match(said[0], /a walk of "heroes" stops before "doors" and does not touch them, so the handlers of the two never run\..* leave them out: .*\{ filter: \{ exceptBreeds: \["doors"\] \} \}/);
+	assert.match(said[0], /bump into them, ask what is in its way: castAgent\(agent, dx, dy, 0, \{ breeds: \["doors"\] \}\), or wouldTouchAt/);
 	assert.match(said[1], /a walk of "heroes" ends on "floors" and does not touch them, so the handlers/);
 	assert.deepEqual(run("starlogo-collision.min.js").said, []);
 });

@@ -1,9 +1,9 @@
 // What the types of the package say, and what they refuse: tsc --strict has to accept all of it, and to find an error where one is expected.
 import {
 	Agent, AgentFilter, AgentPlaces, AgentPredicate, AgentQueries, BinCollider, BuiltInModel, ByteArray, Collision, CollisionBlocks, Contact, Footing, GltfModel, GreatLand, HierarchicalCollider, Model, ModelEvent,
-	ModelLoader, ModelTransform, ObjModel, RayHit, SeenAgents, Terrain, TightestFitCollider, TraitBlocks, Vector3D, WalkOptions,
+	ModelLoader, ModelTransform, ObjModel, RayHit, SeenAgents, Sphere, Terrain, TightestFitCollider, TraitBlocks, Vector3D, WalkOptions,
 } from "starlogo-collision";
-import type { AgentFilterInit, CollisionSystem, ModelLoaderEvents, Numbers, ShapeHit, WalkOptionsInit } from "starlogo-collision";
+import type { AgentFilterInit, CollisionSystem, ModelLoaderEvents, Numbers, OrGround, ShapeHit, WalkOptionsInit } from "starlogo-collision";
 
 /** Fails unless the two are the same. */
 type Same<X, Y> = (<T>() => T extends X ? 1 : 2) extends <T>() => T extends Y ? 1 : 2 ? true : false;
@@ -151,6 +151,9 @@ mixed.onCollision("heroes", "coins", (hero: Agent) => hero.x);
 mixed.onCollision("heroes", "coins", (hero: Hero, coin: Date) => 0);
 // @ts-expect-error it may be of either class
 mixed.onCollision("heroes", "coins", (hero) => hero.life);
+// the ground and the edges are no agents of the game
+mixed.onCollision("heroes", Collision.TERRAIN, (hero: Hero, ground) => (is<Same<typeof ground, Agent>>(), hero.life--));
+collision.onCollisionStart(Collision.EDGE, "heroes", (edge, hero) => (is<Same<typeof edge, Agent>>(), hero.life--));
 // a filter is for the game's own agents, and lists may be read only
 const mixedQueries = new AgentQueries(mixed);
 const breeds: readonly string[] = ["coins"];
@@ -166,9 +169,20 @@ const coin: Coin | null = mixedQueries.nearestToPoint<Coin>({ x: 0, y: 0, z: 0 }
 const noCoin: Coin | null = mixedQueries.nearestToPoint({ x: 0, y: 0, z: 0 }, 3, { breeds });
 // nor does the list that it fills, which has to take all that it may find
 const either: (Hero | Coin)[] = [coin!];
-const touched = mixedQueries.touching(friends[0]!, { breeds }, either);
-is<Same<typeof touched, (Hero | Coin)[]>>();
+const stored = mixedQueries.near(friends[0]!, 3, { breeds }, either);
+is<Same<typeof stored, (Hero | Coin)[]>>();
+// what touches may be the ground, whose agent has no class of the game's
+const touched = mixedQueries.touching(friends[0]!);
+is<Same<typeof touched, (Hero | Coin | Agent)[]>>();
 mixedQueries.touching(friends[0]!, { breeds }, []);
+mixedQueries.overlapping(new Sphere(new Vector3D(), 1), null, touched)[0]!.size++;
+// @ts-expect-error the ground may get among them
+mixedQueries.touching(friends[0]!, { breeds }, either);
+// @ts-expect-error the ground has no life
+mixedQueries.touching(friends[0]!)[0]!.life;
+mixedQueries.touching(friends[0]!, { accepts: (other) => other instanceof Coin && other.worth > 1 });
+// @ts-expect-error it is asked about the ground too
+mixedQueries.touching(friends[0]!, { accepts: (other) => other.life > 1 });
 const onlyHeroes: Hero[] = [];
 // @ts-expect-error a coin may get among the heroes
 mixedQueries.near(friends[0]!, 3, null, onlyHeroes);
@@ -199,9 +213,18 @@ const stride: WalkOptionsInit<Coin> = { filter: init, fall: 1 };
 new AgentQueries<Coin>(bins).walk(friends[0]!, 1, 0, stride);
 const seen: Model | null = land.modelOf("cube");
 const walks = new AgentQueries(collision);
-for (const footing of [new Footing(), new Footing<Hero>(), null]) is<Same<ReturnType<typeof walks.walk>, Footing<Hero>>>(), walks.walk(near[0]!, 1, 0, null, footing);
-// @ts-expect-error the hero stands on heroes, not on coins
+for (const footing of [new Footing(), new Footing<Hero | Agent>(), null]) {
+	is<Same<ReturnType<typeof walks.walk>, Footing<OrGround<Hero>>>>();
+	walks.walk(near[0]!, 1, 0, null, footing);
+}
+// @ts-expect-error the hero stands on heroes or on the ground, not on coins
 walks.walk(near[0]!, 1, 0, null, new Footing<Coin>());
+const walkOf = <A extends Agent>(asked: AgentQueries<A>, walker: A): Footing => asked.walk(walker, 1, 0, null, new Footing());
+walkOf(walks, near[0]!).on?.breed;
+// @ts-expect-error nor on heroes alone
+walks.walk(near[0]!, 1, 0, null, new Footing<Hero>());
+// @ts-expect-error the ground has no life
+walks.walk(near[0]!, 1, 0).on?.life;
 new AgentQueries(plain).walk(near[0]!, 1, 0, null, new Footing());
 collision.removeHandler("heroes", "heroes", () => 0, "start");
 // @ts-expect-error there is no such kind
@@ -211,13 +234,19 @@ land.boundingStructures.tightestFit("cube").kind = 1;
 // what questions find are the game's own agents
 const questions = new AgentQueries(collision);
 const met = questions.cast(new Vector3D(), new Vector3D(1, 0, 0), 9, filter, hit);
-is<Same<typeof met, RayHit<Hero> | null>>();
+is<Same<typeof met, RayHit<Hero | Agent> | null>>();
+// @ts-expect-error the ground has no life
 if (met) met.agent.life--;
+if (met?.agent instanceof Hero) met.agent.life--;
+const isHero = (one: Agent): one is Hero => one instanceof Hero;
+const metHero = questions.cast(new Vector3D(), new Vector3D(1, 0, 0), 9, { accepts: isHero });
+is<Same<typeof metHero, RayHit<Hero> | null>>();
+questions.castShapeAll<Hero>(new Sphere(new Vector3D(), 1), 1, 0, 0, { breeds: ["heroes"] })[0]!.agent.life--;
 is<Same<RayHit["meshName"], string | null>>();
 is<Same<RayHit<Hero>["agent"], Hero>>();
 is<Same<RayHit["agent"], Agent>>();
 const all = questions.castAll(new Vector3D(), new Vector3D(1, 0, 0), 9, null, [hit]);
-is<Same<typeof all, RayHit<Hero>[]>>();
+is<Same<typeof all, RayHit<Hero | Agent>[]>>();
 questions.castAll(new Vector3D(), new Vector3D(1, 0, 0), 9, null, null, true);
 questions.castAll(new Vector3D(), new Vector3D(1, 0, 0), 9, null, null, { allSurfaces: true });
 questions.cast(new Vector3D(), new Vector3D(1, 0, 0), 9, null, new RayHit<Hero>());
@@ -225,7 +254,7 @@ questions.cast({ x: 0, y: 0, z: 1 }, { x: 1, y: 0, z: 0 } as const, 9);
 // @ts-expect-error a point has three numbers
 questions.cast([0, 0, 1], { x: 1, y: 0, z: 0 });
 const bump = questions.castAgent(new Hero("cube"), 1, 0, 0);
-is<Same<typeof bump, ShapeHit<Hero> | null>>();
+is<Same<typeof bump, ShapeHit<Hero | Agent> | null>>();
 // @ts-expect-error no property of an Agent
 new AgentQueries(plain).cast(new Vector3D(), new Vector3D(1, 0, 0))!.agent.life;
 const nearest = questions.nearest(agent, 3, filter);

@@ -4,7 +4,7 @@ import { join } from "node:path";
 import { ROOT } from "../names.mjs";
 
 /** The pages. build/module.xml lists them too. */
-const PAGES = ["choosing", "loading", "motion", "poses", "queries", "questions", "snapshots", "terrain", "three"];
+const PAGES = ["choosing", "loading", "motion", "poses", "queries", "questions", "snapshots", "terrain", "three", "whole-game"];
 
 /** Sections and paragraphs that are for others: for ActionScript, about examples that the package has not. */
 const FOR_OTHERS = [

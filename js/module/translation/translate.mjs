@@ -140,7 +140,7 @@ export class Program {
 		const doc = this.#docOf(unit, unit.doc);
 		if (unit.kind === "interface") return this.#interfaceText(unit);
 		if (unit.kind === "function") return `${doc}function ${this.shortName(unit.qname)}${this.#bodies.functionText(unit.main, unit.doc)}${this.#wrapperText(unit)}`;
-		const text = this.#classText(unit);
+		const text = unit.base === "Error" ? withPrivateFields(this.#classText(unit)) : this.#classText(unit);
 		return `${this.#isShown(unit) ? `const ${this.shortName(unit.qname)} = /* @__PURE__ */ $shown(${text});` : doc + text}${this.#functionsText(unit)}`;
 	}
 
@@ -291,6 +291,12 @@ export class Program {
 
 function rank(unit) {
 	return unit.qname.startsWith("starlogo.") ? 0 : 1;
+}
+
+/** Makes the fields of an error's class private, because Node prints all others below the message. Its getters have what users read. */
+function withPrivateFields(text) {
+	const names = [...new Set(text.match(/(?<=\bthis\.)_\w+/g))];
+	return text.replaceAll(/\bthis\._/g, "this.#").replace("{\n", () => `{\n${names.map((name) => `\t#${name.slice(1)};\n`).join("")}`);
 }
 
 /** Wraps a method that returns a ByteArray, so that it returns a Uint8Array. */

@@ -24,10 +24,13 @@ const WARNINGS = new Map([
 	]),
 	["agents.Agent.moveTo", ["$warnOfPlace(this, x, y, z, false);"]],
 	["agents.Agent.jumpTo", ["$warnOfPlace(this, x, y, z, true);"]],
+	["collision.Collision.snapshot", ["$warnOfSnapshot(this, withTraits);"]],
+	["collision.Collision.restore", ["$warnOfRestore(this, bytes, agents);"]],
 	["collision.Collision.removeHandler", ["$warnOfRemoval(this, breed, otherBreed, handler);"]],
 	["queries.AgentFilter.accepts", ["$warnOfAccepts(value);"]],
 	["queries.AgentQueries.update", [
 		"$warnOfTime(\"AgentQueries.update\", arguments);",
+		"$warnOfNoAgent(\"AgentQueries.update\", agents);",
 		"$warnOfLaterProperties(this, agents);",
 	]],
 	["queries.SeenAgents.update", ["$warnOfNoFrames(this);", "$warnOfStale(this, agents, null);"]],
@@ -36,6 +39,9 @@ const WARNINGS = new Map([
 		"$warnOfFall(agent, dx, dy);",
 		"$warnOfWalk(this, agent, dx, dy, options);",
 	]),
+	...["AgentQueries", "AgentRays"].flatMap((name) => ["cast", "castAll"].map((method) => [`queries.${name}.${method}`, [
+		`$warnOfDirection("${name}.${method}", direction);`,
+	]])),
 	["queries.AgentPlaces.inCone", ["$warnOfCone(degrees);"]],
 ].map(([name, statements]) => [`starlogo.${name}`, statements]));
 

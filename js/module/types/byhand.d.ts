@@ -66,8 +66,12 @@ export type AgentsOf<B> = B extends Agent ? B : [keyof B] extends [never] ? Agen
 /** The names that handlers take for breeds: those that have classes and the engine's own, or any if it is not known which there are. */
 export type BreedOf<B> = B extends Agent ? string : (keyof B & string) | "*" | "*terrain" | "*edge";
 
-/** The agents of a breed, or of any breed. */
-export type AgentOf<B, N> = B extends Agent ? B : N extends keyof B ? Extract<B[N], Agent> : N extends "*" ? AgentsOf<B> : Agent;
+/** The agents of a breed, or of any breed. Those of the ground and of the edges of the world are of no class of the game's. */
+export type AgentOf<B, N> = N extends "*terrain" | "*edge" ? Agent : B extends Agent ? B : N extends keyof B ? Extract<B[N], Agent>
+	: N extends "*" ? AgentsOf<B> : Agent;
+
+/** An agent of the game, or the ground's, which is a plain Agent: `terrain.agent`. If the game has classes, `instanceof` tells them apart. */
+export type OrGround<A extends Agent = Agent> = A | Agent;
 
 /** What is called with an event, which may be of a class of its own. */
 export type Listener = { listen(event: Event): void }["listen"];

@@ -54,8 +54,14 @@ const OF_BREEDS = "<B extends Agent | { [K in keyof B]: Agent } = Agent, A exten
 const PICKING = "<A extends Agent>";
 const NAMING = "N extends BreedOf<B> = BreedOf<B>, M extends BreedOf<B> = BreedOf<B>>";
 const HANDLING = `<C extends AgentOf<B, N>, D extends AgentOf<B, M>, ${NAMING}`;
-const FILLING = "<O extends Agent = A>";
-const FINDING = "<F extends A = A>";
+const FILLING = "<O extends Agent = Agent>";
+const findingOf = (agent) => `<F extends ${agent} = ${agent}>`;
+
+/** Questions about places never find the ground. All others with a filter may. */
+const OF_PLACES = /^(?:n|countN)ear|^inCone$/;
+
+/** An agent that such a question finds. */
+const OR_GROUND = "OrGround<A>";
 
 /**
  * The text of index.d.ts.
@@ -160,7 +166,7 @@ class Writer {
 	#memberText(type, member) {
 		const isStatic = member.isStatic ? "static " : "";
 		const visible = member.isProtected ? "protected " : "";
-		this.#agent = this.#isGeneric(type) && !member.isStatic ? "A" : "Agent";
+		this.#agent = this.#isGeneric(type) && !member.isStatic ? (this.#mayFindGround(member) ? OR_GROUND : "A") : "Agent";
 		const said = docOf(type, member, this.#exported);
 		const takesLiteral = member.kind === "constructor" && TAKES_LITERAL.has(type.qname);
 		const text = docComment(takesLiteral ? `${said}\n\n@param settings a literal with some of its properties` : withValues(said, member), "\t");
@@ -171,7 +177,7 @@ class Writer {
 		const generic = this.#genericOf(member, said);
 		// agents from a list of a client's agents have the client's class
 		if (generic === PICKING) this.#agent = "A";
-		const result = this.#resultOf(type, member, said, generic === FINDING);
+		const result = this.#resultOf(type, member, said, generic === findingOf(this.#agent));
 		switch (member.kind) {
 			case "constructor":
 				return `${text}\tconstructor(${takesLiteral ? `settings?: ${type.name}Init | null` : this.#parameters(member, type)});`;
@@ -199,6 +205,10 @@ class Writer {
 		}
 	}
 
+	#mayFindGround({ kind, name, parameters }) {
+		return kind === "method" && !OF_PLACES.test(name) && parameters.some(({ type }) => /^(?:AgentFilter|WalkOptions)$/.test(type));
+	}
+
 	/** The type parameters of a method itself. */
 	#genericOf({ kind, parameters, result }, said) {
 		if (kind !== "method") return "";
@@ -208,7 +218,7 @@ class Writer {
 		if (parameters.some(({ name }) => name === "otherBreed")) return `<${NAMING}`;
 		const takes = (wanted) => parameters.some(({ type }) => type === wanted);
 		if (takes("Footing")) return FILLING;
-		return takes("AgentFilter") && /^(?:Vector\.<)?Agent>?$/.test(result) ? FINDING : "";
+		return takes("AgentFilter") && /^(?:Vector\.<)?(?:Agent|RayHit|ShapeHit)>?$/.test(result) ? findingOf(this.#agent) : "";
 	}
 
 	/** The type of what a member has or returns. */
@@ -220,9 +230,10 @@ class Writer {
 		return (isFinding ? this.#foundType(member.result) : this.#resultType(member, said)) + orNull;
 	}
 
-	/** Agents that a question finds. Their class is not inferred from where they are stored: that would be a cast that nobody sees. */
+	/** What a question finds. The agents' class is not inferred from where they are stored: that would be a cast that nobody sees. */
 	#foundType(type) {
-		return type === "Agent" ? "Uninferred<F>" : "Uninferred<F>[]";
+		const [, list, found] = /^(Vector\.<)?(\w+)/.exec(type);
+		return (found === "Agent" ? "Uninferred<F>" : `${found}<Uninferred<F>>`) + (list ? "[]" : "");
 	}
 
 	// "null for a mesh without a name" makes null an element
@@ -260,8 +271,8 @@ class Writer {
 			const { name, type, value, isRest } = parameter;
 			if (isRest) return `...${name}: string[]`;
 			if (generic.endsWith(NAMING) && /breed$/i.test(name)) return `${name}: ${name === "breed" ? "N" : "M"}`;
-			if (generic === FINDING && name === "out") return "out?: Filled<F> | null";
-			if (generic === FINDING && type === "AgentFilter") return `${name}?: AgentFilterInit<A, F> | null`;
+			if (generic.startsWith("<F ") && type === "Vector.<Agent>") return `${name}?: Filled<F> | null`;
+			if (generic.startsWith("<F ") && type === "AgentFilter") return `${name}?: AgentFilterInit<${this.#agent}, F> | null`;
 			const text = this.#parameterType(parameter, this.#said(member, parameter, owner));
 			return `${name}${value === null ? "" : "?"}: ${text}${parameter === booleans[0] ? literal : ""}`;
 		}).join(", ");
@@ -276,8 +287,8 @@ class Writer {
 	}
 
 	#parameterType(parameter, said = "") {
-		// what is filled may be for a base class of the agents, not for another one
-		if (parameter.type === "Footing" && this.#agent === "A") return "(Footing<O> & ([A] extends [O] ? unknown : never)) | null";
+		// what is filled has to take the ground, too
+		if (parameter.type === "Footing" && this.#agent !== "Agent") return "(Footing<O> & ([Agent] extends [O] ? unknown : never)) | null";
 		// who asks a question need not be in the list, and what it fills may have been made for any class of agents before
 		const agent = this.#agent;
 		const isForAny = parameter.type !== "SeenAgents" && this.#isGeneric(this.#exported.get(/^(?:Vector\.<)?(\w+)>?$/.exec(parameter.type)?.[1]));
@@ -295,7 +306,7 @@ class Writer {
 		if (/^Vector\.<(Number|int|uint)>$/.test(type) && name !== "out") return `Numbers${orNull}`;
 		if (type === "ByteArray") return `Bytes${orNull}`;
 		if (type === "String" && LISTED.test(said)) return LISTED.exec(said)[0].match(/"\w+"/g).join(" | ") + orNull;
-		if (/^(?:AgentFilter|WalkOptions)$/.test(type)) return `${type}Init${this.#agent === "A" ? "<A>" : ""}${orNull}`;
+		if (/^(?:AgentFilter|WalkOptions)$/.test(type)) return `${type}Init${this.#agent === "Agent" ? "" : `<${this.#agent}>`}${orNull}`;
 		if (type === "Vector3D") return `${isWritten(said) ? "PointTaker" : "Point"}${orNull}`;
 		if (type === "Function") {
 			const written = /<code>(?:function)?(\([^<]*)<\/code>/.exec(said)?.[1];
@@ -323,7 +334,7 @@ class Writer {
 		const element = /^Vector\.<(.*)>$/.exec(type)?.[1];
 		if (element) return `${this.#type(element)}[]`;
 		if (type === "Agent") return this.#agent;
-		const isOfAgents = this.#agent === "A" && this.#isGeneric(this.#exported.get(type));
-		return PRIMITIVES[type] ?? (this.#exported.has(type) || type === "ByteArray" ? `${type}${isOfAgents ? "<A>" : ""}` : "unknown");
+		const isOfAgents = this.#agent !== "Agent" && this.#isGeneric(this.#exported.get(type));
+		return PRIMITIVES[type] ?? (this.#exported.has(type) || type === "ByteArray" ? `${type}${isOfAgents ? `<${this.#agent}>` : ""}` : "unknown");
 	}
 }

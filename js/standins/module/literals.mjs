@@ -2,6 +2,7 @@
 import { $refuse } from "./checks.mjs";
 import { ArgumentError } from "./language.mjs";
 import { $stateOf } from "./shown.mjs";
+import { $warnOfSetting } from "./warnings/arguments.mjs";
 import { $hintOfOption, $hintOfOptions } from "./warnings/spelling.mjs";
 
 /**
@@ -18,6 +19,7 @@ export function $options(target, name, value, options, kind) {
 			const names = Object.keys($stateOf(options));
 			throw new ArgumentError(`${target === null ? "" : `${target}: `}${name}.${key} is no option; ${$hintOfOptions(value) || $hintOfOption(key, names)}there are ${names.join(", ")}`);
 		}
+		$warnOfSetting(target, name, key, value, options);
 		if (value[key] !== undefined) options[key] = value[key];
 	}
 	return options;

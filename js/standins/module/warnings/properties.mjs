@@ -173,9 +173,17 @@ function $meantBy(object, name) {
 	const isNumbered = (setter) => setter === name.replace(/\d+$/, "");
 	const isNear = (setter) => setter.toLowerCase() === name.toLowerCase() || $changesBetween(name, setter) <= 1;
 	const near = setters.find((setter) => isLong(setter) && !isNumbered(setter) && isNear(setter));
-	const isAgent = "sweeps" in object;
-	const isOwnWord = object.constructor.name !== "Agent" && $OWN_WORDS.test(name);
-	return near ?? (isAgent && !isOwnWord ? $OTHER_WORDS.get(name) : undefined);
+	const meant = near ?? ("sweeps" in object ? $OTHER_WORDS.get(name) : undefined);
+	return $isOfOwnClass(object, name, meant) ? undefined : meant;
+}
+
+/**
+ * Whether a property belongs to a game's own class of agents, though its name is near a trait's: other libraries have such a word, or it is
+ * a plural, or its value is of another kind than the trait's, as a list.
+ */
+function $isOfOwnClass(object, name, trait) {
+	if (!("sweeps" in object) || object.constructor.name === "Agent") return false;
+	return $OWN_WORDS.test(name) || name === `${trait}s` || typeof object[name] !== typeof object[trait];
 }
 
 /** The names of an object's setters. */

@@ -1,4 +1,4 @@
-/** Questions whose update is forgotten, or whose Collision's is; and rays that meet who sends them. */
+/** Questions whose update is forgotten, or whose Collision's is; that have not seen the ground; and rays that meet who sends them. */
 import { $isUpdated, $updates } from "./frames.mjs";
 import { $breedsWithHandlers } from "./handlers.mjs";
 import { $hasWarned, $keptOf, $warn } from "./warn.mjs";
@@ -41,6 +41,7 @@ let $lastRay = { agent: null, x: 0, y: 0, dx: 0, dy: 0, dz: 0, rays: 0 };
  * @param mover the agent that the question moves or refreshes, or null
  */
 export function $warnOfStale(queries, agents, mover) {
+	if (agents === null && queries.terrain !== null) $warnOfLateGround(queries);
 	// most questions follow others of the same frame
 	if (queries === $lastAsked && $updates === $askedUpdate && agents === null && mover === null) return;
 	$lastAsked = queries;
@@ -58,6 +59,13 @@ export function $warnOfStale(queries, agents, mover) {
 	const since = frames < $LONG_WITHOUT_UPDATE ? `${kept.walks} motions of ${kept.walker}` : `${frames} frames`;
 	$warn(`questions see ${moved.agent} where it was at the last queries.update(agents), ${since} ago: `
 		+ "call it once a frame, or refresh(agent)", "stale");
+}
+
+/** Warns of a ground that has come since the last update of questions, if they have seen none: rays and walks go through it. */
+function $warnOfLateGround(queries) {
+	if (!queries._isUpdated || queries.$table.list.agentsByRow[0] !== null) return; // ListedAgents.GROUND_ROW
+	$warn("the ground was set after the last queries.update(agents), so questions do not see it: "
+		+ "set it before, or update them again", "ground");
 }
 
 function $countMove(kept, mover) {

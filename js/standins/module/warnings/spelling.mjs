@@ -14,6 +14,8 @@ export function $hintOfOptions(value) {
 /** What an error says about an option that is not among the names of all: the nearest one. */
 export function $hintOfOption(key, names) {
 	const word = key.toLowerCase();
+	const longer = names.find((each) => word.length > 3 && each.toLowerCase().endsWith(word));
+	if (longer) return `the nearest is ${longer}; `;
 	// each letter in common counts against two changes, because abbreviations are common
 	const farAway = names.map((each) => $changesBetween(word, each.toLowerCase()) - 2 * $commonLetters(word, each.toLowerCase()));
 	const least = Math.min(...farAway);
@@ -51,10 +53,16 @@ function $commonLetters(word, other) {
 	return same;
 }
 
+const $HINT_OF_WALK = ". A walk has no dz: its options come after dx and dy. { fall: 0.2 } lets it fall";
+
 /** What an error says about a value of the wrong kind: what is probably meant by it. */
 export function $hintOfValue(value, kind) {
 	if (typeof value === "function" && kind.startsWith("an AgentFilter")) return ". A function goes into one: { accepts: (agent) => agent.size > 1 }";
+	if (typeof value === "number" && kind.startsWith("WalkOptions")) return $HINT_OF_WALK;
+	if (typeof value === "string" && kind === "an array of strings") return `; is [${JSON.stringify(value)}] meant?`;
 	if (typeof value !== "object" || value === null) return "";
+	if (typeof value.then === "function") return ": await it first";
+	if (kind === "an array of Agents" && "sweeps" in value) return ": put it into one, [agent]";
 	if (kind === "a number" && "x" in value && "y" in value) return ". It takes the numbers of a point one by one: point.x, point.y, point.z";
 	const isDrawn = value.isObject3D || value.isBufferGeometry;
 	return kind === "a Model" && isDrawn ? ". modelFromObject() and levelFromObject() of starlogo-collision/three make a model of it" : "";

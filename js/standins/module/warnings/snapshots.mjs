@@ -1,0 +1,43 @@
+/** Snapshots that have less than is probably meant: of no agents, or without the traits that a game does not put back itself. */
+import { ByteArray } from "../ByteArray.mjs";
+import { $isUpdated } from "./frames.mjs";
+import { $keptOf, $rounded, $warn } from "./warn.mjs";
+
+/** The byte of a snapshot that says what is in it, and the bit for traits: see Snapshots.as. */
+const $CONTENTS = 4;
+const $HAS_TRAITS = 1;
+
+/** If a Collision takes more snapshots without traits than these, it is not known which of them it goes back to. */
+const $MOST_SNAPSHOTS = 10;
+
+/** Of a Collision: for each snapshot without traits the agents and their places. */
+const $withoutTraits = /* @__PURE__ */ new WeakMap();
+
+const $newList = () => [];
+
+/** Warns of a snapshot with traits before the first update, which has the traits of nobody; and keeps the places for one without. */
+export function $warnOfSnapshot(collision, given) {
+	const agents = [...collision.lastAgents];
+	if (given === true || given?.withTraits === true) {
+		if (agents.length > 0 || $isUpdated(collision)) return;
+		$warn("a snapshot before the first update has no agents, so restore() puts nobody back: "
+			+ "it is of the list of the last collision.update(agents)");
+		return;
+	}
+	const taken = $keptOf($withoutTraits, collision, $newList);
+	if (taken.length <= $MOST_SNAPSHOTS) taken.push(agents.map((agent) => ({ agent, x: agent.x, y: agent.y, z: agent.z })));
+}
+
+/** Warns of going back by a snapshot without traits if an agent is elsewhere than at any such snapshot: the game has not put it back. */
+export function $warnOfRestore(collision, bytes, agents) {
+	const taken = $withoutTraits.get(collision);
+	if (!taken || taken.length > $MOST_SNAPSHOTS || !Array.isArray(agents)) return;
+	if (ByteArray.from(bytes)?.byteAt($CONTENTS) & $HAS_TRAITS) return;
+	const ofThese = taken.filter((places) => places.length === agents.length && places.every(({ agent }, i) => agent === agents[i]));
+	const movedSince = ofThese.map((places) => places.find(({ agent, x, y, z }) => agent.x !== x || agent.y !== y || agent.z !== z));
+	if (movedSince.length === 0 || movedSince.includes(undefined)) return;
+	const { agent, x, y, z } = movedSince[movedSince.length - 1];
+	const [now, before] = [[agent.x, agent.y, agent.z], [x, y, z]].map((place) => place.map($rounded).join(", "));
+	$warn(`restore() leaves ${agent} at (${now}), and it was at (${before}) when the snapshot was taken, which has no traits. `
+		+ "Take snapshot({ withTraits: true }), or put the traits back before restore()", "restore");
+}

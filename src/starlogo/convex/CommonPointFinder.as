@@ -15,10 +15,14 @@ package starlogo.convex
         /** Writes the point halfway between the two surfaces, relative to the second shape's origin. */
         public function find(cores:CorePair, out:ContactPoint):void
         {
-            findFeatures(cores, out);
+            _first.find(cores.first, -1, out);
+            _first.move(cores.x, cores.y, cores.z);
+            _second.find(cores.second, 1, out);
+            // of two corners, that of the core with fewer points counts
+            var isSecondSimpler:Boolean = _second.isCorner && cores.second.pointsEnd < cores.first.pointsEnd;
             // how far the middle between the surfaces is from the common part, along the normal
             var offset:Number;
-            if (_first.isCorner)
+            if (_first.isCorner && !isSecondSimpler)
             {
                 writeMean(_first, out);
                 offset = out.depth / 2 - cores.first.radius;
@@ -30,6 +34,8 @@ package starlogo.convex
             }
             else
             {
+                _first.makeOutline(out);
+                _second.makeOutline(out);
                 findShared(out);
                 var surface:Number = out.normalX * cores.x + out.normalY * cores.y + out.normalZ * cores.z - _first.farthest - cores.first.radius;
                 offset = surface + out.depth / 2 - (out.normalX * out.x + out.normalY * out.y + out.normalZ * out.z);
@@ -37,32 +43,6 @@ package starlogo.convex
             out.x += offset * out.normalX;
             out.y += offset * out.normalY;
             out.z += offset * out.normalZ;
-        }
-
-        // Finds both features, that of the core with fewer points first. If it is a corner, it is the common part, and the other feature is left empty.
-        private function findFeatures(cores:CorePair, contact:ContactPoint):void
-        {
-            var isSecondSimpler:Boolean = cores.second.pointsEnd < cores.first.pointsEnd;
-            _first.clear();
-            _second.clear();
-            if (isSecondSimpler)
-            {
-                _second.find(cores.second, 1, contact);
-            }
-            if (!_second.isCorner)
-            {
-                _first.find(cores.first, -1, contact);
-                _first.move(cores.x, cores.y, cores.z);
-            }
-            if (!isSecondSimpler && !_first.isCorner)
-            {
-                _second.find(cores.second, 1, contact);
-            }
-            if (!_first.isCorner && !_second.isCorner)
-            {
-                _first.makeOutline(contact);
-                _second.makeOutline(contact);
-            }
         }
 
         // Writes the middle of what two edges or faces share when seen along the normal. It is in the plane of either.

@@ -183,32 +183,6 @@ package starlogo.convex
         public function findBehind(shape:ConvexShape, motion:RelativeMotion, out:ContactPoint):void
         {
             shape.project(normal, _ofShape);
-            leadInFront(shape, motion, out);
-        }
-
-        /**
-         * Finds what findBehind() does of a shape that stands, if it is deeper behind the plane than another contact is, up to rounding. This is quicker
-         * if it is not. A flat triangle has none.
-         *
-         * @param than the other contact. Its depth counts
-         * @param out receives the contact
-         * @return whether it is deeper
-         */
-        public function findDeeper(shape:ConvexShape, than:ContactPoint, out:ContactPoint):Boolean
-        {
-            shape.project(normal, _ofShape);
-            var front:Number = normal.x * shape.x + normal.y * shape.y + normal.z * shape.z + _ofShape.least - shape.radius;
-            if (!(offset - front > than.depth))
-            {
-                return false;
-            }
-            leadInFront(shape, RelativeMotion.NONE, out);
-            return true;
-        }
-
-        // Writes the contact of findBehind(). The shape is projected on the normal (_ofShape).
-        private function leadInFront(shape:ConvexShape, motion:RelativeMotion, out:ContactPoint):void
-        {
             out.setNormal(normal.x, normal.y, normal.z);
             moveToDeepest(shape, out);
             out.x += motion.startX + motion.time * motion.x;

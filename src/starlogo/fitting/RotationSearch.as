@@ -152,26 +152,7 @@ package starlogo.fitting
         {
             var rotation:Placement = new Placement();
             rotation.setRotation(0, aboutY, aboutX);
-            var xx:Number = rotation.r00;
-            var xy:Number = rotation.r01;
-            var xz:Number = rotation.r02;
-            var yy:Number = rotation.r11;
-            var yz:Number = rotation.r12;
-            var zx:Number = rotation.r20;
-            var zy:Number = rotation.r21;
-            var zz:Number = rotation.r22;
-            var points:Vector.<Number> = _hull.points;
-            var rotated:Vector.<Number> = _rotated;
-            var end:int = points.length;
-            for (var i:int = 0; i < end; i += 3)
-            {
-                var x:Number = points[i];
-                var y:Number = points[i + 1];
-                var z:Number = points[i + 2];
-                rotated[i] = xx * x + xy * y + xz * z;
-                rotated[i + 1] = yy * y + yz * z;
-                rotated[i + 2] = zx * x + zy * y + zz * z;
-            }
+            Placement.scaleAndTurnPoints(rotation, _hull.points, _rotated);
         }
 
         // The extent in a direction of the plane of x and y. The entries of corners at index and index + 1 are the

@@ -91,7 +91,7 @@ package starlogo.intersection
             fill(kernels, BoundingStructure.HULL, CONVEX);
             fill(kernels, BoundingStructure.OTHER, new PairKernel());
             kernels[KINDS * BoundingStructure.SPHERE + BoundingStructure.SPHERE] = new SphereSphereKernel();
-            kernels[KINDS * BoundingStructure.BOX + BoundingStructure.BOX] = new BoxBoxKernel(CONVEX);
+            kernels[KINDS * BoundingStructure.BOX + BoundingStructure.BOX] = CONVEX;
             return kernels;
         }
 

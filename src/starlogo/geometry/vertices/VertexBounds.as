@@ -31,6 +31,14 @@ package starlogo.geometry.vertices
         /** Whether all coordinates were finite. Otherwise the box is wrong. */
         public var areFinite:Boolean = true;
 
+        /** Leaves no vertices. */
+        public function clear():void
+        {
+            minX = minY = minZ = Infinity;
+            maxX = maxY = maxZ = -Infinity;
+            areFinite = true;
+        }
+
         /** The box around all vertices of a list: x, y, z of each. */
         public static function of(vertices:Vector.<Number>):VertexBounds
         {

@@ -36,7 +36,7 @@ package starlogo.convex
             {
                 _first.makeOutline(out);
                 _second.makeOutline(out);
-                findShared(out);
+                writeShared(out);
                 var surface:Number = out.normalX * cores.x + out.normalY * cores.y + out.normalZ * cores.z - _first.farthest - cores.first.radius;
                 offset = surface + out.depth / 2 - (out.normalX * out.x + out.normalY * out.y + out.normalZ * out.z);
             }
@@ -46,27 +46,22 @@ package starlogo.convex
         }
 
         // Writes the middle of what two edges or faces share when seen along the normal. It is in the plane of either.
-        private function findShared(out:ContactPoint):void
+        private function writeShared(out:ContactPoint):void
         {
             if (_second.isFace)
             {
-                writeMeanWithin(_first, _second, out);
+                _first.clip(_second, out);
+                writeMean(_first, out);
             }
             else if (_first.isFace)
             {
-                writeMeanWithin(_second, _first, out);
+                _second.clip(_first, out);
+                writeMean(_second, out);
             }
             else
             {
                 writeCrossing(_first.points, _second.points, out);
             }
-        }
-
-        // Writes the middle of the part of an edge or a face that is within another face.
-        private static function writeMeanWithin(inner:ContactFeature, face:ContactFeature, out:ContactPoint):void
-        {
-            inner.clip(face, out);
-            writeMean(inner, out);
         }
 
         private static function writeMean(feature:ContactFeature, out:ContactPoint):void

@@ -130,7 +130,7 @@ package starlogo.convex
             if (!(motion.time > 0))
             {
                 // a has not come from anywhere
-                _cores.clearMotion();
+                _cores.motionX = _cores.motionY = _cores.motionZ = 0;
             }
         }
 

@@ -29,16 +29,12 @@ package starlogo.fitting
         private var _hull:ConvexHull;
         private var _rotated:Vector.<Number>;
 
-        // The least length that counts for a side.
-        private var _shortest:Number;
 
         private var _incrementXY:Number;
         private var _incrementZ:Number;
 
         // The state of the search: the number of rotations about x and y that are done, and the best rotation so far.
         private var _done:int = 0;
-        private var _cosines:Vector.<Number> = new Vector.<Number>();
-        private var _sines:Vector.<Number> = new Vector.<Number>();
         private var _corners:Vector.<int> = new Vector.<int>(6);
         private var _least:Number = Infinity;
         private var _best:Placement = new Placement();
@@ -89,13 +85,6 @@ package starlogo.fitting
         {
             _hull = hull;
             _rotated = new Vector.<Number>(hull.points.length);
-            _shortest = hull.flatness;
-            var count:int = Math.ceil(90 / _incrementZ);
-            for (var i:int = 0; i < count; i++)
-            {
-                _cosines.push(Trigonometry.cosine(i * _incrementZ));
-                _sines.push(Trigonometry.sine(i * _incrementZ));
-            }
         }
 
         // Tries all rotations about z that follow the next one about x and y. Returns false if there are no more.
@@ -105,27 +94,24 @@ package starlogo.fitting
             var aboutX:Number = int(_done / perAxis) * _incrementXY;
             var aboutY:Number = _done % perAxis * _incrementXY;
             rotateHull(aboutX, aboutY);
+            // the least length that counts for a side
+            var shortest:Number = _hull.flatness;
             var corners:Vector.<int> = _corners;
             corners[4] = climb(corners[4], 1, 0, 1);
             corners[5] = climb(corners[5], 1, 0, -1);
-            var thickness:Number = Math.max(_rotated[3 * corners[4] + 2] - _rotated[3 * corners[5] + 2], _shortest);
+            var thickness:Number = Math.max(_rotated[3 * corners[4] + 2] - _rotated[3 * corners[5] + 2], shortest);
             // The order alternates, because the corners found last are then close to the next ones.
             var isForward:Boolean = _done % 2 == 0;
-            var count:int = _sines.length;
+            var count:int = Math.ceil(90 / _incrementZ);
             for (var i:int = 0; i < count; i++)
             {
                 var multiple:int = isForward ? i : count - 1 - i;
-                var cosine:Number = _cosines[multiple];
-                var sine:Number = _sines[multiple];
+                var cosine:Number = Trigonometry.cosine(multiple * _incrementZ);
+                var sine:Number = Trigonometry.sine(multiple * _incrementZ);
                 var width:Number = lengthAlong(corners, 0, cosine, -sine);
                 var depth:Number = lengthAlong(corners, 2, sine, cosine);
-                var least:Number = _least * (1 - Tolerances.FIT_TIE);
-                if (thickness * width * depth >= least)
-                {
-                    continue;
-                }
-                var volume:Number = thickness * Math.max(width, _shortest) * Math.max(depth, _shortest);
-                if (volume < least)
+                var volume:Number = thickness * Math.max(width, shortest) * Math.max(depth, shortest);
+                if (volume < _least * (1 - Tolerances.FIT_TIE))
                 {
                     _least = volume;
                     _best.setRotation(multiple * _incrementZ, aboutY, aboutX);

@@ -87,7 +87,7 @@ package starlogo.ground
             _pairs.begin(_sweep, 0);
             while (_touch.time > 0 && _pairs.next())
             {
-                if (kernel.planeKeepsApart(_sweep))
+                if (kernel.plane.keepsApart(kernel.shape, _sweep))
                 {
                     continue;
                 }

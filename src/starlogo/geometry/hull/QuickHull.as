@@ -39,9 +39,6 @@ package starlogo.geometry.hull
         private var _seen:Vector.<HullFace> = new Vector.<HullFace>();
         private var _created:Vector.<HullFace> = new Vector.<HullFace>();
 
-        // Buried faces that become new ones.
-        private var _spare:Vector.<HullFace> = new Vector.<HullFace>();
-
         // all faces, after the hull is built
         private var _faces:Vector.<HullFace>;
 
@@ -140,10 +137,6 @@ package starlogo.geometry.hull
         // Fills _seen with the faces that the eye sees, and _created with a face from the eye to each edge around them.
         private function findFaces(eye:int, face:HullFace):void
         {
-            for each (var old:HullFace in _seen)
-            {
-                _spare.push(old);
-            }
             _created.length = 0;
             _seen.length = 0;
             bury(face);
@@ -184,7 +177,7 @@ package starlogo.geometry.hull
 
         private function newFace(a:int, b:int, c:int):HullFace
         {
-            var face:HullFace = _spare.length > 0 ? _spare.pop() : new HullFace();
+            var face:HullFace = new HullFace();
             face.setTo(_points, a, b, c);
             return face;
         }

@@ -59,15 +59,9 @@ package starlogo.intersection.boxes
                 {
                     return false;
                 }
-                if (time > _first)
-                {
-                    _first = time;
-                }
+                _first = time > _first ? time : _first;
                 time = (-near - from) / travel;
-                if (time > touch)
-                {
-                    touch = time;
-                }
+                touch = time > touch ? time : touch;
             }
             else if (from > wide)
             {
@@ -80,10 +74,7 @@ package starlogo.intersection.boxes
                 {
                     return false;
                 }
-                if (time < last)
-                {
-                    last = time;
-                }
+                last = time < last ? time : last;
             }
             return true;
         }

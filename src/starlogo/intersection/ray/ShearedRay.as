@@ -190,12 +190,9 @@ package starlogo.intersection.ray
             var sideA:Number = cU * bV - cV * bU;
             var sideB:Number = aU * cV - aV * cU;
             var sideC:Number = bU * aV - bV * aU;
-            if (sideA < -sliver || sideB < -sliver || sideC < -sliver)
+            if ((sideA < -sliver || sideB < -sliver || sideC < -sliver) && (sideA > sliver || sideB > sliver || sideC > sliver))
             {
-                if (sideA > sliver || sideB > sliver || sideC > sliver)
-                {
-                    return false;
-                }
+                return false;
             }
             var sum:Number = sideA + sideB + sideC;
             var width:Number = Math.abs(aU) + Math.abs(aV) + Math.abs(bU) + Math.abs(bV) + Math.abs(cU) + Math.abs(cV);
@@ -216,31 +213,18 @@ package starlogo.intersection.ray
             }
             if (isEdgeOn)
             {
-                setAlong(out);
+                out.slack = Tolerances.ROUNDING * Math.abs(out.distance) + SLACK_TOLERANCES * EDGE_ON_TOLERANCES * _tolerance;
+                out.end = Math.max(out.end, out.distance) + out.slack;
+                out.side = RayCrossings.EDGE_ON;
+                return true;
             }
-            else
-            {
-                var depth:Number = Math.abs(_stretch) * (Math.abs(aW - bW) + Math.abs(bW - cW));
-                setAcross(width * depth, sum, out);
-            }
-            return true;
-        }
-
-        // Sets the rest of a crossing with a triangle that the ray does not see edge on. The ray may pass a tolerance beside the place that is tested. On a
-        // steep triangle, which is deep for its area, the place is then farther off along the ray.
-        private function setAcross(spread:Number, sum:Number, out:TriangleCrossing):void
-        {
+            // The ray may pass a tolerance beside the place that is tested. On a steep triangle, which is deep for its area, the place is then farther off
+            // along the ray.
+            var depth:Number = Math.abs(_stretch) * (Math.abs(aW - bW) + Math.abs(bW - cW));
             out.end = out.distance;
-            out.slack = Tolerances.ROUNDING * Math.abs(out.distance) + SLACK_TOLERANCES * _tolerance * (1 + spread / Math.abs(sum));
+            out.slack = Tolerances.ROUNDING * Math.abs(out.distance) + SLACK_TOLERANCES * _tolerance * (1 + width * depth / Math.abs(sum));
             out.side = sum > 0 ? RayCrossings.ENTERS : RayCrossings.LEAVES;
-        }
-
-        // Sets the rest of a crossing with a triangle that the ray sees edge on.
-        private function setAlong(out:TriangleCrossing):void
-        {
-            out.slack = Tolerances.ROUNDING * Math.abs(out.distance) + SLACK_TOLERANCES * EDGE_ON_TOLERANCES * _tolerance;
-            out.end = Math.max(out.end, out.distance) + out.slack;
-            out.side = RayCrossings.EDGE_ON;
+            return true;
         }
 
         // Sets the crossing to the places where the ray first and last passes the edges of a triangle within a tolerance. Returns whether there is such a place

@@ -41,7 +41,7 @@ package starlogo.convex
             while (advance(measure(cores), motion))
             {
                 cores.moveTo(motion);
-                _distance.findAgain(cores, _witness);
+                _distance.findAfterMove(cores, _witness);
             }
         }
 

@@ -121,9 +121,9 @@ package starlogo.convex
          * @param motion of the shape; the shape is where it is at the motion's time
          * @param contact has the depth; receives the normal
          */
-        public function turnContact(shape:ConvexShape, motion:RelativeMotion, contact:ContactPoint):void
+        public function alignContact(shape:ConvexShape, motion:RelativeMotion, contact:ContactPoint):void
         {
-            if (isMetBy(shape, shape.margin, motion, contact))
+            if (isHitFromFront(shape, shape.margin, motion, contact))
             {
                 contact.setNormal(normal.x, normal.y, normal.z);
             }
@@ -136,7 +136,7 @@ package starlogo.convex
          * @param motion of the shape; the shape is where it is at the motion's time
          * @param contact has the depth
          */
-        public function isMetBy(shape:ConvexShape, depthTolerance:Number, motion:RelativeMotion, contact:ContactPoint):Boolean
+        public function isHitFromFront(shape:ConvexShape, depthTolerance:Number, motion:RelativeMotion, contact:ContactPoint):Boolean
         {
             var speed:Number = normal.x * motion.x + normal.y * motion.y + normal.z * motion.z;
             if (!(speed < 0))

@@ -29,15 +29,14 @@ package starlogo.fitting
         private var _hull:ConvexHull;
         private var _rotated:Vector.<Number>;
 
-
         private var _incrementXY:Number;
         private var _incrementZ:Number;
 
         // The state of the search: the number of rotations about x and y that are done, and the best rotation so far.
-        private var _done:int = 0;
+        private var _doneCount:int = 0;
         private var _corners:Vector.<int> = new Vector.<int>(6);
-        private var _least:Number = Infinity;
-        private var _best:Placement = new Placement();
+        private var _leastVolume:Number = Infinity;
+        private var _bestRotation:Placement = new Placement();
 
         /**
          * @param session the vertices
@@ -91,8 +90,8 @@ package starlogo.fitting
         private function tryNext():Boolean
         {
             var perAxis:int = Math.ceil(90 / _incrementXY);
-            var aboutX:Number = int(_done / perAxis) * _incrementXY;
-            var aboutY:Number = _done % perAxis * _incrementXY;
+            var aboutX:Number = int(_doneCount / perAxis) * _incrementXY;
+            var aboutY:Number = _doneCount % perAxis * _incrementXY;
             rotateHull(aboutX, aboutY);
             // the least length that counts for a side
             var shortest:Number = _hull.flatness;
@@ -101,7 +100,7 @@ package starlogo.fitting
             corners[5] = climb(corners[5], 1, 0, -1);
             var thickness:Number = Math.max(_rotated[3 * corners[4] + 2] - _rotated[3 * corners[5] + 2], shortest);
             // The order alternates, because the corners found last are then close to the next ones.
-            var isForward:Boolean = _done % 2 == 0;
+            var isForward:Boolean = _doneCount % 2 == 0;
             var count:int = Math.ceil(90 / _incrementZ);
             for (var i:int = 0; i < count; i++)
             {
@@ -111,25 +110,25 @@ package starlogo.fitting
                 var width:Number = lengthAlong(corners, 0, cosine, -sine);
                 var depth:Number = lengthAlong(corners, 2, sine, cosine);
                 var volume:Number = thickness * Math.max(width, shortest) * Math.max(depth, shortest);
-                if (volume < _least * (1 - Tolerances.FIT_TIE))
+                if (volume < _leastVolume * (1 - Tolerances.FIT_TIE))
                 {
-                    _least = volume;
-                    _best.setRotation(multiple * _incrementZ, aboutY, aboutX);
+                    _leastVolume = volume;
+                    _bestRotation.setRotation(multiple * _incrementZ, aboutY, aboutX);
                     if (volume <= _hull.volume * (1 + Tolerances.FIT_TIE))
                     {
                         return false;
                     }
                 }
             }
-            _done++;
-            return _done < perAxis * perAxis;
+            _doneCount++;
+            return _doneCount < perAxis * perAxis;
         }
 
         // The smallest box of the rotations tried so far, around all vertices.
         private function smallestBox(session:FitSession):Box
         {
             var axes:Vector.<Number> = new Vector.<Number>(9);
-            _best.readRows(axes, 0);
+            _bestRotation.readRows(axes, 0);
             return EnclosingStructures.box(session.vertices, axes);
         }
 

@@ -364,7 +364,7 @@ package starlogo.geometry
         }
 
         /** @private Sets the rotation of a placement to that of b as seen from a: the inverse of a's rotation times b's. */
-        engine static function relateRotation(a:Placement, b:Placement, out:Placement):void
+        engine static function setRelativeRotation(a:Placement, b:Placement, out:Placement):void
         {
             out.r00 = a.r00 * b.r00 + a.r10 * b.r10 + a.r20 * b.r20;
             out.r01 = a.r00 * b.r01 + a.r10 * b.r11 + a.r20 * b.r21;

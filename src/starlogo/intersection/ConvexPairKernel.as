@@ -13,7 +13,7 @@ package starlogo.intersection
     use namespace engine;
 
     /**
-     * Answers for any two convex structures. It makes shapes of the two, about which ConvexKernel decides. PairTable has it for pairs with a hull and
+     * Answers for any two convex structures. It makes shapes of the two, about which ConvexKernel decides. StructurePairs has it for pairs with a hull and
      * for two boxes, and RoundKernel asks it where it does not answer itself. It sets both shapes in each call, which takes little time because the
      * shape of a hull shares the lists of the hull. The time of impact of two boxes comes from BoxSweep, which is faster.
      *

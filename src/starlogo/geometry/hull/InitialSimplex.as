@@ -32,7 +32,7 @@ package starlogo.geometry.hull
 
         // The vertex that is farthest from the space spanned so far, and the square of its distance.
         private var _farthest:int;
-        private var _most:Number;
+        private var _greatestSquare:Number;
 
         /**
          * @param vertices x, y, z of each. The steps throw an ArgumentError if they are null or empty, if the number of coordinates is not
@@ -91,7 +91,7 @@ package starlogo.geometry.hull
         // Adds the steps that find the next corner.
         private function findCorner():void
         {
-            _most = -1;
+            _greatestSquare = -1;
             slices(_vertices.length / 3, VERTICES_PER_STEP, findFarthest).call(addCorner);
         }
 
@@ -131,9 +131,9 @@ package starlogo.geometry.hull
                     var along:Number = x * axes[k] + y * axes[int(k + 1)] + z * axes[int(k + 2)];
                     square += along * along;
                 }
-                if (square > _most)
+                if (square > _greatestSquare)
                 {
-                    _most = square;
+                    _greatestSquare = square;
                     _farthest = i / 3;
                 }
             }

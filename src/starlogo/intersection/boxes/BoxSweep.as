@@ -121,11 +121,11 @@ package starlogo.intersection.boxes
                 && narrow(pair, fromY, moveY, aHalfY + bHalfX * axes.abs10 + bHalfY * axes.abs11 + bHalfZ * axes.abs12, 1)
                 && narrow(pair, fromZ, moveZ, aHalfZ + bHalfX * axes.abs20 + bHalfY * axes.abs21 + bHalfZ * axes.abs22, 1)
                 && narrow(pair, fromX * axes.m00 + fromY * axes.m10 + fromZ * axes.m20, axes.m00 * moveX + axes.m10 * moveY + axes.m20 * moveZ,
-                        bHalfX + aHalfX * axes.abs00 + aHalfY * axes.abs10 + aHalfZ * axes.abs20, 1)
+                    bHalfX + aHalfX * axes.abs00 + aHalfY * axes.abs10 + aHalfZ * axes.abs20, 1)
                 && narrow(pair, fromX * axes.m01 + fromY * axes.m11 + fromZ * axes.m21, axes.m01 * moveX + axes.m11 * moveY + axes.m21 * moveZ,
-                        bHalfY + aHalfX * axes.abs01 + aHalfY * axes.abs11 + aHalfZ * axes.abs21, 1)
+                    bHalfY + aHalfX * axes.abs01 + aHalfY * axes.abs11 + aHalfZ * axes.abs21, 1)
                 && narrow(pair, fromX * axes.m02 + fromY * axes.m12 + fromZ * axes.m22, axes.m02 * moveX + axes.m12 * moveY + axes.m22 * moveZ,
-                        bHalfZ + aHalfX * axes.abs02 + aHalfY * axes.abs12 + aHalfZ * axes.abs22, 1);
+                    bHalfZ + aHalfX * axes.abs02 + aHalfY * axes.abs12 + aHalfZ * axes.abs22, 1);
         }
 
         // Narrows the interval by an axis, if it is longer than rounding. Returns whether anything is left. @param size at least the length of the axis

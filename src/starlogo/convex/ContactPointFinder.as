@@ -6,7 +6,7 @@ package starlogo.convex
      * Finds the point of a contact whose normal and depth are known: the middle of what the two shapes have in common where they touch. That is
      * the common part of a corner, an edge or a face of each, seen along the normal. The middle of a polygon is the mean of its corners.
      */
-    internal final class CommonPointFinder
+    internal final class ContactPointFinder
     {
         // The feature of each core that faces the other, relative to the second one's origin.
         private var _first:ContactFeature = new ContactFeature();

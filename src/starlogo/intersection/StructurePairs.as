@@ -20,7 +20,7 @@ package starlogo.intersection
      *
      * @private
      */
-    public final class PairTable
+    public final class StructurePairs
     {
         private static const CONVEX:ConvexPairKernel = new ConvexPairKernel();
 

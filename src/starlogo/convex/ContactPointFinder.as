@@ -20,6 +20,12 @@ package starlogo.convex
             _second.find(cores.second, 1, out);
             // of two corners, that of the core with fewer points counts
             var isSecondSimpler:Boolean = _second.isCorner && cores.second.pointsEnd < cores.first.pointsEnd;
+            if (!_first.isCorner && !_second.isCorner)
+            {
+                // corners in the same place become one
+                _first.makeOutline(out);
+                _second.makeOutline(out);
+            }
             // how far the middle between the surfaces is from the common part, along the normal
             var offset:Number;
             if (_first.isCorner && !isSecondSimpler)
@@ -34,8 +40,6 @@ package starlogo.convex
             }
             else
             {
-                _first.makeOutline(out);
-                _second.makeOutline(out);
                 writeShared(out);
                 var surface:Number = out.normalX * cores.x + out.normalY * cores.y + out.normalZ * cores.z - _first.farthest - cores.first.radius;
                 offset = surface + out.depth / 2 - (out.normalX * out.x + out.normalY * out.y + out.normalZ * out.z);

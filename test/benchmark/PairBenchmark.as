@@ -9,7 +9,7 @@ package benchmark
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.intersection.intersects;
-    import starlogo.intersection.PairTable;
+    import starlogo.intersection.StructurePairs;
 
     /**
      * What two structures cost, for each pair of kinds: whether they touch, their time of impact, their contact, their distance.
@@ -71,15 +71,15 @@ package benchmark
                 });
             add(function(k:int):void
                 {
-                    PairTable.findTime(firsts[k], seconds[k], motions[k]);
+                    StructurePairs.findTime(firsts[k], seconds[k], motions[k]);
                 });
             add(function(k:int):void
                 {
-                    PairTable.findContact(firsts[k], seconds[k], RelativeMotion.NONE, _contact);
+                    StructurePairs.findContact(firsts[k], seconds[k], RelativeMotion.NONE, _contact);
                 });
             add(function(k:int):void
                 {
-                    PairTable.findClosest(firsts[k], seconds[k], _closest);
+                    StructurePairs.findClosest(firsts[k], seconds[k], _closest);
                 });
         }
 

@@ -8,7 +8,7 @@ package support
     import starlogo.convex.ClosestPoints;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.intersection.PairTable;
+    import starlogo.intersection.StructurePairs;
     import starlogo.solid.ModelTree;
 
     use namespace engine;
@@ -101,7 +101,7 @@ package support
             {
                 for (var k:int = 0; k < b.length; k++)
                 {
-                    PairTable.findClosest(a[i], b[k], _pair);
+                    StructurePairs.findClosest(a[i], b[k], _pair);
                     distance = Math.min(distance, _pair.distance);
                 }
             }

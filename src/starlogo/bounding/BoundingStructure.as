@@ -283,16 +283,6 @@ package starlogo.bounding
         }
 
         /**
-         * A simpler structure around this one, which tests take first; this structure if there is none.
-         *
-         * @private
-         */
-        engine function get around():BoundingStructure
-        {
-            return this;
-        }
-
-        /**
          * Whether this structure comes after another one of the same kind: by their places, or in the same place by their other numbers. Tests of two
          * structures take them in this order, so they give the same answer for (a, b) and (b, a), rounding included. Those of the kind HULL have no order
          * here, because the package convex puts its shapes in an order itself.

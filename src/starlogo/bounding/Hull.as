@@ -23,6 +23,9 @@ package starlogo.bounding
     {
         private static const POINT:Vector.<Number> = new <Number>[0, 0, 0];
 
+        private static var sTurned:Vector.<Number> = new Vector.<Number>();
+        private static var sBounds:VertexBounds = new VertexBounds();
+
         // Structures may be larger than what ConvexHull takes. So it gets the corners divided by this number: 2^40, which loses no
         // digits.
         private static const HULL_SCALE:Number = 1099511627776;
@@ -50,13 +53,6 @@ package starlogo.bounding
          * @private
          */
         engine var radius:Number = 0;
-
-        // A box around the hull, a little larger than it. Its axes are the coordinate axes of the space in which the hull was made. A game may set
-        // the hull's centre, so the box's own is set each time that the box is asked for.
-        private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
-
-        // The middle of the box, relative to the centre.
-        private var _boxMiddle:Vector.<Number> = new Vector.<Number>(3, true);
 
         // Empty until they are needed.
         private var _halfSpaces:Vector.<Number> = new Vector.<Number>();
@@ -186,9 +182,7 @@ package starlogo.bounding
                 placed.points.length = points.length;
             }
             Placement.scaleAndTurnPoints(placement, points, placed.points);
-            Placement.scaleAndTurnPoints(placement, _boxMiddle, placed._boxMiddle);
             placement.place(center, placed.center);
-            _box.place(placement, placed._box);
             placed.radius = radius * placement.size;
             placed.topology = topology;
             placed.forgetShape();
@@ -220,10 +214,6 @@ package starlogo.bounding
         override engine function widen(by:Number):void
         {
             radius += by;
-            // V8 would make an object for the argument of _box.widen()
-            _box.halfX += by;
-            _box.halfY += by;
-            _box.halfZ += by;
         }
 
         /** @private */
@@ -237,50 +227,23 @@ package starlogo.bounding
         /** @private */
         override engine function boxAroundInto(placement:Placement, out:Vector.<Number>):void
         {
-            var r00:Number = placement.r00;
-            var r01:Number = placement.r01;
-            var r02:Number = placement.r02;
-            var r10:Number = placement.r10;
-            var r11:Number = placement.r11;
-            var r12:Number = placement.r12;
-            var r20:Number = placement.r20;
-            var r21:Number = placement.r21;
-            var r22:Number = placement.r22;
-            var from:Vector.<Number> = points;
-            var end:int = from.length;
-            var lowX:Number = Infinity;
-            var lowY:Number = Infinity;
-            var lowZ:Number = Infinity;
-            var highX:Number = -Infinity;
-            var highY:Number = -Infinity;
-            var highZ:Number = -Infinity;
-            for (var i:int = 0; i < end; i += 3)
-            {
-                var fromX:Number = from[i];
-                var fromY:Number = from[int(i + 1)];
-                var fromZ:Number = from[int(i + 2)];
-                var x:Number = r00 * fromX + r01 * fromY + r02 * fromZ;
-                var y:Number = r10 * fromX + r11 * fromY + r12 * fromZ;
-                var z:Number = r20 * fromX + r21 * fromY + r22 * fromZ;
-                lowX = x < lowX ? x : lowX;
-                lowY = y < lowY ? y : lowY;
-                lowZ = z < lowZ ? z : lowZ;
-                highX = x > highX ? x : highX;
-                highY = y > highY ? y : highY;
-                highZ = z > highZ ? z : highZ;
-            }
+            var turned:Vector.<Number> = sTurned;
+            var bounds:VertexBounds = sBounds;
+            Placement.scaleAndTurnPoints(placement, points, turned);
+            bounds.clear();
+            bounds.add(turned, 0, points.length / 3);
             var size:Number = placement.size;
-            var centerX:Number = center.x;
-            var centerY:Number = center.y;
-            var centerZ:Number = center.z;
-            var outerMargin:Number = radius + Tolerances.ROUNDING * (highX - lowX + (highY - lowY) + (highZ - lowZ)
-                    + Math.abs(centerX) + Math.abs(centerY) + Math.abs(centerZ));
-            out[0] = size * (r00 * centerX + r01 * centerY + r02 * centerZ + (lowX + highX) / 2);
-            out[1] = size * (r10 * centerX + r11 * centerY + r12 * centerZ + (lowY + highY) / 2);
-            out[2] = size * (r20 * centerX + r21 * centerY + r22 * centerZ + (lowZ + highZ) / 2);
-            out[3] = size * ((highX - lowX) / 2 + outerMargin);
-            out[4] = size * ((highY - lowY) / 2 + outerMargin);
-            out[5] = size * ((highZ - lowZ) / 2 + outerMargin);
+            var x:Number = center.x * size;
+            var y:Number = center.y * size;
+            var z:Number = center.z * size;
+            var margin:Number = radius * size + Tolerances.ROUNDING * (bounds.maxX - bounds.minX + (bounds.maxY - bounds.minY)
+                    + (bounds.maxZ - bounds.minZ) + Math.abs(x) + Math.abs(y) + Math.abs(z));
+            out[0] = placement.r00 * x + placement.r01 * y + placement.r02 * z + (bounds.minX + bounds.maxX) / 2;
+            out[1] = placement.r10 * x + placement.r11 * y + placement.r12 * z + (bounds.minY + bounds.maxY) / 2;
+            out[2] = placement.r20 * x + placement.r21 * y + placement.r22 * z + (bounds.minZ + bounds.maxZ) / 2;
+            out[3] = (bounds.maxX - bounds.minX) / 2 + margin;
+            out[4] = (bounds.maxY - bounds.minY) / 2 + margin;
+            out[5] = (bounds.maxZ - bounds.minZ) / 2 + margin;
         }
 
         /** @private */
@@ -291,15 +254,6 @@ package starlogo.bounding
             out.setHull(center, points, topology.faces, topology.edges, _extent >= 0);
             _extent = out.extent;
             out.radius = radius;
-        }
-
-        /** @private */
-        override engine function get around():BoundingStructure
-        {
-            _box.center.x = center.x + _boxMiddle[0];
-            _box.center.y = center.y + _boxMiddle[1];
-            _box.center.z = center.z + _boxMiddle[2];
-            return _box;
         }
 
         /** @private The centre, the radius, then the corners relative to the centre. */
@@ -355,7 +309,7 @@ package starlogo.bounding
             return result;
         }
 
-        // Sets the corners, and finds the faces, the edges and the box, after the centre and the radius have been set. Corners that a ConvexHull drops are
+        // Sets the corners, and finds the faces and the edges, after the centre and the radius have been set. Corners that a ConvexHull drops are
         // dropped until it keeps all. So a hull of the corners of another one is the same hull.
         private function setCorners(corners:Vector.<Number>):void
         {
@@ -367,13 +321,6 @@ package starlogo.bounding
             points = scaled(hull.points, HULL_SCALE);
             topology = HullTopology.of(hull);
             forgetShape();
-            var extents:Vector.<Number> = new Vector.<Number>(6, true);
-            boxAroundInto(Placement.IDENTITY, extents);
-            var by:Number = (Tolerances.OUTER - 1) * farthestCorner(points);
-            _boxMiddle[0] = extents[0] - center.x;
-            _boxMiddle[1] = extents[1] - center.y;
-            _boxMiddle[2] = extents[2] - center.z;
-            _box.setNumbers(new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, extents[3] + by, extents[4] + by, extents[5] + by]);
         }
 
         // Forgets what was found of the corners, after they have changed.

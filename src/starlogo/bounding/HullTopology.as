@@ -46,9 +46,9 @@ package starlogo.bounding
             switch (hull.dimension)
             {
                 case 3:
-                    return new HullTopology(3, firstNumbers(hull.triangles), edgesOf(hull));
+                    return new HullTopology(3, coordinateIndices(hull.triangles), edgesOf(hull));
                 case 2:
-                    return ofPolygon(firstNumbers(outlineOf(hull)));
+                    return ofPolygon(coordinateIndices(outlineOf(hull)));
                 case 1:
                     return new HullTopology(1, new Vector.<int>(), new <int>[0, 3, 0, 0]);
                 default:
@@ -93,7 +93,7 @@ package starlogo.bounding
         private static function edgesOf(hull:ConvexHull):Vector.<int>
         {
             var found:Vector.<int> = new Vector.<int>();
-            var corners:Vector.<int> = firstNumbers(hull.triangles);
+            var corners:Vector.<int> = coordinateIndices(hull.triangles);
             var across:Vector.<int> = edgesAcross(hull.triangles, hull.indices.length);
             for (var i:int = 0; i < across.length; i++)
             {
@@ -102,7 +102,7 @@ package starlogo.bounding
                 var left:int = corners[first + (i + 2) % 3];
                 var other:int = across[i];
                 var right:int = corners[other - other % 3 + (other + 2) % 3];
-                if (i < other && !isFlat(hull.points, corners[i], end, left, right))
+                if (i < other && !isInFlatSide(hull.points, corners[i], end, left, right))
                 {
                     found.push(corners[i], end, left, right);
                 }
@@ -111,7 +111,7 @@ package starlogo.bounding
         }
 
         // Whether the two triangles at an edge are in one plane, up to rounding.
-        private static function isFlat(points:Vector.<Number>, start:int, end:int, left:int, right:int):Boolean
+        private static function isInFlatSide(points:Vector.<Number>, start:int, end:int, left:int, right:int):Boolean
         {
             var alongX:Number = points[end] - points[start];
             var alongY:Number = points[end + 1] - points[start + 1];
@@ -131,7 +131,7 @@ package starlogo.bounding
             return Math.abs(height) <= Tolerances.UNIT_ROUNDING * length;
         }
 
-        private static function firstNumbers(corners:Vector.<int>):Vector.<int>
+        private static function coordinateIndices(corners:Vector.<int>):Vector.<int>
         {
             var indices:Vector.<int> = new Vector.<int>(corners.length, true);
             for (var i:int = 0; i < corners.length; i++)

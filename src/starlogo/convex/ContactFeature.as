@@ -8,7 +8,7 @@ package starlogo.convex
         // How many numbers an edge has: three for each of its corners. A face has more.
         private static const EDGE:int = 6;
 
-        /** The corners: x, y, z of each. <code>end</code> is the count of these numbers, 0 if no feature is found. Read only. */
+        /** The corners: x, y, z of each. <code>end</code> is the count of these numbers. Read only. */
         public var points:Vector.<Number> = new Vector.<Number>();
         public var end:int = 0;
 
@@ -34,12 +34,6 @@ package starlogo.convex
         public function get isFace():Boolean
         {
             return end > EDGE;
-        }
-
-        /** Leaves no corners. */
-        public function clear():void
-        {
-            end = 0;
         }
 
         /** Finds the corners of a core that are farthest along a contact's normal, or against it if the side is -1. They are in any order. */

@@ -131,7 +131,7 @@ package starlogo.convex
         }
 
         /** Moves a point along the normal. */
-        public function push(point:Vector3D, by:Number):void
+        public function movePoint(point:Vector3D, by:Number):void
         {
             point.x += by * normalX;
             point.y += by * normalY;
@@ -139,7 +139,7 @@ package starlogo.convex
         }
 
         /** Sets the normal to the opposite of the motion's direction. */
-        public function pointAgainst(motion:RelativeMotion):void
+        public function setNormalAgainst(motion:RelativeMotion):void
         {
             setNormal(-motion.x, -motion.y, -motion.z);
             normalise();

@@ -5,7 +5,7 @@ package starlogo.convex
     /**
      * Answers four questions about any two convex shapes: whether they touch, where they are closest, when a moving one first touches the other,
      * and how far they overlap. A shape is a core of points with a radius (ConvexShape). CoreDistance finds the distance of two cores with the help
-     * of Simplex, ConvexSweep the time of impact, CoreOverlap the shortest displacement out of an overlap, CommonPointFinder the point of a contact.
+     * of Simplex, ConvexSweep the time of impact, CoreOverlap the shortest displacement out of an overlap, ContactPointFinder the point of a contact.
      * Read ConvexShape first, then this class from the top, then CorePair, CoreDistance, Simplex and SimplexPart.
      *
      * <p>In all packages a kernel decides about two shapes or structures, and a pair is two of them. a and b are the two of a question, in the order
@@ -22,7 +22,7 @@ package starlogo.convex
     {
         private var _distance:CoreDistance = new CoreDistance();
         private var _overlap:CoreOverlap = new CoreOverlap();
-        private var _common:CommonPointFinder = new CommonPointFinder();
+        private var _pointFinder:ContactPointFinder = new ContactPointFinder();
         private var _sweep:ConvexSweep = new ConvexSweep(_distance, _overlap);
         private var _cores:CorePair = new CorePair();
         private var _witness:CoreWitness = new CoreWitness();
@@ -130,7 +130,7 @@ package starlogo.convex
             if (!(motion.time > 0))
             {
                 // a has not come from anywhere
-                _cores.clearMotion();
+                _cores.motionX = _cores.motionY = _cores.motionZ = 0;
             }
         }
 
@@ -140,7 +140,7 @@ package starlogo.convex
             out.setNormal(_witness.normalX, _witness.normalY, _witness.normalZ);
             var depth:Number = _cores.first.radius + _cores.second.radius - _witness.separation;
             out.depth = depth > 0 ? depth : 0;
-            _common.find(_cores, out);
+            _pointFinder.find(_cores, out);
             out.x += _cores.second.x;
             out.y += _cores.second.y;
             out.z += _cores.second.z;

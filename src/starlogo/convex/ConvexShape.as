@@ -84,18 +84,18 @@ package starlogo.convex
         }
 
         // The list of points for all shapes but hulls.
-        private var _own:Vector.<Number> = new Vector.<Number>(24, true);
+        private var _ownPoints:Vector.<Number> = new Vector.<Number>(24, true);
 
         public function ConvexShape()
         {
-            points = _own;
+            points = _ownPoints;
         }
 
         /** Sets the core to a point. */
         public function setPoint(at:Vector3D):void
         {
             setOrigin(at);
-            begin(POINT, 3, NONE, NONE);
+            reset(POINT, 3, NONE, NONE);
             points[0] = points[1] = points[2] = 0;
             extent = 0;
         }
@@ -104,7 +104,7 @@ package starlogo.convex
         public function setSegment(start:Vector3D, to:Vector3D):void
         {
             setOrigin(start);
-            begin(SEGMENT, 6, NONE, SEGMENT_EDGES);
+            reset(SEGMENT, 6, NONE, SEGMENT_EDGES);
             points[0] = points[1] = points[2] = 0;
             points[3] = to.x - x;
             points[4] = to.y - y;
@@ -121,7 +121,7 @@ package starlogo.convex
         public function setBox(center:Vector3D, axisX:Vector3D, axisY:Vector3D, axisZ:Vector3D, halves:Vector3D):void
         {
             setOrigin(center);
-            begin(BOX, 24, BOX_FACES, BOX_EDGES);
+            reset(BOX, 24, BOX_FACES, BOX_EDGES);
             extent = 2 * (halves.x + halves.y + halves.z);
             // half of each edge first, in the place of the corner at its end
             var p:Vector.<Number> = points;
@@ -146,7 +146,7 @@ package starlogo.convex
             x = corners[at];
             y = corners[int(at + 1)];
             z = corners[int(at + 2)];
-            begin(TRIANGLE, 9, TRIANGLE_FACES, TRIANGLE_EDGES);
+            reset(TRIANGLE, 9, TRIANGLE_FACES, TRIANGLE_EDGES);
             var p:Vector.<Number> = points;
             p[0] = p[1] = p[2] = 0;
             p[3] = corners[int(at + 3)] - x;
@@ -169,7 +169,7 @@ package starlogo.convex
         public function setHull(center:Vector3D, points:Vector.<Number>, faces:Vector.<int>, edges:Vector.<int>, isExtentKnown:Boolean = false):void
         {
             setOrigin(center);
-            begin(HULL, points.length, faces, edges);
+            reset(HULL, points.length, faces, edges);
             this.points = points;
             if (!isExtentKnown)
             {
@@ -265,10 +265,10 @@ package starlogo.convex
             z = at.z;
         }
 
-        private function begin(coreKind:int, pointsEnd:int, faces:Vector.<int>, edges:Vector.<int>):void
+        private function reset(coreKind:int, pointsEnd:int, faces:Vector.<int>, edges:Vector.<int>):void
         {
             this.coreKind = coreKind;
-            points = _own;
+            points = _ownPoints;
             this.pointsEnd = pointsEnd;
             this.faces = faces;
             this.edges = edges;

@@ -41,7 +41,7 @@ package starlogo.convex
             while (advance(measure(cores), motion))
             {
                 cores.moveTo(motion);
-                _distance.findAgain(cores, _witness);
+                _distance.findAfterMove(cores, _witness);
             }
         }
 
@@ -74,22 +74,17 @@ package starlogo.convex
             step.isTouching = witness.isWithinLimit(cores);
             if (!step.isTouching && !(witness.separation > radii))
             {
-                refine(cores);
+                // A short line between two points is too imprecise a direction where an edge or a face is nearly perpendicular to it. The normals of
+                // faces and pairs of edges are precise.
+                _overlap.find(cores, _exact);
+                if (_exact.separation > witness.separation)
+                {
+                    witness.setAxis(_exact.normalX, _exact.normalY, _exact.normalZ, _exact.separation);
+                }
             }
             step.gap = witness.separation - radii;
             step.speed = -(witness.normalX * cores.motionX + witness.normalY * cores.motionY + witness.normalZ * cores.motionZ);
             return step;
-        }
-
-        // Replaces the direction that keeps the cores apart, if no gap is left along it. A short line between two points is too imprecise where an edge
-        // or a face is nearly perpendicular to it. The normals of faces and pairs of edges are precise.
-        private function refine(cores:CorePair):void
-        {
-            _overlap.find(cores, _exact);
-            if (_exact.separation > _witness.separation)
-            {
-                _witness.setAxis(_exact.normalX, _exact.normalY, _exact.normalZ, _exact.separation);
-            }
         }
     }
 }

@@ -45,9 +45,9 @@ package starlogo.convex
          * Finds the closest points after the first core has moved. The last call must have been about the same two cores. It goes on from their
          * simplex.
          */
-        public function findAgain(cores:CorePair, out:CoreWitness):void
+        public function findAfterMove(cores:CorePair, out:CoreWitness):void
         {
-            _simplex.move(cores);
+            _simplex.recompute(cores);
             search(cores, out);
         }
 
@@ -79,7 +79,7 @@ package starlogo.convex
             while (stalls < MOST_STALLS && addSupport(cores, out))
             {
                 var origin:int = _simplex.reduce(_simplex.count - 1, out.separation > _simplex.rounding);
-                if (origin == Simplex.LOST)
+                if (origin == Simplex.UNDECIDED)
                 {
                     // no step can come nearer
                     return;

@@ -18,8 +18,8 @@ package starlogo.convex
     internal final class CoreOverlap
     {
         // How many numbers describe an edge. 0 to 2: its vector, times the shape's scale. 3 to 5 and 6 to 8: a normal of each of its two faces, as long
-        // as this vector times the height of the face's other point over it; 0 for bare edges. 9 to 11: its start.
-        private static const PER_EDGE:int = 12;
+        // as this vector times the height of the face's other point over it; 0 for bare edges.
+        private static const PER_EDGE:int = 9;
 
         // An axis across two vectors is as long as their product, and the products of such axes have to be finite. So vectors of cores that are larger
         // than this are shortened.
@@ -114,7 +114,8 @@ package starlogo.convex
                 {
                     if (areBare || isOutOfBoth(k))
                     {
-                        tryAcross(k, cores, out);
+                        findAcross(_edge[0], _edge[1], _edge[2], _edges[k], _edges[int(k + 1)], _edges[int(k + 2)], _axis);
+                        tryAxis(_axis, cores, out);
                     }
                 }
             }
@@ -142,36 +143,6 @@ package starlogo.convex
             left = x * v[int(k + 3)] + y * v[int(k + 4)] + z * v[int(k + 5)];
             right = x * v[int(k + 6)] + y * v[int(k + 7)] + z * v[int(k + 8)];
             return left * right >= 0 && sideOfFirst * (left + right) >= 0;
-        }
-
-        // Tries the perpendicular of an edge u of the first core and an edge v of the second, whose numbers begin at k.
-        private function tryAcross(k:int, cores:CorePair, out:CoreWitness):void
-        {
-            var u:Vector.<Number> = _edge;
-            var v:Vector.<Number> = _edges;
-            var ux:Number = u[0];
-            var uy:Number = u[1];
-            var uz:Number = u[2];
-            var vx:Number = v[k];
-            var vy:Number = v[int(k + 1)];
-            var vz:Number = v[int(k + 2)];
-            var axis:Vector3D = _axis;
-            findAcross(ux, uy, uz, vx, vy, vz, axis);
-            // The displacement is at least as long as that of the two edges alone. If that is too long, nothing has to be projected. The faces beside the
-            // edges say on which side of them the cores are; bare edges do not.
-            var side:Number = vx * (u[3] + u[6]) + vy * (u[4] + u[7]) + vz * (u[5] + u[8])
-                + ux * (v[int(k + 3)] + v[int(k + 6)]) + uy * (v[int(k + 4)] + v[int(k + 7)]) + uz * (v[int(k + 5)] + v[int(k + 8)]);
-            if (side != 0)
-            {
-                var least:Number = axis.x * (v[int(k + 9)] - u[9] - cores.x) + axis.y * (v[int(k + 10)] - u[10] - cores.y)
-                    + axis.z * (v[int(k + 11)] - u[11] - cores.z);
-                least = side < 0 ? -least : least;
-                if (least > 0 && least * least >= out.separation * out.separation * axis.lengthSquared)
-                {
-                    return;
-                }
-            }
-            tryAxis(axis, cores, out);
         }
 
         // Reads all edges of the second core. Returns how many numbers they are.
@@ -204,9 +175,6 @@ package starlogo.convex
             out[to] = x;
             out[int(to + 1)] = y;
             out[int(to + 2)] = z;
-            out[int(to + 9)] = p[from];
-            out[int(to + 10)] = p[int(from + 1)];
-            out[int(to + 11)] = p[int(from + 2)];
             for (var side:int = 2; side < 4; side++)
             {
                 var across:int = edges[int(edge + side)];

@@ -39,20 +39,11 @@ package starlogo.convex
         public function setShapes(a:ConvexShape, b:ConvexShape):void
         {
             isSwapped = isAfter(a, b);
-            var low:ConvexShape = isSwapped ? b : a;
-            var high:ConvexShape = isSwapped ? a : b;
-            // Writing an object to a field costs Adobe's VM more than comparing it first.
-            if (first !== low)
-            {
-                first = low;
-            }
-            if (second !== high)
-            {
-                second = high;
-            }
-            x = low.x - high.x;
-            y = low.y - high.y;
-            z = low.z - high.z;
+            first = isSwapped ? b : a;
+            second = isSwapped ? a : b;
+            x = first.x - second.x;
+            y = first.y - second.y;
+            z = first.z - second.z;
             timeLeft = 0;
             maxDistance = Infinity;
         }
@@ -75,12 +66,6 @@ package starlogo.convex
             moveTo(motion);
         }
 
-        /** Leaves out the motion. The first shape stays where it is. */
-        public function clearMotion():void
-        {
-            motionX = motionY = motionZ = 0;
-        }
-
         /** Moves the first shape to where it is at the motion's time. */
         public function moveTo(motion:RelativeMotion):void
         {
@@ -95,34 +80,16 @@ package starlogo.convex
         // Whether a shape comes after another one: by their places, or at the same place by the numbers that they are made of.
         private static function isAfter(shape:ConvexShape, other:ConvexShape):Boolean
         {
-            if (shape.x != other.x)
+            var order:Number = shape.x != other.x ? shape.x - other.x
+                : shape.y != other.y ? shape.y - other.y
+                : shape.z != other.z ? shape.z - other.z
+                : shape.radius != other.radius ? shape.radius - other.radius
+                : shape.pointsEnd - other.pointsEnd;
+            for (var i:int = 0; order == 0 && i < shape.pointsEnd; i++)
             {
-                return shape.x > other.x;
+                order = shape.points[i] - other.points[i];
             }
-            if (shape.y != other.y)
-            {
-                return shape.y > other.y;
-            }
-            if (shape.z != other.z)
-            {
-                return shape.z > other.z;
-            }
-            if (shape.radius != other.radius)
-            {
-                return shape.radius > other.radius;
-            }
-            if (shape.pointsEnd != other.pointsEnd)
-            {
-                return shape.pointsEnd > other.pointsEnd;
-            }
-            for (var i:int = 0; i < shape.pointsEnd; i++)
-            {
-                if (shape.points[i] != other.points[i])
-                {
-                    return shape.points[i] > other.points[i];
-                }
-            }
-            return false;
+            return order > 0;
         }
     }
 }

@@ -14,7 +14,7 @@ package starlogo.convex
         public static const OUTSIDE:int = 1;
 
         /** Rounding hides which part of the simplex is nearest, so there is no nearest point. */
-        public static const LOST:int = 2;
+        public static const UNDECIDED:int = 2;
 
         /** How many corners there are, and their coordinates. */
         public var count:int = 0;
@@ -38,7 +38,7 @@ package starlogo.convex
         }
 
         /** Computes all corners again, after the first core has moved, and the nearest point. */
-        public function move(cores:CorePair):void
+        public function recompute(cores:CorePair):void
         {
             // A simplex around the origin says nothing about where the cores are nearest once they are apart.
             var kept:int = count > 3 ? 1 : count;
@@ -72,7 +72,7 @@ package starlogo.convex
          *
          * @param newest the corner that was added last: the point includes it. -1 if any part may be the nearest
          * @param isApart whether it is known that the cores are apart
-         * @return INSIDE, OUTSIDE or LOST. If it is LOST, the last corner is dropped
+         * @return INSIDE, OUTSIDE or UNDECIDED. If it is UNDECIDED, the last corner is dropped
          */
         public function reduce(newest:int, isApart:Boolean):int
         {
@@ -97,7 +97,7 @@ package starlogo.convex
             if (nearest.squaredDistance == Infinity)
             {
                 count--;
-                return LOST;
+                return UNDECIDED;
             }
             dropCorners();
             return OUTSIDE;

@@ -30,9 +30,8 @@ package starlogo.convex
         /** Twice the triangle's area. */
         public var doubleArea:Number = 0;
 
-        // How far the last shape's core extends along the normal: relative to the shape's origin, and relative to the triangle.
+        // How far the last shape's core extends along the normal, relative to the shape's origin.
         private var _ofShape:Interval = new Interval();
-        private var _fromTriangle:Interval = new Interval();
 
         /** Whether the triangle is flat. */
         public function get isFlat():Boolean
@@ -91,50 +90,27 @@ package starlogo.convex
          */
         public function timeOfEntry(shape:ConvexShape, quickDistance:Number, motion:RelativeMotion):Number
         {
-            measureFromTriangle(shape);
-            return entryOf(motion, quickDistance);
+            shape.project(normal, _ofShape);
+            var place:Number = normal.x * shape.x + normal.y * shape.y + normal.z * shape.z;
+            var speed:Number = normal.x * motion.x + normal.y * motion.y + normal.z * motion.z;
+            // how far in front of the plane all of the shape is, and how far behind
+            var above:Number = place - greatest + _ofShape.least - quickDistance;
+            var below:Number = -(place - least + _ofShape.greatest + quickDistance);
+            return above > 0 ? (speed < 0 ? above / -speed : RelativeMotion.NEVER)
+                : below > 0 ? (speed > 0 ? below / speed : RelativeMotion.NEVER) : 0;
         }
 
         /**
          * Whether a moving shape stays apart from the triangle until the motion's latest time, as far as the plane knows: timeOfEntry() with a distance
-         * that covers all that is rounded. It takes and returns no Number, because V8 would make objects for them.
+         * that covers all that is rounded.
          *
          * @param motion its vector and its latest time; nothing else of it counts
          */
         public function keepsApart(shape:ConvexShape, motion:RelativeMotion):Boolean
         {
-            measureFromTriangle(shape);
             var size:Number = shape.extent + Math.abs(shape.x) + Math.abs(shape.y) + Math.abs(shape.z) + Math.abs(offset)
                 + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z);
-            return entryOf(motion, (shape.radius + shape.margin) * Tolerances.OUTER + Tolerances.EXTENTS * size) > motion.latest;
-        }
-
-        // When the shape that was measured comes to the plane.
-        private function entryOf(motion:RelativeMotion, quickDistance:Number):Number
-        {
-            var speed:Number = normal.x * motion.x + normal.y * motion.y + normal.z * motion.z;
-            var above:Number = _fromTriangle.least - quickDistance;
-            if (above > 0)
-            {
-                return speed < 0 ? above / -speed : RelativeMotion.NEVER;
-            }
-            var below:Number = -(_fromTriangle.greatest + quickDistance);
-            if (below > 0)
-            {
-                return speed > 0 ? below / speed : RelativeMotion.NEVER;
-            }
-            return 0;
-        }
-
-        // Projects a shape's core on the normal, and measures it from the triangle. All of it is at least _fromTriangle.least in front of the triangle, and
-        // at least -_fromTriangle.greatest behind.
-        private function measureFromTriangle(shape:ConvexShape):void
-        {
-            var across:Vector3D = normal;
-            shape.project(across, _ofShape);
-            var place:Number = across.x * shape.x + across.y * shape.y + across.z * shape.z;
-            _fromTriangle.least = place - greatest + _ofShape.least;
-            _fromTriangle.greatest = place - least + _ofShape.greatest;
+            return timeOfEntry(shape, (shape.radius + shape.margin) * Tolerances.OUTER + Tolerances.EXTENTS * size, motion) > motion.latest;
         }
 
         /**
@@ -145,9 +121,9 @@ package starlogo.convex
          * @param motion of the shape; the shape is where it is at the motion's time
          * @param contact has the depth; receives the normal
          */
-        public function turnContact(shape:ConvexShape, motion:RelativeMotion, contact:ContactPoint):void
+        public function alignContact(shape:ConvexShape, motion:RelativeMotion, contact:ContactPoint):void
         {
-            if (isMetBy(shape, shape.margin, motion, contact))
+            if (isHitFromFront(shape, shape.margin, motion, contact))
             {
                 contact.setNormal(normal.x, normal.y, normal.z);
             }
@@ -160,7 +136,7 @@ package starlogo.convex
          * @param motion of the shape; the shape is where it is at the motion's time
          * @param contact has the depth
          */
-        public function isMetBy(shape:ConvexShape, depthTolerance:Number, motion:RelativeMotion, contact:ContactPoint):Boolean
+        public function isHitFromFront(shape:ConvexShape, depthTolerance:Number, motion:RelativeMotion, contact:ContactPoint):Boolean
         {
             var speed:Number = normal.x * motion.x + normal.y * motion.y + normal.z * motion.z;
             if (!(speed < 0))
@@ -183,32 +159,6 @@ package starlogo.convex
         public function findBehind(shape:ConvexShape, motion:RelativeMotion, out:ContactPoint):void
         {
             shape.project(normal, _ofShape);
-            leadInFront(shape, motion, out);
-        }
-
-        /**
-         * Finds what findBehind() does of a shape that stands, if it is deeper behind the plane than another contact is, up to rounding. This is quicker
-         * if it is not. A flat triangle has none.
-         *
-         * @param than the other contact. Its depth counts
-         * @param out receives the contact
-         * @return whether it is deeper
-         */
-        public function findDeeper(shape:ConvexShape, than:ContactPoint, out:ContactPoint):Boolean
-        {
-            shape.project(normal, _ofShape);
-            var front:Number = normal.x * shape.x + normal.y * shape.y + normal.z * shape.z + _ofShape.least - shape.radius;
-            if (!(offset - front > than.depth))
-            {
-                return false;
-            }
-            leadInFront(shape, RelativeMotion.NONE, out);
-            return true;
-        }
-
-        // Writes the contact of findBehind(). The shape is projected on the normal (_ofShape).
-        private function leadInFront(shape:ConvexShape, motion:RelativeMotion, out:ContactPoint):void
-        {
             out.setNormal(normal.x, normal.y, normal.z);
             moveToDeepest(shape, out);
             out.x += motion.startX + motion.time * motion.x;

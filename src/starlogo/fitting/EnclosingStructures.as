@@ -104,27 +104,21 @@ package starlogo.fitting
         public static function capsule(vertices:Vector.<Number>, point:Vector3D, axis:Vector3D, low:Number, high:Number,
                 radius:Number):Capsule
         {
-            var pointX:Number = point.x;
-            var pointY:Number = point.y;
-            var pointZ:Number = point.z;
-            var axisX:Number = axis.x;
-            var axisY:Number = axis.y;
-            var axisZ:Number = axis.z;
             var square:Number = radius * radius;
             var length:int = vertices.length;
             for (var i:int = 0; i < length; i += 3)
             {
-                var x:Number = vertices[i] - pointX;
-                var y:Number = vertices[i + 1] - pointY;
-                var z:Number = vertices[i + 2] - pointZ;
-                var along:Number = x * axisX + y * axisY + z * axisZ;
+                var x:Number = vertices[i] - point.x;
+                var y:Number = vertices[i + 1] - point.y;
+                var z:Number = vertices[i + 2] - point.z;
+                var along:Number = x * axis.x + y * axis.y + z * axis.z;
                 if (along >= low && along <= high)
                 {
                     continue;
                 }
-                x -= along * axisX;
-                y -= along * axisY;
-                z -= along * axisZ;
+                x -= along * axis.x;
+                y -= along * axis.y;
+                z -= along * axis.z;
                 var halfChord:Number = square - (x * x + y * y + z * z);
                 halfChord = halfChord > 0 ? Math.sqrt(halfChord) : 0;
                 low = along + halfChord < low ? along + halfChord : low;
@@ -134,8 +128,8 @@ package starlogo.fitting
             {
                 low = high = (low + high) / 2;
             }
-            return new Capsule(new Vector3D(pointX + low * axisX, pointY + low * axisY, pointZ + low * axisZ),
-                    new Vector3D(pointX + high * axisX, pointY + high * axisY, pointZ + high * axisZ), radius);
+            return new Capsule(new Vector3D(point.x + low * axis.x, point.y + low * axis.y, point.z + low * axis.z),
+                    new Vector3D(point.x + high * axis.x, point.y + high * axis.y, point.z + high * axis.z), radius);
         }
 
         /**
@@ -147,23 +141,17 @@ package starlogo.fitting
          */
         public static function distanceFromLine(vertices:Vector.<Number>, point:Vector3D, axis:Vector3D):Number
         {
-            var pointX:Number = point.x;
-            var pointY:Number = point.y;
-            var pointZ:Number = point.z;
-            var axisX:Number = axis.x;
-            var axisY:Number = axis.y;
-            var axisZ:Number = axis.z;
             var most:Number = 0;
             var length:int = vertices.length;
             for (var i:int = 0; i < length; i += 3)
             {
-                var x:Number = vertices[i] - pointX;
-                var y:Number = vertices[i + 1] - pointY;
-                var z:Number = vertices[i + 2] - pointZ;
-                var along:Number = x * axisX + y * axisY + z * axisZ;
-                x -= along * axisX;
-                y -= along * axisY;
-                z -= along * axisZ;
+                var x:Number = vertices[i] - point.x;
+                var y:Number = vertices[i + 1] - point.y;
+                var z:Number = vertices[i + 2] - point.z;
+                var along:Number = x * axis.x + y * axis.y + z * axis.z;
+                x -= along * axis.x;
+                y -= along * axis.y;
+                z -= along * axis.z;
                 var square:Number = x * x + y * y + z * z;
                 most = square > most ? square : most;
             }

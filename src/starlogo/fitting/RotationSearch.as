@@ -29,19 +29,14 @@ package starlogo.fitting
         private var _hull:ConvexHull;
         private var _rotated:Vector.<Number>;
 
-        // The least length that counts for a side.
-        private var _shortest:Number;
-
         private var _incrementXY:Number;
         private var _incrementZ:Number;
 
         // The state of the search: the number of rotations about x and y that are done, and the best rotation so far.
-        private var _done:int = 0;
-        private var _cosines:Vector.<Number> = new Vector.<Number>();
-        private var _sines:Vector.<Number> = new Vector.<Number>();
+        private var _doneCount:int = 0;
         private var _corners:Vector.<int> = new Vector.<int>(6);
-        private var _least:Number = Infinity;
-        private var _best:Placement = new Placement();
+        private var _leastVolume:Number = Infinity;
+        private var _bestRotation:Placement = new Placement();
 
         /**
          * @param session the vertices
@@ -89,61 +84,51 @@ package starlogo.fitting
         {
             _hull = hull;
             _rotated = new Vector.<Number>(hull.points.length);
-            _shortest = hull.flatness;
-            var count:int = Math.ceil(90 / _incrementZ);
-            for (var i:int = 0; i < count; i++)
-            {
-                _cosines.push(Trigonometry.cosine(i * _incrementZ));
-                _sines.push(Trigonometry.sine(i * _incrementZ));
-            }
         }
 
         // Tries all rotations about z that follow the next one about x and y. Returns false if there are no more.
         private function tryNext():Boolean
         {
             var perAxis:int = Math.ceil(90 / _incrementXY);
-            var aboutX:Number = int(_done / perAxis) * _incrementXY;
-            var aboutY:Number = _done % perAxis * _incrementXY;
+            var aboutX:Number = int(_doneCount / perAxis) * _incrementXY;
+            var aboutY:Number = _doneCount % perAxis * _incrementXY;
             rotateHull(aboutX, aboutY);
+            // the least length that counts for a side
+            var shortest:Number = _hull.flatness;
             var corners:Vector.<int> = _corners;
             corners[4] = climb(corners[4], 1, 0, 1);
             corners[5] = climb(corners[5], 1, 0, -1);
-            var thickness:Number = Math.max(_rotated[3 * corners[4] + 2] - _rotated[3 * corners[5] + 2], _shortest);
+            var thickness:Number = Math.max(_rotated[3 * corners[4] + 2] - _rotated[3 * corners[5] + 2], shortest);
             // The order alternates, because the corners found last are then close to the next ones.
-            var isForward:Boolean = _done % 2 == 0;
-            var count:int = _sines.length;
+            var isForward:Boolean = _doneCount % 2 == 0;
+            var count:int = Math.ceil(90 / _incrementZ);
             for (var i:int = 0; i < count; i++)
             {
                 var multiple:int = isForward ? i : count - 1 - i;
-                var cosine:Number = _cosines[multiple];
-                var sine:Number = _sines[multiple];
+                var cosine:Number = Trigonometry.cosine(multiple * _incrementZ);
+                var sine:Number = Trigonometry.sine(multiple * _incrementZ);
                 var width:Number = lengthAlong(corners, 0, cosine, -sine);
                 var depth:Number = lengthAlong(corners, 2, sine, cosine);
-                var least:Number = _least * (1 - Tolerances.FIT_TIE);
-                if (thickness * width * depth >= least)
+                var volume:Number = thickness * Math.max(width, shortest) * Math.max(depth, shortest);
+                if (volume < _leastVolume * (1 - Tolerances.FIT_TIE))
                 {
-                    continue;
-                }
-                var volume:Number = thickness * Math.max(width, _shortest) * Math.max(depth, _shortest);
-                if (volume < least)
-                {
-                    _least = volume;
-                    _best.setRotation(multiple * _incrementZ, aboutY, aboutX);
+                    _leastVolume = volume;
+                    _bestRotation.setRotation(multiple * _incrementZ, aboutY, aboutX);
                     if (volume <= _hull.volume * (1 + Tolerances.FIT_TIE))
                     {
                         return false;
                     }
                 }
             }
-            _done++;
-            return _done < perAxis * perAxis;
+            _doneCount++;
+            return _doneCount < perAxis * perAxis;
         }
 
         // The smallest box of the rotations tried so far, around all vertices.
         private function smallestBox(session:FitSession):Box
         {
             var axes:Vector.<Number> = new Vector.<Number>(9);
-            _best.readRows(axes, 0);
+            _bestRotation.readRows(axes, 0);
             return EnclosingStructures.box(session.vertices, axes);
         }
 
@@ -152,26 +137,7 @@ package starlogo.fitting
         {
             var rotation:Placement = new Placement();
             rotation.setRotation(0, aboutY, aboutX);
-            var xx:Number = rotation.r00;
-            var xy:Number = rotation.r01;
-            var xz:Number = rotation.r02;
-            var yy:Number = rotation.r11;
-            var yz:Number = rotation.r12;
-            var zx:Number = rotation.r20;
-            var zy:Number = rotation.r21;
-            var zz:Number = rotation.r22;
-            var points:Vector.<Number> = _hull.points;
-            var rotated:Vector.<Number> = _rotated;
-            var end:int = points.length;
-            for (var i:int = 0; i < end; i += 3)
-            {
-                var x:Number = points[i];
-                var y:Number = points[i + 1];
-                var z:Number = points[i + 2];
-                rotated[i] = xx * x + xy * y + xz * z;
-                rotated[i + 1] = yy * y + yz * z;
-                rotated[i + 2] = zx * x + zy * y + zz * z;
-            }
+            Placement.scaleAndTurnPoints(rotation, _hull.points, _rotated);
         }
 
         // The extent in a direction of the plane of x and y. The entries of corners at index and index + 1 are the

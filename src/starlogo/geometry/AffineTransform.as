@@ -128,18 +128,6 @@ package starlogo.geometry
         public function transformPoints(points:Vector.<Number>, first:int, end:int, out:Vector.<Number>, to:int):Boolean
         {
             var m:Vector.<Number> = rows;
-            var m00:Number = m[0];
-            var m01:Number = m[1];
-            var m02:Number = m[2];
-            var m03:Number = m[3];
-            var m10:Number = m[4];
-            var m11:Number = m[5];
-            var m12:Number = m[6];
-            var m13:Number = m[7];
-            var m20:Number = m[8];
-            var m21:Number = m[9];
-            var m22:Number = m[10];
-            var m23:Number = m[11];
             var at:int = 3 * to;
             var differences:Number = 0;
             var last:int = 3 * end;
@@ -150,9 +138,9 @@ package starlogo.geometry
                 var x:Number = points[i];
                 var y:Number = points[j];
                 var z:Number = points[k];
-                var newX:Number = m00 * x + m01 * y + m02 * z + m03;
-                var newY:Number = m10 * x + m11 * y + m12 * z + m13;
-                var newZ:Number = m20 * x + m21 * y + m22 * z + m23;
+                var newX:Number = m[0] * x + m[1] * y + m[2] * z + m[3];
+                var newY:Number = m[4] * x + m[5] * y + m[6] * z + m[7];
+                var newZ:Number = m[8] * x + m[9] * y + m[10] * z + m[11];
                 differences += newX - newX + newY - newY + newZ - newZ;
                 out[at++] = newX;
                 out[at++] = newY;

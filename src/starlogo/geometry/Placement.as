@@ -37,12 +37,6 @@ package starlogo.geometry
         /** The uniform scale, above 0. */
         public var size:Number = 1;
 
-        /**
-         * @private Whether the rotation is known to be the identity. Then <code>place()</code> leaves it out. The methods that write the rotation
-         *     write it. Read only.
-         */
-        engine var isUnrotated:Boolean = true;
-
         /** The rotation: row 0, column 0. */
         public var r00:Number = 1;
 
@@ -88,7 +82,6 @@ package starlogo.geometry
         /** Copies the rotation of another placement. */
         public function copyRotation(other:Placement):void
         {
-            isUnrotated = other.isUnrotated;
             r00 = other.r00;
             r01 = other.r01;
             r02 = other.r02;
@@ -110,7 +103,6 @@ package starlogo.geometry
          */
         public function setRotation(heading:Number, pitch:Number, roll:Number):void
         {
-            isUnrotated = heading == 0 && pitch == 0 && roll == 0;
             var cosHeading:Number = Trigonometry.cosine(heading);
             var sinHeading:Number = Trigonometry.sine(heading);
             if (pitch == 0 && roll == 0)
@@ -151,7 +143,6 @@ package starlogo.geometry
             r20 = 2 * (x * z - w * y);
             r21 = 2 * (y * z + w * x);
             r22 = 1 - 2 * (x * x + y * y);
-            isUnrotated = x == 0 && y == 0 && z == 0;
         }
 
         /**
@@ -199,7 +190,6 @@ package starlogo.geometry
             r02 = data[8] / size;
             r12 = data[9] / size;
             r22 = data[10] / size;
-            isUnrotated = hasRotationOf(IDENTITY);
             return data[3] == 0 && data[7] == 0 && data[11] == 0 && data[15] == 1 && isRotation;
         }
 
@@ -296,13 +286,6 @@ package starlogo.geometry
             var fromX:Number = point.x * size;
             var fromY:Number = point.y * size;
             var fromZ:Number = point.z * size;
-            if (isUnrotated)
-            {
-                out.x = fromX + x;
-                out.y = fromY + y;
-                out.z = fromZ + z;
-                return;
-            }
             out.x = r00 * fromX + r01 * fromY + r02 * fromZ + x;
             out.y = r10 * fromX + r11 * fromY + r12 * fromZ + y;
             out.z = r20 * fromX + r21 * fromY + r22 * fromZ + z;
@@ -351,7 +334,6 @@ package starlogo.geometry
             r20 = from[int(at + 6)];
             r21 = from[int(at + 7)];
             r22 = from[int(at + 8)];
-            isUnrotated = hasRotationOf(IDENTITY);
         }
 
         // The comparison is false for NaN.
@@ -367,7 +349,6 @@ package starlogo.geometry
         {
             var scale:Number = 1 / placement.size;
             out.size = scale;
-            out.isUnrotated = placement.isUnrotated;
             out.r00 = placement.r00;
             out.r01 = placement.r10;
             out.r02 = placement.r20;
@@ -382,15 +363,9 @@ package starlogo.geometry
             out.z = -(out.r20 * scale) * placement.x - out.r21 * scale * placement.y - out.r22 * scale * placement.z;
         }
 
-        /**
-         * Sets the rotation of a placement to that of b as seen from a: the inverse of a's rotation times b's. It is not compared with the identity, so
-         * <code>place()</code> does not leave it out.
-         *
-         * @private
-         */
-        engine static function relateRotation(a:Placement, b:Placement, out:Placement):void
+        /** @private Sets the rotation of a placement to that of b as seen from a: the inverse of a's rotation times b's. */
+        engine static function setRelativeRotation(a:Placement, b:Placement, out:Placement):void
         {
-            out.isUnrotated = false;
             out.r00 = a.r00 * b.r00 + a.r10 * b.r10 + a.r20 * b.r20;
             out.r01 = a.r00 * b.r01 + a.r10 * b.r11 + a.r20 * b.r21;
             out.r02 = a.r00 * b.r02 + a.r10 * b.r12 + a.r20 * b.r22;

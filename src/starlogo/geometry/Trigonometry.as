@@ -52,8 +52,8 @@ package starlogo.geometry
         /**
          * The angle from the x axis to a point, in degrees, from -180 to 180.
          *
-         * @param y of the point, of a magnitude up to 1e300
-         * @param x of the point, of a magnitude up to 1e300
+         * @param y of the point, of a magnitude up to 1e280. If both are below 1e-280, the angle loses digits
+         * @param x of the point, as y
          * @return 0 for the origin
          */
         public static function arctangent(y:Number, x:Number):Number
@@ -70,17 +70,6 @@ package starlogo.geometry
             if (larger == 0)
             {
                 return 0;
-            }
-            // Scale the coordinates so that nothing overflows and products keep all their bits.
-            if (larger > 1e150)
-            {
-                smaller *= 1e-150;
-                larger *= 1e-150;
-            }
-            else if (larger < 1e-130)
-            {
-                smaller *= 1e150;
-                larger *= 1e150;
             }
             // Start from the nearest known angle: tan (a - b) = (tan a - tan b) / (1 + tan a tan b).
             var nearest:int = smaller / larger * 16 + 0.5;

@@ -10,18 +10,7 @@ package starlogo.geometry
      */
     public function compareVectors(a:Vector3D, b:Vector3D):int
     {
-        if (a.x != b.x)
-        {
-            return a.x < b.x ? -1 : 1;
-        }
-        if (a.y != b.y)
-        {
-            return a.y < b.y ? -1 : 1;
-        }
-        if (a.z != b.z)
-        {
-            return a.z < b.z ? -1 : 1;
-        }
-        return 0;
+        var order:Number = a.x != b.x ? a.x - b.x : a.y != b.y ? a.y - b.y : a.z - b.z;
+        return order < 0 ? -1 : order > 0 ? 1 : 0;
     }
 }

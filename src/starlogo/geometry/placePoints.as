@@ -15,9 +15,6 @@ package starlogo.geometry
     public function placePoints(placement:Placement, from:Vector.<Number>, first:int, end:int, out:Vector.<Number>, to:int = 0):Vector.<Number>
     {
         var scale:Number = placement.size;
-        var moveX:Number = placement.x;
-        var moveY:Number = placement.y;
-        var moveZ:Number = placement.z;
         var m00:Number = placement.r00 * scale;
         var m01:Number = placement.r01 * scale;
         var m02:Number = placement.r02 * scale;
@@ -32,9 +29,9 @@ package starlogo.geometry
             var fromX:Number = from[i];
             var fromY:Number = from[int(i + 1)];
             var fromZ:Number = from[int(i + 2)];
-            out[to] = m00 * fromX + m01 * fromY + m02 * fromZ + moveX;
-            out[int(to + 1)] = m10 * fromX + m11 * fromY + m12 * fromZ + moveY;
-            out[int(to + 2)] = m20 * fromX + m21 * fromY + m22 * fromZ + moveZ;
+            out[to] = m00 * fromX + m01 * fromY + m02 * fromZ + placement.x;
+            out[int(to + 1)] = m10 * fromX + m11 * fromY + m12 * fromZ + placement.y;
+            out[int(to + 2)] = m20 * fromX + m21 * fromY + m22 * fromZ + placement.z;
             to += 3;
         }
         return out;

@@ -87,7 +87,7 @@ package starlogo.ground
             _pairs.begin(_sweep, 0);
             while (_touch.time > 0 && _pairs.next())
             {
-                if (kernel.planeKeepsApart(_sweep))
+                if (kernel.plane.keepsApart(kernel.shape, _sweep))
                 {
                     continue;
                 }
@@ -97,7 +97,7 @@ package starlogo.ground
                     _sweep.time = _touch.time;
                     kernel.findContact(_sweep, out);
                     kernel.plane.leadOutside(kernel.shape, _sweep, out);
-                    kernel.plane.turnContact(kernel.shape, _sweep, out);
+                    kernel.plane.alignContact(kernel.shape, _sweep, out);
                 }
                 _sweep.latest = _touch.latest;
                 _pairs.leaveOutLater(_sweep);

@@ -121,7 +121,8 @@ package starlogo.ground
             _pairs.begin(RelativeMotion.NONE, 0);
             while (_pairs.next())
             {
-                if (_kernel.plane.findDeeper(_kernel.shape, out, _tried) && isClearlyDeeper(_tried, out) && isThrough(_pairs.triangle.corners, _tried))
+                _kernel.plane.findBehind(_kernel.shape, RelativeMotion.NONE, _tried);
+                if (_tried.depth > out.depth && isClearlyDeeper(_tried, out) && isThrough(_pairs.triangle.corners, _tried))
                 {
                     _pairs.moveToWorld(_tried);
                     if (isDepthProven(_tried))
@@ -174,7 +175,7 @@ package starlogo.ground
         // Finds the shortest way of the current piece away from the current triangle, into the ground or out of it. Returns whether the two touch.
         private function findOverlap():Boolean
         {
-            if (_kernel.planeKeepsApart(RelativeMotion.NONE))
+            if (_kernel.plane.keepsApart(_kernel.shape, RelativeMotion.NONE))
             {
                 return false;
             }

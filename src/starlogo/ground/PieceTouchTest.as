@@ -91,7 +91,7 @@ package starlogo.ground
             while (_pairs.nextTriangle())
             {
                 var corners:Vector.<Number> = _pairs.triangle.corners;
-                if (_lowest.isAbove(corners, kernel.shape) || kernel.planeKeepsApart(RelativeMotion.NONE))
+                if (_lowest.isAbove(corners, kernel.shape) || kernel.plane.keepsApart(kernel.shape, RelativeMotion.NONE))
                 {
                     continue;
                 }

@@ -4,7 +4,7 @@ package starlogo.hierarchy
     import starlogo.convex.ClosestPoints;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
-    import starlogo.intersection.PairTable;
+    import starlogo.intersection.StructurePairs;
     import starlogo.intersection.boxes.BoxAxes;
     import starlogo.intersection.boxes.BoxPair;
 
@@ -157,7 +157,7 @@ package starlogo.hierarchy
                 return;
             }
             var placedB:BoundingStructure = trees.pose.placeWidened(trees.b.boxOf(b));
-            PairTable.findClosest(trees.a.boxOf(a), placedB, _measured);
+            StructurePairs.findClosest(trees.a.boxOf(a), placedB, _measured);
             reduce(_measured, trees.a.levelOf(a), trees.b.levelOf(b), _radii);
             if (_measured.distance < out.limit)
             {

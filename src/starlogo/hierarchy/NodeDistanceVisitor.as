@@ -2,7 +2,7 @@ package starlogo.hierarchy
 {
     import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ClosestPoints;
-    import starlogo.intersection.PairTable;
+    import starlogo.intersection.StructurePairs;
 
     /** Finds the distance of a structure from the boxes of a tree. The results are nested, as those of DistanceTraversal. @private */
     public final class NodeDistanceVisitor extends NodeVisitor
@@ -47,7 +47,7 @@ package starlogo.hierarchy
         /** @inheritDoc */
         override public function visit(tree:BoxTree, node:int):void
         {
-            PairTable.findClosest(tree.boxOf(node), _structure, _measured);
+            StructurePairs.findClosest(tree.boxOf(node), _structure, _measured);
             DistanceTraversal.reduce(_measured, tree.levelOf(node), 0, _radii);
             if (_measured.distance < limit)
             {

@@ -3,7 +3,7 @@ package starlogo.hierarchy
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.convex.RelativeMotion;
-    import starlogo.intersection.PairTable;
+    import starlogo.intersection.StructurePairs;
 
     /**
      * Decides when a structure first touches the boxes of a tree, and whether it does if it is still (thesis §5.2). The kernel of the two decides
@@ -62,12 +62,12 @@ package starlogo.hierarchy
             var nodeMotion:RelativeMotion = _nodeMotion;
             if (nodeMotion.isStill)
             {
-                nodeMotion.time = PairTable.areTouching(box, _structure) ? 0 : RelativeMotion.NEVER;
+                nodeMotion.time = StructurePairs.areTouching(box, _structure) ? 0 : RelativeMotion.NEVER;
             }
             else
             {
                 nodeMotion.latest = limit;
-                PairTable.findTime(_structure, box, nodeMotion);
+                StructurePairs.findTime(_structure, box, nodeMotion);
             }
             if (nodeMotion.time <= limit && nodeMotion.time < _motion.time)
             {

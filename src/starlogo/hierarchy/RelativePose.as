@@ -55,7 +55,7 @@ package starlogo.hierarchy
             relative.x = a.r00 * x + a.r10 * y + a.r20 * z;
             relative.y = a.r01 * x + a.r11 * y + a.r21 * z;
             relative.z = a.r02 * x + a.r12 * y + a.r22 * z;
-            Placement.relateRotation(a, b, relative);
+            Placement.setRelativeRotation(a, b, relative);
         }
 
         /**

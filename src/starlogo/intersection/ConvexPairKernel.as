@@ -1,37 +1,34 @@
 package starlogo.intersection
 {
     import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.ConvexKernel;
     import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
+    import starlogo.intersection.boxes.BoxSweep;
 
     use namespace engine;
 
     /**
-     * Answers for any two convex structures. It makes shapes of the two, about which ConvexKernel decides. PairTable has it for pairs with a hull,
-     * and other kernels ask it where they do not answer themselves. It sets both shapes in each call, which takes little time because the shape of a
-     * hull shares the lists and the extent of the hull.
+     * Answers for any two convex structures. It makes shapes of the two, about which ConvexKernel decides. StructurePairs has it for pairs with a hull and
+     * for two boxes, and RoundKernel asks it where it does not answer itself. It sets both shapes in each call, which takes little time because the
+     * shape of a hull shares the lists of the hull. The time of impact of two boxes comes from BoxSweep, which is faster.
      *
      * @private
      */
     public final class ConvexPairKernel extends PairKernel
     {
         private var _kernel:ConvexKernel = new ConvexKernel();
+        private var _boxSweep:BoxSweep = new BoxSweep();
         private var _a:ConvexShape = new ConvexShape();
         private var _b:ConvexShape = new ConvexShape();
 
-        /** Whether two structures touch. If simpler structures stand around them, these are tested first. */
+        /** Whether two structures touch. */
         public function areTouching(a:BoundingStructure, b:BoundingStructure):Boolean
         {
-            var aroundA:BoundingStructure = a.around;
-            var aroundB:BoundingStructure = b.around;
-            if ((aroundA !== a || aroundB !== b) && !PairTable.areTouching(aroundA, aroundB))
-            {
-                return false;
-            }
             setShapes(a, b);
             return _kernel.areTouching(_a, _b);
         }
@@ -39,6 +36,11 @@ package starlogo.intersection
         /** @inheritDoc */
         override internal function findTimeInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion):void
         {
+            if (areBoxes(first, second))
+            {
+                _boxSweep.findTimeOfBoxes(first as Box, second as Box, motion);
+                return;
+            }
             setShapes(first, second);
             _kernel.findTime(_a, _b, motion);
         }
@@ -46,6 +48,11 @@ package starlogo.intersection
         /** @inheritDoc */
         override internal function findContactInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
         {
+            if (areBoxes(first, second))
+            {
+                findOverlapInOrder(first, second, motion, out);
+                return;
+            }
             setShapes(first, second);
             _kernel.findContact(_a, _b, motion, out);
         }
@@ -62,6 +69,11 @@ package starlogo.intersection
         {
             setShapes(first, second);
             _kernel.findClosest(_a, _b, out);
+        }
+
+        private static function areBoxes(a:BoundingStructure, b:BoundingStructure):Boolean
+        {
+            return a.kind == BoundingStructure.BOX && b.kind == BoundingStructure.BOX;
         }
 
         private function setShapes(a:BoundingStructure, b:BoundingStructure):void

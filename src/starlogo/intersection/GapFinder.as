@@ -50,21 +50,10 @@ package starlogo.intersection
         {
             var gap:CoreGap = out.gap;
             var segments:SegmentPair = _segments;
-            var start:Vector3D;
-            if (a.kind == BoundingStructure.SPHERE)
-            {
-                var sphere:Sphere = a as Sphere;
-                start = sphere.center;
-                segments.setTo(start, start, b);
-                gap.radiusA = sphere.radius;
-            }
-            else
-            {
-                var capsule:Capsule = a as Capsule;
-                start = capsule.start;
-                segments.setTo(start, capsule.end, b);
-                gap.radiusA = capsule.radius;
-            }
+            var isSphere:Boolean = a.kind == BoundingStructure.SPHERE;
+            var start:Vector3D = isSphere ? (a as Sphere).center : (a as Capsule).start;
+            segments.setTo(start, isSphere ? start : (a as Capsule).end, b);
+            gap.radiusA = isSphere ? (a as Sphere).radius : (a as Capsule).radius;
             segments.move(motion);
             segments.findClosest();
             gap.x = segments.gapX;

@@ -9,7 +9,7 @@ package starlogo.intersection
     use namespace engine;
 
     /**
-     * Decides about two structures of certain kinds. PairTable has a kernel for each pair of kinds: an object of a class that extends this one. This
+     * Decides about two structures of certain kinds. StructurePairs has a kernel for each pair of kinds: an object of a class that extends this one. This
      * class itself is the kernel of pairs with a structure of the kind OTHER, which have no answers: its methods throw.
      *
      * <p>The same two structures in the other order get the same answer, to the last bit, with the two exceptions that CorePair names. For that this

@@ -21,6 +21,7 @@ package starlogo.intersection
         /** @inheritDoc */
         override internal function findTimeInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion):void
         {
+            motion.time = 0;
             setGap(first as Sphere, second as Sphere, motion);
             findTimeOfSpheres(_gap, motion);
         }
@@ -28,12 +29,8 @@ package starlogo.intersection
         /** @inheritDoc */
         override internal function findContactInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
         {
-            var gap:CoreGap = _gap;
             setGap(first as Sphere, second as Sphere, motion);
-            gap.x += motion.time * motion.x;
-            gap.y += motion.time * motion.y;
-            gap.z += motion.time * motion.z;
-            out.setFromGap(gap, motion);
+            out.setFromGap(_gap, motion);
         }
 
         /** @inheritDoc */
@@ -43,7 +40,7 @@ package starlogo.intersection
             out.setFromGap(_gap);
         }
 
-        // Sets the gap at the motion's start.
+        // Sets the gap at the motion's time.
         private function setGap(a:Sphere, b:Sphere, motion:RelativeMotion):void
         {
             var gap:CoreGap = _gap;
@@ -52,9 +49,9 @@ package starlogo.intersection
             gap.pointX = center.x;
             gap.pointY = center.y;
             gap.pointZ = center.z;
-            gap.x = center.x - other.x + motion.startX;
-            gap.y = center.y - other.y + motion.startY;
-            gap.z = center.z - other.z + motion.startZ;
+            gap.x = center.x - other.x + motion.startX + motion.time * motion.x;
+            gap.y = center.y - other.y + motion.startY + motion.time * motion.y;
+            gap.z = center.z - other.z + motion.startZ + motion.time * motion.z;
             gap.radiusA = a.radius;
             gap.radiusB = b.radius;
         }

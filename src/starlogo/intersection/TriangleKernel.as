@@ -77,21 +77,7 @@ package starlogo.intersection
                 plane = _ownPlane;
                 plane.setTriangle(corners, 0);
             }
-            // Writing an object to a field costs Adobe's VM more than comparing it first.
-            if (this.plane !== plane)
-            {
-                this.plane = plane;
-            }
-        }
-
-        /**
-         * Whether the plane shows that the shape stays apart from the triangle until the motion's latest time. Ask this first: it is quick.
-         *
-         * @param motion of the shape; its start must be 0
-         */
-        public function planeKeepsApart(motion:RelativeMotion):Boolean
-        {
-            return plane.keepsApart(shape, motion);
+            this.plane = plane;
         }
 
         /** Whether the shape touches the triangle. */

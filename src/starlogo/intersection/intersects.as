@@ -14,6 +14,6 @@ package starlogo.intersection
      */
     public function intersects(a:BoundingStructure, b:BoundingStructure):Boolean
     {
-        return PairTable.areTouching(a, b);
+        return StructurePairs.areTouching(a, b);
     }
 }

@@ -9,7 +9,7 @@
 // whether they touch    | NodeImpactVisitor        | OverlapTraversal       | -
 // when or where first   | NodeImpactVisitor        | ImpactTraversal        | NodeRayEntryVisitor, NodeRayCrossingVisitor
 // the distance          | NodeDistanceVisitor      | DistanceTraversal      | -
-// the contact           | PairTable                | PairTable              | -
+// the contact           | StructurePairs                | StructurePairs              | -
 // 
 // triangles decide
 // whether they touch    | TriangleImpactVisitor    | TrianglePairKernel     | -

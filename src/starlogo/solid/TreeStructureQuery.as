@@ -11,7 +11,7 @@ package starlogo.solid
     import starlogo.hierarchy.NodeDistanceVisitor;
     import starlogo.hierarchy.NodeImpactVisitor;
     import starlogo.hierarchy.TreeCounts;
-    import starlogo.intersection.PairTable;
+    import starlogo.intersection.StructurePairs;
 
     use namespace engine;
 
@@ -123,7 +123,7 @@ package starlogo.solid
         private function findContactOfNode(node:int, motion:RelativeMotion, out:ContactPoint):void
         {
             out.triangle = -1;
-            PairTable.findContact(pose.place(_structure), _tree.boxTree.boxOf(node), motion, out);
+            StructurePairs.findContact(pose.place(_structure), _tree.boxTree.boxOf(node), motion, out);
         }
 
         /** @inheritDoc */

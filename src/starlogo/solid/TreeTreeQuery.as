@@ -16,7 +16,7 @@ package starlogo.solid
     import starlogo.hierarchy.OverlapTraversal;
     import starlogo.hierarchy.PosedTrees;
     import starlogo.hierarchy.TreeCounts;
-    import starlogo.intersection.PairTable;
+    import starlogo.intersection.StructurePairs;
 
     use namespace engine;
 
@@ -132,7 +132,7 @@ package starlogo.solid
         private function findContactOfNodes(nodeA:int, nodeB:int, motion:RelativeMotion, out:ContactPoint):void
         {
             var placedB:BoundingStructure = pose.place(_trees.b.boxOf(nodeB));
-            PairTable.findContact(placedB, _trees.a.boxOf(nodeA), motion, out);
+            StructurePairs.findContact(placedB, _trees.a.boxOf(nodeA), motion, out);
         }
 
         /** @inheritDoc */
@@ -144,7 +144,7 @@ package starlogo.solid
         /** Neither is inside if the boxes of the roots do not touch. Then the insides are not prepared. @inheritDoc */
         override internal function findInside(out:ClosestPoints):Boolean
         {
-            return PairTable.areTouching(_trees.a.boxOf(0), pose.placeWidened(_trees.b.boxOf(0))) && _containment.findInside(this, out);
+            return StructurePairs.areTouching(_trees.a.boxOf(0), pose.placeWidened(_trees.b.boxOf(0))) && _containment.findInside(this, out);
         }
 
         // What decides about two nodes: their triangles, or null for their boxes. The motion is that of b.

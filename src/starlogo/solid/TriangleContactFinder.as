@@ -74,7 +74,7 @@ package starlogo.solid
             _kernel.findContact(motion, out);
             Placement.invert(placement, _inB.placement);
             plane = _kernel.plane;
-            if (plane.isMetBy(_kernel.shape, quickDistance, motion, out) && !hasTriangleBehind(query.b, _inB, query.triangleTolerance, motion, out))
+            if (plane.isHitFromFront(_kernel.shape, quickDistance, motion, out) && !hasTriangleBehind(query.b, _inB, query.triangleTolerance, motion, out))
             {
                 out.setNormal(plane.normal.x, plane.normal.y, plane.normal.z);
                 return;
@@ -83,7 +83,7 @@ package starlogo.solid
             _kernel.shape.setTriangle(_cornersOfA, 0);
             _reversed.setReversed(motion);
             plane = _kernel.plane;
-            if (plane.isMetBy(_kernel.shape, quickDistance, _reversed, out) && !hasTriangleBehind(query.a, _inA, query.triangleTolerance, RelativeMotion.NONE, out))
+            if (plane.isHitFromFront(_kernel.shape, quickDistance, _reversed, out) && !hasTriangleBehind(query.a, _inA, query.triangleTolerance, RelativeMotion.NONE, out))
             {
                 out.setNormal(-plane.normal.x, -plane.normal.y, -plane.normal.z);
             }

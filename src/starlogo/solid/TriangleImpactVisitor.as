@@ -189,7 +189,7 @@ package starlogo.solid
             _mesh.readTriangle(slot, _corners);
             _kernel.setTriangle(_corners);
             _kernel.findContact(motion, out);
-            _kernel.plane.turnContact(_kernel.shape, motion, out);
+            _kernel.plane.alignContact(_kernel.shape, motion, out);
         }
     }
 }

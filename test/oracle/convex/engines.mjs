@@ -31,18 +31,18 @@ export class Kernels {
 	}
 
 	closest(a, b) {
-		this.engine.PairTable.findClosest(a, b, this.result);
+		this.engine.StructurePairs.findClosest(a, b, this.result);
 		return pointsOf(this.result);
 	}
 
 	timeOf(a, b, start, way) {
 		setMotion(this.motion, start, way);
-		this.engine.PairTable.findTime(a, b, this.motion);
+		this.engine.StructurePairs.findTime(a, b, this.motion);
 		return this.motion.time;
 	}
 
 	contact(a, b) {
-		this.engine.PairTable.findContact(a, b, new this.engine.RelativeMotion(0), this.touch);
+		this.engine.StructurePairs.findContact(a, b, new this.engine.RelativeMotion(0), this.touch);
 		return contactOf(this.touch);
 	}
 }

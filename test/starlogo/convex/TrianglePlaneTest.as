@@ -41,36 +41,6 @@ package starlogo.convex
         }
 
         [Test]
-        public function whatIsDeeperBehindThePlaneHasTheSameContact():void
-        {
-            var deeper:ContactPoint = new ContactPoint();
-            var other:ContactPoint = new ContactPoint();
-            var behind:ContactPoint = new ContactPoint();
-            var found:int = 0;
-            for (var i:int = 0; i < 300; i++)
-            {
-                var corners:Vector.<Number> = new Vector.<Number>();
-                for (var k:int = 0; k < 18; k++)
-                {
-                    corners.push(_random.between(-1, 1));
-                }
-                _plane.setTriangle(corners, 0);
-                _shape.setTriangle(corners, 9);
-                _plane.findBehind(_shape, RelativeMotion.NONE, behind);
-                other.depth = _random.between(-1, 1);
-                var isDeeper:Boolean = _plane.findDeeper(_shape, other, deeper);
-                _wrong.addIf(isDeeper != behind.depth > other.depth, "deeper", i + ": " + behind.depth + " than " + other.depth);
-                if (isDeeper)
-                {
-                    found++;
-                    _wrong.addIf(deeper.depth != behind.depth || deeper.x != behind.x || deeper.normalZ != behind.normalZ, "contact", String(i));
-                }
-            }
-            _wrong.assertNone();
-            assertTrue(found + " found", found > 50 && found < 250);
-        }
-
-        [Test]
         public function aFlatTriangleHasNoPlane():void
         {
             new Sphere(new Vector3D(3, 4, 5), 0.1).shapeInto(_shape);

@@ -59,7 +59,7 @@ package starlogo.geometry
             var angles:Array = [0, 45, 90, 135, 180, -135, -90, -45];
             var xs:Array = [1, 1, 0, -1, -1, -1, 0, 1];
             var ys:Array = [0, 1, 1, 1, 0, -1, -1, -1];
-            for each (var scale:Number in [1, 1e-300, 1e300, 1e-150, 1e150, 3])
+            for each (var scale:Number in [1, 1e-280, 1e280, 1e-150, 1e150, 3])
             {
                 for (var i:int = 0; i < 8; i++)
                 {

@@ -45,7 +45,7 @@ package starlogo.intersection
             var box:Box = Box(_structures.ofKind(BoundingStructure.BOX, _random.logBetween(0.2, 2), 1));
             var other:BoundingStructure = _structures.ofKind(_random.pick(KINDS), _random.logBetween(0.2, 2), 1);
             var result:ClosestPoints = new ClosestPoints();
-            PairTable.findClosest(box, other, result);
+            StructurePairs.findClosest(box, other, result);
             var isTouching:Boolean = intersects(box, other);
             _touching += isTouching ? 1 : 0;
             var hull:Hull = hullOf(box);
@@ -62,7 +62,7 @@ package starlogo.intersection
         private static function compareDistance(name:String, expected:Number, a:BoundingStructure, b:BoundingStructure):void
         {
             var result:ClosestPoints = new ClosestPoints();
-            PairTable.findClosest(a, b, result);
+            StructurePairs.findClosest(a, b, result);
             assertTrue(name + ": distance " + result.distance + " instead of " + expected, Math.abs(result.distance - expected) < NEAR);
             var between:Number = Vector3D.distance(result.a, result.b);
             assertTrue(name + ": points " + between, Math.abs(between - result.distance) < NEAR);
@@ -101,7 +101,7 @@ package starlogo.intersection
             motion.x = way.x;
             motion.y = way.y;
             motion.z = way.z;
-            PairTable.findTime(a, b, motion);
+            StructurePairs.findTime(a, b, motion);
             return motion.time;
         }
 
@@ -126,12 +126,12 @@ package starlogo.intersection
             }
             _deep++;
             var expected:ContactPoint = new ContactPoint();
-            PairTable.findContact(box, other, RelativeMotion.NONE, expected);
+            StructurePairs.findContact(box, other, RelativeMotion.NONE, expected);
             for each (var second:BoundingStructure in other is Box ? [other, hullOf(Box(other))] : [other])
             {
                 var contact:ContactPoint = new ContactPoint();
                 var hull:Hull = hullOf(box);
-                PairTable.findContact(hull, second, RelativeMotion.NONE, contact);
+                StructurePairs.findContact(hull, second, RelativeMotion.NONE, contact);
                 var name:String = i + ": " + box + ", " + second + ", depth " + contact.depth + " instead of " + expected.depth;
                 assertTrue(name, contact.depth <= expected.depth + 1e-9 && contact.depth >= expected.depth - 1e-9);
                 assertTrue(name, touchesAfter(hull, second, contact, contact.depth - 1e-9) && !touchesAfter(hull, second, contact, contact.depth + 1e-9));

@@ -70,8 +70,8 @@ package starlogo.intersection
             {
                 var a:BoundingStructure = structures.ofKind(random.pick(KINDS), 1, 2);
                 var b:BoundingStructure = structures.ofKind(random.pick(KINDS), 1, 2);
-                PairTable.findClosest(a, b, points);
-                PairTable.findClosest(b, a, others);
+                StructurePairs.findClosest(a, b, points);
+                StructurePairs.findClosest(b, a, others);
                 others.swap();
                 var isSame:Boolean = points.distance == others.distance && points.a.x == others.a.x && points.a.y == others.a.y && points.a.z == others.a.z
                     && points.b.x == others.b.x && points.b.y == others.b.y && points.b.z == others.b.z;
@@ -79,7 +79,7 @@ package starlogo.intersection
             }
             var small:Sphere = new Sphere(new Vector3D(0, 0, 0), 0.1);
             var large:Sphere = new Sphere(new Vector3D(1, 0, 0), 0.3);
-            PairTable.findClosest(small, large, points);
+            StructurePairs.findClosest(small, large, points);
             assertEquals(0.6, points.distance);
         }
 
@@ -134,16 +134,16 @@ package starlogo.intersection
             var other:ContactPoint = new ContactPoint();
             var what:String = a + ", " + b;
             back.setReversed(way);
-            PairTable.findTime(a, b, way);
-            PairTable.findTime(b, a, back);
+            StructurePairs.findTime(a, b, way);
+            StructurePairs.findTime(b, a, back);
             wrong.addIf(way.time != back.time, "time", what + ": " + way.time + ", " + back.time);
             if (!(way.time <= 1))
             {
                 return false;
             }
             back.setReversed(way);
-            PairTable.findContact(a, b, way, _contact);
-            PairTable.findContact(b, a, back, other);
+            StructurePairs.findContact(a, b, way, _contact);
+            StructurePairs.findContact(b, a, back, other);
             // where a stands still, instead of b
             var isSamePoint:Boolean = !way.isStill || _contact.x == other.x && _contact.y == other.y && _contact.z == other.z;
             wrong.addIf(_contact.depth != other.depth || _contact.normalX != -other.normalX || _contact.normalY != -other.normalY
@@ -173,7 +173,7 @@ package starlogo.intersection
         // With the first as wide as it just touches, and a few bits more and less.
         private function compareNearTouching(a:BoundingStructure, b:BoundingStructure, what:String):void
         {
-            PairTable.findContact(a, b, RelativeMotion.NONE, _contact);
+            StructurePairs.findContact(a, b, RelativeMotion.NONE, _contact);
             var radius:Number = a is Sphere ? Sphere(a).radius : Capsule(a).radius;
             var touching:Number = radius - _contact.depth;
             if (_contact.depth == 0 || !(touching > 0))
@@ -199,7 +199,7 @@ package starlogo.intersection
         {
             var isHit:Boolean = intersects(a, b);
             var still:RelativeMotion = new RelativeMotion();
-            PairTable.findTime(a, b, still);
+            StructurePairs.findTime(a, b, still);
             assertEquals(what, still.time == 0, isHit);
             return isHit;
         }

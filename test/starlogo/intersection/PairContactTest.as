@@ -35,7 +35,7 @@ package starlogo.intersection
                 var b:BoundingStructure = shapes.ofKind(random.pick(KINDS), 1, 0.7);
                 if (intersects(a, b))
                 {
-                    PairTable.findContact(a, b, _displacement, _touch);
+                    StructurePairs.findContact(a, b, _displacement, _touch);
                     checkParts("overlap " + parted, a, b);
                     parted++;
                 }
@@ -66,7 +66,7 @@ package starlogo.intersection
             for each (var middle:Vector3D in [new Vector3D(0.5, -1.3000000002, -0.1000000006), new Vector3D(0.4999999, -1.3000000002, -0.1000000006)])
             {
                 var other:Box = new Box(middle, new Vector3D(1, 0, 0), new Vector3D(0, 0.6, 0.8), new Vector3D(0, -0.8, 0.6), 0.5, 0.5, 1e-9);
-                PairTable.findContact(plate, other, _displacement, _touch);
+                StructurePairs.findContact(plate, other, _displacement, _touch);
                 var around:Sphere = new Sphere(new Vector3D(_touch.x, _touch.y, _touch.z), _touch.depth + 1e-7);
                 assertTrue("the plate is at " + around, intersects(around, plate));
                 assertTrue("the other is at " + around, intersects(around, other));
@@ -81,15 +81,15 @@ package starlogo.intersection
             from.startX = 1.5;
             from.startY = -0.5;
             from.startZ = 1.9;
-            PairTable.findContact(cube(1, 1, 1), low, _displacement, _touch);
+            StructurePairs.findContact(cube(1, 1, 1), low, _displacement, _touch);
             assertPoint("faces", 0.75, -0.25, 0.95);
             assertNear("depth", 0.1, _touch.depth);
             from.startX = from.startY = 0;
             from.startZ = 1.2;
-            PairTable.findContact(new Capsule(new Vector3D(-3, 0, 0), new Vector3D(0.5, 0, 0), 0.5), low, _displacement, _touch);
+            StructurePairs.findContact(new Capsule(new Vector3D(-3, 0, 0), new Vector3D(0.5, 0, 0), 0.5), low, _displacement, _touch);
             assertPoint("a capsule on a face", -0.25, 0, 0.85);
             from.startZ = 0.9;
-            PairTable.findContact(new Capsule(new Vector3D(-3, 0, 0), new Vector3D(0.5, 0, 0), 0.5), low, _displacement, _touch);
+            StructurePairs.findContact(new Capsule(new Vector3D(-3, 0, 0), new Vector3D(0.5, 0, 0), 0.5), low, _displacement, _touch);
             assertPoint("a capsule deep in a face", -0.25, 0, 0.7);
         }
 
@@ -109,8 +109,8 @@ package starlogo.intersection
                     var b:BoundingStructure = shapes.ofKind(random.pick(FACED), 1, 0.7);
                     if (intersects(a, b))
                     {
-                        PairTable.findContact(a, b, _displacement, _touch);
-                        PairTable.findContact(a.scale(size), b.scale(size), _displacement, huge);
+                        StructurePairs.findContact(a, b, _displacement, _touch);
+                        StructurePairs.findContact(a.scale(size), b.scale(size), _displacement, huge);
                         assertNear("depth at " + size, _touch.depth, huge.depth / size);
                         assertNear("normal at " + size, 1, _touch.normalX * huge.normalX + _touch.normalY * huge.normalY + _touch.normalZ * huge.normalZ);
                         overlapping++;
@@ -138,7 +138,7 @@ package starlogo.intersection
         private function checkNormal(a:BoundingStructure, b:BoundingStructure, x:Number, y:Number, z:Number, depth:Number,
                 orOpposite:Boolean = false):void
         {
-            PairTable.findContact(a, b, _displacement, _touch);
+            StructurePairs.findContact(a, b, _displacement, _touch);
             var sign:Number = orOpposite && _touch.normalX * x + _touch.normalY * y + _touch.normalZ * z < 0 ? -1 : 1;
             assertNear(a + " in " + b, x, sign * _touch.normalX);
             assertNear(a + " in " + b, y, sign * _touch.normalY);

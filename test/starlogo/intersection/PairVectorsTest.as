@@ -125,8 +125,8 @@ package starlogo.intersection
         {
             var size:Number = Math.max(halfDiagonal(pairs.a), halfDiagonal(pairs.b));
             var truth:Number = Math.max(0, pairs.distance);
-            PairTable.findClosest(pairs.a, pairs.b, _pair);
-            PairTable.findClosest(pairs.b, pairs.a, _turned);
+            StructurePairs.findClosest(pairs.a, pairs.b, _pair);
+            StructurePairs.findClosest(pairs.b, pairs.a, _turned);
             note(pairs.family, "distance", Math.abs(_pair.distance - truth) / Math.max(size, truth), DISTANCE);
             assertEquals(pairs.family + ": hit", truth == 0, _pair.distance <= DISTANCE * size);
             assertEquals(pairs.family + ", swapped", _pair.distance, _turned.distance);
@@ -143,8 +143,8 @@ package starlogo.intersection
         {
             var way:RelativeMotion = motions.way;
             _motionBack.setReversed(way);
-            PairTable.findTime(motions.a, motions.b, way);
-            PairTable.findTime(motions.b, motions.a, _motionBack);
+            StructurePairs.findTime(motions.a, motions.b, way);
+            StructurePairs.findTime(motions.b, motions.a, _motionBack);
             var time:Number = way.time;
             var timeBack:Number = _motionBack.time;
             var isTouching:Boolean = !isNaN(motions.time);
@@ -159,9 +159,9 @@ package starlogo.intersection
             }
             _touches++;
             note(motions.family, "time", Math.max(Math.abs(time - motions.time), Math.abs(timeBack - motions.time)), TIME);
-            PairTable.findContact(motions.a, motions.b, way, _touch);
+            StructurePairs.findContact(motions.a, motions.b, way, _touch);
             _motionBack.setReversed(way);
-            PairTable.findContact(motions.b, motions.a, _motionBack, _back);
+            StructurePairs.findContact(motions.b, motions.a, _motionBack, _back);
             var size:Number = halfDiagonal(motions.a) + halfDiagonal(motions.b);
             note(motions.family, "depth", Math.max(Math.abs(_touch.depth - motions.depth), Math.abs(_back.depth - motions.depth)) / size, TIME);
             if (!isNaN(motions.normalX))

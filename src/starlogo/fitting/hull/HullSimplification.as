@@ -81,7 +81,7 @@ package starlogo.fitting.hull
                 triangles = pyramidsOn(outline);
             }
             _solid = new ProgressiveHull(points, triangles);
-            slices(_solid.faceCount, FACES_PER_STEP, queueShortest).repeat(reduceToFew).begin(queueingAll).repeat(reduceToMost);
+            slices(_solid.faceCount, FACES_PER_STEP, queueShortest).repeat(reduceToFew).begin(queueingAll).repeat(reduceToMaximum);
         }
 
         private function queueShortest(first:int, end:int):void
@@ -108,7 +108,7 @@ package starlogo.fitting.hull
             return reduce(FEW * _maxCorners, queueShortestNew);
         }
 
-        private function reduceToMost():Boolean
+        private function reduceToMaximum():Boolean
         {
             return reduce(_maxCorners, queueAllNew);
         }
@@ -137,7 +137,7 @@ package starlogo.fitting.hull
         // since it was queued: then it is queued again.
         private function collapseFirst():int
         {
-            var edge:int = _solid.presentEdge(_queue.pop());
+            var edge:int = _solid.currentEdge(_queue.pop());
             if (edge < 0 || isQueued(edge) || !_solid.findCollapse(edge, _collapse))
             {
                 return -1;

@@ -30,14 +30,14 @@ package starlogo.fitting.hull
         private var _planes:Vector.<Number> = new Vector.<Number>();
         private var _areas:Vector.<Number> = new Vector.<Number>();
 
-        // By face: 1 if it is inside of the solid by now, otherwise 0.
-        private var _isInside:Vector.<int> = new Vector.<int>();
+        // By face: 1 if it is buried, inside of the solid by now, otherwise 0.
+        private var _isBuried:Vector.<int> = new Vector.<int>();
 
         // The faces that the present search has found.
         private var _found:IntSet = new IntSet();
 
-        // The number of faces that are not inside.
-        private var _presentCount:int = 0;
+        // The number of faces of the present surface.
+        private var _surfaceFaceCount:int = 0;
 
         /**
          * @param points x, y, z of each corner; copied
@@ -61,7 +61,7 @@ package starlogo.fitting.hull
         /** The number of corners. A closed surface of triangles has two more than half the number of its faces (Euler). */
         public function get cornerCount():int
         {
-            return 2 + _presentCount / 2;
+            return 2 + _surfaceFaceCount / 2;
         }
 
         /** The number of faces so far, with those that are inside by now. */
@@ -90,7 +90,7 @@ package starlogo.fitting.hull
         /** Whether there is an edge with this number, and it is on the present surface. */
         public function isEdge(number:int):Boolean
         {
-            return (number & 3) < 3 && _isInside[number >> 2] == 0;
+            return (number & 3) < 3 && _isBuried[number >> 2] == 0;
         }
 
         /** The corner at which an edge begins. */
@@ -112,9 +112,9 @@ package starlogo.fitting.hull
         }
 
         /** The edge of the present surface that is where an earlier edge was; -1 if there is none. */
-        public function presentEdge(edge:int):int
+        public function currentEdge(edge:int):int
         {
-            while (_isInside[edge >> 2] == 1)
+            while (_isBuried[edge >> 2] == 1)
             {
                 var other:int = _across[edge];
                 if (_across[other] == edge)
@@ -199,14 +199,14 @@ package starlogo.fitting.hull
          */
         public function collapse(by:EdgeCollapse):int
         {
-            setInside(by.faces, by.faceCount, 1);
+            setBuried(by.faces, by.faceCount, 1);
             var outline:Vector.<int> = outlineOf(by);
             if (outline.length == 0)
             {
-                setInside(by.faces, by.faceCount, 0);
+                setBuried(by.faces, by.faceCount, 0);
                 return -1;
             }
-            _presentCount -= by.faceCount;
+            _surfaceFaceCount -= by.faceCount;
             var corner:int = _points.length / 3;
             _points.push(by.x, by.y, by.z);
             var first:int = faceCount;
@@ -285,11 +285,11 @@ package starlogo.fitting.hull
             by.growth = sum / 6;
         }
 
-        private function setInside(faces:Vector.<int>, count:int, value:int):void
+        private function setBuried(faces:Vector.<int>, count:int, value:int):void
         {
             for (var i:int = 0; i < count; i++)
             {
-                _isInside[faces[i]] = value;
+                _isBuried[faces[i]] = value;
             }
         }
 
@@ -327,7 +327,7 @@ package starlogo.fitting.hull
 
         private function isBorder(edge:int):Boolean
         {
-            return _isInside[_across[edge] >> 2] == 0;
+            return _isBuried[_across[edge] >> 2] == 0;
         }
 
         private function join(edge:int, other:int):void
@@ -367,10 +367,10 @@ package starlogo.fitting.hull
             _planes[4 * face + 1] = y;
             _planes[4 * face + 2] = z;
             _planes[4 * face + 3] = offset;
-            _isInside[face] = 0;
+            _isBuried[face] = 0;
             _corners.push(a, b, c, -1);
             _across.push(-1, -1, -1, -1);
-            _presentCount++;
+            _surfaceFaceCount++;
             return face;
         }
 

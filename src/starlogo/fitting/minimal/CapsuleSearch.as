@@ -22,8 +22,8 @@ package starlogo.fitting.minimal
         private static const DIRECTIONS:int = 60;
 
         // The most descents, and the smallest angle between the directions of two of them, in radians.
-        private static const STARTS:int = 6;
-        private static const APART:Number = 0.15;
+        private static const MOST_DESCENTS:int = 6;
+        private static const LEAST_ANGLE:Number = 0.15;
 
         // The radii to try, as multiples of the circle's radius.
         private static const RADII:Vector.<Number> = new <Number>[1, 1.02, 1.05, 1.1, 1.2, 1.35];
@@ -61,7 +61,7 @@ package starlogo.fitting.minimal
                     volumes.push(capsuleAlong(directions[index]).volume);
                 }).begin(function():Steps
                 {
-                    var starts:Vector.<Vector3D> = startsAmong(directions, volumes);
+                    var starts:Vector.<Vector3D> = chooseStarts(directions, volumes);
                     return new StepSequence().beginEach(starts.length, function(index:int):Steps
                         {
                             return descending(starts[index]);
@@ -70,11 +70,11 @@ package starlogo.fitting.minimal
         }
 
         // The directions from which to descend. They give the smallest volumes, and are apart from one another.
-        private static function startsAmong(directions:Vector.<Vector3D>, volumes:Array):Vector.<Vector3D>
+        private static function chooseStarts(directions:Vector.<Vector3D>, volumes:Array):Vector.<Vector3D>
         {
             var order:Array = volumes.sort(Array.NUMERIC | Array.RETURNINDEXEDARRAY);
             var starts:Vector.<Vector3D> = new Vector.<Vector3D>();
-            for (var i:int = 0; i < order.length && starts.length < STARTS; i++)
+            for (var i:int = 0; i < order.length && starts.length < MOST_DESCENTS; i++)
             {
                 if (!isNear(starts, directions[order[i]]))
                 {
@@ -90,12 +90,12 @@ package starlogo.fitting.minimal
             var descent:CapsuleDescent = new CapsuleDescent(_session.hull.points, capsuleAlong(direction));
             return new StepSequence().add(descent).call(function():void
                 {
-                    keepAround(descent.ends, descent.radius);
+                    keepIfSmaller(descent.ends, descent.radius);
                 });
         }
 
         // Keeps the smallest capsule around the line through the ends, if it is smaller than the best.
-        private function keepAround(ends:Vector.<Number>, least:Number):void
+        private function keepIfSmaller(ends:Vector.<Number>, least:Number):void
         {
             var from:Vector3D = new Vector3D(ends[0], ends[1], ends[2]);
             var axis:Vector3D = new Vector3D(ends[3] - ends[0], ends[4] - ends[1], ends[5] - ends[2]);
@@ -116,7 +116,7 @@ package starlogo.fitting.minimal
         {
             for each (var other:Vector3D in others)
             {
-                if (direction.crossProduct(other).lengthSquared < APART * APART)
+                if (direction.crossProduct(other).lengthSquared < LEAST_ANGLE * LEAST_ANGLE)
                 {
                     return true;
                 }

@@ -32,7 +32,7 @@ package starlogo.geometry.hull
 
         // The vertex that is farthest from the space spanned so far, and the square of its distance.
         private var _farthest:int;
-        private var _most:Number;
+        private var _greatestSquare:Number;
 
         /**
          * @param vertices x, y, z of each. The steps throw an ArgumentError if they are null or empty, if the number of coordinates is not
@@ -91,7 +91,7 @@ package starlogo.geometry.hull
         // Adds the steps that find the next corner.
         private function findCorner():void
         {
-            _most = -1;
+            _greatestSquare = -1;
             slices(_vertices.length / 3, VERTICES_PER_STEP, findFarthest).call(addCorner);
         }
 
@@ -118,35 +118,22 @@ package starlogo.geometry.hull
                 fromY = vertices[3 * corners[0] + 1];
                 fromZ = vertices[3 * corners[0] + 2];
             }
-            var i:int;
-            // Only distances perpendicular to the axes found so far count.
-            var across:Vector.<Number> = axes.concat();
-            for (i = 0; i < 3 * dimension; i++)
-            {
-                across[i] = 0;
-            }
-            var aX:Number = across[0];
-            var aY:Number = across[1];
-            var aZ:Number = across[2];
-            var bX:Number = across[3];
-            var bY:Number = across[4];
-            var bZ:Number = across[5];
-            var cX:Number = across[6];
-            var cY:Number = across[7];
-            var cZ:Number = across[8];
-            var last:int = 3 * end;
-            for (i = 3 * first; i < last; i += 3)
+            var axes:Vector.<Number> = this.axes;
+            for (var i:int = 3 * first; i < 3 * end; i += 3)
             {
                 var x:Number = vertices[i] - fromX;
                 var y:Number = vertices[int(i + 1)] - fromY;
                 var z:Number = vertices[int(i + 2)] - fromZ;
-                var a:Number = x * aX + y * aY + z * aZ;
-                var b:Number = x * bX + y * bY + z * bZ;
-                var c:Number = x * cX + y * cY + z * cZ;
-                var square:Number = a * a + b * b + c * c;
-                if (square > _most)
+                var square:Number = 0;
+                // only distances perpendicular to the axes found so far count
+                for (var k:int = 3 * dimension; k < 9; k += 3)
                 {
-                    _most = square;
+                    var along:Number = x * axes[k] + y * axes[int(k + 1)] + z * axes[int(k + 2)];
+                    square += along * along;
+                }
+                if (square > _greatestSquare)
+                {
+                    _greatestSquare = square;
                     _farthest = i / 3;
                 }
             }

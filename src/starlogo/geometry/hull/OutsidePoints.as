@@ -8,9 +8,6 @@ package starlogo.geometry.hull
      */
     internal final class OutsidePoints
     {
-        private static const COPLANAR:Number = Tolerances.HULL_COPLANAR;
-        private static const CERTAIN:Number = Tolerances.HULL_CERTAIN;
-
         // Level 0 holds faces whose farthest point is at most 1 step away, level n those with 2^(n-1) to 2^n steps. Every distance is below
         // 2^26.
         private static const LEVELS:int = 27;
@@ -166,12 +163,12 @@ package starlogo.geometry.hull
             {
                 var face:HullFace = faces[i];
                 var distance:Number = face.normalX * x + face.normalY * y + face.normalZ * z - face.offset;
-                if (distance > COPLANAR)
+                if (distance > Tolerances.HULL_COPLANAR)
                 {
                     addTo(face, point, distance);
                     return;
                 }
-                if (distance > CERTAIN)
+                if (distance > Tolerances.HULL_CERTAIN)
                 {
                     if (face.isAbove(_points, x, y, z))
                     {
@@ -192,12 +189,12 @@ package starlogo.geometry.hull
         {
             _next[point] = face.firstOutside;
             face.firstOutside = point;
-            if (distance > face.farthestDistance + CERTAIN)
+            if (distance > face.farthestDistance + Tolerances.HULL_CERTAIN)
             {
                 face.farthestDistance = distance;
                 face.farthest = point;
             }
-            else if (distance >= face.farthestDistance - CERTAIN && squaredFromMiddle(point) > squaredFromMiddle(face.farthest))
+            else if (distance >= face.farthestDistance - Tolerances.HULL_CERTAIN && squaredFromMiddle(point) > squaredFromMiddle(face.farthest))
             {
                 // If several points are equally far, they are on a side parallel to the face. Then the outermost one is taken.
                 face.farthest = point;

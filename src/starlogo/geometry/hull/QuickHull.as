@@ -39,9 +39,6 @@ package starlogo.geometry.hull
         private var _seen:Vector.<HullFace> = new Vector.<HullFace>();
         private var _created:Vector.<HullFace> = new Vector.<HullFace>();
 
-        // Buried faces that become new ones.
-        private var _spare:Vector.<HullFace> = new Vector.<HullFace>();
-
         // all faces, after the hull is built
         private var _faces:Vector.<HullFace>;
 
@@ -91,7 +88,7 @@ package starlogo.geometry.hull
             slices(among == null ? count : among.length, POINTS_PER_STEP, function(first:int, end:int):void
                 {
                     assign(among, first, end);
-                }).repeat(grow).begin(walking);
+                }).repeat(grow).begin(listingFaces);
         }
 
         private function assign(among:Vector.<int>, first:int, end:int):void
@@ -140,10 +137,6 @@ package starlogo.geometry.hull
         // Fills _seen with the faces that the eye sees, and _created with a face from the eye to each edge around them.
         private function findFaces(eye:int, face:HullFace):void
         {
-            for each (var old:HullFace in _seen)
-            {
-                _spare.push(old);
-            }
             _created.length = 0;
             _seen.length = 0;
             bury(face);
@@ -184,14 +177,14 @@ package starlogo.geometry.hull
 
         private function newFace(a:int, b:int, c:int):HullFace
         {
-            var face:HullFace = _spare.length > 0 ? _spare.pop() : new HullFace();
+            var face:HullFace = new HullFace();
             face.setTo(_points, a, b, c);
             return face;
         }
 
         // The walk over the hull that is built. It lists the faces, and counts how many edges meet at each point. Edges inside of a flat side are
         // not counted.
-        private function walking():Steps
+        private function listingFaces():Steps
         {
             var edgeCounts:Vector.<int> = new Vector.<int>(_points.length / 3);
             var next:int = 0;
@@ -214,15 +207,15 @@ package starlogo.geometry.hull
             for (var end:int = first + FACES_PER_STEP; i < _faces.length && i < end; i++)
             {
                 var face:HullFace = _faces[i];
-                cross(face, face.acrossAB, face.a, face.b, edgeCounts);
-                cross(face, face.acrossBC, face.b, face.c, edgeCounts);
-                cross(face, face.acrossCA, face.c, face.a, edgeCounts);
+                crossEdge(face, face.acrossAB, face.a, face.b, edgeCounts);
+                crossEdge(face, face.acrossBC, face.b, face.c, edgeCounts);
+                crossEdge(face, face.acrossCA, face.c, face.a, edgeCounts);
             }
             return i;
         }
 
         // Counts an edge, and visits the neighbour. An edge is not inside of a flat side if the neighbour's third corner is below the face.
-        private function cross(face:HullFace, neighbor:HullFace, from:int, to:int, edgeCounts:Vector.<int>):void
+        private function crossEdge(face:HullFace, neighbor:HullFace, from:int, to:int, edgeCounts:Vector.<int>):void
         {
             if (face.side(_points, neighbor.a + neighbor.b + neighbor.c - from - to) != 0)
             {

@@ -31,6 +31,14 @@ package starlogo.geometry.vertices
         /** Whether all coordinates were finite. Otherwise the box is wrong. */
         public var areFinite:Boolean = true;
 
+        /** Leaves no vertices. */
+        public function clear():void
+        {
+            minX = minY = minZ = Infinity;
+            maxX = maxY = maxZ = -Infinity;
+            areFinite = true;
+        }
+
         /** The box around all vertices of a list: x, y, z of each. */
         public static function of(vertices:Vector.<Number>):VertexBounds
         {
@@ -95,34 +103,21 @@ package starlogo.geometry.vertices
         public function add(vertices:Vector.<Number>, first:int, end:int):void
         {
             var differences:Number = 0;
-            var lowX:Number = minX;
-            var lowY:Number = minY;
-            var lowZ:Number = minZ;
-            var highX:Number = maxX;
-            var highY:Number = maxY;
-            var highZ:Number = maxZ;
-            var last:int = 3 * end;
-            for (var i:int = 3 * first; i < last; i += 3)
+            for (var i:int = 3 * first; i < 3 * end; i += 3)
             {
                 var x:Number = vertices[i];
                 var y:Number = vertices[int(i + 1)];
                 var z:Number = vertices[int(i + 2)];
                 // Infinity minus itself is NaN.
                 differences += (x - x) + (y - y) + (z - z);
-                lowX = x < lowX ? x : lowX;
-                highX = x > highX ? x : highX;
-                lowY = y < lowY ? y : lowY;
-                highY = y > highY ? y : highY;
-                lowZ = z < lowZ ? z : lowZ;
-                highZ = z > highZ ? z : highZ;
+                minX = x < minX ? x : minX;
+                maxX = x > maxX ? x : maxX;
+                minY = y < minY ? y : minY;
+                maxY = y > maxY ? y : maxY;
+                minZ = z < minZ ? z : minZ;
+                maxZ = z > maxZ ? z : maxZ;
             }
             areFinite = areFinite && differences == 0;
-            minX = lowX;
-            minY = lowY;
-            minZ = lowZ;
-            maxX = highX;
-            maxY = highY;
-            maxZ = highZ;
         }
     }
 }

@@ -25,7 +25,7 @@ package starlogo.intersection.boxes
         private var _halves:Vector.<Number> = new Vector.<Number>(9, true);
 
         private var _times:ContactInterval = new ContactInterval();
-        private var _axisMotion:AxisMotion = new AxisMotion();
+        private var _axis:AxisMotion = new AxisMotion();
 
         // The pair of two boxes that are given as structures.
         private var _boxes:BoxPair = new BoxPair();
@@ -104,55 +104,39 @@ package starlogo.intersection.boxes
         // Narrows the interval by the faces of both. Returns whether anything is left.
         private function narrowByFaces(pair:BoxPair):Boolean
         {
-            var times:ContactInterval = _times;
             var axes:BoxAxes = pair.axes;
-            var axisMotion:AxisMotion = _axisMotion;
-            axisMotion.tolerance = pair.tolerance;
             var fromX:Number = pair.offsetX;
             var fromY:Number = pair.offsetY;
             var fromZ:Number = pair.offsetZ;
+            var moveX:Number = pair.motionX;
+            var moveY:Number = pair.motionY;
+            var moveZ:Number = pair.motionZ;
+            var aHalfX:Number = pair.aHalfX;
+            var aHalfY:Number = pair.aHalfY;
+            var aHalfZ:Number = pair.aHalfZ;
             var bHalfX:Number = pair.bHalfX;
             var bHalfY:Number = pair.bHalfY;
             var bHalfZ:Number = pair.bHalfZ;
-            axisMotion.offset = fromX;
-            axisMotion.travel = pair.motionX;
-            axisMotion.halfExtents = pair.aHalfX + bHalfX * axes.abs00 + bHalfY * axes.abs01 + bHalfZ * axes.abs02;
-            if (!times.narrow(axisMotion))
-            {
-                return false;
-            }
-            axisMotion.offset = fromY;
-            axisMotion.travel = pair.motionY;
-            axisMotion.halfExtents = pair.aHalfY + bHalfX * axes.abs10 + bHalfY * axes.abs11 + bHalfZ * axes.abs12;
-            if (!times.narrow(axisMotion))
-            {
-                return false;
-            }
-            axisMotion.offset = fromZ;
-            axisMotion.travel = pair.motionZ;
-            axisMotion.halfExtents = pair.aHalfZ + bHalfX * axes.abs20 + bHalfY * axes.abs21 + bHalfZ * axes.abs22;
-            if (!times.narrow(axisMotion))
-            {
-                return false;
-            }
-            axisMotion.offset = fromX * axes.m00 + fromY * axes.m10 + fromZ * axes.m20;
-            axisMotion.travel = axes.m00 * pair.motionX + axes.m10 * pair.motionY + axes.m20 * pair.motionZ;
-            axisMotion.halfExtents = bHalfX + pair.aHalfX * axes.abs00 + pair.aHalfY * axes.abs10 + pair.aHalfZ * axes.abs20;
-            if (!times.narrow(axisMotion))
-            {
-                return false;
-            }
-            axisMotion.offset = fromX * axes.m01 + fromY * axes.m11 + fromZ * axes.m21;
-            axisMotion.travel = axes.m01 * pair.motionX + axes.m11 * pair.motionY + axes.m21 * pair.motionZ;
-            axisMotion.halfExtents = bHalfY + pair.aHalfX * axes.abs01 + pair.aHalfY * axes.abs11 + pair.aHalfZ * axes.abs21;
-            if (!times.narrow(axisMotion))
-            {
-                return false;
-            }
-            axisMotion.offset = fromX * axes.m02 + fromY * axes.m12 + fromZ * axes.m22;
-            axisMotion.travel = axes.m02 * pair.motionX + axes.m12 * pair.motionY + axes.m22 * pair.motionZ;
-            axisMotion.halfExtents = bHalfZ + pair.aHalfX * axes.abs02 + pair.aHalfY * axes.abs12 + pair.aHalfZ * axes.abs22;
-            return times.narrow(axisMotion);
+            return narrow(pair, fromX, moveX, aHalfX + bHalfX * axes.abs00 + bHalfY * axes.abs01 + bHalfZ * axes.abs02, 1)
+                && narrow(pair, fromY, moveY, aHalfY + bHalfX * axes.abs10 + bHalfY * axes.abs11 + bHalfZ * axes.abs12, 1)
+                && narrow(pair, fromZ, moveZ, aHalfZ + bHalfX * axes.abs20 + bHalfY * axes.abs21 + bHalfZ * axes.abs22, 1)
+                && narrow(pair, fromX * axes.m00 + fromY * axes.m10 + fromZ * axes.m20, axes.m00 * moveX + axes.m10 * moveY + axes.m20 * moveZ,
+                    bHalfX + aHalfX * axes.abs00 + aHalfY * axes.abs10 + aHalfZ * axes.abs20, 1)
+                && narrow(pair, fromX * axes.m01 + fromY * axes.m11 + fromZ * axes.m21, axes.m01 * moveX + axes.m11 * moveY + axes.m21 * moveZ,
+                    bHalfY + aHalfX * axes.abs01 + aHalfY * axes.abs11 + aHalfZ * axes.abs21, 1)
+                && narrow(pair, fromX * axes.m02 + fromY * axes.m12 + fromZ * axes.m22, axes.m02 * moveX + axes.m12 * moveY + axes.m22 * moveZ,
+                    bHalfZ + aHalfX * axes.abs02 + aHalfY * axes.abs12 + aHalfZ * axes.abs22, 1);
+        }
+
+        // Narrows the interval by an axis, if it is longer than rounding. Returns whether anything is left. @param size at least the length of the axis
+        private function narrow(pair:BoxPair, offset:Number, travel:Number, halfExtents:Number, size:Number):Boolean
+        {
+            var axis:AxisMotion = _axis;
+            axis.offset = offset;
+            axis.travel = travel;
+            axis.halfExtents = halfExtents;
+            axis.tolerance = pair.tolerance * size;
+            return !(size > SHORTEST) || _times.narrow(axis);
         }
 
         // Narrows the interval by the edges of both. Returns whether anything is left. The boxes are projected in full on the cross product of an edge of
@@ -185,64 +169,26 @@ package starlogo.intersection.boxes
         // All three are indices into the lists of edges. Returns whether anything is left.
         private function narrowAcross(pair:BoxPair, p:int, q:int, r:int):Boolean
         {
-            var times:ContactInterval = _times;
-            var axisMotion:AxisMotion = _axisMotion;
+            var edges:Vector.<Number> = _edges;
             var halves:Vector.<Number> = _halves;
-            var pX:Number = _edges[p];
-            var pY:Number = _edges[int(p + 1)];
-            var pZ:Number = _edges[int(p + 2)];
+            var pX:Number = edges[p];
+            var pY:Number = edges[int(p + 1)];
+            var pZ:Number = edges[int(p + 2)];
             var qX:Number = halves[q];
             var qY:Number = halves[int(q + 1)];
             var qZ:Number = halves[int(q + 2)];
             var rX:Number = halves[r];
             var rY:Number = halves[int(r + 1)];
             var rZ:Number = halves[int(r + 2)];
-            var sizeX:Number = pX < 0 ? -pX : pX;
-            var sizeY:Number = pY < 0 ? -pY : pY;
-            var sizeZ:Number = pZ < 0 ? -pZ : pZ;
-            var alongQ:Number = qZ * pY - qY * pZ;
-            alongQ = alongQ < 0 ? -alongQ : alongQ;
-            var alongR:Number = rZ * pY - rY * pZ;
-            alongR = alongR < 0 ? -alongR : alongR;
-            if (sizeY + sizeZ > SHORTEST)
-            {
-                axisMotion.offset = pair.offsetZ * pY - pair.offsetY * pZ;
-                axisMotion.travel = pair.motionZ * pY - pair.motionY * pZ;
-                axisMotion.halfExtents = pair.aHalfY * sizeZ + pair.aHalfZ * sizeY + alongQ + alongR;
-                axisMotion.tolerance = pair.tolerance * (sizeY + sizeZ);
-                if (!times.narrow(axisMotion))
-                {
-                    return false;
-                }
-            }
-            alongQ = qX * pZ - qZ * pX;
-            alongQ = alongQ < 0 ? -alongQ : alongQ;
-            alongR = rX * pZ - rZ * pX;
-            alongR = alongR < 0 ? -alongR : alongR;
-            if (sizeX + sizeZ > SHORTEST)
-            {
-                axisMotion.offset = pair.offsetX * pZ - pair.offsetZ * pX;
-                axisMotion.travel = pair.motionX * pZ - pair.motionZ * pX;
-                axisMotion.halfExtents = pair.aHalfZ * sizeX + pair.aHalfX * sizeZ + alongQ + alongR;
-                axisMotion.tolerance = pair.tolerance * (sizeX + sizeZ);
-                if (!times.narrow(axisMotion))
-                {
-                    return false;
-                }
-            }
-            if (!(sizeX + sizeY > SHORTEST))
-            {
-                return true;
-            }
-            alongQ = qY * pX - qX * pY;
-            alongQ = alongQ < 0 ? -alongQ : alongQ;
-            alongR = rY * pX - rX * pY;
-            alongR = alongR < 0 ? -alongR : alongR;
-            axisMotion.offset = pair.offsetY * pX - pair.offsetX * pY;
-            axisMotion.travel = pair.motionY * pX - pair.motionX * pY;
-            axisMotion.halfExtents = pair.aHalfX * sizeY + pair.aHalfY * sizeX + alongQ + alongR;
-            axisMotion.tolerance = pair.tolerance * (sizeX + sizeY);
-            return times.narrow(axisMotion);
+            var sizeX:Number = Math.abs(pX);
+            var sizeY:Number = Math.abs(pY);
+            var sizeZ:Number = Math.abs(pZ);
+            return narrow(pair, pair.offsetZ * pY - pair.offsetY * pZ, pair.motionZ * pY - pair.motionY * pZ,
+                    pair.aHalfY * sizeZ + pair.aHalfZ * sizeY + Math.abs(qZ * pY - qY * pZ) + Math.abs(rZ * pY - rY * pZ), sizeY + sizeZ)
+                && narrow(pair, pair.offsetX * pZ - pair.offsetZ * pX, pair.motionX * pZ - pair.motionZ * pX,
+                    pair.aHalfZ * sizeX + pair.aHalfX * sizeZ + Math.abs(qX * pZ - qZ * pX) + Math.abs(rX * pZ - rZ * pX), sizeX + sizeZ)
+                && narrow(pair, pair.offsetY * pX - pair.offsetX * pY, pair.motionY * pX - pair.motionX * pY,
+                    pair.aHalfX * sizeY + pair.aHalfY * sizeX + Math.abs(qY * pX - qX * pY) + Math.abs(rY * pX - rX * pY), sizeX + sizeY);
         }
     }
 }

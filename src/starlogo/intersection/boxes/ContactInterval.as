@@ -39,51 +39,42 @@ package starlogo.intersection.boxes
         {
             var from:Number = axis.offset;
             var travel:Number = axis.travel;
-            var near:Number = axis.halfExtents;
+            var halfExtents:Number = axis.halfExtents;
             // mirrored, so that the motion is upwards
             if (travel < 0)
             {
                 travel = -travel;
                 from = -from;
             }
-            var wide:Number = near * Tolerances.TOUCHING + axis.tolerance;
+            var touchingDistance:Number = halfExtents * Tolerances.TOUCHING + axis.tolerance;
             var time:Number;
-            if (from < -wide)
+            if (from < -touchingDistance)
             {
                 if (!(travel > 0))
                 {
                     return false;
                 }
-                time = (-wide - from) / travel;
+                time = (-touchingDistance - from) / travel;
                 if (time > last)
                 {
                     return false;
                 }
-                if (time > _first)
-                {
-                    _first = time;
-                }
-                time = (-near - from) / travel;
-                if (time > touch)
-                {
-                    touch = time;
-                }
+                _first = time > _first ? time : _first;
+                time = (-halfExtents - from) / travel;
+                touch = time > touch ? time : touch;
             }
-            else if (from > wide)
+            else if (from > touchingDistance)
             {
                 return false;
             }
-            if (from + last * travel > wide)
+            if (from + last * travel > touchingDistance)
             {
-                time = (wide - from) / travel;
+                time = (touchingDistance - from) / travel;
                 if (time < _first)
                 {
                     return false;
                 }
-                if (time < last)
-                {
-                    last = time;
-                }
+                last = time < last ? time : last;
             }
             return true;
         }

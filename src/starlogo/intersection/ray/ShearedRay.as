@@ -45,11 +45,11 @@ package starlogo.intersection.ray
         private var _originW:Number = 0;
         private var _shearU:Number = 0;
         private var _shearV:Number = 0;
-        private var _stretch:Number = 0;
+        private var _inverseSpeed:Number = 0;
 
         // How far from a triangle the ray may pass. Twice the area of a triangle of that height and of the greatest possible width.
         private var _tolerance:Number = 0;
-        private var _sliver:Number = 0;
+        private var _areaTolerance:Number = 0;
 
         // The crossing that is tried, and the same with the triangle's normal.
         private var _crossing:TriangleCrossing = new TriangleCrossing();
@@ -76,7 +76,7 @@ package starlogo.intersection.ray
             _originV = along(_v, ray.x, ray.y, ray.z);
             _originW = along(_w, ray.x, ray.y, ray.z);
             var speed:Number = along(_w, ray.directionX, ray.directionY, ray.directionZ);
-            _stretch = 1 / speed;
+            _inverseSpeed = 1 / speed;
             _shearU = along(_u, ray.directionX, ray.directionY, ray.directionZ) / speed;
             _shearV = along(_v, ray.directionX, ray.directionY, ray.directionZ) / speed;
             setRadius(radius);
@@ -92,7 +92,7 @@ package starlogo.intersection.ray
         {
             _tolerance = Tolerances.SURFACES * radius;
             // Shearing may make a side longer than the diameter, by a factor of at most the root of eight.
-            _sliver = 6 * _tolerance * radius;
+            _areaTolerance = 6 * _tolerance * radius;
         }
 
         /**
@@ -177,7 +177,7 @@ package starlogo.intersection.ray
             var originW:Number = _originW;
             var shearU:Number = _shearU;
             var shearV:Number = _shearV;
-            var sliver:Number = _sliver;
+            var areaTolerance:Number = _areaTolerance;
             var aW:Number = points[int(a + w)] - originW;
             var aU:Number = points[int(a + u)] - originU - shearU * aW;
             var aV:Number = points[int(a + v)] - originV - shearV * aW;
@@ -190,12 +190,9 @@ package starlogo.intersection.ray
             var sideA:Number = cU * bV - cV * bU;
             var sideB:Number = aU * cV - aV * cU;
             var sideC:Number = bU * aV - bV * aU;
-            if (sideA < -sliver || sideB < -sliver || sideC < -sliver)
+            if ((sideA < -areaTolerance || sideB < -areaTolerance || sideC < -areaTolerance) && (sideA > areaTolerance || sideB > areaTolerance || sideC > areaTolerance))
             {
-                if (sideA > sliver || sideB > sliver || sideC > sliver)
-                {
-                    return false;
-                }
+                return false;
             }
             var sum:Number = sideA + sideB + sideC;
             var width:Number = Math.abs(aU) + Math.abs(aV) + Math.abs(bU) + Math.abs(bV) + Math.abs(cU) + Math.abs(cV);
@@ -203,7 +200,7 @@ package starlogo.intersection.ray
             var isInside:Boolean = sum != 0 && (sideA >= 0 && sideB >= 0 && sideC >= 0 || sideA <= 0 && sideB <= 0 && sideC <= 0);
             if (isInside && !isEdgeOn)
             {
-                out.distance = _stretch * (sideA * aW + sideB * bW + sideC * cW) / sum;
+                out.distance = _inverseSpeed * (sideA * aW + sideB * bW + sideC * cW) / sum;
             }
             else if (!passEdges(points, a, b, c, isInside ? EDGE_ON_HEIGHT * _tolerance : _tolerance, out))
             {
@@ -216,31 +213,18 @@ package starlogo.intersection.ray
             }
             if (isEdgeOn)
             {
-                setAlong(out);
+                out.slack = Tolerances.ROUNDING * Math.abs(out.distance) + SLACK_TOLERANCES * EDGE_ON_TOLERANCES * _tolerance;
+                out.end = Math.max(out.end, out.distance) + out.slack;
+                out.side = RayCrossings.EDGE_ON;
+                return true;
             }
-            else
-            {
-                var depth:Number = Math.abs(_stretch) * (Math.abs(aW - bW) + Math.abs(bW - cW));
-                setAcross(width * depth, sum, out);
-            }
-            return true;
-        }
-
-        // Sets the rest of a crossing with a triangle that the ray does not see edge on. The ray may pass a tolerance beside the place that is tested. On a
-        // steep triangle, which is deep for its area, the place is then farther off along the ray.
-        private function setAcross(spread:Number, sum:Number, out:TriangleCrossing):void
-        {
+            // The ray may pass a tolerance beside the place that is tested. On a steep triangle, which is deep for its area, the place is then farther off
+            // along the ray.
+            var depth:Number = Math.abs(_inverseSpeed) * (Math.abs(aW - bW) + Math.abs(bW - cW));
             out.end = out.distance;
-            out.slack = Tolerances.ROUNDING * Math.abs(out.distance) + SLACK_TOLERANCES * _tolerance * (1 + spread / Math.abs(sum));
+            out.slack = Tolerances.ROUNDING * Math.abs(out.distance) + SLACK_TOLERANCES * _tolerance * (1 + width * depth / Math.abs(sum));
             out.side = sum > 0 ? RayCrossings.ENTERS : RayCrossings.LEAVES;
-        }
-
-        // Sets the rest of a crossing with a triangle that the ray sees edge on.
-        private function setAlong(out:TriangleCrossing):void
-        {
-            out.slack = Tolerances.ROUNDING * Math.abs(out.distance) + SLACK_TOLERANCES * EDGE_ON_TOLERANCES * _tolerance;
-            out.end = Math.max(out.end, out.distance) + out.slack;
-            out.side = RayCrossings.EDGE_ON;
+            return true;
         }
 
         // Sets the crossing to the places where the ray first and last passes the edges of a triangle within a tolerance. Returns whether there is such a place
@@ -271,7 +255,7 @@ package starlogo.intersection.ray
             fromV += share * toV;
             if (fromU * fromU + fromV * fromV <= tolerance * tolerance)
             {
-                var place:Number = _stretch * (fromW + share * (toW - fromW));
+                var place:Number = _inverseSpeed * (fromW + share * (toW - fromW));
                 out.distance = Math.min(out.distance, place);
                 out.end = Math.max(out.end, place);
             }

@@ -142,7 +142,7 @@ package starlogo.queries.motion
                         pushes.clear();
                         return false;
                     }
-                    _contact.push(place, _contact.depth);
+                    _contact.movePoint(place, _contact.depth);
                     last = pushes.contacts[pushes.add(_contact, row)];
                     freeInTurn = 0;
                 }

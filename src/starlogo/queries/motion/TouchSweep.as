@@ -154,14 +154,14 @@ package starlogo.queries.motion
             _toCore.copyFrom(touch.corePlace);
             _toCore.decrementBy(place);
             var step:Number = halfGapAt(place, body.extentWith(body.bodyOf(touch.row)));
-            touch.contact.push(place, step);
+            touch.contact.movePoint(place, step);
             for (var i:int = 0; i < STEPS_INTO_TOUCH; i++)
             {
                 if (body.touches(touch.row, place))
                 {
                     return;
                 }
-                touch.contact.push(place, -step);
+                touch.contact.movePoint(place, -step);
             }
             var free:Number = 0;
             var touching:Number = 1;
@@ -215,7 +215,7 @@ package starlogo.queries.motion
                 var deeper:Number = contact.normalX * (from.x - place.x) + contact.normalY * (from.y - place.y) + contact.normalZ * (from.z - place.z);
                 if (deeper > 0 && deeper < SLOPS_TO_LEAVE * state.core.slop)
                 {
-                    contact.push(place, deeper);
+                    contact.movePoint(place, deeper);
                 }
             }
         }

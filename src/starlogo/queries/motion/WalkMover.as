@@ -127,7 +127,7 @@ package starlogo.queries.motion
                 var length:Number = Math.min(left, walk.deepest.depth);
                 left -= length;
                 _motion.setTo(0, 0, 0);
-                walk.deepest.push(_motion, length);
+                walk.deepest.movePoint(_motion, length);
                 _slider.slide(walk.body, walk.body.rows, walk.place, _motion, SlideLimits.NONE, _slid);
                 walk.place.copyFrom(_slid.place);
                 pushes++;

@@ -5,7 +5,7 @@ package starlogo.search.pairs
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
-    import starlogo.intersection.PairTable;
+    import starlogo.intersection.StructurePairs;
     import starlogo.intersection.ray.ConvexSpanFinder;
     import starlogo.search.Body;
     import starlogo.search.NarrowPhase;
@@ -42,7 +42,7 @@ package starlogo.search.pairs
             var structureA:BoundingStructure = a.worldStructure();
             var structureB:BoundingStructure = b.worldStructure();
             _counts.structures[BoundingStructure.KIND_COUNT * a.form + b.form]++;
-            return PairTable.areTouching(structureA, structureB);
+            return StructurePairs.areTouching(structureA, structureB);
         }
 
         /** @inheritDoc */
@@ -51,9 +51,9 @@ package starlogo.search.pairs
             var structureA:BoundingStructure = a.worldStructure();
             var structureB:BoundingStructure = b.worldStructure();
             _counts.structures[BoundingStructure.KIND_COUNT * a.form + b.form]++;
-            PairTable.findTime(structureA, structureB, motion);
+            StructurePairs.findTime(structureA, structureB, motion);
             // rounding can miss a touch at the end of the motion
-            if (motion.time == RelativeMotion.NEVER && PairTable.areTouching(structureA, structureB))
+            if (motion.time == RelativeMotion.NEVER && StructurePairs.areTouching(structureA, structureB))
             {
                 motion.time = 1;
             }
@@ -62,13 +62,13 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function findContactOfParts(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            PairTable.findContact(a.worldStructure(), b.worldStructure(), motion, out);
+            StructurePairs.findContact(a.worldStructure(), b.worldStructure(), motion, out);
         }
 
         /** @inheritDoc */
         override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
-            PairTable.findClosest(a.worldStructure(), b.worldStructure(), out);
+            StructurePairs.findClosest(a.worldStructure(), b.worldStructure(), out);
             out.correct(areTouching);
         }
     }

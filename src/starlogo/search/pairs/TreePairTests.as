@@ -9,7 +9,7 @@ package starlogo.search.pairs
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
-    import starlogo.intersection.PairTable;
+    import starlogo.intersection.StructurePairs;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
@@ -127,7 +127,7 @@ package starlogo.search.pairs
         public function findContactOfCovers(a:Body, b:Body, out:ContactPoint):void
         {
             _pose.relate(a.placement, b.placement);
-            PairTable.findContact(_pose.place(b.shape.structure), a.shape.structure, RelativeMotion.NONE, out);
+            StructurePairs.findContact(_pose.place(b.shape.structure), a.shape.structure, RelativeMotion.NONE, out);
             RelativePose.moveContactToWorld(out, a.placement, RelativeMotion.NONE);
         }
 

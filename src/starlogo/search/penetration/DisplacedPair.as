@@ -113,7 +113,7 @@ package starlogo.search.penetration
             first.moveTo(_place);
             if (!areTouching())
             {
-                out.pointAgainst(motion);
+                out.setNormalAgainst(motion);
             }
             return true;
         }

@@ -73,7 +73,7 @@ package starlogo.search.penetration
             if (DisplacedPair.isComing(motion) && out.depth > DirectionSearch.IMPROVED_DEPTH * _pair.extent)
             {
                 _other.copyFrom(_first);
-                _other.pointAgainst(motion);
+                _other.setNormalAgainst(motion);
                 _other.depth = 0;
                 // its point need not be the deepest
                 _other.forgetDeepest();

@@ -16,7 +16,7 @@ package starlogo.intersection
     import support.assertClose;
 
     /** A pair that has no test says so, and leaves the results as they were. */
-    public class PairTableTest
+    public class StructurePairsTest
     {
         private static const OLD:Number = 0.25;
 
@@ -56,7 +56,7 @@ package starlogo.intersection
         {
             eachMissing(function(a:BoundingStructure, b:BoundingStructure):void
                 {
-                    PairTable.findTime(a, b, _motion);
+                    StructurePairs.findTime(a, b, _motion);
                 });
             assertEquals(OLD, _motion.time);
         }
@@ -66,7 +66,7 @@ package starlogo.intersection
         {
             eachMissing(function(a:BoundingStructure, b:BoundingStructure):void
                 {
-                    PairTable.findContact(a, b, RelativeMotion.NONE, _contact);
+                    StructurePairs.findContact(a, b, RelativeMotion.NONE, _contact);
                 });
             assertEquals(OLD, _contact.depth);
         }
@@ -76,7 +76,7 @@ package starlogo.intersection
         {
             eachMissing(function(a:BoundingStructure, b:BoundingStructure):void
                 {
-                    PairTable.findClosest(a, b, _closest);
+                    StructurePairs.findClosest(a, b, _closest);
                 });
             assertEquals(OLD, _closest.distance);
         }
@@ -89,10 +89,10 @@ package starlogo.intersection
                 for each (var b:BoundingStructure in _collided)
                 {
                     _motion.time = _contact.depth = _closest.distance = OLD;
-                    PairTable.findTime(a, b, _motion);
-                    PairTable.findContact(a, b, RelativeMotion.NONE, _contact);
-                    PairTable.findClosest(a, b, _closest);
-                    assertEquals(a + " and " + b + " touch", true, PairTable.areTouching(a, b));
+                    StructurePairs.findTime(a, b, _motion);
+                    StructurePairs.findContact(a, b, RelativeMotion.NONE, _contact);
+                    StructurePairs.findClosest(a, b, _closest);
+                    assertEquals(a + " and " + b + " touch", true, StructurePairs.areTouching(a, b));
                     assertEquals(a + " and " + b + " touch at once", 0, _motion.time);
                     assertEquals(a + " and " + b + " have no distance", 0, _closest.distance);
                     assertEquals(a + " and " + b + " overlap", true, _contact.depth > OLD);
@@ -128,14 +128,14 @@ package starlogo.intersection
                     var placed:BoundingStructure = b.place(far);
                     var what:String = a + " and " + placed;
                     _motion.latest = 1;
-                    PairTable.findTime(a, placed, _motion);
+                    StructurePairs.findTime(a, placed, _motion);
                     var time:Number = _motion.time;
                     assertEquals(what + " touch: " + time, true, time > 0.4 && time < 0.8);
                     _motion.latest = time - 1e-6;
-                    PairTable.findTime(a, placed, _motion);
+                    StructurePairs.findTime(a, placed, _motion);
                     assertEquals(what + " before they touch", RelativeMotion.NEVER, _motion.time);
                     _motion.latest = time + 1e-6;
-                    PairTable.findTime(a, placed, _motion);
+                    StructurePairs.findTime(a, placed, _motion);
                     assertClose(time, _motion.time, 1e-12, what);
                 }
             }

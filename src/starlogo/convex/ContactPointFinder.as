@@ -6,7 +6,7 @@ package starlogo.convex
      * Finds the point of a contact whose normal and depth are known: the middle of what the two shapes have in common where they touch. That is
      * the common part of a corner, an edge or a face of each, seen along the normal. The middle of a polygon is the mean of its corners.
      */
-    internal final class CommonPointFinder
+    internal final class ContactPointFinder
     {
         // The feature of each core that faces the other, relative to the second one's origin.
         private var _first:ContactFeature = new ContactFeature();
@@ -15,10 +15,20 @@ package starlogo.convex
         /** Writes the point halfway between the two surfaces, relative to the second shape's origin. */
         public function find(cores:CorePair, out:ContactPoint):void
         {
-            findFeatures(cores, out);
+            _first.find(cores.first, -1, out);
+            _first.move(cores.x, cores.y, cores.z);
+            _second.find(cores.second, 1, out);
+            // of two corners, that of the core with fewer points counts
+            var isSecondSimpler:Boolean = _second.isCorner && cores.second.pointsEnd < cores.first.pointsEnd;
+            if (!_first.isCorner && !_second.isCorner)
+            {
+                // corners in the same place become one
+                _first.makeOutline(out);
+                _second.makeOutline(out);
+            }
             // how far the middle between the surfaces is from the common part, along the normal
             var offset:Number;
-            if (_first.isCorner)
+            if (_first.isCorner && !isSecondSimpler)
             {
                 writeMean(_first, out);
                 offset = out.depth / 2 - cores.first.radius;
@@ -30,7 +40,7 @@ package starlogo.convex
             }
             else
             {
-                findShared(out);
+                writeShared(out);
                 var surface:Number = out.normalX * cores.x + out.normalY * cores.y + out.normalZ * cores.z - _first.farthest - cores.first.radius;
                 offset = surface + out.depth / 2 - (out.normalX * out.x + out.normalY * out.y + out.normalZ * out.z);
             }
@@ -39,54 +49,23 @@ package starlogo.convex
             out.z += offset * out.normalZ;
         }
 
-        // Finds both features, that of the core with fewer points first. If it is a corner, it is the common part, and the other feature is left empty.
-        private function findFeatures(cores:CorePair, contact:ContactPoint):void
-        {
-            var isSecondSimpler:Boolean = cores.second.pointsEnd < cores.first.pointsEnd;
-            _first.clear();
-            _second.clear();
-            if (isSecondSimpler)
-            {
-                _second.find(cores.second, 1, contact);
-            }
-            if (!_second.isCorner)
-            {
-                _first.find(cores.first, -1, contact);
-                _first.move(cores.x, cores.y, cores.z);
-            }
-            if (!isSecondSimpler && !_first.isCorner)
-            {
-                _second.find(cores.second, 1, contact);
-            }
-            if (!_first.isCorner && !_second.isCorner)
-            {
-                _first.makeOutline(contact);
-                _second.makeOutline(contact);
-            }
-        }
-
         // Writes the middle of what two edges or faces share when seen along the normal. It is in the plane of either.
-        private function findShared(out:ContactPoint):void
+        private function writeShared(out:ContactPoint):void
         {
             if (_second.isFace)
             {
-                writeMeanWithin(_first, _second, out);
+                _first.clip(_second, out);
+                writeMean(_first, out);
             }
             else if (_first.isFace)
             {
-                writeMeanWithin(_second, _first, out);
+                _second.clip(_first, out);
+                writeMean(_second, out);
             }
             else
             {
                 writeCrossing(_first.points, _second.points, out);
             }
-        }
-
-        // Writes the middle of the part of an edge or a face that is within another face.
-        private static function writeMeanWithin(inner:ContactFeature, face:ContactFeature, out:ContactPoint):void
-        {
-            inner.clip(face, out);
-            writeMean(inner, out);
         }
 
         private static function writeMean(feature:ContactFeature, out:ContactPoint):void

@@ -20,15 +20,15 @@ package starlogo.intersection
      *
      * @private
      */
-    public final class PairTable
+    public final class StructurePairs
     {
-        // The numbers of the kinds are in this order: SPHERE, CAPSULE, BOX, HULL, OTHER. Of two kinds, the later one chooses the kernel.
-        private static const KINDS:int = BoundingStructure.OTHER + 1;
-
         private static const CONVEX:ConvexPairKernel = new ConvexPairKernel();
 
-        // The kernels by the kinds of a and b: a row for each kind of a.
-        private static const KERNELS:Vector.<PairKernel> = makeKernels();
+        private static const ROUND:PairKernel = new RoundKernel(CONVEX);
+
+        private static const SPHERES:PairKernel = new SphereSphereKernel();
+
+        private static const MISSING:PairKernel = new PairKernel();
 
         /**
          * Whether two structures touch or overlap. Touching counts: see Touching. Games call it as <code>intersects()</code>.
@@ -77,31 +77,12 @@ package starlogo.intersection
             kernelOf(a, b).findClosest(a, b, out);
         }
 
+        // The numbers of the kinds are in this order: SPHERE, CAPSULE, BOX, HULL, OTHER. The later one of two kinds chooses the kernel.
         private static function kernelOf(a:BoundingStructure, b:BoundingStructure):PairKernel
         {
-            return KERNELS[int(KINDS * a.kind + b.kind)];
-        }
-
-        private static function makeKernels():Vector.<PairKernel>
-        {
-            var kernels:Vector.<PairKernel> = new Vector.<PairKernel>(KINDS * KINDS, true);
-            var round:PairKernel = new RoundKernel(CONVEX);
-            fill(kernels, BoundingStructure.CAPSULE, round);
-            fill(kernels, BoundingStructure.BOX, round);
-            fill(kernels, BoundingStructure.HULL, CONVEX);
-            fill(kernels, BoundingStructure.OTHER, new PairKernel());
-            kernels[KINDS * BoundingStructure.SPHERE + BoundingStructure.SPHERE] = new SphereSphereKernel();
-            kernels[KINDS * BoundingStructure.BOX + BoundingStructure.BOX] = new BoxBoxKernel(CONVEX);
-            return kernels;
-        }
-
-        // Sets the kernel of a kind with itself and with each kind below it.
-        private static function fill(kernels:Vector.<PairKernel>, kind:int, kernel:PairKernel):void
-        {
-            for (var other:int = 0; other <= kind; other++)
-            {
-                kernels[KINDS * kind + other] = kernels[KINDS * other + kind] = kernel;
-            }
+            var later:int = a.kind > b.kind ? a.kind : b.kind;
+            var isRound:Boolean = later == BoundingStructure.CAPSULE || later == BoundingStructure.BOX && a.kind != b.kind;
+            return isRound ? ROUND : later == BoundingStructure.SPHERE ? SPHERES : later == BoundingStructure.OTHER ? MISSING : CONVEX;
         }
     }
 }

@@ -30,11 +30,6 @@ package starlogo.hierarchy
         /** Result of <code>find()</code>: two nodes that decide touch. */
         public static const OVERLAPPING:int = 2;
 
-        // How two boxes overlap. In a deep overlap, the middle of b is so near to a that all of b's own axes overlap.
-        private static const SEPARATE:int = 0;
-        private static const SHALLOW:int = 1;
-        private static const DEEP:int = 2;
-
         // The pairs of nodes still to visit. The next one is last.
         private var _nodes:Vector.<int> = new Vector.<int>();
 
@@ -119,18 +114,17 @@ package starlogo.hierarchy
                 pair.bHalfX = halfX * relative.size;
                 pair.bHalfY = halfY * relative.size;
                 pair.bHalfZ = halfZ * relative.size;
-                var overlap:int = overlapBesideAxesOfA(pair);
                 var aEnds:Boolean = endsA[a] >= depthA;
                 var bEnds:Boolean = endsB[b] >= depthB;
                 var doBoxesDecide:Boolean = aEnds && bEnds && kernel == null;
-                if (overlap == SEPARATE || overlap == SHALLOW && doBoxesDecide && !BoxSeparation.overlapAcrossEdges(pair))
+                if (!BoxSeparation.overlapAlongFacesOfB(pair) || doBoxesDecide && !BoxSeparation.overlapAcrossEdges(pair))
                 {
                     continue;
                 }
                 result = ONLY_ROOTS;
                 if (!aEnds || !bEnds)
                 {
-                    top = pushChildren(trees, pair, a, aEnds, b, bEnds, overlap == DEEP, top);
+                    top = pushChildren(trees, pair, a, aEnds, b, bEnds, top);
                 }
                 else if (doBoxesDecide || kernel.areTouching(a, b))
                 {
@@ -141,42 +135,25 @@ package starlogo.hierarchy
             return result;
         }
 
-        // Puts the children of one node or of both in place of the pair, so that the nearest pair is visited first. Returns the new top of the stack.
-        private function pushChildren(trees:PosedTrees, pair:BoxPair, a:int, aEnds:Boolean, b:int, bEnds:Boolean, isDeep:Boolean, top:int):int
+        // Puts the pairs of a node with the children of the other, which is the larger one, in place of the pair. The nearer child is visited first.
+        // Returns the new top of the stack.
+        private function pushChildren(trees:PosedTrees, pair:BoxPair, a:int, aEnds:Boolean, b:int, bEnds:Boolean, top:int):int
         {
             var stack:Vector.<int> = _nodes;
-            var dividesA:Boolean = !aEnds && (bEnds || isDeep || trees.isNodeALarger(a, b));
-            var dividesB:Boolean = isDeep ? !bEnds : !dividesA;
-            var nearer:int;
-            if (dividesA)
-            {
-                nearer = nearerChildOfA(pair, trees.a, a);
-                // the other child: the numbers of both add up to 2 * left + 1
-                stack[top] = 2 * trees.a.left[a] + 1 - nearer;
-                stack[top + 1] = b;
-                top += 2;
-                if (dividesB)
-                {
-                    beginPairAt(pair, trees.a.boxes, 6 * nearer, 6 * a);
-                }
-                a = nearer;
-            }
-            if (dividesB)
-            {
-                nearer = nearerChildOfB(pair, trees.pose.placement, trees.b, b);
-                stack[top] = a;
-                stack[top + 1] = 2 * trees.b.left[b] + 1 - nearer;
-                top += 2;
-                b = nearer;
-            }
-            stack[top] = a;
-            stack[top + 1] = b;
-            return top + 2;
+            var dividesA:Boolean = !aEnds && (bEnds || trees.isNodeALarger(a, b));
+            var left:int = dividesA ? trees.a.left[a] : trees.b.left[b];
+            var isRightNearer:Boolean = dividesA ? isRightNearerOfA(pair, trees.a.axisOf(a)) : isRightNearerOfB(pair, trees.pose.placement, trees.b.axisOf(b));
+            var nearer:int = isRightNearer ? left + 1 : left;
+            var farther:int = isRightNearer ? left : left + 1;
+            stack[top] = dividesA ? farther : a;
+            stack[top + 1] = dividesA ? b : farther;
+            stack[top + 2] = dividesA ? nearer : a;
+            stack[top + 3] = dividesA ? b : nearer;
+            return top + 4;
         }
 
-        // How two boxes overlap that no axis of a separates: SEPARATE, SHALLOW or DEEP. The distance of b's middle from a is compared with the spheres
-        // around b and inside of it; then the axes of b decide.
-        private static function overlapBesideAxesOfA(pair:BoxPair):int
+        // Whether the distance of b's middle from a's box shows that the boxes are apart.
+        private static function isBeyondSphereOfB(pair:BoxPair):Boolean
         {
             var x:Number = pair.offsetX;
             var y:Number = pair.offsetY;
@@ -184,43 +161,19 @@ package starlogo.hierarchy
             var halfX:Number = pair.aHalfX;
             var halfY:Number = pair.aHalfY;
             var halfZ:Number = pair.aHalfZ;
-            var bHalfX:Number = pair.bHalfX;
-            var bHalfY:Number = pair.bHalfY;
-            var bHalfZ:Number = pair.bHalfZ;
             include "../intersection/squaredToBox.inc";
-            if (squaredDistance > bHalfX * bHalfX + bHalfY * bHalfY + bHalfZ * bHalfZ)
-            {
-                return SEPARATE;
-            }
-            var least:Number = bHalfX < bHalfY ? bHalfX : bHalfY;
-            least = bHalfZ < least ? bHalfZ : least;
-            if (squaredDistance <= least * least)
-            {
-                return DEEP;
-            }
-            return BoxSeparation.overlapAlongFacesOfB(pair) ? SHALLOW : SEPARATE;
+            return squaredDistance > pair.bHalfX * pair.bHalfX + pair.bHalfY * pair.bHalfY + pair.bHalfZ * pair.bHalfZ;
         }
 
-        // Returns the child of a node of tree a that is nearer to b's node.
-        private static function nearerChildOfA(pair:BoxPair, tree:BoxTree, node:int):int
+        // Whether the right child of a's node is nearer to b's node.
+        private static function isRightNearerOfA(pair:BoxPair, axis:int):Boolean
         {
-            var axis:int = tree.axisOf(node);
-            var along:Number = axis == 0 ? pair.offsetX : (axis == 1 ? pair.offsetY : pair.offsetZ);
-            return along > 0 ? tree.left[node] + 1 : tree.left[node];
+            return (axis == 0 ? pair.offsetX : axis == 1 ? pair.offsetY : pair.offsetZ) > 0;
         }
 
-        // Makes the vector of a pair begin at another node of tree a than before. The boxes' numbers begin at the two indices.
-        private static function beginPairAt(pair:BoxPair, boxes:Vector.<Number>, node:int, before:int):void
+        // Whether the right child of b's node is nearer to a's node.
+        private static function isRightNearerOfB(pair:BoxPair, rotation:Placement, axis:int):Boolean
         {
-            pair.offsetX += boxes[before] - boxes[node];
-            pair.offsetY += boxes[int(before + 1)] - boxes[int(node + 1)];
-            pair.offsetZ += boxes[int(before + 2)] - boxes[int(node + 2)];
-        }
-
-        // Returns the child of a node of tree b that is nearer to a's node.
-        private static function nearerChildOfB(pair:BoxPair, rotation:Placement, tree:BoxTree, node:int):int
-        {
-            var axis:int = tree.axisOf(node);
             var along:Number = rotation.r02 * pair.offsetX + rotation.r12 * pair.offsetY + rotation.r22 * pair.offsetZ;
             if (axis == 0)
             {
@@ -230,7 +183,7 @@ package starlogo.hierarchy
             {
                 along = rotation.r01 * pair.offsetX + rotation.r11 * pair.offsetY + rotation.r21 * pair.offsetZ;
             }
-            return along < 0 ? tree.left[node] + 1 : tree.left[node];
+            return along < 0;
         }
     }
 }

@@ -26,7 +26,7 @@ package starlogo.solid
             var surface:SurfaceTopology = windings.surface;
             var mesh:TriangleMesh = windings.mesh;
             return [interior.hasClosedShell, surface.signedShells, surface.shellStates, surface.cavityOf, surface.widestSeam, windings.welded, interior.leastPartExtent, interior.partPoints, mesh.corners,
-                    mesh.extents, axesOf(hierarchy.boxTree)].join("\n");
+                    mesh.vertices, axesOf(hierarchy.boxTree)].join("\n");
         }
 
         private static function axesOf(tree:BoxTree):String

@@ -247,7 +247,23 @@ package starlogo.solid
         // Whether the extents of a triangle of a meet those of b's current triangle and of its motion.
         private function areExtentsNear(slot:int):Boolean
         {
-            return !(squaredDistanceToExtents(_extents, _meshA, slot) > 0);
+            var points:Vector.<Number> = _meshA.vertices;
+            var first:int = _meshA.corners[int(3 * slot)];
+            var second:int = _meshA.corners[int(3 * slot + 1)];
+            var third:int = _meshA.corners[int(3 * slot + 2)];
+            for (var axis:int = 0; axis < 3; axis++)
+            {
+                var low:Number = _extents[int(2 * axis)];
+                var high:Number = _extents[int(2 * axis + 1)];
+                if (points[first] > high && points[second] > high && points[third] > high || points[first] < low && points[second] < low && points[third] < low)
+                {
+                    return false;
+                }
+                first++;
+                second++;
+                third++;
+            }
+            return true;
         }
 
         // Whether a's current triangle is so far before b's triangle, along the vector from the closest point so far of a to that of b, that the two

@@ -25,7 +25,7 @@ package starlogo.solid
             var windings:WindingCounter = interior.windingCounter;
             var surface:SurfaceTopology = windings.surface;
             var mesh:TriangleMesh = windings.mesh;
-            return [interior.hasClosedShell, surface.signedShells, surface.shellStates, surface.cavityOf, surface.widestSeam, windings.welded, interior.leastPartExtent, interior.partPoints, mesh.corners,
+            return [interior.hasClosedShell, surface.signedShells, surface.shellStates, surface.cavityOf, surface.widestSeam, windings.welded, interior.partPoints, mesh.corners,
                     mesh.vertices, axesOf(hierarchy.boxTree)].join("\n");
         }
 

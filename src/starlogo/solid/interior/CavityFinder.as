@@ -1,6 +1,7 @@
 package starlogo.solid.interior
 {
     import starlogo.convex.TrianglePlane;
+    import starlogo.geometry.cubeRoot;
     import starlogo.hierarchy.TriangleMesh;
     import starlogo.steps.StepSequence;
 
@@ -13,7 +14,7 @@ package starlogo.solid.interior
         private static const VOLUMES_PER_STEP:int = 1000;
         private static const TRIANGLES_PER_STEP:int = 25;
 
-        // How far inside of its shell a point is tested, as a fraction of the shell's extent. Smaller: rounding decides where shells touch.
+        // How far inside of its shell a point is tested, as a fraction of the cube root of six times the shell's volume. Smaller: rounding decides where shells touch.
         // Larger: it may be outside of a thin shell.
         private static const INWARDS:Number = 1e-7;
 
@@ -32,9 +33,8 @@ package starlogo.solid.interior
         private var _mesh:TriangleMesh;
         private var _balances:Vector.<int>;
 
-        // The shells that may bound cavities or have them, with null for the others. The outermost points of each.
+        // The shells that may bound cavities or have them, with null for the others.
         private var _shells:Vector.<ClosedShell>;
-        private var _extremes:OutermostPoints;
 
         // The shells that enclose the point that is tested.
         private var _enclosingPoint:Vector.<int> = new Vector.<int>();
@@ -116,21 +116,7 @@ package starlogo.solid.interior
             }
             if (isFound[0] && isFound[2])
             {
-                _extremes = new OutermostPoints(_mesh, _shells.length);
-                slices(_mesh.tree.itemCount, VOLUMES_PER_STEP, addExtremes).slices(_mesh.tree.itemCount, TRIANGLES_PER_STEP, testPoints)
-                    .call(findCavities);
-            }
-        }
-
-        private function addExtremes(first:int, end:int):void
-        {
-            for (var slot:int = first; slot < end; slot++)
-            {
-                var shell:int = shellAt(slot);
-                if (isTwoSided(shell))
-                {
-                    _extremes.add(shell, slot);
-                }
+                slices(_mesh.tree.itemCount, TRIANGLES_PER_STEP, testPoints).call(findCavities);
             }
         }
 
@@ -163,7 +149,7 @@ package starlogo.solid.interior
         // must have read the triangle.
         private function findEnclosingNear(shell:int, slot:int, corner:int):void
         {
-            var inwards:Number = INWARDS * _extremes.extentOf(shell);
+            var inwards:Number = INWARDS * cubeRoot(Math.abs(_shells[shell].volume));
             inwards = _surface.isReversed(_mesh.tree.items[slot]) == _shells[shell].volume > 0 ? inwards : -inwards;
             var share:Number = corner == MIDDLE ? 1 / 3 : SHARE_OF_EACH;
             var point:Vector.<Number> = new <Number>[inwards * _plane.normal.x, inwards * _plane.normal.y, inwards * _plane.normal.z];
@@ -210,8 +196,7 @@ package starlogo.solid.interior
         // Whether a shell may have another one inside.
         private function isLarger(outer:int, inner:int):Boolean
         {
-            return isTwoSided(outer) && Math.abs(_shells[outer].volume) > (1 + LARGER) * Math.abs(_shells[inner].volume)
-                && _extremes.contains(outer, inner, LARGER);
+            return isTwoSided(outer) && Math.abs(_shells[outer].volume) > (1 + LARGER) * Math.abs(_shells[inner].volume);
         }
 
         // Finds the shells that bound cavities: the largest shells first. A shell that encloses another one is larger.

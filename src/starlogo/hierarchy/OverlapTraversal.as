@@ -3,7 +3,6 @@ package starlogo.hierarchy
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.boxes.BoxSeparation;
-    import starlogo.intersection.boxes.BoxAxes;
     import starlogo.intersection.boxes.BoxPair;
 
     /**
@@ -33,7 +32,7 @@ package starlogo.hierarchy
         // The pairs of nodes still to visit. The next one is last.
         private var _nodes:Vector.<int> = new Vector.<int>();
 
-        // The axes of tree b times its scale. Their absolute values are larger by a rounding error, because cross products of nearly parallel edges
+        // The axes of tree b. Their absolute values are larger by a rounding error, because cross products of nearly parallel edges
         // cancel. And the vector from the middle of a's node to the middle of b's, of the last pair that was tested.
         private var _pair:BoxPair = new BoxPair();
 
@@ -48,20 +47,13 @@ package starlogo.hierarchy
         /**
          * Finds whether two nodes that decide touch: see BoxTree.
          *
-         * <p>An axis of a's box separates most pairs of boxes a and b, mostly z. So these axes are tested in the loop, because a call for each pair
-         * takes about a tenth more time.</p>
-         *
          * @param kernel decides about such nodes; null if their boxes decide
          * @return APART, ONLY_ROOTS or OVERLAPPING
          */
         public function find(trees:PosedTrees, kernel:NodePairKernel):int
         {
             var pair:BoxPair = _pair;
-            var axes:BoxAxes = pair.axes;
-            var relative:Placement = trees.pose.placement;
             var tolerance:Number = trees.pose.tolerance;
-            var boxesA:Vector.<Number> = trees.a.boxes;
-            var boxesB:Vector.<Number> = trees.b.boxes;
             var endsA:Vector.<int> = trees.a.endsUpToDepth;
             var endsB:Vector.<int> = trees.b.endsUpToDepth;
             var depthA:int = trees.depthA;
@@ -70,7 +62,7 @@ package starlogo.hierarchy
             var result:int = APART;
             var visits:int = 0;
             var top:int = 2;
-            axes.readAxes(relative, relative.size, Tolerances.ROUNDING * relative.size);
+            pair.axes.readAxes(trees.pose.placement, 1, Tolerances.ROUNDING);
             stack[0] = 0;
             stack[1] = 0;
             while (top > 0 && result != OVERLAPPING)
@@ -79,45 +71,15 @@ package starlogo.hierarchy
                 var a:int = stack[top];
                 var b:int = stack[top + 1];
                 visits++;
-                var atA:int = 6 * a;
-                var atB:int = 6 * b;
-                var middleX:Number = boxesB[atB];
-                var middleY:Number = boxesB[int(atB + 1)];
-                var middleZ:Number = boxesB[int(atB + 2)];
-                var halfX:Number = boxesB[int(atB + 3)];
-                var halfY:Number = boxesB[int(atB + 4)];
-                var halfZ:Number = boxesB[int(atB + 5)];
-                var z:Number = axes.m20 * middleX + axes.m21 * middleY + axes.m22 * middleZ + relative.z - boxesA[int(atA + 2)];
-                var radius:Number = boxesA[int(atA + 5)] + tolerance + axes.abs20 * halfX + axes.abs21 * halfY + axes.abs22 * halfZ;
-                if (z > radius || z < -radius)
-                {
-                    continue;
-                }
-                var x:Number = axes.m00 * middleX + axes.m01 * middleY + axes.m02 * middleZ + relative.x - boxesA[atA];
-                radius = boxesA[int(atA + 3)] + tolerance + axes.abs00 * halfX + axes.abs01 * halfY + axes.abs02 * halfZ;
-                if (x > radius || x < -radius)
-                {
-                    continue;
-                }
-                var y:Number = axes.m10 * middleX + axes.m11 * middleY + axes.m12 * middleZ + relative.y - boxesA[int(atA + 1)];
-                radius = boxesA[int(atA + 4)] + tolerance + axes.abs10 * halfX + axes.abs11 * halfY + axes.abs12 * halfZ;
-                if (y > radius || y < -radius)
-                {
-                    continue;
-                }
-                pair.offsetX = x;
-                pair.offsetY = y;
-                pair.offsetZ = z;
-                pair.aHalfX = boxesA[int(atA + 3)] + tolerance;
-                pair.aHalfY = boxesA[int(atA + 4)] + tolerance;
-                pair.aHalfZ = boxesA[int(atA + 5)] + tolerance;
-                pair.bHalfX = halfX * relative.size;
-                pair.bHalfY = halfY * relative.size;
-                pair.bHalfZ = halfZ * relative.size;
+                trees.readPair(a, b, pair);
+                pair.aHalfX += tolerance;
+                pair.aHalfY += tolerance;
+                pair.aHalfZ += tolerance;
                 var aEnds:Boolean = endsA[a] >= depthA;
                 var bEnds:Boolean = endsB[b] >= depthB;
                 var doBoxesDecide:Boolean = aEnds && bEnds && kernel == null;
-                if (!BoxSeparation.overlapAlongFacesOfB(pair) || doBoxesDecide && !BoxSeparation.overlapAcrossEdges(pair))
+                if (!BoxSeparation.overlapAlongFacesOfA(pair) || !BoxSeparation.overlapAlongFacesOfB(pair)
+                        || doBoxesDecide && !BoxSeparation.overlapAcrossEdges(pair))
                 {
                     continue;
                 }

@@ -130,7 +130,8 @@ package starlogo.hierarchy
         // Whether the right child of a's node is nearer to b's node.
         private static function isRightNearerOfA(pair:BoxPair, axis:int):Boolean
         {
-            return (axis == 0 ? pair.offsetX : axis == 1 ? pair.offsetY : pair.offsetZ) > 0;
+            var along:Number = axis == 0 ? pair.offsetX : (axis == 1 ? pair.offsetY : pair.offsetZ);
+            return along > 0;
         }
 
         // Whether the right child of b's node is nearer to a's node.

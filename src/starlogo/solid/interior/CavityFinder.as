@@ -43,8 +43,8 @@ package starlogo.solid.interior
         private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
         private var _plane:TrianglePlane = new TrianglePlane();
 
-        // How many shells were tested with points so far.
-        private var _testedShells:int = 0;
+        // How many crossings were counted for the points so far.
+        private var _countedCrossings:int = 0;
 
         /**
          * @param windingCounter of the surface, which has the shells and receives which of them bound cavities
@@ -139,10 +139,10 @@ package starlogo.solid.interior
             }
         }
 
-        // Whether more points decide about a shell. One point decides if too many shells are tested, as in models with very many nested shells.
+        // Whether more points decide about a shell. One point decides if too many crossings are counted, as in models with very many nested shells.
         private function isUndecided(closed:ClosedShell):Boolean
         {
-            return closed.enclosing == null || closed.enclosing.length > 0 && _testedShells < WindingCounter.MOST_TESTS_PER_TRIANGLE * _mesh.tree.itemCount;
+            return closed.enclosing == null || closed.enclosing.length > 0 && _countedCrossings < WindingCounter.MOST_CROSSINGS_PER_TRIANGLE * _mesh.tree.itemCount;
         }
 
         // Finds the shells that enclose a point of a triangle of a shell: near a corner, or in the middle, and a little inside of the shell. readTriangle()
@@ -158,7 +158,7 @@ package starlogo.solid.interior
                 point[axis] += share * (_corners[axis] + _corners[3 + axis] + _corners[6 + axis])
                     + (corner == MIDDLE ? 0 : SHARE_OF_NEAREST * _corners[3 * corner + axis]);
             }
-            _testedShells += _windingCounter.findEnclosing(point[0], point[1], point[2], _enclosingPoint);
+            _countedCrossings += _windingCounter.findEnclosing(point[0], point[1], point[2], _enclosingPoint);
         }
 
         // Keeps those of a shell's enclosing shells that enclose the last point too; after its first point, all larger shells that enclose it. Keeps none

@@ -29,12 +29,12 @@ package starlogo.solid.interior
 
         private var _windingCounter:WindingCounter;
 
-        // For each part, where the coordinates of one of its vertices begin. For each shell, its part. The sets of parts that overlap, and how many shells
-        // were tested to find them.
+        // For each part, where the coordinates of one of its vertices begin. For each shell, its part. The sets of parts that overlap, and how many
+        // crossings were counted to find them.
         private var _vertexOf:Vector.<int>;
         private var _partOf:Vector.<int>;
         private var _overlapping:DisjointSets;
-        private var _testedShells:int = 0;
+        private var _countedCrossings:int = 0;
 
         /**
          * @param mesh the triangles
@@ -92,14 +92,14 @@ package starlogo.solid.interior
             call(conclude);
         }
 
-        // If too many shells are tested, the parts that are left stand for themselves. The answers are the same.
+        // If too many crossings are counted, the parts that are left stand for themselves. The answers are the same.
         private function findOverlaps(first:int, end:int):void
         {
             var enclosing:Vector.<int> = new Vector.<int>();
-            for (var part:int = first; part < end && _testedShells < WindingCounter.MOST_TESTS_PER_TRIANGLE * _mesh.tree.itemCount; part++)
+            for (var part:int = first; part < end && _countedCrossings < WindingCounter.MOST_CROSSINGS_PER_TRIANGLE * _mesh.tree.itemCount; part++)
             {
                 var at:int = _vertexOf[part];
-                _testedShells += _windingCounter.findEnclosing(_mesh.vertices[at], _mesh.vertices[at + 1], _mesh.vertices[at + 2], enclosing);
+                _countedCrossings += _windingCounter.findEnclosing(_mesh.vertices[at], _mesh.vertices[at + 1], _mesh.vertices[at + 2], enclosing);
                 for each (var shell:int in enclosing)
                 {
                     _overlapping.join(_partOf[shell], part);

@@ -11,7 +11,7 @@ package starlogo.hierarchy
      *
      * <p>In the space of tree a, its own boxes are axis-aligned, and all boxes of tree b have the same rotation. So a pair of boxes
      * takes a few products (Gottschalk, Lin and Manocha, "OBBTree", SIGGRAPH 1996; Ericson, "Real-Time Collision Detection", §4.4.1). If
-     * two nodes overlap, the larger one is divided, or both if the overlap is deep. The child nearer to the other node is visited first.</p>
+     * two nodes overlap, the larger one is divided. The child nearer to the other node is visited first.</p>
      *
      * <p>The axes of the edges are tried only for pairs whose boxes decide. Higher up, the next boxes separate most of what these axes would
      * separate (van den Bergen, "Efficient collision detection of complex deformable models using AABB trees", 1997).</p>
@@ -97,14 +97,16 @@ package starlogo.hierarchy
             return result;
         }
 
-        // Puts the pairs of a node with the children of the other, which is the larger one, in place of the pair. The nearer child is visited first.
-        // Returns the new top of the stack.
+        // Puts the pairs of a node with the children of the other, which is the larger one, in place of the pair. The nearer child is visited
+        // first. Returns the new top of the stack.
         private function pushChildren(trees:PosedTrees, pair:BoxPair, a:int, aEnds:Boolean, b:int, bEnds:Boolean, top:int):int
         {
             var stack:Vector.<int> = _nodes;
             var dividesA:Boolean = !aEnds && (bEnds || trees.isNodeALarger(a, b));
             var left:int = dividesA ? trees.a.left[a] : trees.b.left[b];
-            var isRightNearer:Boolean = dividesA ? isRightNearerOfA(pair, trees.a.axisOf(a)) : isRightNearerOfB(pair, trees.pose.placement, trees.b.axisOf(b));
+            var isRightNearer:Boolean = dividesA
+                ? isRightNearerOfA(pair, trees.a.axisOf(a))
+                : isRightNearerOfB(pair, trees.pose.placement, trees.b.axisOf(b));
             var nearer:int = isRightNearer ? left + 1 : left;
             var farther:int = isRightNearer ? left : left + 1;
             stack[top] = dividesA ? farther : a;

@@ -30,7 +30,6 @@ const COLD = {
 	'starlogo.solid.interior.DisjointSets': 'when a model loads',
 	'starlogo.solid.interior.EdgeMatcher': 'when a model loads',
 	'starlogo.solid.interior.InteriorBuilder': 'when a model loads',
-	'starlogo.solid.interior.OutermostPoints': 'when a model loads',
 	'starlogo.solid.interior.ShellFinder': 'when a model loads',
 	'starlogo.solid.interior.SurfaceBuilder': 'when a model loads',
 	'starlogo.solid.interior.SurfaceTopology': 'when a model loads',

@@ -3,7 +3,6 @@ package starlogo.hierarchy
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.boxes.BoxSeparation;
-    import starlogo.intersection.boxes.BoxAxes;
     import starlogo.intersection.boxes.BoxPair;
 
     /**
@@ -12,7 +11,7 @@ package starlogo.hierarchy
      *
      * <p>In the space of tree a, its own boxes are axis-aligned, and all boxes of tree b have the same rotation. So a pair of boxes
      * takes a few products (Gottschalk, Lin and Manocha, "OBBTree", SIGGRAPH 1996; Ericson, "Real-Time Collision Detection", §4.4.1). If
-     * two nodes overlap, the larger one is divided, or both if the overlap is deep. The child nearer to the other node is visited first.</p>
+     * two nodes overlap, the larger one is divided. The child nearer to the other node is visited first.</p>
      *
      * <p>The axes of the edges are tried only for pairs whose boxes decide. Higher up, the next boxes separate most of what these axes would
      * separate (van den Bergen, "Efficient collision detection of complex deformable models using AABB trees", 1997).</p>
@@ -30,15 +29,10 @@ package starlogo.hierarchy
         /** Result of <code>find()</code>: two nodes that decide touch. */
         public static const OVERLAPPING:int = 2;
 
-        // How two boxes overlap. In a deep overlap, the middle of b is so near to a that all of b's own axes overlap.
-        private static const SEPARATE:int = 0;
-        private static const SHALLOW:int = 1;
-        private static const DEEP:int = 2;
-
         // The pairs of nodes still to visit. The next one is last.
         private var _nodes:Vector.<int> = new Vector.<int>();
 
-        // The axes of tree b times its scale. Their absolute values are larger by a rounding error, because cross products of nearly parallel edges
+        // The axes of tree b. Their absolute values are larger by a rounding error, because cross products of nearly parallel edges
         // cancel. And the vector from the middle of a's node to the middle of b's, of the last pair that was tested.
         private var _pair:BoxPair = new BoxPair();
 
@@ -53,20 +47,13 @@ package starlogo.hierarchy
         /**
          * Finds whether two nodes that decide touch: see BoxTree.
          *
-         * <p>An axis of a's box separates most pairs of boxes a and b, mostly z. So these axes are tested in the loop, because a call for each pair
-         * takes about a tenth more time.</p>
-         *
          * @param kernel decides about such nodes; null if their boxes decide
          * @return APART, ONLY_ROOTS or OVERLAPPING
          */
         public function find(trees:PosedTrees, kernel:NodePairKernel):int
         {
             var pair:BoxPair = _pair;
-            var axes:BoxAxes = pair.axes;
-            var relative:Placement = trees.pose.placement;
             var tolerance:Number = trees.pose.tolerance;
-            var boxesA:Vector.<Number> = trees.a.boxes;
-            var boxesB:Vector.<Number> = trees.b.boxes;
             var endsA:Vector.<int> = trees.a.endsUpToDepth;
             var endsB:Vector.<int> = trees.b.endsUpToDepth;
             var depthA:int = trees.depthA;
@@ -75,7 +62,7 @@ package starlogo.hierarchy
             var result:int = APART;
             var visits:int = 0;
             var top:int = 2;
-            axes.readAxes(relative, relative.size, Tolerances.ROUNDING * relative.size);
+            pair.axes.readAxes(trees.pose.placement, 1, Tolerances.ROUNDING);
             stack[0] = 0;
             stack[1] = 0;
             while (top > 0 && result != OVERLAPPING)
@@ -84,53 +71,22 @@ package starlogo.hierarchy
                 var a:int = stack[top];
                 var b:int = stack[top + 1];
                 visits++;
-                var atA:int = 6 * a;
-                var atB:int = 6 * b;
-                var middleX:Number = boxesB[atB];
-                var middleY:Number = boxesB[int(atB + 1)];
-                var middleZ:Number = boxesB[int(atB + 2)];
-                var halfX:Number = boxesB[int(atB + 3)];
-                var halfY:Number = boxesB[int(atB + 4)];
-                var halfZ:Number = boxesB[int(atB + 5)];
-                var z:Number = axes.m20 * middleX + axes.m21 * middleY + axes.m22 * middleZ + relative.z - boxesA[int(atA + 2)];
-                var radius:Number = boxesA[int(atA + 5)] + tolerance + axes.abs20 * halfX + axes.abs21 * halfY + axes.abs22 * halfZ;
-                if (z > radius || z < -radius)
-                {
-                    continue;
-                }
-                var x:Number = axes.m00 * middleX + axes.m01 * middleY + axes.m02 * middleZ + relative.x - boxesA[atA];
-                radius = boxesA[int(atA + 3)] + tolerance + axes.abs00 * halfX + axes.abs01 * halfY + axes.abs02 * halfZ;
-                if (x > radius || x < -radius)
-                {
-                    continue;
-                }
-                var y:Number = axes.m10 * middleX + axes.m11 * middleY + axes.m12 * middleZ + relative.y - boxesA[int(atA + 1)];
-                radius = boxesA[int(atA + 4)] + tolerance + axes.abs10 * halfX + axes.abs11 * halfY + axes.abs12 * halfZ;
-                if (y > radius || y < -radius)
-                {
-                    continue;
-                }
-                pair.offsetX = x;
-                pair.offsetY = y;
-                pair.offsetZ = z;
-                pair.aHalfX = boxesA[int(atA + 3)] + tolerance;
-                pair.aHalfY = boxesA[int(atA + 4)] + tolerance;
-                pair.aHalfZ = boxesA[int(atA + 5)] + tolerance;
-                pair.bHalfX = halfX * relative.size;
-                pair.bHalfY = halfY * relative.size;
-                pair.bHalfZ = halfZ * relative.size;
-                var overlap:int = overlapBesideAxesOfA(pair);
+                trees.readPair(a, b, pair);
+                pair.aHalfX += tolerance;
+                pair.aHalfY += tolerance;
+                pair.aHalfZ += tolerance;
                 var aEnds:Boolean = endsA[a] >= depthA;
                 var bEnds:Boolean = endsB[b] >= depthB;
                 var doBoxesDecide:Boolean = aEnds && bEnds && kernel == null;
-                if (overlap == SEPARATE || overlap == SHALLOW && doBoxesDecide && !BoxSeparation.overlapAcrossEdges(pair))
+                if (!BoxSeparation.overlapAlongFacesOfA(pair) || !BoxSeparation.overlapAlongFacesOfB(pair)
+                        || doBoxesDecide && !BoxSeparation.overlapAcrossEdges(pair))
                 {
                     continue;
                 }
                 result = ONLY_ROOTS;
                 if (!aEnds || !bEnds)
                 {
-                    top = pushChildren(trees, pair, a, aEnds, b, bEnds, overlap == DEEP, top);
+                    top = pushChildren(trees, pair, a, aEnds, b, bEnds, top);
                 }
                 else if (doBoxesDecide || kernel.areTouching(a, b))
                 {
@@ -141,42 +97,27 @@ package starlogo.hierarchy
             return result;
         }
 
-        // Puts the children of one node or of both in place of the pair, so that the nearest pair is visited first. Returns the new top of the stack.
-        private function pushChildren(trees:PosedTrees, pair:BoxPair, a:int, aEnds:Boolean, b:int, bEnds:Boolean, isDeep:Boolean, top:int):int
+        // Puts the pairs of a node with the children of the other, which is the larger one, in place of the pair. The nearer child is visited
+        // first. Returns the new top of the stack.
+        private function pushChildren(trees:PosedTrees, pair:BoxPair, a:int, aEnds:Boolean, b:int, bEnds:Boolean, top:int):int
         {
             var stack:Vector.<int> = _nodes;
-            var dividesA:Boolean = !aEnds && (bEnds || isDeep || trees.isNodeALarger(a, b));
-            var dividesB:Boolean = isDeep ? !bEnds : !dividesA;
-            var nearer:int;
-            if (dividesA)
-            {
-                nearer = nearerChildOfA(pair, trees.a, a);
-                // the other child: the numbers of both add up to 2 * left + 1
-                stack[top] = 2 * trees.a.left[a] + 1 - nearer;
-                stack[top + 1] = b;
-                top += 2;
-                if (dividesB)
-                {
-                    beginPairAt(pair, trees.a.boxes, 6 * nearer, 6 * a);
-                }
-                a = nearer;
-            }
-            if (dividesB)
-            {
-                nearer = nearerChildOfB(pair, trees.pose.placement, trees.b, b);
-                stack[top] = a;
-                stack[top + 1] = 2 * trees.b.left[b] + 1 - nearer;
-                top += 2;
-                b = nearer;
-            }
-            stack[top] = a;
-            stack[top + 1] = b;
-            return top + 2;
+            var dividesA:Boolean = !aEnds && (bEnds || trees.isNodeALarger(a, b));
+            var left:int = dividesA ? trees.a.left[a] : trees.b.left[b];
+            var isRightNearer:Boolean = dividesA
+                ? isRightNearerOfA(pair, trees.a.axisOf(a))
+                : isRightNearerOfB(pair, trees.pose.placement, trees.b.axisOf(b));
+            var nearer:int = isRightNearer ? left + 1 : left;
+            var farther:int = isRightNearer ? left : left + 1;
+            stack[top] = dividesA ? farther : a;
+            stack[top + 1] = dividesA ? b : farther;
+            stack[top + 2] = dividesA ? nearer : a;
+            stack[top + 3] = dividesA ? b : nearer;
+            return top + 4;
         }
 
-        // How two boxes overlap that no axis of a separates: SEPARATE, SHALLOW or DEEP. The distance of b's middle from a is compared with the spheres
-        // around b and inside of it; then the axes of b decide.
-        private static function overlapBesideAxesOfA(pair:BoxPair):int
+        // Whether the distance of b's middle from a's box shows that the boxes are apart.
+        private static function isBeyondSphereOfB(pair:BoxPair):Boolean
         {
             var x:Number = pair.offsetX;
             var y:Number = pair.offsetY;
@@ -184,43 +125,20 @@ package starlogo.hierarchy
             var halfX:Number = pair.aHalfX;
             var halfY:Number = pair.aHalfY;
             var halfZ:Number = pair.aHalfZ;
-            var bHalfX:Number = pair.bHalfX;
-            var bHalfY:Number = pair.bHalfY;
-            var bHalfZ:Number = pair.bHalfZ;
             include "../intersection/squaredToBox.inc";
-            if (squaredDistance > bHalfX * bHalfX + bHalfY * bHalfY + bHalfZ * bHalfZ)
-            {
-                return SEPARATE;
-            }
-            var least:Number = bHalfX < bHalfY ? bHalfX : bHalfY;
-            least = bHalfZ < least ? bHalfZ : least;
-            if (squaredDistance <= least * least)
-            {
-                return DEEP;
-            }
-            return BoxSeparation.overlapAlongFacesOfB(pair) ? SHALLOW : SEPARATE;
+            return squaredDistance > pair.bHalfX * pair.bHalfX + pair.bHalfY * pair.bHalfY + pair.bHalfZ * pair.bHalfZ;
         }
 
-        // Returns the child of a node of tree a that is nearer to b's node.
-        private static function nearerChildOfA(pair:BoxPair, tree:BoxTree, node:int):int
+        // Whether the right child of a's node is nearer to b's node.
+        private static function isRightNearerOfA(pair:BoxPair, axis:int):Boolean
         {
-            var axis:int = tree.axisOf(node);
             var along:Number = axis == 0 ? pair.offsetX : (axis == 1 ? pair.offsetY : pair.offsetZ);
-            return along > 0 ? tree.left[node] + 1 : tree.left[node];
+            return along > 0;
         }
 
-        // Makes the vector of a pair begin at another node of tree a than before. The boxes' numbers begin at the two indices.
-        private static function beginPairAt(pair:BoxPair, boxes:Vector.<Number>, node:int, before:int):void
+        // Whether the right child of b's node is nearer to a's node.
+        private static function isRightNearerOfB(pair:BoxPair, rotation:Placement, axis:int):Boolean
         {
-            pair.offsetX += boxes[before] - boxes[node];
-            pair.offsetY += boxes[int(before + 1)] - boxes[int(node + 1)];
-            pair.offsetZ += boxes[int(before + 2)] - boxes[int(node + 2)];
-        }
-
-        // Returns the child of a node of tree b that is nearer to a's node.
-        private static function nearerChildOfB(pair:BoxPair, rotation:Placement, tree:BoxTree, node:int):int
-        {
-            var axis:int = tree.axisOf(node);
             var along:Number = rotation.r02 * pair.offsetX + rotation.r12 * pair.offsetY + rotation.r22 * pair.offsetZ;
             if (axis == 0)
             {
@@ -230,7 +148,7 @@ package starlogo.hierarchy
             {
                 along = rotation.r01 * pair.offsetX + rotation.r11 * pair.offsetY + rotation.r21 * pair.offsetZ;
             }
-            return along < 0 ? tree.left[node] + 1 : tree.left[node];
+            return along < 0;
         }
     }
 }

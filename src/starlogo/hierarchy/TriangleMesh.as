@@ -1,7 +1,7 @@
 package starlogo.hierarchy
 {
     /**
-     * A model's triangles, for exact tests: which vertices are their corners, and their extents. They are listed by slot, which is the order of the tree.
+     * A model's triangles, for exact tests: which vertices are their corners. They are listed by slot, which is the order of the tree.
      *
      * @private
      */
@@ -15,9 +15,6 @@ package starlogo.hierarchy
 
         /** The triangles' corners, three each: where the coordinates of the vertex begin in the list of vertices. */
         public var corners:Vector.<int>;
-
-        // Null before they are asked for: only pairs of trees need them.
-        private var _extents:Vector.<Number> = null;
 
         /** @param tree the boxes around the triangles. Its nodes are made */
         public function TriangleMesh(tree:BoxTree)
@@ -59,35 +56,6 @@ package starlogo.hierarchy
             out[int(at + 6)] = points[c];
             out[int(at + 7)] = points[int(c + 1)];
             out[int(at + 8)] = points[int(c + 2)];
-        }
-
-        /** Follows the vertices to their new places. */
-        public function refit():void
-        {
-            if (_extents != null)
-            {
-                fillExtents();
-            }
-        }
-
-        /** The triangles' extents: minX, maxX, minY, maxY, minZ, maxZ of each. */
-        public function get extents():Vector.<Number>
-        {
-            if (_extents == null)
-            {
-                _extents = new Vector.<Number>(2 * corners.length, true);
-                fillExtents();
-            }
-            return _extents;
-        }
-
-        private function fillExtents():void
-        {
-            var count:int = corners.length / 3;
-            for (var i:int = 0; i < count; i++)
-            {
-                tree.writeExtents(i, i + 1, _extents, 6 * i);
-            }
         }
     }
 }

@@ -196,10 +196,6 @@ package starlogo.solid
             {
                 finish(new BoxRefit(boxTree));
             }
-            if (_mesh != null)
-            {
-                _mesh.refit();
-            }
         }
     }
 }

@@ -4,9 +4,7 @@ package starlogo.solid
     import starlogo.convex.ClosestPoints;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.hierarchy.BoxTree;
     import starlogo.solid.interior.Interior;
-    import starlogo.solid.interior.OutermostPoints;
 
     use namespace engine;
 
@@ -14,8 +12,7 @@ package starlogo.solid
      * Decides whether a part of one model is inside of the other model's closed surface. It is asked only if the two surfaces do not touch,
      * so one point of the part decides. A part that is not closed has no inside.
      *
-     * <p>It is asked for all agents that are close but do not touch, so it must mostly end after a few products. If a part is inside, its
-     * outermost points are inside of the box around the other model. A ray is cast only for parts that pass this test.</p>
+     * <p>It is asked for all agents that are close but do not touch. So a ray is cast only if the point is in the box around the other model.</p>
      */
     internal final class TreeContainmentQuery
     {
@@ -37,22 +34,11 @@ package starlogo.solid
             {
                 return false;
             }
-            var insideA:Interior = query.a.preparedInterior();
-            var insideB:Interior = query.b.preparedInterior();
-            var treeA:BoxTree = query.a.boxTree;
-            var treeB:BoxTree = query.b.boxTree;
-            var pose:Placement = query.pose.placement;
-            var size:Number = pose.size;
-            var isInA:Boolean = insideA.hasClosedShell && insideB.leastPartExtent * size <= 2 * treeA.radius
-                && findPartInside(treeA, insideA, insideB, pose, _point);
+            var isInA:Boolean = findPartInside(query.a, query.b, query.pose.placement, _point);
             if (!isInA)
             {
-                if (!insideB.hasClosedShell || insideA.leastPartExtent > 2 * treeB.radius * size)
-                {
-                    return false;
-                }
-                Placement.invert(pose, _inverse);
-                if (!findPartInside(treeB, insideB, insideA, _inverse, _point))
+                Placement.invert(query.pose.placement, _inverse);
+                if (!findPartInside(query.b, query.a, _inverse, _point))
                 {
                     return false;
                 }
@@ -66,51 +52,26 @@ package starlogo.solid
         }
 
         // Finds a point of a part of the inner model that is inside of the outer one. Returns whether there is such a point. The pose is that of the
-        // inner model in the outer model's space, and the tree is the outer one's.
-        private static function findPartInside(tree:BoxTree, outer:Interior, inner:Interior, pose:Placement, out:Vector3D):Boolean
+        // inner model in the outer model's space.
+        private static function findPartInside(outer:ModelTree, inner:ModelTree, pose:Placement, out:Vector3D):Boolean
         {
-            var points:Vector.<Number> = inner.partPoints;
-            for (var at:int = 0; at < points.length; at += OutermostPoints.STRIDE)
+            var interior:Interior = outer.preparedInterior();
+            var points:Vector.<Number> = inner.preparedInterior().partPoints;
+            var box:Vector.<Number> = outer.boxTree.boxes;
+            for (var at:int = 0; at < points.length && interior.hasClosedShell; at += 3)
             {
-                if (placeIfInBox(points, at, pose, tree.boxes, out) && outer.isInside(out))
+                var x:Number = pose.size * points[at];
+                var y:Number = pose.size * points[int(at + 1)];
+                var z:Number = pose.size * points[int(at + 2)];
+                out.x = pose.r00 * x + pose.r01 * y + pose.r02 * z + pose.x;
+                out.y = pose.r10 * x + pose.r11 * y + pose.r12 * z + pose.y;
+                out.z = pose.r20 * x + pose.r21 * y + pose.r22 * z + pose.z;
+                if (Math.abs(out.x - box[0]) <= box[3] && Math.abs(out.y - box[1]) <= box[4] && Math.abs(out.z - box[2]) <= box[5] && interior.isInside(out))
                 {
                     return true;
                 }
             }
             return false;
-        }
-
-        // Places the outermost points of a part by a pose, until one is outside of the box of the root. Returns whether all are inside; the last one is
-        // written then. Most points are outside along x.
-        private static function placeIfInBox(points:Vector.<Number>, first:int, pose:Placement, box:Vector.<Number>, out:Vector3D):Boolean
-        {
-            var scale:Number = pose.size;
-            var x:Number;
-            var y:Number;
-            var z:Number;
-            for (var at:int = first; at < first + OutermostPoints.STRIDE; at += 3)
-            {
-                var px:Number = points[at];
-                var py:Number = points[int(at + 1)];
-                var pz:Number = points[int(at + 2)];
-                x = pose.r00 * scale * px + pose.r01 * scale * py + pose.r02 * scale * pz + (pose.x - box[0]);
-                if (x > box[3] || x < -box[3])
-                {
-                    return false;
-                }
-                y = pose.r10 * scale * px + pose.r11 * scale * py + pose.r12 * scale * pz + (pose.y - box[1]);
-                if (y > box[4] || y < -box[4])
-                {
-                    return false;
-                }
-                z = pose.r20 * scale * px + pose.r21 * scale * py + pose.r22 * scale * pz + (pose.z - box[2]);
-                if (z > box[5] || z < -box[5])
-                {
-                    return false;
-                }
-            }
-            out.setTo(x + box[0], y + box[1], z + box[2]);
-            return true;
         }
     }
 }

@@ -18,8 +18,8 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * Decides when a solid structure first touches a triangle of a model, and whether it does if it is still. Most triangles are ruled out by their
-     * extents. If the structure moves, SweptAxes rules out most of the others. Their planes come last.
+     * Decides when a solid structure first touches a triangle of a model, and whether it does if it is still. If the structure moves, SweptAxes
+     * rules out most triangles; otherwise their extents do. Their planes come last.
      */
     internal final class TriangleImpactVisitor extends NodeVisitor
     {
@@ -36,9 +36,6 @@ package starlogo.solid
 
         // The extents of the structure's core, where it is at time 0: minX, maxX, minY, ... The core of a round structure is a point or a segment.
         private var _coreExtents:Vector.<Number> = new Vector.<Number>(6, true);
-
-        // The extents of the core and of its motion until the limit.
-        private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
         // How far the structure's core may be from a triangle that it touches, with all that is rounded.
         private var _quickDistance:Number = 0;
@@ -101,32 +98,6 @@ package starlogo.solid
             _search.setMotion(motion);
             _separatingAxes.setTo(shape, _quickDistance, motion);
             _triangleMotion.copyVector(motion);
-            sweepExtents();
-        }
-
-        // Sets the extents to those of the structure's core while it moves, until the limit.
-        private function sweepExtents():void
-        {
-            sweepAlong(0, limit * _motion.x);
-            sweepAlong(2, limit * _motion.y);
-            sweepAlong(4, limit * _motion.z);
-        }
-
-        // Sets the extents along an axis, which begin at an index. The travel is how far the structure moves along the axis until the limit.
-        private function sweepAlong(at:int, travel:Number):void
-        {
-            var low:Number = _coreExtents[at];
-            var high:Number = _coreExtents[int(at + 1)];
-            if (travel < 0)
-            {
-                low += travel;
-            }
-            else
-            {
-                high += travel;
-            }
-            _extents[at] = low;
-            _extents[int(at + 1)] = high;
         }
 
         /** @inheritDoc */
@@ -136,7 +107,7 @@ package starlogo.solid
             var end:int = tree.end[node];
             for (var i:int = tree.first[node]; i < end && limit >= 0; i++)
             {
-                if (squaredDistanceToExtents(_extents, _mesh, i) > _quickDistance * _quickDistance)
+                if (isStill && squaredDistanceToExtents(_coreExtents, _mesh, i) > _quickDistance * _quickDistance)
                 {
                     continue;
                 }
@@ -172,7 +143,6 @@ package starlogo.solid
                 else if (_choice.latest < limit)
                 {
                     limit = _choice.latest;
-                    sweepExtents();
                 }
             }
         }

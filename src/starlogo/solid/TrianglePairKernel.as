@@ -26,8 +26,7 @@ package starlogo.solid
         private var _meshA:TriangleMesh = null;
         private var _meshB:TriangleMesh = null;
 
-        // The extents of all triangles of a, and the corners of the current one.
-        private var _extentsOfA:Vector.<Number> = null;
+        // The corners of a's current triangle.
         private var _cornersOfA:Vector.<Number> = new Vector.<Number>(9, true);
 
         // The placement of b in a's space, and the motion of b, which ends at the first touch so far.
@@ -76,7 +75,6 @@ package starlogo.solid
             _placement = query.pose.placement;
             _meshA = query.a.mesh;
             _meshB = query.b.mesh;
-            _extentsOfA = _meshA.extents;
             _motion.copyVector(motion);
             _motion.latest = motion.latest;
             _choice.begin(motion.latest);
@@ -204,7 +202,7 @@ package starlogo.solid
         // Whether a triangle of a touches b's current triangle.
         private function isTouching(slot:int):Boolean
         {
-            return !staysOnOneSide(slot) && !TriangleSeparation.areApart(_cornersOfA, 0, _kernel.shape) && _kernel.areTouching();
+            return !staysOnOneSide(slot) && _kernel.areTouching();
         }
 
         // Finds when b's current triangle first touches a triangle of a. Sets the motion's time if that is no later than its latest time, and returns
@@ -230,7 +228,7 @@ package starlogo.solid
         // Finds the closest points of a triangle of a, and of b's triangle by its index in the node, if they are nearer than those so far.
         private function findCloserPoints(slot:int, index:int, points:ClosestPoints):void
         {
-            if (!(squaredDistanceOfExtents(slot) < points.distance * points.distance))
+            if (!(squaredDistanceToExtents(_extents, _meshA, slot) < points.distance * points.distance))
             {
                 return;
             }
@@ -249,32 +247,23 @@ package starlogo.solid
         // Whether the extents of a triangle of a meet those of b's current triangle and of its motion.
         private function areExtentsNear(slot:int):Boolean
         {
-            var ofA:Vector.<Number> = _extentsOfA;
-            var ofB:Vector.<Number> = _extents;
-            var at:int = 6 * slot;
-            return !(ofA[at] > ofB[1] || ofA[int(at + 1)] < ofB[0] || ofA[int(at + 2)] > ofB[3] || ofA[int(at + 3)] < ofB[2]
-                    || ofA[int(at + 4)] > ofB[5] || ofA[int(at + 5)] < ofB[4]);
-        }
-
-        // The squared distance of the extents of a triangle of a from those of b's current triangle. Both are prepared, because each triangle is
-        // compared with many; squaredDistanceToExtents() reads corners.
-        private function squaredDistanceOfExtents(slot:int):Number
-        {
-            var ofA:Vector.<Number> = _extentsOfA;
-            var ofB:Vector.<Number> = _extents;
-            var at:int = 6 * slot;
-            var squared:Number = 0;
-            for (var i:int = 0; i < 6; i += 2)
+            var points:Vector.<Number> = _meshA.vertices;
+            var first:int = _meshA.corners[int(3 * slot)];
+            var second:int = _meshA.corners[int(3 * slot + 1)];
+            var third:int = _meshA.corners[int(3 * slot + 2)];
+            for (var axis:int = 0; axis < 3; axis++)
             {
-                var above:Number = ofA[int(at + i)] - ofB[int(i + 1)];
-                var below:Number = ofB[i] - ofA[int(at + i + 1)];
-                var distance:Number = above > below ? above : below;
-                if (distance > 0)
+                var low:Number = _extents[int(2 * axis)];
+                var high:Number = _extents[int(2 * axis + 1)];
+                if (points[first] > high && points[second] > high && points[third] > high || points[first] < low && points[second] < low && points[third] < low)
                 {
-                    squared += distance * distance;
+                    return false;
                 }
+                first++;
+                second++;
+                third++;
             }
-            return squared;
+            return true;
         }
 
         // Whether a's current triangle is so far before b's triangle, along the vector from the closest point so far of a to that of b, that the two

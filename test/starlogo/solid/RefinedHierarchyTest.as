@@ -51,7 +51,7 @@ package starlogo.solid
                     assertTrue(!isListed[triangle]);
                     isListed[triangle] = true;
                 }
-                check(hierarchy.boxTree, 0, hierarchy.mesh.extents);
+                check(hierarchy.boxTree, 0);
             }
         }
 
@@ -70,7 +70,7 @@ package starlogo.solid
             assertTrue(hierarchy.root.isLeaf);
             assertNull(hierarchy.root.left);
             assertEquals(37, hierarchy.root.triangleCount);
-            assertEquals(8, check(hierarchy.boxTree, 0, hierarchy.mesh.extents));
+            assertEquals(8, check(hierarchy.boxTree, 0));
         }
 
         // Halfway along x, each division takes the needle that begins first away from all others.
@@ -88,7 +88,7 @@ package starlogo.solid
             var hierarchy:ModelTree = hierarchyOf(new Model("needles", vertices, triangles), 10);
             assertEquals("one at a time", 1, hierarchy.root.left.triangleCount);
             hierarchy.prepareExact();
-            check(hierarchy.boxTree, 0, hierarchy.mesh.extents);
+            check(hierarchy.boxTree, 0);
             var deepest:int = deepestOf(hierarchy.boxTree);
             assertTrue(deepest + " levels", deepest > 20 && deepest <= Tolerances.NESTED_LEVELS + 12);
         }
@@ -129,18 +129,20 @@ package starlogo.solid
         }
 
         // How many leaves there are below a node.
-        private static function check(tree:BoxTree, node:int, extents:Vector.<Number>):int
+        private static function check(tree:BoxTree, node:int):int
         {
             var box:Vector.<Number> = tree.boxes.slice(6 * node, 6 * node + 6);
+            var extents:Vector.<Number> = new Vector.<Number>(6, true);
             var left:int = tree.left[node];
             var isLeaf:Boolean = tree.endsUpToDepth[node] >= BoxTree.LARGEST_DEPTH;
             assertTrue(tree.end[node] > tree.first[node]);
             for (var i:int = tree.first[node]; i < tree.end[node]; i++)
             {
+                tree.writeExtents(i, i + 1, extents, 0);
                 for (var axis:int = 0; axis < 3; axis++)
                 {
-                    assertTrue(box[axis] - box[axis + 3] < extents[6 * i + 2 * axis]);
-                    assertTrue(box[axis] + box[axis + 3] > extents[6 * i + 2 * axis + 1]);
+                    assertTrue(box[axis] - box[axis + 3] < extents[2 * axis]);
+                    assertTrue(box[axis] + box[axis + 3] > extents[2 * axis + 1]);
                 }
             }
             if (left == 0)
@@ -155,7 +157,7 @@ package starlogo.solid
             assertEquals(tree.levelOf(node) + 1, tree.levelOf(left));
             assertEquals(isLeaf ? BoxTree.LARGEST_DEPTH : tree.levelOf(node), tree.endsUpToDepth[node]);
             assertTrue("below a leaf are leaves", !isLeaf || tree.endsUpToDepth[left] >= BoxTree.LARGEST_DEPTH && tree.endsUpToDepth[left + 1] >= BoxTree.LARGEST_DEPTH);
-            return check(tree, left, extents) + check(tree, left + 1, extents);
+            return check(tree, left) + check(tree, left + 1);
         }
 
         private static function describe(node:HierarchyNode):String

@@ -25,8 +25,8 @@ package starlogo.solid
             var windings:WindingCounter = interior.windingCounter;
             var surface:SurfaceTopology = windings.surface;
             var mesh:TriangleMesh = windings.mesh;
-            return [interior.hasClosedShell, surface.signedShells, surface.shellStates, surface.cavityOf, surface.widestSeam, windings.welded, interior.leastPartExtent, interior.partPoints, mesh.corners,
-                    mesh.extents, axesOf(hierarchy.boxTree)].join("\n");
+            return [interior.hasClosedShell, surface.signedShells, surface.shellStates, surface.cavityOf, surface.widestSeam, windings.welded, interior.partPoints, mesh.corners,
+                    mesh.vertices, axesOf(hierarchy.boxTree)].join("\n");
         }
 
         private static function axesOf(tree:BoxTree):String

@@ -19,9 +19,7 @@ package starlogo.intersection.boxes
      *     cancels, but that takes longer</li>
      * </ul>
      *
-     * <p>OverlapTraversal projects pairs of nodes on the faces of the first box itself, in its loop, because a call for each pair would take a tenth
-     * more time. It asks BoxSeparation about the other axes. The depth of two boxes comes from CoreOverlap, which knows the faces and edges of all
-     * convex shapes.</p>
+     * <p>The depth of two boxes comes from CoreOverlap, which knows the faces and edges of all convex shapes.</p>
      *
      * @private
      */

@@ -1,6 +1,7 @@
 package starlogo.solid.interior
 {
     import starlogo.convex.TrianglePlane;
+    import starlogo.geometry.cubeRoot;
     import starlogo.hierarchy.TriangleMesh;
     import starlogo.steps.StepSequence;
 
@@ -13,7 +14,7 @@ package starlogo.solid.interior
         private static const VOLUMES_PER_STEP:int = 1000;
         private static const TRIANGLES_PER_STEP:int = 25;
 
-        // How far inside of its shell a point is tested, as a fraction of the shell's extent. Smaller: rounding decides where shells touch.
+        // How far inside of its shell a point is tested, as a fraction of the cube root of six times the shell's volume. Smaller: rounding decides where shells touch.
         // Larger: it may be outside of a thin shell.
         private static const INWARDS:Number = 1e-7;
 
@@ -32,9 +33,8 @@ package starlogo.solid.interior
         private var _mesh:TriangleMesh;
         private var _balances:Vector.<int>;
 
-        // The shells that may bound cavities or have them, with null for the others. The outermost points of each.
+        // The shells that may bound cavities or have them, with null for the others.
         private var _shells:Vector.<ClosedShell>;
-        private var _extremes:OutermostPoints;
 
         // The shells that enclose the point that is tested.
         private var _enclosingPoint:Vector.<int> = new Vector.<int>();
@@ -43,8 +43,8 @@ package starlogo.solid.interior
         private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
         private var _plane:TrianglePlane = new TrianglePlane();
 
-        // How many shells were tested with points so far.
-        private var _testedShells:int = 0;
+        // How many crossings were counted for the points so far.
+        private var _countedCrossings:int = 0;
 
         /**
          * @param windingCounter of the surface, which has the shells and receives which of them bound cavities
@@ -116,21 +116,7 @@ package starlogo.solid.interior
             }
             if (isFound[0] && isFound[2])
             {
-                _extremes = new OutermostPoints(_mesh, _shells.length);
-                slices(_mesh.tree.itemCount, VOLUMES_PER_STEP, addExtremes).slices(_mesh.tree.itemCount, TRIANGLES_PER_STEP, testPoints)
-                    .call(findCavities);
-            }
-        }
-
-        private function addExtremes(first:int, end:int):void
-        {
-            for (var slot:int = first; slot < end; slot++)
-            {
-                var shell:int = shellAt(slot);
-                if (isTwoSided(shell))
-                {
-                    _extremes.add(shell, slot);
-                }
+                slices(_mesh.tree.itemCount, TRIANGLES_PER_STEP, testPoints).call(findCavities);
             }
         }
 
@@ -153,17 +139,17 @@ package starlogo.solid.interior
             }
         }
 
-        // Whether more points decide about a shell. One point decides if too many shells are tested, as in models with very many nested shells.
+        // Whether more points decide about a shell. One point decides if too many crossings are counted, as in models with very many nested shells.
         private function isUndecided(closed:ClosedShell):Boolean
         {
-            return closed.enclosing == null || closed.enclosing.length > 0 && _testedShells < WindingCounter.MOST_TESTS_PER_TRIANGLE * _mesh.tree.itemCount;
+            return closed.enclosing == null || closed.enclosing.length > 0 && _countedCrossings < WindingCounter.MOST_CROSSINGS_PER_TRIANGLE * _mesh.tree.itemCount;
         }
 
         // Finds the shells that enclose a point of a triangle of a shell: near a corner, or in the middle, and a little inside of the shell. readTriangle()
         // must have read the triangle.
         private function findEnclosingNear(shell:int, slot:int, corner:int):void
         {
-            var inwards:Number = INWARDS * _extremes.extentOf(shell);
+            var inwards:Number = INWARDS * cubeRoot(Math.abs(_shells[shell].volume));
             inwards = _surface.isReversed(_mesh.tree.items[slot]) == _shells[shell].volume > 0 ? inwards : -inwards;
             var share:Number = corner == MIDDLE ? 1 / 3 : SHARE_OF_EACH;
             var point:Vector.<Number> = new <Number>[inwards * _plane.normal.x, inwards * _plane.normal.y, inwards * _plane.normal.z];
@@ -172,7 +158,7 @@ package starlogo.solid.interior
                 point[axis] += share * (_corners[axis] + _corners[3 + axis] + _corners[6 + axis])
                     + (corner == MIDDLE ? 0 : SHARE_OF_NEAREST * _corners[3 * corner + axis]);
             }
-            _testedShells += _windingCounter.findEnclosing(point[0], point[1], point[2], _enclosingPoint);
+            _countedCrossings += _windingCounter.findEnclosing(point[0], point[1], point[2], _enclosingPoint);
         }
 
         // Keeps those of a shell's enclosing shells that enclose the last point too; after its first point, all larger shells that enclose it. Keeps none
@@ -210,8 +196,7 @@ package starlogo.solid.interior
         // Whether a shell may have another one inside.
         private function isLarger(outer:int, inner:int):Boolean
         {
-            return isTwoSided(outer) && Math.abs(_shells[outer].volume) > (1 + LARGER) * Math.abs(_shells[inner].volume)
-                && _extremes.contains(outer, inner, LARGER);
+            return isTwoSided(outer) && Math.abs(_shells[outer].volume) > (1 + LARGER) * Math.abs(_shells[inner].volume);
         }
 
         // Finds the shells that bound cavities: the largest shells first. A shell that encloses another one is larger.

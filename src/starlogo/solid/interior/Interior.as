@@ -7,7 +7,6 @@
 // - EdgeMatcher     pairs the triangles that continue each other over an edge
 // - ShellFinder     follows these pairs, and so finds the shells
 // - CavityFinder    decides which shells bound cavities
-// OutermostPoints   finds points of each part, which stand for the part
 // 
 // When it is made, the WindingCounter answers. Read Interior first, then WindingCounter, then SurfaceTopology and SurfaceBuilder.
 
@@ -29,25 +28,20 @@ package starlogo.solid.interior
         public var hasClosedShell:Boolean;
 
         /**
-         * For each part of the surface, the vertices with the smallest and largest x, y and z. A part is connected. So a
-         * part that does not touch another surface is inside or outside of it as a whole, and one of its points decides. Of parts that overlap there
-         * is one: it stands for the others.
+         * A point of each part of the surface: x, y, z. A part is connected. So a part that does not touch another surface is inside or outside of it as a
+         * whole, and its point decides. Of parts that overlap there is one: it stands for the others.
          */
         public var partPoints:Vector.<Number>;
 
-        /** The extent of the smallest of these parts: the longest of its three extents. */
-        public var leastPartExtent:Number;
-
         /**
          * @param windingCounter counts the windings of a complete surface
-         * @param parts the outermost points of its parts
+         * @param partPoints a point of each part
          */
-        public function Interior(windingCounter:WindingCounter, parts:OutermostPoints)
+        public function Interior(windingCounter:WindingCounter, partPoints:Vector.<Number>)
         {
             this.windingCounter = windingCounter;
+            this.partPoints = partPoints;
             hasClosedShell = windingCounter.surface.hasClosedShell;
-            partPoints = parts.points;
-            leastPartExtent = parts.leastExtent;
         }
 
         /** Whether a point is inside. The point must not be on the surface. */

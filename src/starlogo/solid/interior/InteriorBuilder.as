@@ -6,7 +6,7 @@ package starlogo.solid.interior
     import starlogo.steps.Steps;
 
     /**
-     * Prepares a model for exact tests, in steps: which vertices are at the same place; the surface that the triangles make; the outermost points of its
+     * Prepares a model for exact tests, in steps: which vertices are at the same place; the surface that the triangles make; a point of each of its
      * parts; which parts overlap. A surface that is known already is not found again. A SurfaceBuilder takes most of the time.
      *
      * @private
@@ -28,12 +28,13 @@ package starlogo.solid.interior
         private var _welding:Welding = null;
 
         private var _windingCounter:WindingCounter;
-        private var _parts:OutermostPoints;
 
-        // For each shell, its part. The sets of parts that overlap, and how many shells were tested to find them.
+        // For each part, where the coordinates of one of its vertices begin. For each shell, its part. The sets of parts that overlap, and how many
+        // crossings were counted to find them.
+        private var _vertexOf:Vector.<int>;
         private var _partOf:Vector.<int>;
         private var _overlapping:DisjointSets;
-        private var _testedShells:int = 0;
+        private var _countedCrossings:int = 0;
 
         /**
          * @param mesh the triangles
@@ -61,7 +62,7 @@ package starlogo.solid.interior
 
         private function beginParts():void
         {
-            _parts = new OutermostPoints(_mesh, surface.partCount);
+            _vertexOf = fixedInts(surface.partCount);
             _partOf = fixedInts(surface.shellStates.length);
             _overlapping = new DisjointSets(surface.partCount);
         }
@@ -76,7 +77,7 @@ package starlogo.solid.interior
                 {
                     _partOf[shell] = surface.parts[triangle];
                 }
-                _parts.add(surface.parts[triangle], slot);
+                _vertexOf[surface.parts[triangle]] = _mesh.corners[3 * slot];
             }
         }
 
@@ -91,28 +92,33 @@ package starlogo.solid.interior
             call(conclude);
         }
 
-        // If too many shells are tested, the parts that are left stand for themselves. The answers are the same.
+        // If too many crossings are counted, the parts that are left stand for themselves. The answers are the same.
         private function findOverlaps(first:int, end:int):void
         {
             var enclosing:Vector.<int> = new Vector.<int>();
-            for (var part:int = first; part < end && _testedShells < WindingCounter.MOST_TESTS_PER_TRIANGLE * _mesh.tree.itemCount; part++)
+            for (var part:int = first; part < end && _countedCrossings < WindingCounter.MOST_CROSSINGS_PER_TRIANGLE * _mesh.tree.itemCount; part++)
             {
-                var start:int = _parts.startOf(part);
-                for (var at:int = start; at < start + OutermostPoints.STRIDE; at += 3)
+                var at:int = _vertexOf[part];
+                _countedCrossings += _windingCounter.findEnclosing(_mesh.vertices[at], _mesh.vertices[at + 1], _mesh.vertices[at + 2], enclosing);
+                for each (var shell:int in enclosing)
                 {
-                    _testedShells += _windingCounter.findEnclosing(_parts.points[at], _parts.points[at + 1], _parts.points[at + 2], enclosing);
-                    for each (var shell:int in enclosing)
-                    {
-                        _overlapping.join(_partOf[shell], part);
-                    }
+                    _overlapping.join(_partOf[shell], part);
                 }
             }
         }
 
         private function conclude():void
         {
-            _parts.keepRepresentatives(_overlapping);
-            interior = new Interior(_windingCounter, _parts);
+            var points:Vector.<Number> = new Vector.<Number>();
+            for (var part:int = 0; part < surface.partCount; part++)
+            {
+                if (_overlapping.rootOf(part) == part)
+                {
+                    var at:int = _vertexOf[part];
+                    points.push(_mesh.vertices[at], _mesh.vertices[at + 1], _mesh.vertices[at + 2]);
+                }
+            }
+            interior = new Interior(_windingCounter, points);
         }
     }
 }

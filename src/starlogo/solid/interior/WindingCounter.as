@@ -19,10 +19,10 @@ package starlogo.solid.interior
     public final class WindingCounter extends NodeVisitor
     {
         /**
-         * How many shells are tested at most while a surface is explored, as a multiple of its number of triangles. In a model of many nested shells
+         * How many crossings are counted at most while a surface is explored, as a multiple of its number of triangles. In a model of many nested shells
          * each point has to be tested with many of them, so the work would grow with the square of the triangles.
          */
-        internal static const MOST_TESTS_PER_TRIANGLE:int = 20;
+        internal static const MOST_CROSSINGS_PER_TRIANGLE:int = 20;
 
         // This many triangles, or up to twice as many, say where most of them are.
         private static const SAMPLES:int = 1000;
@@ -39,9 +39,7 @@ package starlogo.solid.interior
         // How often each shell winds around the point of the last count(), or 0 if a cavity of it does. Null before the first count.
         private var _windings:Vector.<int> = null;
 
-        // For each shell, whether the ray from that point crosses it. Those that it crosses, and how many they are. Shells of points before may come
-        // after them.
-        private var _isCrossed:Vector.<Boolean> = null;
+        // The shells of the triangles that the ray from that point crosses, and how many they are. Shells of points before may come after them.
         private var _crossed:Vector.<int> = new Vector.<int>();
         private var _crossedCount:int = 0;
 
@@ -114,8 +112,8 @@ package starlogo.solid.interior
         /**
          * Finds the shells that have a point inside of them, and not in a cavity.
          *
-         * @param out receives the shells
-         * @return how many shells were tested, which says how much work it was
+         * @param out receives the shells, each as often as the ray crosses it
+         * @return how many triangles the ray crosses, which says how much work it was
          */
         public function findEnclosing(x:Number, y:Number, z:Number, out:Vector.<int>):int
         {
@@ -146,11 +144,9 @@ package starlogo.solid.interior
         private function count(x:Number, y:Number, z:Number):void
         {
             _windings ||= new Vector.<int>(surface.shellStates.length, true);
-            _isCrossed ||= new Vector.<Boolean>(surface.shellStates.length, true);
             for (var before:int = 0; before < _crossedCount; before++)
             {
                 _windings[_crossed[before]] = 0;
-                _isCrossed[_crossed[before]] = false;
             }
             _crossedCount = 0;
             _a = _axis == 0 ? x : (_axis == 1 ? y : z);
@@ -220,13 +216,9 @@ package starlogo.solid.interior
             var shell:int = surface.shellOf(triangle);
             if (shell >= 0)
             {
-                if (!_isCrossed[shell])
-                {
-                    _isCrossed[shell] = true;
-                    _crossed[_crossedCount++] = shell;
-                }
                 var turns:int = surface.isReversed(triangle) ? -crossing : crossing;
                 _windings[shell] += turns;
+                _crossed[_crossedCount++] = shell;
             }
         }
 

@@ -116,7 +116,7 @@ package starlogo.libraries
         /** Whether the library has a hierarchy for a shape. */
         public function has(name:String):Boolean
         {
-            return _models.entryOf(name).hasTree;
+            return _models.entryOf(name).tree != null;
         }
 
         /**

@@ -16,14 +16,26 @@ package starlogo.libraries
      */
     public final class ModelEntry
     {
-        private var _table:ModelTable;
-        private var _model:Model = null;
-        private var _structures:ModelStructures = null;
+        /**
+         * Increased whenever data under this name is replaced, removed or posed: once for each of the structures, the tree and the model.
+         * Read only.
+         */
+        public var revision:int = 0;
 
-        private var _tree:ModelTree = null;
-        private var _revision:int = 0;
+        /** The model; null if none was added. Read only. */
+        public var model:Model = null;
+
+        /** The structures; null if there are none. Read only. */
+        public var structures:ModelStructures = null;
+
+        /** The tree whose nodes are the hierarchy, which may not be built yet; null if there is none. Read only. */
+        public var tree:ModelTree = null;
+
+        /** Why the last load of a model of this name failed; null if it did not, or if another one has begun or come. Read only. */
+        public var loadProblem:String = null;
+
+        private var _table:ModelTable;
         private var _loadingCount:int = 0;
-        private var _loadProblem:String = null;
 
         /** @param table counts replaced and removed data of all shapes */
         public function ModelEntry(table:ModelTable)
@@ -31,45 +43,28 @@ package starlogo.libraries
             _table = table;
         }
 
-        /** Increased whenever data under this name is replaced, removed or posed: once for each of the structures, the tree and the model. */
-        public function get revision():int
-        {
-            return _revision;
-        }
-
-        /** The model; null if none was added. */
-        public function get model():Model
-        {
-            return _model;
-        }
-
-        /** The structures; null if there are none. */
-        public function get structures():ModelStructures
-        {
-            return _structures;
-        }
-
         /** Sets the structures; null for none. */
         public function setStructures(structures:ModelStructures):void
         {
-            countIfReplaced(_structures);
-            _structures = structures;
+            countIfReplaced(this.structures);
+            this.structures = structures;
         }
 
-        /** Whether there is a hierarchy. Its tree may not be built yet. */
-        public function get hasTree():Boolean
-        {
-            return _tree != null;
-        }
-
-        /** The tree whose nodes are the hierarchy; null if there is none. If it is not built yet, builds it. */
+        /** The tree; null if there is none. If it is not built yet, builds it. */
         public function builtTree():ModelTree
         {
-            if (_tree != null)
+            if (tree != null)
             {
-                _tree.finishBuilding();
+                tree.finishBuilding();
             }
-            return _tree;
+            return tree;
+        }
+
+        /** Sets the tree, which may not be built yet; null for none. */
+        public function setTree(tree:ModelTree):void
+        {
+            countIfReplaced(this.tree);
+            this.tree = tree;
         }
 
         /**
@@ -81,46 +76,33 @@ package starlogo.libraries
          */
         public function replace(model:Model, structures:ModelStructures, tree:ModelTree):void
         {
-            _loadProblem = null;
+            loadProblem = null;
             setStructures(structures);
             setTree(tree);
-            countIfReplaced(_model);
-            if (_model != null)
+            countIfReplaced(this.model);
+            if (this.model != null)
             {
-                _model.removeListener(followPose);
+                this.model.removeListener(followPose);
             }
-            _model = model;
-            if (_model != null)
+            this.model = model;
+            if (model != null)
             {
-                _model.addListener(followPose);
+                model.addListener(followPose);
             }
-        }
-
-        /** Sets the tree, which may not be built yet; null for none. */
-        public function setTree(tree:ModelTree):void
-        {
-            countIfReplaced(_tree);
-            _tree = tree;
-        }
-
-        /** Why the last load of a model of this name failed; null if it did not, or if another one has begun or come. */
-        public function get loadProblem():String
-        {
-            return _loadProblem;
         }
 
         /** Counts one more model of this name that is loading. */
         public function expect():void
         {
             _loadingCount++;
-            _loadProblem = null;
+            loadProblem = null;
         }
 
         /** Counts one less, if one is loading. @param problem why its load failed; null if it did not */
         public function expectNoMore(problem:String):void
         {
             _loadingCount = Math.max(0, _loadingCount - 1);
-            _loadProblem = problem || _loadProblem;
+            loadProblem = problem || loadProblem;
         }
 
         /** Whether a model of this name is loading. */
@@ -131,9 +113,9 @@ package starlogo.libraries
 
         private function followPose():void
         {
-            if (hasTree)
+            if (tree != null)
             {
-                _tree.refit();
+                tree.refit();
             }
             countChange();
         }
@@ -148,7 +130,7 @@ package starlogo.libraries
 
         private function countChange():void
         {
-            _revision++;
+            revision++;
             _table.countChange();
         }
     }

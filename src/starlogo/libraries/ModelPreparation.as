@@ -58,7 +58,7 @@ package starlogo.libraries
             {
                 _structuresBuilder = structuresLibrary.newBuilder(model.name, model.vertices);
             }
-            add(store == null || isComplete ? computing(false) : readingAndStoring(store));
+            add(store == null || isComplete ? computing() : readingAndStoring(store));
         }
 
         /** Whether the hierarchy is made from a stored division. It becomes false if the division does not fit the model. */
@@ -103,15 +103,15 @@ package starlogo.libraries
                     {
                         takeFrom(stored);
                     }
-                    return isComplete || !store.hasRoomFor(_model, modelTree != null) ? computing(false) : computing(true).call(function():void
+                    return isComplete || !store.hasRoomFor(_model, modelTree != null) ? computing() : computing().call(function():void
                         {
                             store.keep(geometry, _settings, bytesOfResults(geometry, null));
                         });
                 });
         }
 
-        // The work that computes what is missing. A tree that will be stored has to be built, even if its division came from a cooked model.
-        private function computing(willBeStored:Boolean):StepSequence
+        // The work that computes what is missing.
+        private function computing():StepSequence
         {
             var work:StepSequence = new StepSequence();
             if (structures == null && _structuresBuilder != null)
@@ -121,7 +121,7 @@ package starlogo.libraries
                         structures = _structuresBuilder.structures;
                     });
             }
-            if (modelTree != null && (willBeStored || _settings.wantsSurface || !isTreeStored))
+            if (modelTree != null && (_settings.wantsSurface || !isTreeStored))
             {
                 work.add(modelTree.building);
             }
@@ -173,6 +173,8 @@ package starlogo.libraries
             }
             if (modelTree != null)
             {
+                // its division may have come from a cooked model
+                modelTree.finishBuilding();
                 sections[CookedFile.HIERARCHY] = CookedTree.write(modelTree.boxTree);
                 if (modelTree.isExactPrepared)
                 {

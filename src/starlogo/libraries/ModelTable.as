@@ -11,7 +11,9 @@ package starlogo.libraries
      */
     public final class ModelTable
     {
-        private var _revision:int = 0;
+        /** Increased with the revision of each entry. Read only. */
+        public var revision:int = 0;
+
         private var _entries:Object = {};
         private var _unknown:ModelEntry;
 
@@ -21,16 +23,10 @@ package starlogo.libraries
             _unknown = new ModelEntry(this);
         }
 
-        /** Increased with the revision of each entry. */
-        public function get revision():int
-        {
-            return _revision;
-        }
-
         /** Counts a change of an entry. */
         public function countChange():void
         {
-            _revision++;
+            revision++;
         }
 
         /** The entry of a name, to read. All unknown names, and null, share an empty one. */
@@ -52,7 +48,7 @@ package starlogo.libraries
             for (var key:String in _entries)
             {
                 var entry:ModelEntry = _entries[key];
-                if (entry.model != null || entry.structures != null || entry.hasTree)
+                if (entry.model != null || entry.structures != null || entry.tree != null)
                 {
                     all.push(key.substr(1));
                 }

@@ -112,15 +112,13 @@ package starlogo.libraries
         // The steps that check whether what the fitters have found can be used.
         private function checking():Steps
         {
-            var checks:StepSequence = new StepSequence();
             var vertices:Vector.<Number> = _session.vertices;
             // how far outside of a structure vertices may be
             var tolerance:Number = Tolerances.CONTAINMENT * EnclosingStructures.sphere(vertices, vertices[0], vertices[1], vertices[2]).radius;
-            for (var i:int = 0; i < _fits.length; i++)
-            {
-                checks.add(checkingOf(_fitters[i], _fits[i].structure, tolerance));
-            }
-            return checks;
+            return new StepSequence().beginEach(_fits.length, function(index:int):Steps
+                {
+                    return checkingOf(_fitters[index], _fits[index].structure, tolerance);
+                });
         }
 
         private function checkingOf(fitter:Fitter, structure:BoundingStructure, tolerance:Number):Steps
@@ -133,31 +131,19 @@ package starlogo.libraries
             var vertices:Vector.<Number> = _session.vertices;
             var wider:BoundingStructure = structure.clone();
             wider.widen(tolerance);
+            var vertex:Vector3D = new Vector3D();
             return new StepSequence().slices(vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
-                    var outside:int = firstOutside(wider, first, end);
-                    if (outside >= 0)
+                    for (var i:int = first; i < end; i++)
                     {
-                        throw new ArgumentError(fitter + " found a structure that does not enclose vertex " + outside + " at ("
-                                + vertices.slice(3 * outside, 3 * outside + 3).join(", ") + "): " + structure);
+                        vertex.setTo(vertices[3 * i], vertices[3 * i + 1], vertices[3 * i + 2]);
+                        if (!wider.contains(vertex))
+                        {
+                            throw new ArgumentError(fitter + " found a structure that does not enclose vertex " + i + " at ("
+                                    + vertices.slice(3 * i, 3 * i + 3).join(", ") + "): " + structure);
+                        }
                     }
                 });
-        }
-
-        // The first of some vertices that is outside of a structure; -1 if there is none.
-        private function firstOutside(structure:BoundingStructure, first:int, end:int):int
-        {
-            var vertices:Vector.<Number> = _session.vertices;
-            var vertex:Vector3D = new Vector3D();
-            for (var i:int = first; i < end; i++)
-            {
-                vertex.setTo(vertices[3 * i], vertices[3 * i + 1], vertices[3 * i + 2]);
-                if (!structure.contains(vertex))
-                {
-                    return i;
-                }
-            }
-            return -1;
         }
 
         private function choose(hullFit:Fit, showsAll:Boolean):void

@@ -1,7 +1,7 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
-    import starlogo.models.collada.ColladaAnimation;
+    import starlogo.models.collada.ColladaAnimationReader;
     import starlogo.models.files.FileText;
 
     /**
@@ -28,7 +28,7 @@ package starlogo.models
          */
         public function ColladaAnimations(name:String, text:String, upAxis:Object = null)
         {
-            super(ColladaAnimation.allIn(name, text, upAxis));
+            super(ColladaAnimationReader.allIn(name, text, upAxis));
         }
 
         /**

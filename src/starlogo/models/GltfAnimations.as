@@ -1,7 +1,7 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
-    import starlogo.models.gltf.GltfAnimation;
+    import starlogo.models.gltf.GltfAnimationReader;
     import starlogo.models.gltf.GltfFile;
 
     /**
@@ -23,7 +23,7 @@ package starlogo.models
          */
         public function GltfAnimations(name:String, bytes:ByteArray, upAxis:Object = null, buffers:Object = null)
         {
-            super(GltfAnimation.allIn(GltfFile.read(name, bytes, buffers), upAxis));
+            super(GltfAnimationReader.allIn(GltfFile.read(name, bytes, buffers), upAxis));
         }
     }
 }

@@ -65,7 +65,7 @@ package starlogo.models
             mesh("/triangles/input", "\"#id\"", POINTS, TRIANGLES.replace("#v", "v"));
             mesh("/polylist/vcount", "found \"-3\"", POINTS, Collada.polylist("-3", "0 1 2"));
             mesh("/polylist/vcount", "found \"1e9\"", POINTS, Collada.polylist("1e9", "0 1 2"));
-            mesh("/polylist", "adds up to 4", POINTS, Collada.polylist("2 2", "0 1 2"));
+            mesh("/polylist/vcount", "a polygon's corners, 0 to 1, but found \"2\"", POINTS, Collada.polylist("2 2", "0 1 2"));
             mesh("/polylist", "count is 2", POINTS, Collada.polylist("3", "0 1 2").replace('"1"', '"2"'));
             mesh("/polygons", "found \"9\"", POINTS, '<polygons count="1">' + Collada.INPUT + "<p>0 1 9</p></polygons>");
             mesh("/polygons/ph", "expected a <p>", POINTS, '<polygons count="1">' + Collada.INPUT +

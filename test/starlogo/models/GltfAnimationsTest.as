@@ -64,11 +64,11 @@ package starlogo.models
             var file:Gltf = animated("rotation", [0, 0, 0, 1, 0, NaN, 0, 1, 0, 0, 0, Infinity], "VEC4", "STEP");
             var turns:GltfAnimations = new GltfAnimations("a", file.toBinary());
             assertEquals(12, turns.verticesAt(0, 0.5).length);
-            assertThrows(ModelError, /accessors\[3\]: its numbers at 1 seconds are not finite/, turns.verticesAt, 0, 1);
-            assertThrows(ModelError, /accessors\[3\]: its numbers at 2 seconds are not finite/, turns.verticesAt, 0, 2);
+            assertThrows(ModelError, /samplers\[0\]: its numbers at 1 seconds are not finite/, turns.verticesAt, 0, 1);
+            assertThrows(ModelError, /samplers\[0\]: its numbers at 2 seconds are not finite/, turns.verticesAt, 0, 2);
             file = animated("translation", [0, 0, 0, NaN, 0, 0, 0, 0, 0], "VEC3", "LINEAR");
             var moves:GltfAnimations = new GltfAnimations("a", file.toBinary());
-            assertThrows(ModelError, /accessors\[3\]: its numbers at 0.5 seconds are not finite/, moves.verticesAt, 0, 0.5);
+            assertThrows(ModelError, /samplers\[0\]: its numbers at 0.5 seconds are not finite/, moves.verticesAt, 0, 0.5);
         }
 
         [Test]
@@ -76,7 +76,7 @@ package starlogo.models
         {
             for each (var times:Array in [[0, 2, 1], [0, 2, -Infinity], [0, 1, NaN], [NaN, 1, 2], [0, 1, Infinity]])
             {
-                assertThrows(ModelError, /accessors\[2\]: its times must be finite and not go back, but found (1|NaN|-?Infinity)$/, read, timed(times));
+                assertThrows(ModelError, /samplers\[0\]: its times must be finite and not go back, but found (1|NaN|-?Infinity)$/, read, timed(times));
             }
             assertEquals(1, new GltfAnimations("a", timed([0, 1, 1]).toBinary()).durationOf(0));
         }
@@ -87,13 +87,14 @@ package starlogo.models
         {
             var file:Gltf = timed([0, 1, 2]);
             var keys:int = 20000;
+            var start:int = file.binary.length;
             file.json.accessors[2].count = file.json.accessors[3].count = keys;
             for (var i:int = 0; i < 2; i++)
             {
                 file.json.accessors[2 + i].bufferView = file.json.bufferViews.length;
-                file.json.bufferViews.push({buffer: 0, byteLength: 12 * keys});
+                file.json.bufferViews.push({buffer: 0, byteOffset: start, byteLength: 12 * keys});
             }
-            file.binary.length = 12 * keys;
+            file.binary.length = start + 12 * keys;
             var channels:Array = file.json.animations[0].channels;
             for (i = 0; i < 1000; i++)
             {

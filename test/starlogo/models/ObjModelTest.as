@@ -135,7 +135,7 @@ package starlogo.models
                 var model:ObjModel = new ObjModel("a", start + "v 1 \\\n 0 0\r\nv \\\r\n1 1 0\nf 1 \\\r\n2 3");
                 assertEquals(length, "-0.5,-0.5,0,0.5,-0.5,0,0.5,0.5,0", model.vertices.join());
                 assertEquals(length, "0,1,2", model.triangles.join());
-                fails("line 7", "not 0", start + "v 1 \\\n0 0\nv 1 1 0\nf 1 \\\n2 0");
+                fails("line 6", "not 0", start + "v 1 \\\n0 0\nv 1 1 0\nf 1 \\\n2 0");
             }
             var many:String = new Array(20000).join("v 1 2 3\n");
             fails("line 20000", "no vertex 20000", many + "f 1 2 20000");

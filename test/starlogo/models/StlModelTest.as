@@ -85,7 +85,7 @@ package starlogo.models
             refuses("line 4", "expected a facet of three vertices, but found 1", "solid\nouter loop\nvertex 1 2 3\nendloop\n");
             refuses("line 5", "a facet has more than three vertices", "solid\nvertex 1 2 3\nvertex 1 2 3\nvertex 1 2 3\nvertex 1 2 3\n");
             refuses("line 3", "a loop begins before", "solid\nvertex 1 2 3\nouter loop\n");
-            refuses("line 4", "the file is cut off", "solid\nvertex 1 2 3\nvertex 1 2 3");
+            refuses("line 3", "the file is cut off", "solid\nvertex 1 2 3\nvertex 1 2 3");
             for each (var vertex:Array in [[NaN, 2, 3], [1, NaN, 3], [1, 2, NaN]])
             {
                 var triangle:Array = [0, 0, 0].concat(vertex, [0, 0, 0]);

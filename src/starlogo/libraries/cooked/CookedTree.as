@@ -93,9 +93,23 @@ package starlogo.libraries.cooked
             var count:int = _tree.itemCount;
             var items:Vector.<int> = new Vector.<int>(count, true);
             var isListed:Vector.<Boolean> = new Vector.<Boolean>(count, true);
+            var width:int = widthFor(count);
             slices(count, ITEMS_PER_STEP, function(first:int, end:int):void
                 {
-                    readItems(first, end, items, isListed);
+                    for (var i:int = first; i < end && !isRefused; i++)
+                    {
+                        var item:int = width == 1 ? _bytes.readUnsignedByte() : (width == 2 ? _bytes.readUnsignedShort() : _bytes.readInt());
+                        // every item must come exactly once
+                        if (item < 0 || item >= count || isListed[item])
+                        {
+                            refuse();
+                        }
+                        else
+                        {
+                            isListed[item] = true;
+                            items[i] = item;
+                        }
+                    }
                 }).call(function():void
                 {
                     _tree.setItems(items);
@@ -122,25 +136,6 @@ package starlogo.libraries.cooked
         {
             isRefused = true;
             _tree.removeNodes();
-        }
-
-        // Every item must come exactly once.
-        private function readItems(first:int, end:int, items:Vector.<int>, isListed:Vector.<Boolean>):void
-        {
-            var bytes:ByteArray = _bytes;
-            var count:int = items.length;
-            var width:int = widthFor(count);
-            for (var i:int = first; i < end; i++)
-            {
-                var item:int = width == 1 ? bytes.readUnsignedByte() : (width == 2 ? bytes.readUnsignedShort() : bytes.readInt());
-                if (item < 0 || item >= count || isListed[item])
-                {
-                    refuse();
-                    return;
-                }
-                isListed[item] = true;
-                items[i] = item;
-            }
         }
 
         private function readNodes():Boolean

@@ -1,27 +1,55 @@
 package starlogo.models.animation
 {
+    import starlogo.models.building.ModelBuilder;
+
     /**
-     * An animation of a model's file.
+     * An animation of a model's file. Its channels move numbers of targets. A target is a key for a thing in the file that an animation may
+     * move, as the reader of the format says.
      *
      * @private
      */
-    public interface FileAnimation
+    public final class FileAnimation
     {
-        /** Its name; "" if it has none. */
-        function get name():String;
+        /** Its name; "" if it has none. Read only. */
+        public var name:String;
 
-        /** Its length, in seconds. 0 without keys. */
-        function get duration():Number;
+        /** Its length, in seconds. 0 without keys. Read only. */
+        public var duration:Number;
+
+        private var _channels:Vector.<AnimationChannel>;
+        private var _start:Number;
+        private var _newReader:Function;
 
         /**
-         * The numbers of a target at a time: a thing in the file that an animation may move. Null if it does not move.
-         *
-         * @param target names the thing, as the class that reads the format's animations says
-         * @param time seconds in the animation's own time, which need not begin at 0
+         * @param name its name; "" if it has none
+         * @param channels what moves
+         * @param newReader <code>(moved:Object):ModelReader</code>; reads the file with the numbers that count in place of its own, by target
+         * @param start when it starts, in the time of the channels' keys
+         * @param end when it ends, in the same time; NaN for the last key
          */
-        function numbersAt(target:Object, time:Number):Vector.<Number>;
+        public function FileAnimation(name:String, channels:Vector.<AnimationChannel>, newReader:Function, start:Number = 0, end:Number = NaN)
+        {
+            this.name = name;
+            _channels = channels;
+            _newReader = newReader;
+            _start = start;
+            var last:Number = start;
+            for each (var channel:AnimationChannel in channels)
+            {
+                last = Math.max(last, channel.keys.end);
+            }
+            duration = (isNaN(end) ? last : end) - start;
+        }
 
         /** The vertices of the file's model at a time in seconds, as <code>ModelAnimations.verticesAt()</code> gives them. */
-        function verticesAt(time:Number):Vector.<Number>;
+        public function verticesAt(time:Number):Vector.<Number>
+        {
+            var moved:Object = {};
+            for each (var channel:AnimationChannel in _channels)
+            {
+                channel.move(moved, _start + Math.max(0, Math.min(time, duration)));
+            }
+            return ModelBuilder.verticesOf(_newReader(moved));
+        }
     }
 }

@@ -14,17 +14,10 @@ package starlogo.models.animation
         public var starts:Vector.<int> = new <int>[0];
 
         /** The index of each influence's joint. */
-        public var joints:Vector.<int>;
+        public var joints:Vector.<int> = new Vector.<int>();
 
         /** The weight of each influence. */
-        public var weights:Vector.<Number>;
-
-        /** Influences for no points. @param mostInfluences the lists have room for so many influences */
-        public function JointInfluences(mostInfluences:int = 0)
-        {
-            joints = new Vector.<int>(mostInfluences);
-            weights = new Vector.<Number>(mostInfluences);
-        }
+        public var weights:Vector.<Number> = new Vector.<Number>();
 
         /**
          * Moves some of the points to where their joints put them. The weights of a point are divided by their sum. A point without weights follows the

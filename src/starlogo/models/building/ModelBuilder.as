@@ -8,7 +8,6 @@ package starlogo.models.building
     import starlogo.geometry.vertices.triangleProblem;
     import starlogo.geometry.vertices.vertexProblem;
     import starlogo.models.Model;
-    import starlogo.models.ModelError;
     import starlogo.models.ModelMaker;
     import starlogo.models.ModelTransform;
     import starlogo.models.files.refuseIf;
@@ -174,16 +173,11 @@ package starlogo.models.building
         private function measuring():Steps
         {
             _bounds = new VertexBounds();
-            return new StepSequence().slices(_data.vertices.length / 3, VERTICES_PER_STEP, measure);
-        }
-
-        private function measure(first:int, end:int):void
-        {
-            _bounds.add(_data.vertices, first, end);
-            if (!_bounds.areFinite)
-            {
-                throw new ModelError(_data.name, "", vertexProblem(_data.vertices));
-            }
+            return new StepSequence().slices(_data.vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
+                {
+                    _bounds.add(_data.vertices, first, end);
+                    refuseIf(!_bounds.areFinite, _data.name, _bounds.areFinite ? null : vertexProblem(_data.vertices));
+                });
         }
 
         private function turning():Steps
@@ -242,29 +236,16 @@ package starlogo.models.building
         {
             checkExtent();
             _data.source.addMove(low.x - move.x, low.y - move.y, low.z - move.z, divisor);
-            return new StepSequence().slices(_data.vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
+            var vertices:Vector.<Number> = _data.vertices;
+            return new StepSequence().slices(vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
-                    place(_data.vertices, first, end, low, move, divisor);
+                    for (var i:int = 3 * first; i < 3 * end; i += 3)
+                    {
+                        vertices[i] = (vertices[i] - low.x + move.x) / divisor;
+                        vertices[int(i + 1)] = (vertices[int(i + 1)] - low.y + move.y) / divisor;
+                        vertices[int(i + 2)] = (vertices[int(i + 2)] - low.z + move.z) / divisor;
+                    }
                 });
-        }
-
-        private static function place(vertices:Vector.<Number>, first:int, end:int, low:Vector3D, move:Vector3D, divisor:Number):void
-        {
-            var lowX:Number = low.x;
-            var lowY:Number = low.y;
-            var lowZ:Number = low.z;
-            var moveX:Number = move.x;
-            var moveY:Number = move.y;
-            var moveZ:Number = move.z;
-            var last:int = 3 * end;
-            for (var i:int = 3 * first; i < last; i += 3)
-            {
-                var j:int = i + 1;
-                var k:int = i + 2;
-                vertices[i] = (vertices[i] - lowX + moveX) / divisor;
-                vertices[j] = (vertices[j] - lowY + moveY) / divisor;
-                vertices[k] = (vertices[k] - lowZ + moveZ) / divisor;
-            }
         }
 
         private function checkExtent():void

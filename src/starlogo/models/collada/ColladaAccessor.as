@@ -1,6 +1,5 @@
 package starlogo.models.collada
 {
-    import starlogo.models.text.Decimal;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
@@ -85,12 +84,6 @@ package starlogo.models.collada
             return _numbers;
         }
 
-        /** The numbers of one entry, by its index. @throws ModelError as numbers */
-        public function numbersOfEntry(index:int):Vector.<Number>
-        {
-            return numbers.slice(width * index, width * (index + 1));
-        }
-
         private function readingEntries(all:Array):Steps
         {
             array.checkCount(all.length, "values");
@@ -139,24 +132,14 @@ package starlogo.models.collada
             firstPoint = _points.length / 3;
             return new StepSequence().slices(count, POINTS_PER_STEP, function(first:int, end:int):void
                 {
-                    readPoints(all, columns, first, end);
+                    for (var i:int = first; i < end; i++)
+                    {
+                        for (var k:int = 0; k < 3; k++)
+                        {
+                            _points[3 * (firstPoint + i) + k] = array.toNumber(all[_firstWord + i * width + columns[k]]);
+                        }
+                    }
                 });
-        }
-
-        private function readPoints(all:Array, columns:Vector.<int>, first:int, end:int):void
-        {
-            var points:Vector.<Number> = _points;
-            var to:int = 3 * (firstPoint + first);
-            var last:int = _firstWord + end * width;
-            for (var at:int = _firstWord + first * width; at < last; at += width)
-            {
-                for (var k:int = 0; k < 3; k++)
-                {
-                    var word:String = all[int(at + columns[k])];
-                    var number:Number = Decimal.of(word);
-                    points[to++] = number - number == 0 ? number : array.toNumber(word);
-                }
-            }
         }
     }
 }

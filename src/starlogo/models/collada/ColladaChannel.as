@@ -1,8 +1,10 @@
 package starlogo.models.collada
 {
+    import starlogo.models.animation.AnimationChannel;
+    import starlogo.models.animation.KeyFrames;
     import starlogo.models.files.shortened;
 
-    /** A channel of a COLLADA animation: which numbers of the document move, and how. */
+    /** Reads the channels of COLLADA animations: which numbers of the document move, and how. */
     internal final class ColladaChannel
     {
         // A target is the id of an element, the sids of elements within it, and one or two indices of a number. "node/matrix(3)(0)" is one.
@@ -14,56 +16,43 @@ package starlogo.models.collada
         private static const WITH_NAMED_NUMBERS:Array = ["translate", "scale", "rotate"];
         private static const MATRIX_COLUMNS:int = 4;
 
-        /** The element whose numbers move. Null if they move no vertex: those of lights, cameras or materials. */
-        public var element:ColladaElement;
-
-        /** The index of the first number that moves. */
-        public var first:int = 0;
-
-        /** How the numbers move. */
-        public var sampler:ColladaSampler;
-
-        // How many numbers the element has. 0 if they move no vertex.
-        private var _size:int = 0;
+        private static const BEZIER:String = "BEZIER";
 
         /**
+         * Reads a channel.
+         *
          * @param channel the channel's element
+         * @return null if it moves no vertex: if it moves numbers of lights, cameras or materials
          * @throws ModelError if its target or its sampler is wrong
          */
-        public function ColladaChannel(channel:ColladaElement)
+        internal static function read(channel:ColladaElement):AnimationChannel
         {
             var target:String = channel.attribute("target");
             var parts:Array = TARGET.exec(target);
             channel.refuseIf(parts == null, "expected a target like \"node/translate.X\", but found \"" + shortened(target) + "\"");
             var sids:Array = parts[2].split("/").slice(1);
             var named:Array = null;
-            element = elementAt(channel, parts[1], sids);
+            var element:ColladaElement = elementAt(channel, parts[1], sids);
             if (element == null && sids.length > 0)
             {
                 // without an element of this sid, the dot in it is before a name
                 named = WITH_NAME.exec(sids.pop());
                 element = named == null ? null : elementAt(channel, parts[1], sids.concat(named[1]));
             }
-            _size = element == null ? 0 : sizeOf(element);
-            if (_size == 0)
+            var isArray:Boolean = element != null && element.name == "float_array";
+            var size:int = isArray ? element.countedWords().length : (element == null ? 0 : ColladaTransform.sizeOf(element.name));
+            if (size == 0)
             {
-                element = null;
-                return;
+                return null;
             }
-            sampler = new ColladaSampler(channel.target("source", ["sampler"], channel.parent));
+            var keys:KeyFrames = keysOf(channel.target("source", ["sampler"], channel.parent));
             var movesAll:Boolean = named == null && !parts[3];
             // an index may be larger than an int
-            var index:Number = movesAll ? 0 : (named == null ? indexAt(parts[3], parts[4]) : indexNamed(named[2]));
-            var width:int = movesAll ? _size : 1;
-            channel.refuseIf(!(index >= 0 && index < _size), "there is no such number in the <" + element.name + ">");
-            channel.refuseIf(sampler.width != width, "its sampler has " + sampler.width + " numbers for each key, but expected " + width);
-            first = index;
-        }
-
-        /** All numbers of the element, as the document has them. */
-        public function numbersAtRest():Vector.<Number>
-        {
-            return element.numbers(_size);
+            var index:Number = movesAll ? 0 : (named == null ? indexAt(element, parts[3], parts[4]) : indexNamed(element, named[2]));
+            var width:int = movesAll ? size : 1;
+            channel.refuseIf(!(index >= 0 && index < size), "there is no such number in the <" + element.name + ">");
+            channel.refuseIf(keys.width != width, "its sampler has " + keys.width + " numbers for each key, but expected " + width);
+            return new AnimationChannel(String(element.index), keys, element.numbers(size), index);
         }
 
         // The element with an id, and the element in it that a list of sids leads to. Null if the id is not that of a scene, a node or an array, or
@@ -104,26 +93,67 @@ package starlogo.models.collada
             return null;
         }
 
-        private static function sizeOf(element:ColladaElement):int
-        {
-            return element.name == "float_array" ? element.countedWords().length : ColladaTransform.sizeOf(element.name);
-        }
-
         // The index of a number with a name. -1 if there is none.
-        private function indexNamed(name:String):int
+        private static function indexNamed(element:ColladaElement, name:String):int
         {
             return WITH_NAMED_NUMBERS.indexOf(element.name) < 0 ? -1 : NUMBER_NAMES.indexOf(name);
         }
 
         // The index of a number at one or two indices; the second is null if there is one. Only a matrix has two: of a column, and of a row. Its
         // numbers are in rows. -1 if there is no such number.
-        private function indexAt(index:String, row:String):Number
+        private static function indexAt(element:ColladaElement, index:String, row:String):Number
         {
             if (!row)
             {
                 return Number(index);
             }
             return element.name == "matrix" && Number(index) < MATRIX_COLUMNS ? Number(index) + MATRIX_COLUMNS * Number(row) : -1;
+        }
+
+        // Reads the keys of a sampler.
+        private static function keysOf(sampler:ColladaElement):KeyFrames
+        {
+            var times:Vector.<Number> = listOf(sampler, "INPUT", ColladaAccessor.NUMBERS).numbers;
+            var values:ColladaAccessor = listOf(sampler, "OUTPUT", ColladaAccessor.NUMBERS, times.length);
+            var interpolations:Array = [KeyFrames.LINEAR];
+            if (sampler.child("input", "INTERPOLATION") != null)
+            {
+                var list:ColladaAccessor = listOf(sampler, "INTERPOLATION", ColladaAccessor.NAMES, times.length);
+                sampler.refuseIf(list.width != 1, "expected one interpolation for each key");
+                interpolations = list.words;
+            }
+            var known:Array = [KeyFrames.LINEAR, KeyFrames.STEP, BEZIER];
+            for each (var name:String in interpolations)
+            {
+                if (known.indexOf(name) < 0)
+                {
+                    throw sampler.error("expected LINEAR, STEP or BEZIER, but found \"" + shortened(name) + "\"");
+                }
+            }
+            var hasCurves:Boolean = interpolations.indexOf(BEZIER) >= 0;
+            var after:ColladaAccessor = hasCurves ? controlPoints(sampler, "OUT_TANGENT", values) : null;
+            var before:ColladaAccessor = hasCurves ? controlPoints(sampler, "IN_TANGENT", values) : null;
+            sampler.refuseIf(hasCurves && before.width != after.width, "its tangents are of different kinds");
+            return new KeyFrames(sampler.limits.modelName, sampler, times, values.numbers, interpolations, hasCurves ? after.numbers : null,
+                    hasCurves ? before.numbers : null);
+        }
+
+        // A control point has a time and a value for each number, or the value alone.
+        private static function controlPoints(sampler:ColladaElement, semantic:String, values:ColladaAccessor):ColladaAccessor
+        {
+            var list:ColladaAccessor = listOf(sampler, semantic, ColladaAccessor.NUMBERS, values.count);
+            sampler.refuseIf(list.width != values.width && list.width != 2 * values.width, "expected " + values.width + " or " + 2 * values.width +
+                    " numbers in each " + semantic + ", but found " + list.width);
+            return list;
+        }
+
+        // The entries of an input. @param keyCount how many there must be; -1 for any number
+        private static function listOf(sampler:ColladaElement, semantic:String, arrays:Array, keyCount:int = -1):ColladaAccessor
+        {
+            var list:ColladaAccessor = ColladaAccessor.read(sampler, semantic, arrays, sampler.parent);
+            sampler.refuseIf(keyCount >= 0 && (list.count != keyCount || keyCount == 0), "expected as many of " + semantic +
+                    " as of INPUT, at least one, but found " + list.count + " and " + keyCount);
+            return list;
         }
     }
 }

@@ -12,7 +12,7 @@ package starlogo.models.collada
      */
     internal final class ColladaDeformation extends StepSequence
     {
-        /** The points that are vertices, when no step is left. */
+        /** The points, when no step is left. */
         public var points:Vector.<Number> = null;
 
         /** What takes these points to the scene, when no step is left. */
@@ -47,10 +47,6 @@ package starlogo.models.collada
             {
                 _bound = deformer.name == "skin" ? _bound.after(scene.document.skinOf(deformer).shape) : _bound;
             }
-            call(function():void
-                {
-                    points = mesh.ofVertices(points);
-                });
         }
 
         /** Whether the points are mirrored, when no step is left: by the transform, or by the first joint of the last skin. */
@@ -68,12 +64,12 @@ package starlogo.models.collada
             }
             catch (error:ModelError)
             {
-                if (!_scene.pose.isAtRest)
+                if (!_scene.isAtRest)
                 {
                     throw error;
                 }
             }
-            points = _mesh.vertices;
+            points = _mesh.points;
             transform = _bound;
             _isFirstJointMirror = false;
             return false;
@@ -88,12 +84,12 @@ package starlogo.models.collada
                 transform = new AffineTransform();
                 add(skin).begin(function():Steps
                     {
-                        var palette:Vector.<AffineTransform> = _scene.document.skeletonOf(skin, instance).paletteOf(_scene, place);
+                        var palette:Vector.<AffineTransform> = skin.paletteOf(_scene, place, instance);
                         _isFirstJointMirror = palette[0].isMirror;
                         return skin.moving(points, palette);
                     });
             }
-            else if (!_scene.pose.isAtRest)
+            else if (!_scene.isAtRest)
             {
                 begin(function():Steps
                     {
@@ -108,7 +104,7 @@ package starlogo.models.collada
             var inputs:ColladaElement = morph.requiredChild("targets");
             var targets:ColladaAccessor = ColladaAccessor.read(inputs, "MORPH_TARGET", ColladaAccessor.NAMES, morph);
             var list:ColladaAccessor = ColladaAccessor.read(inputs, "MORPH_WEIGHT", ["float_array"], morph);
-            var moved:Vector.<Number> = _scene.pose.numbersOf(list.array.index);
+            var moved:Vector.<Number> = _scene.movedNumbersOf(list.array);
             var weights:Vector.<Number> = moved == null ? list.numbers : list.partOf(moved);
             morph.refuseIf(targets.words.length > weights.length, "it has " + targets.words.length + " targets, but " + weights.length + " weights");
             var base:Vector.<Number> = morph.attribute("method") == "RELATIVE" ? new Vector.<Number>(points.length) : points.slice();
@@ -119,7 +115,10 @@ package starlogo.models.collada
                         {
                             morph.refuseIf(target.points.length != points.length, "its target \"" + shortened(targets.words[index]) + "\" has another number of points");
                             morph.limits.countNumbers(points.length, morph);
-                            mix(target.points, base, weights[index]);
+                            for (var i:int = 0; i < points.length; i++)
+                            {
+                                points[i] += weights[index] * (target.points[i] - base[i]);
+                            }
                         });
                 });
         }
@@ -129,14 +128,6 @@ package starlogo.models.collada
             var geometry:ColladaElement = morph.elementWith("geometry", id);
             morph.refuseIf(geometry == null, "there is no <geometry> with the id \"" + shortened(id) + "\"");
             return _scene.document.meshOf(geometry);
-        }
-
-        private function mix(target:Vector.<Number>, base:Vector.<Number>, weight:Number):void
-        {
-            for (var i:int = 0; i < points.length; i++)
-            {
-                points[i] += weight * (target[i] - base[i]);
-            }
         }
     }
 }

@@ -14,11 +14,12 @@ package starlogo.models.collada
      */
     public final class ColladaDocument implements Steps
     {
-        private var _xml:XmlReader;
+        /** What the document may have and cost. Read only. */
+        internal var limits:FileLimits;
 
+        private var _xml:XmlReader;
         private var _meshes:Object = {}; // by the index of the geometry's element
         private var _skins:Object = {}; // by the index of the skin's element
-        private var _skeletons:Object = {}; // by the indices of the skin's element and of the element that places it
 
         /**
          * @param name the model's name
@@ -27,19 +28,14 @@ package starlogo.models.collada
         public function ColladaDocument(name:String, text:String)
         {
             refuseIf(text == null, name, "there is no text to read");
-            _xml = new XmlReader(text, new FileLimits(name, text.length));
+            limits = new FileLimits(name, text.length);
+            _xml = new XmlReader(text, limits);
         }
 
         /** @inheritDoc */
         public function step():Boolean
         {
             return _xml.step();
-        }
-
-        /** What the document may have and cost. */
-        internal function get limits():FileLimits
-        {
-            return _xml.limits;
         }
 
         /** The root, when all is read. @throws ModelError if it is not COLLADA */
@@ -77,6 +73,17 @@ package starlogo.models.collada
             return asset == null ? null : asset.child(name);
         }
 
+        /** The children with a name of all libraries with a name. */
+        internal function entriesOf(libraryName:String, name:String):Vector.<ColladaElement>
+        {
+            var entries:Vector.<ColladaElement> = new Vector.<ColladaElement>();
+            for each (var library:ColladaElement in root.childrenNamed(libraryName))
+            {
+                entries = entries.concat(library.childrenNamed(name));
+            }
+            return entries;
+        }
+
         /** The mesh of a geometry, which may be in the scene many times. */
         internal function meshOf(geometry:ColladaElement):ColladaMesh
         {
@@ -87,12 +94,6 @@ package starlogo.models.collada
         internal function skinOf(element:ColladaElement):ColladaSkin
         {
             return _skins[element.index] ||= new ColladaSkin(element);
-        }
-
-        /** The joints of a skin at an element that places it. An element may place several skins, one after the other. */
-        internal function skeletonOf(skin:ColladaSkin, instance:ColladaElement):ColladaSkeleton
-        {
-            return _skeletons[skin.element.index + " " + instance.index] ||= new ColladaSkeleton(skin, instance);
         }
     }
 }

@@ -18,7 +18,7 @@ package starlogo.models.collada
         /** The element's name. */
         public var name:String;
 
-        /** Its number in the document, from 0. It is the key of its numbers in a FilePose. */
+        /** Its number in the document, from 0. It is the target of animations that move its numbers. */
         public var index:int;
 
         /** What the document may have and cost. */
@@ -252,7 +252,7 @@ package starlogo.models.collada
          */
         public function toWholeNumber(word:String, least:int, most:int, what:String):int
         {
-            var value:Number = Decimal.ofIndex(word);
+            var value:Number = Decimal.of(word);
             var whole:int = int(value);
             if (whole != value || whole < least || whole > most)
             {

@@ -12,10 +12,12 @@ package starlogo.models.collada
         private static const VERTICES_PER_STEP:int = 3000;
         private static const TRIANGLES_PER_STEP:int = 5000;
 
+        /** The geometry. Its steps read it. Read only. */
+        public var mesh:ColladaMesh;
+
         // The element that places the geometry. If there is no scene, the geometry's own element.
         private var _element:ColladaElement;
 
-        private var _mesh:ColladaMesh;
         private var _transform:AffineTransform;
         private var _deformation:ColladaDeformation;
 
@@ -28,24 +30,17 @@ package starlogo.models.collada
         public function ColladaInstance(element:ColladaElement, mesh:ColladaMesh, transform:AffineTransform, deformation:ColladaDeformation = null)
         {
             _element = element;
-            _mesh = mesh;
+            this.mesh = mesh;
             _transform = transform;
             _deformation = deformation;
-        }
-
-        /** The geometry. Its steps read it. */
-        public function get mesh():ColladaMesh
-        {
-            return _mesh;
         }
 
         /**
          * The steps that add the geometry, which is read already, to a model.
          *
          * @param data takes the vertices, the triangles and what they belong to
-         * @param loosePoints takes the points of a geometry without triangles
          */
-        public function adding(data:ModelData, loosePoints:Vector.<Number>):Steps
+        public function adding(data:ModelData):Steps
         {
             var work:StepSequence = new StepSequence();
             if (_deformation != null)
@@ -54,31 +49,35 @@ package starlogo.models.collada
             }
             return work.begin(function():Steps
                 {
-                    var out:Vector.<Number> = _mesh.triangles.length > 0 ? data.vertices : loosePoints;
-                    return _deformation == null ? addingPoints(_mesh.vertices, _transform, _transform.isMirror, data, out)
-                        : addingPoints(_deformation.points, _deformation.transform, _deformation.isMirror, data, out);
+                    return _deformation == null ? addingPoints(mesh.points, _transform, _transform.isMirror, data)
+                        : addingPoints(_deformation.points, _deformation.transform, _deformation.isMirror, data);
                 });
         }
 
         // The steps that transform points, and add these and the triangles. If the points are mirrored, the triangles' corner order is reversed.
-        private function addingPoints(points:Vector.<Number>, transform:AffineTransform, isMirror:Boolean, data:ModelData, out:Vector.<Number>):Steps
+        private function addingPoints(points:Vector.<Number>, transform:AffineTransform, isMirror:Boolean, data:ModelData):Steps
         {
-            var firstVertex:int = out.length / 3;
-            var firstCorner:int = data.triangles.length;
+            var firstVertex:int = data.vertices.length / 3;
+            var firstTriangle:int = data.triangles.length / 3;
             var vertexCount:int = points.length / 3;
-            var triangleCount:int = _mesh.triangles.length / 3;
-            _element.limits.requireMesh(firstVertex + vertexCount, firstCorner / 3 + triangleCount, _element);
+            var triangleCount:int = mesh.triangles.length / 3;
+            var second:int = isMirror ? 2 : 1;
+            _element.limits.requireMesh(firstVertex + vertexCount, firstTriangle + triangleCount, _element);
             if (triangleCount > 0)
             {
-                addLabels(data, firstCorner / 3);
+                addLabels(data, firstTriangle);
             }
             return new StepSequence().slices(vertexCount, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
-                    var areFinite:Boolean = transform.transformPoints(points, first, end, out, firstVertex + first);
+                    var areFinite:Boolean = transform.transformPoints(points, first, end, data.vertices, firstVertex + first);
                     _element.refuseIf(!areFinite, "its transformed coordinates are too large: they are not finite numbers");
                 }).slices(triangleCount, TRIANGLES_PER_STEP, function(first:int, end:int):void
                 {
-                    addTriangles(data.triangles, 3 * first, 3 * end, firstVertex, firstCorner, isMirror);
+                    for (var i:int = 3 * first; i < 3 * end; i += 3)
+                    {
+                        data.triangles.push(firstVertex + mesh.triangles[i], firstVertex + mesh.triangles[i + second],
+                                firstVertex + mesh.triangles[i + 3 - second]);
+                    }
                 });
         }
 
@@ -86,11 +85,11 @@ package starlogo.models.collada
         private function addLabels(data:ModelData, firstTriangle:int):void
         {
             var node:ColladaElement = _element.name != "geometry" && _element.parent != null ? _element.parent : _element;
-            _element.limits.countElements(_mesh.symbols.length, _element);
-            data.meshes.beginRun(data.meshes.addLabel(nameOf(node) || nameOf(_mesh.geometry)), firstTriangle);
-            for (var i:int = 0; i < _mesh.symbols.length; i++)
+            _element.limits.countElements(mesh.symbols.length, _element);
+            data.meshes.beginRun(data.meshes.addLabel(nameOf(node) || nameOf(mesh.geometry)), firstTriangle);
+            for (var i:int = 0; i < mesh.symbols.length; i++)
             {
-                data.materials.beginRun(labelOf(_mesh.symbols[i], data.materials), firstTriangle + _mesh.starts[i]);
+                data.materials.beginRun(labelOf(mesh.symbols[i], data.materials), firstTriangle + mesh.starts[i]);
             }
         }
 
@@ -118,21 +117,6 @@ package starlogo.models.collada
         private static function nameOf(element:ColladaElement):String
         {
             return element.attribute("name") || element.id || null;
-        }
-
-        private function addTriangles(to:Vector.<uint>, first:int, last:int, firstVertex:int, firstCorner:int, isMirror:Boolean):void
-        {
-            var from:Vector.<uint> = _mesh.triangles;
-            var at:int = firstCorner + first;
-            var second:int = isMirror ? 2 : 1;
-            var third:int = 3 - second;
-            for (var i:int = first; i < last; i += 3)
-            {
-                to[at] = from[i] + firstVertex;
-                to[int(at + 1)] = from[int(i + second)] + firstVertex;
-                to[int(at + 2)] = from[int(i + third)] + firstVertex;
-                at += 3;
-            }
         }
     }
 }

@@ -1,7 +1,6 @@
 package starlogo.models.collada
 {
     import starlogo.data.keyOf;
-    import starlogo.models.building.VertexFilter;
     import starlogo.models.polygons.Triangulator;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -12,11 +11,8 @@ package starlogo.models.collada
         /** The geometry's element. */
         public var geometry:ColladaElement;
 
-        /** When all is read: all points. Skins and morphs move them. */
+        /** When all is read: its points. */
         public var points:Vector.<Number> = new Vector.<Number>();
-
-        /** When all is read: the points that its triangles use, or all points if it has none. */
-        public var vertices:Vector.<Number> = null;
 
         /** When all is read: three point indices for each triangle. */
         public var triangles:Vector.<uint> = new Vector.<uint>();
@@ -29,7 +25,6 @@ package starlogo.models.collada
 
         private var _meshElement:ColladaElement;
         private var _sources:Object = {}; // of positions, by the source's id
-        private var _filter:VertexFilter;
 
         /** @param geometry the geometry's element */
         public function ColladaMesh(geometry:ColladaElement)
@@ -44,23 +39,7 @@ package starlogo.models.collada
                     addPrimitive(element, triangulator);
                 }
             }
-            begin(readingPoints).begin(function():Steps
-                {
-                    vertices = points.slice();
-                    _filter = new VertexFilter(vertices, triangles);
-                    return _filter;
-                });
-        }
-
-        /** Of some numbers for all points, x, y, z of each, those for the points that are vertices. */
-        public function ofVertices(numbers:Vector.<Number>):Vector.<Number>
-        {
-            return numbers.length == vertices.length ? numbers : numbers.filter(isOfVertex);
-        }
-
-        private function isOfVertex(number:Number, index:int, numbers:Vector.<Number>):Boolean
-        {
-            return _filter.isUsed[int(index / 3)] != 0;
+            begin(readingPoints);
         }
 
         // Adds the work on a primitive, after that on its source.

@@ -9,7 +9,6 @@ package starlogo.models.collada
     internal final class ColladaPrimitive extends StepSequence
     {
         private static const CORNERS_PER_STEP:int = 1500;
-        private static const SIZES_PER_STEP:int = 5000;
         private static const MAX_OFFSET:int = 255;
         private static const NAMES:Array = ["triangles", "polylist", "polygons", "tristrips", "trifans"];
 
@@ -96,18 +95,11 @@ package starlogo.models.collada
             _element.checkCount(count / 3, "triangles");
             return new StepSequence().slices(count, CORNERS_PER_STEP, function(first:int, end:int):void
                 {
-                    readTriangles(indices, first, end);
+                    for (var i:int = first; i < end; i++)
+                    {
+                        _triangulator.triangles.push(readCorner(indices, i * _stride));
+                    }
                 });
-        }
-
-        private function readTriangles(indices:Array, first:int, end:int):void
-        {
-            var triangles:Vector.<uint> = _triangulator.triangles;
-            var at:int = triangles.length;
-            for (var i:int = first; i < end; i++)
-            {
-                triangles[at++] = readCorner(indices, i * _stride);
-            }
         }
 
         // A polylist has the indices of all polygons in one list, and the number of corners of each polygon in another.
@@ -124,33 +116,20 @@ package starlogo.models.collada
 
         private function readingPolylist(indices:Array, sizes:Array):Steps
         {
-            var sum:Number = 0;
+            var corners:int = cornersIn(indices);
             var next:int = 0;
+            var vcount:ColladaElement = _element.child("vcount");
             _element.checkCount(sizes.length, "numbers in <vcount>");
-            return new StepSequence().slices(sizes.length, SIZES_PER_STEP, function(first:int, end:int):void
-                {
-                    sum += sumOfSizes(sizes, first, end, indices.length);
-                    _element.refuseIf(end == sizes.length && sum != cornersIn(indices), "its <vcount> adds up to " + sum +
-                            " corners, but <p> has " + cornersIn(indices));
-                }).add(_triangulator.addingEach(sizes.length, function(index:int):Steps
+            return new StepSequence().add(_triangulator.addingEach(sizes.length, function(index:int):Steps
                     {
-                        var count:int = Number(sizes[index]);
-                        var at:int = next;
-                        next += count * _stride;
-                        return count > 2 ? _triangulator.addPolygon(readCorners(indices, at, count)) : null;
-                    }));
-        }
-
-        // Adds up the numbers of corners of some polygons. Each must be a whole number, at most the given one.
-        private function sumOfSizes(sizes:Array, first:int, end:int, most:int):Number
-        {
-            var element:ColladaElement = _element.child("vcount");
-            var sum:Number = 0;
-            for (var i:int = first; i < end; i++)
-            {
-                sum += element.toWholeNumber(sizes[i], 0, most, "the number of a polygon's corners");
-            }
-            return sum;
+                        var first:int = next;
+                        var count:int = vcount.toWholeNumber(sizes[index], 0, corners - first, "the number of a polygon's corners");
+                        next += count;
+                        return count > 2 ? _triangulator.addPolygon(readCorners(indices, first * _stride, count)) : null;
+                    })).call(function():void
+                {
+                    _element.refuseIf(next != corners, "its <vcount> adds up to " + next + " corners, but <p> has " + corners);
+                });
         }
 
         // Each list of corners is read at once. @param read <code>function(list:ColladaElement):Steps</code>, as for addingEach()

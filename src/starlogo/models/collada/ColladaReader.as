@@ -3,9 +3,9 @@ package starlogo.models.collada
     import flash.geom.Vector3D;
     import starlogo.models.Model;
     import starlogo.models.ModelTransform;
-    import starlogo.models.animation.FilePose;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.ModelReader;
+    import starlogo.models.building.removingUnusedVertices;
     import starlogo.models.files.refuseIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -19,10 +19,9 @@ package starlogo.models.collada
      * adds the mesh to the model.</p>
      *
      * <p>Before that, a ColladaDeformation moves the points of a geometry that a controller places. It does so by morphs and by ColladaSkins. A
-     * ColladaSkin has the JointInfluences of its points, and a ColladaSkeleton finds its joints among the nodes.</p>
+     * ColladaSkin has the JointInfluences of its points, and finds its joints among the nodes.</p>
      *
-     * <p>A ColladaAnimation has ColladaChannels, which say which numbers move, and ColladaSamplers, which say how. A FilePose is an animation at a
-     * time. The scene and the deformations ask it.</p>
+     * <p>The reader of a pose gets the numbers that a FileAnimation has moved, which count in place of those in the document.</p>
      *
      * @private
      */
@@ -34,9 +33,9 @@ package starlogo.models.collada
          * @param document the document; its steps may be done
          * @param upAxis "x", "y" or "z"; a ModelTransform leaves the document as it is; null for the axis that the document names
          * @param scaling as for Model's constructor; null if the vertices are not normalised
-         * @param pose moves the scene; null at rest
+         * @param moved the numbers that count in place of an element's own, by the element's index; null at rest
          */
-        public function ColladaReader(document:ColladaDocument, upAxis:Object, scaling:String, pose:FilePose = null)
+        public function ColladaReader(document:ColladaDocument, upAxis:Object, scaling:String, moved:Object = null)
         {
             _data = ModelData.forFile(document.limits.modelName, upAxis == null ? "z" : upAxis, scaling);
             var scene:ColladaScene;
@@ -44,12 +43,12 @@ package starlogo.models.collada
                 {
                     _data.upAxis = upAxis == null ? document.upAxis : _data.upAxis;
                     _data.transform = scaling == Model.AS_GIVEN && _data.transform == null ? scalingBy(document.unit) : _data.transform;
-                    scene = new ColladaScene(document, pose || new FilePose());
+                    scene = new ColladaScene(document, moved);
                     return scene;
                 }).begin(function():Steps
                 {
                     return adding(scene.instances);
-                });
+                }).add(removingUnusedVertices(_data.vertices, _data.triangles));
         }
 
         /** @inheritDoc */
@@ -66,7 +65,6 @@ package starlogo.models.collada
 
         private function adding(instances:Vector.<ColladaInstance>):Steps
         {
-            var loosePoints:Vector.<Number> = new Vector.<Number>();
             // all geometries come first, so skins only have what these leave of the limits
             return new StepSequence().beginEach(instances.length, function(index:int):Steps
                 {
@@ -75,11 +73,10 @@ package starlogo.models.collada
                 }).beginEach(instances.length, function(index:int):Steps
                 {
                     _data.readShare = (1 + index / instances.length) / 2;
-                    return instances[index].adding(_data, loosePoints);
+                    return instances[index].adding(_data);
                 }).call(function():void
                 {
                     _data.readShare = 1;
-                    _data.vertices = _data.vertices.length == 0 ? loosePoints : _data.vertices;
                     refuseIf(_data.vertices.length == 0, _data.name, "no vertices: expected a scene or a library with a geometry in it");
                 });
         }

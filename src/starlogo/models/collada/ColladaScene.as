@@ -1,7 +1,6 @@
 package starlogo.models.collada
 {
     import starlogo.geometry.AffineTransform;
-    import starlogo.models.animation.FilePose;
     import starlogo.models.files.shortened;
     import starlogo.steps.StepSequence;
 
@@ -24,13 +23,10 @@ package starlogo.models.collada
         /** The document. Its scenes share its geometries and skins. Read only. */
         public var document:ColladaDocument;
 
-        /** What moves its nodes and geometries. Read only. */
-        public var pose:FilePose;
-
         private var _places:Object = {}; // lists of the places of a node, in their order, by the node's index
 
-        // The transforms of elements that move, by the element's index. The scene may place an element often.
-        private var _movedTransforms:Object = {};
+        // the numbers that count in place of an element's own, by the element's index; null at rest
+        private var _moved:Object;
 
         // The innermost place around the next element, null at the end; and how many there were so far.
         private var _place:ColladaPlace = null;
@@ -38,14 +34,13 @@ package starlogo.models.collada
 
         /**
          * @param document the document; all its steps must be done
-         * @param pose moves the nodes
+         * @param moved the numbers that count in place of an element's own, by the element's index; null at rest
          */
-        public function ColladaScene(document:ColladaDocument, pose:FilePose)
+        public function ColladaScene(document:ColladaDocument, moved:Object)
         {
             this.document = document;
-            this.pose = pose;
-            var root:ColladaElement = document.root;
-            var scene:ColladaElement = root.child("scene");
+            _moved = moved;
+            var scene:ColladaElement = document.root.child("scene");
             var instance:ColladaElement = scene == null ? null : scene.child("instance_visual_scene");
             if (instance != null)
             {
@@ -54,8 +49,23 @@ package starlogo.models.collada
             }
             else
             {
-                addLibrary(root);
+                for each (var geometry:ColladaElement in document.entriesOf("library_geometries", "geometry"))
+                {
+                    instances.push(new ColladaInstance(geometry, document.meshOf(geometry), new AffineTransform()));
+                }
             }
+        }
+
+        /** Whether nothing moves. */
+        public function get isAtRest():Boolean
+        {
+            return _moved == null;
+        }
+
+        /** The numbers that count in place of an element's own; null for its own. */
+        public function movedNumbersOf(element:ColladaElement):Vector.<Number>
+        {
+            return isAtRest ? null : _moved[element.index];
         }
 
         /**
@@ -89,17 +99,6 @@ package starlogo.models.collada
                 }
             }
             return _place != null;
-        }
-
-        private function addLibrary(root:ColladaElement):void
-        {
-            for each (var library:ColladaElement in root.childrenNamed("library_geometries"))
-            {
-                for each (var geometry:ColladaElement in library.childrenNamed("geometry"))
-                {
-                    instances.push(new ColladaInstance(geometry, document.meshOf(geometry), new AffineTransform()));
-                }
-            }
         }
 
         // The elements of a node are visited next.
@@ -142,8 +141,8 @@ package starlogo.models.collada
         // The transform that an element is; null if it is none.
         private function transformOf(element:ColladaElement):AffineTransform
         {
-            var numbers:Vector.<Number> = pose.numbersOf(element.index);
-            return numbers == null ? element.toTransform() : (_movedTransforms[element.index] ||= ColladaTransform.of(element, numbers));
+            var numbers:Vector.<Number> = movedNumbersOf(element);
+            return numbers == null ? element.toTransform() : ColladaTransform.of(element, numbers);
         }
 
         // Follows controllers down to the geometry, and finds their skins and morphs.

@@ -1,11 +1,16 @@
 package starlogo.models.collada
 {
+    import starlogo.data.keyOf;
     import starlogo.geometry.AffineTransform;
     import starlogo.models.animation.JointInfluences;
+    import starlogo.models.files.shortened;
+    import starlogo.models.text.TextWords;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
-    /** A COLLADA skin: its joints' names and matrices, and their weights at each point. Its steps read them. All that place it share it. */
+    /**
+     * A COLLADA skin: its joints' names and matrices, and their weights at each point. Its steps read them. All elements that place it share it.
+     */
     internal final class ColladaSkin extends StepSequence
     {
         private static const POINTS_PER_STEP:int = 1000;
@@ -20,11 +25,13 @@ package starlogo.models.collada
         /** What takes the points to where the skin was bound. */
         public var shape:AffineTransform;
 
-        /** When all is read: the names of the joints. */
-        public var names:ColladaAccessor = null;
+        private var _names:ColladaAccessor = null; // of the joints
 
-        /** When all is read: what takes points from where the skin was bound into each joint. */
-        public var inverses:Vector.<AffineTransform> = null;
+        // what takes points from where the skin was bound into each joint
+        private var _inverses:Vector.<AffineTransform> = null;
+
+        // lists of the joints' nodes, by the index of an element that places the skin
+        private var _nodes:Object = {};
 
         // joint -1, which does not move, has the index after the last joint
         private var _influences:JointInfluences;
@@ -41,7 +48,28 @@ package starlogo.models.collada
                 }).begin(readingWeights);
         }
 
-        /** The steps that move points by a palette of a ColladaSkeleton. */
+        /**
+         * What moves points to the scene: by each joint, and last by joint -1. All must be read.
+         *
+         * @param scene knows where joints are
+         * @param place where the skin is in the scene
+         * @param instance the element that places the skin, with its skeletons
+         * @throws ModelError if there is no such joint
+         */
+        public function paletteOf(scene:ColladaScene, place:ColladaPlace, instance:ColladaElement):Vector.<AffineTransform>
+        {
+            var nodes:Vector.<ColladaElement> = _nodes[instance.index] ||= jointsOf(instance);
+            element.limits.countNumbers(nodes.length, element);
+            var palette:Vector.<AffineTransform> = new Vector.<AffineTransform>();
+            for (var i:int = 0; i < nodes.length; i++)
+            {
+                palette.push(scene.jointAt(nodes[i], place, element).after(_inverses[i]).after(shape));
+            }
+            palette.push(shape);
+            return palette;
+        }
+
+        /** The steps that move points by a palette. */
         public function moving(points:Vector.<Number>, palette:Vector.<AffineTransform>):Steps
         {
             var count:int = _influences.starts.length - 1;
@@ -55,14 +83,15 @@ package starlogo.models.collada
 
         private function readJoints(joints:ColladaElement):void
         {
-            names = ColladaAccessor.read(joints, "JOINT", ColladaAccessor.NAMES, element);
+            _names = ColladaAccessor.read(joints, "JOINT", ColladaAccessor.NAMES, element);
             var matrices:ColladaAccessor = ColladaAccessor.read(joints, "INV_BIND_MATRIX", ["float_array"], element);
-            joints.refuseIf(names.words.length == 0 || matrices.count != names.words.length || matrices.width != ColladaTransform.MATRIX_SIZE,
-                    "expected at least one joint, and a matrix for each, but found " + names.words.length + " and " + matrices.count);
-            inverses = new Vector.<AffineTransform>();
-            for (var i:int = 0; i < names.words.length; i++)
+            joints.refuseIf(_names.words.length == 0 || matrices.count != _names.words.length || matrices.width != ColladaTransform.MATRIX_SIZE,
+                    "expected at least one joint, and a matrix for each, but found " + _names.words.length + " and " + matrices.count);
+            _inverses = new Vector.<AffineTransform>();
+            for (var i:int = 0; i < _names.words.length; i++)
             {
-                inverses.push(ColladaTransform.matrix(matrices.array, matrices.numbersOfEntry(i), LAST_ROW_TOLERANCE));
+                var numbers:Vector.<Number> = matrices.numbers.slice(i * matrices.width, (i + 1) * matrices.width);
+                _inverses.push(ColladaTransform.matrix(matrices.array, numbers, LAST_ROW_TOLERANCE));
             }
         }
 
@@ -80,15 +109,15 @@ package starlogo.models.collada
             var indices:Array = weighted.child("v") == null ? [] : weighted.child("v").countedWords();
             weighted.refuseIf(indices.length % stride != 0, "expected " + stride + " indices for each joint of a point, but found " + indices.length + " in all");
             var influenceCount:int = indices.length / stride;
-            _influences = new JointInfluences(influenceCount);
+            _influences = new JointInfluences();
             return new StepSequence().add(readingCounts(weighted, influenceCount)).slices(influenceCount, INFLUENCES_PER_STEP, function(first:int, end:int):void
                 {
                     for (var i:int = first; i < end; i++)
                     {
-                        var joint:int = weighted.toWholeNumber(indices[i * stride + jointOffset], -1, inverses.length - 1, "a joint's index");
+                        var joint:int = weighted.toWholeNumber(indices[i * stride + jointOffset], -1, _inverses.length - 1, "a joint's index");
                         var weight:int = weighted.toWholeNumber(indices[i * stride + weightOffset], 0, weights.words.length - 1, "a weight's index");
-                        _influences.joints[i] = joint < 0 ? inverses.length : joint;
-                        _influences.weights[i] = weights.array.toNumber(weights.words[weight]);
+                        _influences.joints.push(joint < 0 ? _inverses.length : joint);
+                        _influences.weights.push(weights.array.toNumber(weights.words[weight]));
                     }
                 });
         }
@@ -110,6 +139,60 @@ package starlogo.models.collada
                 {
                     element.refuseIf(sum != influenceCount, "its <vcount> adds up to " + sum + " joints, but <v> has " + influenceCount);
                 });
+        }
+
+        // The nodes of the joints at an element that places the skin.
+        private function jointsOf(instance:ColladaElement):Vector.<ColladaElement>
+        {
+            var joints:Vector.<ColladaElement> = new Vector.<ColladaElement>();
+            // names are sids in the skeletons; other references are ids
+            var nodes:Object = _names.array.name == "Name_array" ? nodesBySid(instance) : null;
+            for each (var name:String in _names.words)
+            {
+                var node:ColladaElement = nodes == null ? instance.elementWith("node", name) : nodes[keyOf(name)];
+                _names.array.refuseIf(node == null, "there is no joint \"" + shortened(name) + "\" in the skeleton");
+                joints.push(node);
+            }
+            return joints;
+        }
+
+        // The nodes of the skeletons, by their sids. The first node with a sid counts.
+        private static function nodesBySid(instance:ColladaElement):Object
+        {
+            var nodes:Object = {};
+            var pending:Vector.<ColladaElement> = skeletonsOf(instance).reverse();
+            while (pending.length > 0)
+            {
+                var node:ColladaElement = pending.pop();
+                instance.limits.countNumbers(1 + node.children.length, instance);
+                nodes[keyOf(node.attribute("sid"))] ||= node;
+                for each (var child:ColladaElement in node.childrenNamed("node").reverse())
+                {
+                    pending.push(child);
+                }
+            }
+            return nodes;
+        }
+
+        // The roots of the skeletons. If none is named, the node or scene around all.
+        private static function skeletonsOf(instance:ColladaElement):Vector.<ColladaElement>
+        {
+            var roots:Vector.<ColladaElement> = new Vector.<ColladaElement>();
+            for each (var skeleton:ColladaElement in instance.childrenNamed("skeleton"))
+            {
+                var url:String = TextWords.of(skeleton.text).join(" ");
+                var root:ColladaElement = skeleton.elementAtUrl("node", url) || skeleton.elementAtUrl("visual_scene", url);
+                skeleton.refuseIf(root == null, "there is no <node> with the id \"" + shortened(url.substr(1)) + "\"");
+                roots.push(root);
+            }
+            for (root = instance; roots.length == 0; root = root.parent)
+            {
+                if (root.parent.name != "node" && root.parent.name != "visual_scene")
+                {
+                    roots.push(root);
+                }
+            }
+            return roots;
         }
     }
 }

@@ -80,9 +80,12 @@ package starlogo.models.cooked
                 hasMore = super.step();
                 _data.readShare = _bytes == null ? 0 : _bytes.position / _bytes.length;
             }
-            catch (error:EOFError)
+            catch (error:Error)
             {
-                throw new ModelError(_data.name, "", "the cooked file has fewer numbers than it says");
+                // the transform's own error, or that of the end of the bytes
+                refuseIf(error is RangeError, _data.name, error.message);
+                refuseIf(error is EOFError, _data.name, "the cooked file has fewer numbers than it says");
+                throw error;
             }
             return hasMore;
         }
@@ -95,14 +98,14 @@ package starlogo.models.cooked
             refuseIf(_bytes == null, _data.name, "the cooked file is damaged: cook it again");
             refuseIf(modelKey != null && !file.isOf(modelKey), _data.name, "the cooked file is for another up axis, transform or scaling");
             _data.cooked = file;
-            _data.scaling = Model.SCALINGS[readCount(Model.SCALINGS.length - 1)];
-            var encoding:int = readCount(DOUBLE);
+            _data.scaling = Model.SCALINGS[readInteger(0, Model.SCALINGS.length - 1)];
+            var encoding:int = readInteger(0, DOUBLE);
             // the model's own vertices are transformed already
-            var hasTransform:Boolean = readCount(encoding == DOUBLE ? 0 : 1) == 1;
-            var vertexCount:int = readCount(int.MAX_VALUE);
-            var triangleCount:int = readCount(int.MAX_VALUE);
+            var hasTransform:Boolean = readInteger(0, encoding == DOUBLE ? 0 : 1) == 1;
+            var vertexCount:int = readInteger(0, int.MAX_VALUE);
+            var triangleCount:int = readInteger(0, int.MAX_VALUE);
             new FileLimits(_data.name, _bytes.length).requireMesh(vertexCount, triangleCount);
-            _data.transform = hasTransform ? readTransform() : null;
+            _data.transform = hasTransform ? new ModelTransform(readVector(), readVector(), readVector()) : null;
             if (encoding == DOUBLE)
             {
                 _data.source = readSource();
@@ -137,20 +140,15 @@ package starlogo.models.cooked
             }
             return new StepSequence().slices(Math.max(0, nameCount), LABELS_PER_STEP, function(first:int, end:int):void
                 {
-                    readNames(labels, end - first);
+                    for (var i:int = first; i < end; i++)
+                    {
+                        var length:int = VarInt.read(_bytes);
+                        labels.addLabel(length < 0 ? null : _bytes.readUTFBytes(length));
+                    }
                 }).begin(function():Steps
                 {
                     return readingRuns(labels);
                 });
-        }
-
-        private function readNames(labels:TriangleLabels, count:int):void
-        {
-            for (var i:int = 0; i < count; i++)
-            {
-                var length:int = VarInt.read(_bytes);
-                labels.addLabel(length < 0 ? null : _bytes.readUTFBytes(length));
-            }
         }
 
         // The steps that read the runs of labels, whose names are read already.
@@ -158,19 +156,14 @@ package starlogo.models.cooked
         {
             var mostLabel:int = labels.names == null ? int.MAX_VALUE : labels.names.length - 1;
             var start:Number = 0;
-            return new StepSequence().slices(readCount(int.MAX_VALUE), LABELS_PER_STEP, function(first:int, end:int):void
+            return new StepSequence().slices(readInteger(0, int.MAX_VALUE), LABELS_PER_STEP, function(first:int, end:int):void
                 {
                     for (var i:int = first; i < end; i++)
                     {
-                        start = Math.min(start + readCount(int.MAX_VALUE), _data.triangles.length / 3);
+                        start = Math.min(start + readInteger(0, int.MAX_VALUE), _data.triangles.length / 3);
                         labels.beginRun(readInteger(-1, mostLabel), start);
                     }
                 });
-        }
-
-        private function readCount(most:int):int
-        {
-            return readInteger(0, most);
         }
 
         private function readInteger(least:int, most:int):int
@@ -181,20 +174,6 @@ package starlogo.models.cooked
                 throw new ModelError(_data.name, "", "the cooked file has a wrong number: " + integer);
             }
             return integer;
-        }
-
-        private function readTransform():ModelTransform
-        {
-            var transform:ModelTransform = null;
-            try
-            {
-                transform = new ModelTransform(readVector(), readVector(), readVector());
-            }
-            catch (error:RangeError)
-            {
-                throw new ModelError(_data.name, "", error.message);
-            }
-            return transform;
         }
 
         private function readSource():SourceFrame
@@ -235,22 +214,12 @@ package starlogo.models.cooked
         // The ModelBuilder checks whether the vertices exist.
         private function readCorners(first:int, end:int):void
         {
-            var bytes:ByteArray = _bytes;
-            var all:Vector.<uint> = _data.triangles;
-            var index:int = first == 0 ? 0 : all[int(first - 1)];
+            var triangles:Vector.<uint> = _data.triangles;
+            var index:int = first == 0 ? 0 : triangles[int(first - 1)];
             for (var i:int = first; i < end; i++)
             {
-                var byte:int = bytes.readUnsignedByte();
-                // Nearly all numbers have one byte. A call for each number would take most of the time.
-                if (byte > 0x7F)
-                {
-                    index += VarInt.rest(bytes, byte);
-                }
-                else
-                {
-                    index += byte >>> 1 ^ -(byte & 1);
-                }
-                all[i] = index;
+                index += VarInt.read(_bytes);
+                triangles[i] = index;
             }
         }
     }

@@ -33,7 +33,7 @@ package starlogo.models.cooked
             var isMirror:Boolean = transform != null && transform.isMirror;
             for (var encoding:int = 0; encoding <= CookedReader.SINGLE && !isMirror; encoding++)
             {
-                var points:Vector.<Number> = encoding < CookedReader.SINGLE ? multiples(source, CookedReader.divisorOf(encoding)) : singles(source);
+                var points:Vector.<Number> = rounded(source, encoding);
                 if (areSourceOf(points, model, transform))
                 {
                     return writeAs(model, encoding, points, transform);
@@ -50,28 +50,19 @@ package starlogo.models.cooked
             return areSameNumbers(made.vertices, model.vertices) && areSameNumbers(made.source.numbers, model.source.numbers);
         }
 
-        private static function multiples(source:Vector.<Number>, divisor:Number):Vector.<Number>
+        // The nearest numbers that an encoding can have.
+        private static function rounded(source:Vector.<Number>, encoding:int):Vector.<Number>
         {
             var points:Vector.<Number> = new Vector.<Number>();
-            for each (var value:Number in source)
-            {
-                var multiple:Number = Math.round(value * divisor);
-                points.push(Math.abs(multiple) < LARGEST ? multiple / divisor : 0);
-            }
-            return points;
-        }
-
-        private static function singles(source:Vector.<Number>):Vector.<Number>
-        {
-            var points:Vector.<Number> = new Vector.<Number>();
+            var divisor:Number = CookedReader.divisorOf(encoding);
             var bytes:ByteArray = new ByteArray();
             for each (var value:Number in source)
             {
                 bytes.position = 0;
                 bytes.writeFloat(value);
                 bytes.position = 0;
-                var single:Number = bytes.readFloat();
-                points.push(isFinite(single) ? single : 0);
+                var number:Number = encoding < CookedReader.SINGLE ? Math.round(value * divisor) : bytes.readFloat();
+                points.push(Math.abs(number) < LARGEST || encoding == CookedReader.SINGLE && isFinite(number) ? number / divisor : 0);
             }
             return points;
         }

@@ -25,12 +25,7 @@ package starlogo.models.cooked
         /** Reads the next number. @throws EOFError if there is none */
         public static function read(bytes:ByteArray):int
         {
-            return rest(bytes, bytes.readUnsignedByte());
-        }
-
-        /** Reads the rest of a number. The first byte is already read and passed as byte. */
-        public static function rest(bytes:ByteArray, byte:int):int
-        {
+            var byte:int = bytes.readUnsignedByte();
             var value:int = byte & 0x7F;
             for (var shift:int = 7; byte > 0x7F && shift < 32; shift += 7)
             {

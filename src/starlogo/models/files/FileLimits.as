@@ -36,11 +36,16 @@ package starlogo.models.files
         /** The model's name. */
         public var modelName:String;
 
+        /**
+         * The tests of corners that are left for cutting polygons. If there are none, corners are cut off without a test, and holes are filled.
+         * Read only.
+         */
+        public var cornerTestsLeft:Number;
+
         private var _bytes:Number;
         private var _numbers:Number;
         private var _zeros:Number;
         private var _elements:Number;
-        private var _cornerTestsLeft:Number;
 
         /**
          * @param modelName the model's name
@@ -57,7 +62,7 @@ package starlogo.models.files
         public function restart():void
         {
             _numbers = _zeros = _elements = 0;
-            _cornerTestsLeft = FREE_CORNER_TESTS + CORNER_TESTS_PER_BYTE * _bytes;
+            cornerTestsLeft = FREE_CORNER_TESTS + CORNER_TESTS_PER_BYTE * _bytes;
         }
 
         /** Adds bytes that have come. */
@@ -94,16 +99,10 @@ package starlogo.models.files
             require(_elements, FREE_ELEMENTS, ELEMENTS_PER_BYTE, MOST_ELEMENTS, "elements, values, nodes, transforms and instances, each counted as often as it is placed", place);
         }
 
-        /** The tests of corners that are left for cutting polygons. If there are none, corners are cut off without a test, and holes are filled. */
-        public function get cornerTestsLeft():Number
-        {
-            return _cornerTestsLeft;
-        }
-
         /** Counts tests of corners. */
         public function countCornerTests(more:int):void
         {
-            _cornerTestsLeft -= more;
+            cornerTestsLeft -= more;
         }
 
         // Checks a count against the limits named above.

@@ -40,14 +40,13 @@ package starlogo.models.gltf
         // Returns whether all characters are digits.
         private static function decode(text:String, from:int, end:int, out:ByteArray, at:int):Boolean
         {
-            var values:Vector.<int> = VALUES;
             var wrong:int = 0;
             var bits:int = 0;
             var bitCount:int = 0;
             for (var i:int = from; i < end; i++)
             {
                 var code:int = text.charCodeAt(i);
-                var value:int = code < 128 ? values[code] : -1;
+                var value:int = code < 128 ? VALUES[code] : -1;
                 wrong |= value;
                 bits = bits << 6 | value;
                 bitCount += 6;

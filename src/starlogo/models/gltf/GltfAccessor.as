@@ -6,8 +6,6 @@ package starlogo.models.gltf
     /**
      * Reads the numbers of an accessor, in steps. The accessor may have any kind of number, be normalised, have gaps between rows, or be
      * sparse.
-     *
-     * <p>Floats, 32-bit integers and all other numbers have a loop each, because the loops take most of the time of reading a large file.</p>
      */
     internal final class GltfAccessor extends StepSequence
     {
@@ -108,29 +106,42 @@ package starlogo.models.gltf
                     if (first < end)
                     {
                         var length:Number = Number(end - first - 1) * stride + size;
-                        readRows(file.openView(view, offset + Number(first) * stride, length, json), first, end, stride, stride == size);
+                        readRows(file.openView(view, offset + Number(first) * stride, length, json), first, end, stride);
                     }
                 });
         }
 
-        private function readRows(bytes:ByteArray, first:int, end:int, stride:int, areJoined:Boolean):void
+        private function readRows(bytes:ByteArray, first:int, end:int, stride:int):void
         {
-            var at:int = first * _width;
-            var last:int = end * _width;
-            // data without gaps is read as one long row
-            var rowLength:int = areJoined ? last - at : _width;
             var start:int = bytes.position;
-            while (at < last)
+            for (var at:int = first * _width; at < end * _width; at += _width)
             {
                 bytes.position = start;
-                readRow(bytes, _componentType, numbers, at, at + rowLength);
-                at += rowLength;
+                for (var i:int = at; i < at + _width; i++)
+                {
+                    var number:Number = readNumber(bytes);
+                    numbers[i] = _divisor == 0 ? number : Math.max(-1, number / _divisor);
+                }
                 start += stride;
             }
-            for (at = first * _width; at < last && _divisor > 0; at++)
+        }
+
+        private function readNumber(bytes:ByteArray):Number
+        {
+            switch (_componentType)
             {
-                var value:Number = numbers[at] / _divisor;
-                numbers[at] = value < -1 ? -1 : value;
+                case BYTE:
+                    return bytes.readByte();
+                case UNSIGNED_BYTE:
+                    return bytes.readUnsignedByte();
+                case SHORT:
+                    return bytes.readUnsignedShort() << 16 >> 16; // with its sign
+                case UNSIGNED_SHORT:
+                    return bytes.readUnsignedShort();
+                case UNSIGNED_INT:
+                    return bytes.readUnsignedInt();
+                default:
+                    return bytes.readFloat();
             }
         }
 
@@ -146,54 +157,19 @@ package starlogo.models.gltf
             var by:GltfAccessor = new GltfAccessor(file, values, some, _width, _componentType, _divisor > 0);
             add(at).add(by).slices(some, NUMBERS_PER_STEP / _width, function(first:int, end:int):void
                 {
-                    replace(at, by.numbers, first, end);
+                    for (var i:int = first; i < end; i++)
+                    {
+                        var index:Number = at.numbers[i];
+                        if (!(index >= 0 && index < count && int(index) == index))
+                        {
+                            throw indices.error("element " + i + " is " + index + ", but there are only " + count + " to replace");
+                        }
+                        for (var k:int = 0; k < _width; k++)
+                        {
+                            numbers[int(index) * _width + k] = by.numbers[i * _width + k];
+                        }
+                    }
                 });
-        }
-
-        private function replace(indices:GltfAccessor, values:Vector.<Number>, first:int, end:int):void
-        {
-            for (var i:int = first; i < end; i++)
-            {
-                var index:Number = indices.numbers[i];
-                if (!(index >= 0 && index < count && int(index) == index))
-                {
-                    throw indices.json.error("element " + i + " is " + index + ", but there are only " + count + " to replace");
-                }
-                for (var k:int = 0; k < _width; k++)
-                {
-                    numbers[int(index) * _width + k] = values[i * _width + k];
-                }
-            }
-        }
-
-        private static function readRow(bytes:ByteArray, componentType:int, out:Vector.<Number>, at:int, last:int):void
-        {
-            // the sign bit; 0 for a type without negative numbers
-            var sign:int = componentType == SHORT ? 0x8000 : (componentType == BYTE ? 0x80 : 0);
-            var number:int;
-            if (componentType == FLOAT)
-            {
-                while (at < last)
-                {
-                    out[at++] = bytes.readFloat();
-                }
-            }
-            else if (componentType == UNSIGNED_INT)
-            {
-                while (at < last)
-                {
-                    out[at++] = bytes.readUnsignedInt();
-                }
-            }
-            else
-            {
-                var isShort:Boolean = SIZES[componentType] == 2;
-                while (at < last)
-                {
-                    number = isShort ? bytes.readUnsignedShort() : bytes.readUnsignedByte();
-                    out[at++] = number - ((number & sign) << 1);
-                }
-            }
         }
     }
 }

@@ -25,7 +25,7 @@ package starlogo.models.gltf
         private static const HEADER_LENGTH:int = 12;
         private static const CHUNK_HEADER_LENGTH:int = 8;
 
-        // the most files beside this one
+        // the most buffers in files beside this one
         private static const MOST_FILES:int = 100;
 
         private static const READ_VERSION:RegExp = /^2\.0/;
@@ -53,9 +53,8 @@ package starlogo.models.gltf
         // gives the content of another file
         private var _fetch:Function;
 
-        // The addresses of the other files that have buffers, as the JSON has them, and the indices of the buffers in each of them.
-        private var _otherFiles:Vector.<String> = new Vector.<String>();
-        private var _buffersIn:Vector.<Vector.<int>> = new Vector.<Vector.<int>>();
+        // the indices of the buffers in other files
+        private var _others:Vector.<int> = new Vector.<int>();
 
         // the bytes of each buffer (null if it is missing), and the binary chunk of a .glb file
         private var _buffers:Vector.<ByteArray> = new Vector.<ByteArray>();
@@ -227,22 +226,19 @@ package starlogo.models.gltf
 
         private function fetchOthers():void
         {
-            for (var i:int = 0; i < _otherFiles.length; i++)
+            for each (var index:int in _others)
             {
-                _fetch(_otherFiles[i], takerOf(_buffersIn[i]));
+                _fetch(json.fileEntry("buffers", index).text("uri"), takerOf(index));
             }
         }
 
-        // The function that takes the content of a file with some of the buffers.
-        private function takerOf(indices:Vector.<int>):Function
+        // The function that takes the content of the file with a buffer.
+        private function takerOf(index:int):Function
         {
             return function(bytes:ByteArray, problem:String):void
             {
-                for each (var index:int in indices)
-                {
-                    json.refuseIf(bytes == null, problem, "buffers[" + index + "].uri");
-                    keep(index, bytes);
-                }
+                json.refuseIf(bytes == null, problem, "buffers[" + index + "].uri");
+                keep(index, bytes);
                 limits.addBytes(bytes.length);
             };
         }
@@ -281,22 +277,11 @@ package starlogo.models.gltf
             }
             else
             {
-                addOtherFile(uri, index, buffer);
+                buffer.refuseIf(!FileAddress.isWithin(uri), "expected data, or a path from the file's folder on, but found " + GltfJson.shown(uri), "uri");
+                buffer.refuseIf(_others.length == MOST_FILES, "it has more than " + MOST_FILES + " buffers in other files", "uri");
+                _others.push(index);
             }
             return work;
-        }
-
-        private function addOtherFile(uri:String, index:int, buffer:GltfJson):void
-        {
-            buffer.refuseIf(!FileAddress.isWithin(uri), "expected data, or a path from the file's folder on, but found " + GltfJson.shown(uri), "uri");
-            var file:int = _otherFiles.indexOf(uri);
-            if (file < 0)
-            {
-                buffer.refuseIf(_otherFiles.length == MOST_FILES, "it has more than " + MOST_FILES + " other files", "uri");
-                file = _otherFiles.push(uri) - 1;
-                _buffersIn.push(new Vector.<int>());
-            }
-            _buffersIn[file].push(index);
         }
 
         private function keep(index:int, bytes:ByteArray):void

@@ -1,9 +1,8 @@
 package starlogo.models.gltf
 {
-    import starlogo.models.animation.FilePose;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.ModelReader;
-    import starlogo.models.building.VertexFilter;
+    import starlogo.models.building.removingUnusedVertices;
     import starlogo.models.files.refuseIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -12,10 +11,10 @@ package starlogo.models.gltf
      * Reads a glTF file. GltfModel says which parts.
      *
      * <p>A GltfFile has the JSON, whose objects are GltfJsons, and the buffers. A GltfScene finds the nodes with meshes, and where they are. For each
-     * primitive of a mesh, GltfVertices and GltfTriangles add what its GltfAccessors say to the model. A GltfSkin
-     * has the joints of a skin, and GltfSkinWeights say how much vertices follow them.</p>
+     * primitive of a mesh, GltfVertices and GltfTriangles add what its GltfAccessors say to the model. The
+     * scene has the joints of a skin, and GltfSkinWeights say how much vertices follow them.</p>
      *
-     * <p>A GltfAnimation has GltfSamplers. A FilePose is an animation at a time, and the scene asks it.</p>
+     * <p>The reader of a pose gets the numbers that a FileAnimation has moved, which count in place of those in the file.</p>
      *
      * @private
      */
@@ -25,24 +24,21 @@ package starlogo.models.gltf
         private var _file:GltfFile;
         private var _scene:GltfScene;
 
-        // Points without a surface.
-        private var _loosePoints:Vector.<Number> = new Vector.<Number>();
-
         /**
          * @param file the file; its steps may be done
          * @param upAxis "x", "y" or "z"; a ModelTransform leaves the file as it is; null for y
          * @param scaling as for Model's constructor; null if the vertices are not normalised
-         * @param pose moves the scene; null at rest
+         * @param moved the numbers that count in place of a node's own, by <code>GltfScene.targetOf()</code> the property; null at rest
          */
-        public function GltfReader(file:GltfFile, upAxis:Object, scaling:String, pose:FilePose = null)
+        public function GltfReader(file:GltfFile, upAxis:Object, scaling:String, moved:Object = null)
         {
             _data = ModelData.forFile(file.limits.modelName, upAxis == null ? "y" : upAxis, scaling);
             _file = file;
             add(file).begin(function():Steps
                 {
-                    _scene = new GltfScene(file, pose || new FilePose());
+                    _scene = new GltfScene(file, moved);
                     return _scene;
-                }).begin(readingNodes).call(endReading).add(new VertexFilter(_data.vertices, _data.triangles));
+                }).begin(readingNodes).call(endReading).add(removingUnusedVertices(_data.vertices, _data.triangles));
         }
 
         /** @inheritDoc */
@@ -94,8 +90,8 @@ package starlogo.models.gltf
             var hasSurface:Boolean = GltfTriangles.modeOf(primitive) >= GltfTriangles.TRIANGLES;
             // primitives may share their vertices and have different triangles
             var isPlain:Boolean = primitive.count("targets") == 0 && !attributes.has("JOINTS_0");
-            var key:String = [position, hasSurface, isPlain ? "" : primitive.place].join();
-            var points:GltfVertices = placed[key] ||= new GltfVertices(_file, _scene, node, primitive, hasSurface ? _data.vertices : _loosePoints);
+            var key:String = position + (isPlain ? "" : primitive.place);
+            var points:GltfVertices = placed[key] ||= new GltfVertices(_file, _scene, node, primitive, _data.vertices);
             work.add(points);
             if (hasSurface)
             {
@@ -109,7 +105,6 @@ package starlogo.models.gltf
         private function endReading():void
         {
             _data.readShare = 1;
-            _data.vertices = _data.vertices.length == 0 ? _loosePoints : _data.vertices;
             refuseIf(_data.vertices.length == 0, _data.name, "no vertices: expected a mesh in the scene");
         }
     }

@@ -2,7 +2,6 @@ package starlogo.models.gltf
 {
     import starlogo.geometry.AffineTransform;
     import starlogo.geometry.Placement;
-    import starlogo.models.animation.FilePose;
     import starlogo.steps.StepSequence;
 
     /** The scene of a glTF file, at rest or in a pose. Its steps find the nodes with meshes. */
@@ -14,21 +13,21 @@ package starlogo.models.gltf
         public var nodes:Vector.<int> = new Vector.<int>();
 
         private var _file:GltfFile;
-        private var _pose:FilePose;
+        private var _moved:Object;
         private var _parents:Vector.<int>;
         private var _globalTransforms:Vector.<AffineTransform>;
         private var _pending:Vector.<int> = new Vector.<int>();
         private var _isVisited:Vector.<Boolean>;
-        private var _skins:Array = []; // the skins so far, by index
+        private var _palettes:Array = []; // the palettes so far, by the skin's index
 
         /**
          * @param file the file; all its steps must be done
-         * @param pose moves the nodes
+         * @param moved the numbers that count in place of a node's own, by <code>targetOf()</code> the property; null at rest
          */
-        public function GltfScene(file:GltfFile, pose:FilePose)
+        public function GltfScene(file:GltfFile, moved:Object)
         {
             _file = file;
-            _pose = pose;
+            _moved = moved;
             var count:int = file.json.count("nodes");
             _parents = new Vector.<int>(count);
             _globalTransforms = new Vector.<AffineTransform>(count);
@@ -63,10 +62,36 @@ package starlogo.models.gltf
             return transform;
         }
 
-        /** A skin. It is the same for all that use it, so its joints are found once. @param index the skin's index */
-        public function skin(index:int):GltfSkin
+        /** The inverse bind matrices of a skin's joints; null if it has none. */
+        public function matricesOf(skin:int):GltfAccessor
         {
-            return _skins[index] ||= new GltfSkin(_file, this, index);
+            var json:GltfJson = _file.json.fileEntry("skins", skin);
+            var count:int = json.count("joints");
+            json.refuseIf(count == 0, "expected at least one joint", "joints");
+            var index:int = json.reference("inverseBindMatrices", "accessors");
+            var matrices:GltfAccessor = index < 0 ? null : _file.accessor(index, "MAT4");
+            if (matrices != null)
+            {
+                matrices.json.refuseIf(matrices.count < count, "there are " + count + " joints, but fewer matrices");
+            }
+            return matrices;
+        }
+
+        /** What each joint of a skin does to points. It is the same for all that use the skin. Its matrices must be read. */
+        public function paletteOf(skin:int):Vector.<AffineTransform>
+        {
+            return _palettes[skin] ||= newPalette(_file.json.fileEntry("skins", skin), matricesOf(skin));
+        }
+
+        private function newPalette(skin:GltfJson, matrices:GltfAccessor):Vector.<AffineTransform>
+        {
+            var palette:Vector.<AffineTransform> = new Vector.<AffineTransform>();
+            for (var i:int = 0; i < skin.count("joints"); i++)
+            {
+                var transform:AffineTransform = globalTransformOf(skin.indexIn("joints", i, "nodes"));
+                palette.push(matrices == null ? transform : transform.after(ofColumns(matrices.numbers, 16 * i)));
+            }
+            return palette;
         }
 
         /** The weights of the morph targets of a node's mesh: those of the pose, otherwise of the node, otherwise of the mesh. */
@@ -163,17 +188,17 @@ package starlogo.models.gltf
         // The numbers of a node's property in the pose; null if they are those in the file.
         private function moved(node:int, path:String):Vector.<Number>
         {
-            return _pose.numbersOf(targetOf(node, path));
+            return _moved == null ? null : _moved[targetOf(node, path)];
         }
 
-        /** The target in a FilePose that is a property of a node. @param path "translation", "rotation", "scale" or "weights" */
+        /** The target of an animation that moves a property of a node. @param path "translation", "rotation", "scale" or "weights" */
         internal static function targetOf(node:int, path:String):String
         {
             return node + " " + path;
         }
 
-        /** The transform with 16 numbers, column by column. @param at the index of the first one */
-        internal static function ofColumns(m:Vector.<Number>, at:int):AffineTransform
+        // The transform with 16 numbers, column by column. @param at the index of the first one
+        private static function ofColumns(m:Vector.<Number>, at:int):AffineTransform
         {
             return new AffineTransform(new <Number>[
                         m[at], m[at + 4], m[at + 8], m[at + 12],

@@ -9,9 +9,9 @@ package starlogo.models.gltf
         private static const VERTICES_PER_STEP:int = 2000;
 
         /** The influences, when no step is left. */
-        public var influences:JointInfluences;
+        public var influences:JointInfluences = new JointInfluences();
 
-        /** How many influences there may be: four for each vertex and set. Count them before the steps, which reserve memory for so many. */
+        /** How many influences there may be: four for each vertex and set. Count them before the steps. */
         public var mostInfluences:Number;
 
         private var _jointCount:int;
@@ -35,13 +35,7 @@ package starlogo.models.gltf
                 _weights.push(accessorOf(file, attributes, "WEIGHTS_" + i, vertexCount));
             }
             mostInfluences = 4 * Number(vertexCount) * i;
-            call(reserve).slices(vertexCount, VERTICES_PER_STEP, read);
-        }
-
-        // a step, because these are counted before
-        private function reserve():void
-        {
-            influences = new JointInfluences(mostInfluences);
+            slices(vertexCount, VERTICES_PER_STEP, read);
         }
 
         private function accessorOf(file:GltfFile, attributes:GltfJson, key:String, vertexCount:int):GltfAccessor
@@ -57,32 +51,26 @@ package starlogo.models.gltf
         // Reads the influences of some vertices. A weight of 0 is none, whatever its joint is.
         private function read(first:int, end:int):void
         {
-            var joints:Vector.<int> = influences.joints;
-            var shares:Vector.<Number> = influences.weights;
-            var jointCount:int = _jointCount;
-            var count:int = influences.starts[first];
             for (var vertex:int = first; vertex < end; vertex++)
             {
                 for (var i:int = 0; i < _indices.length; i++)
                 {
-                    var indices:Vector.<Number> = _indices[i].numbers;
-                    var numbers:Vector.<Number> = _weights[i].numbers;
                     for (var at:int = 4 * vertex; at < 4 * vertex + 4; at++)
                     {
-                        if (numbers[at] != 0)
+                        var joint:Number = _indices[i].numbers[at];
+                        if (_weights[i].numbers[at] == 0)
                         {
-                            var joint:Number = indices[at];
-                            if (!(joint >= 0 && joint < jointCount && int(joint) == joint))
-                            {
-                                throw _indices[i].json.error("vertex " + vertex + " names joint " + joint + ", but there are only " + jointCount);
-                            }
-                            joints[count] = joint;
-                            shares[count] = numbers[at];
-                            count++;
+                            continue;
                         }
+                        if (!(joint >= 0 && joint < _jointCount && int(joint) == joint))
+                        {
+                            throw _indices[i].json.error("vertex " + vertex + " names joint " + joint + ", but there are only " + _jointCount);
+                        }
+                        influences.joints.push(joint);
+                        influences.weights.push(_weights[i].numbers[at]);
                     }
                 }
-                influences.starts.push(count);
+                influences.starts.push(influences.joints.length);
             }
         }
     }

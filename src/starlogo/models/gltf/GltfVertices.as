@@ -24,7 +24,7 @@ package starlogo.models.gltf
         // the points before the node places them
         private var _points:Vector.<Number>;
         // What moves the points: the joints of a skin, or the transform of the node.
-        private var _skin:GltfSkin = null;
+        private var _palette:Vector.<AffineTransform> = null;
         private var _transform:AffineTransform;
 
         /**
@@ -40,32 +40,43 @@ package starlogo.models.gltf
             _node = file.json.fileEntry("nodes", node);
             _positions = file.accessor(attributes.reference("POSITION", "accessors"), "VEC3");
             _vertices = vertices;
-            _points = _positions.numbers;
             firstVertex = vertices.length / 3;
             count = _positions.count;
             file.limits.requireMesh(firstVertex + Number(count), 0, primitive.place);
-            add(_positions);
+            add(_positions).call(function():void
+                {
+                    // other nodes may have the same mesh
+                    _points = _positions.numbers.slice();
+                });
             addTargets(file, primitive, scene.weightsOf(node));
             var skin:int = _node.reference("skin", "skins");
-            if (skin >= 0 && attributes.has("JOINTS_0"))
+            var isSkinned:Boolean = skin >= 0 && attributes.has("JOINTS_0");
+            if (isSkinned)
             {
-                _skin = scene.skin(skin);
-                add(_skin).call(copyPoints);
+                var matrices:GltfAccessor = scene.matricesOf(skin);
+                if (matrices != null)
+                {
+                    add(matrices);
+                }
+                call(function():void
+                    {
+                        _palette = scene.paletteOf(skin);
+                    });
                 var read:GltfSkinWeights = file.skinWeights(attributes, count, skin);
                 file.limits.countNumbers(read.mostInfluences, attributes.place);
                 add(read).slices(count, SKINNED_PER_STEP, function(first:int, end:int):void
                     {
-                        read.influences.move(_points, _skin.palette, first, end);
+                        read.influences.move(_points, _palette, first, end);
                     });
             }
-            _transform = _skin == null ? scene.globalTransformOf(node) : new AffineTransform();
+            _transform = isSkinned ? new AffineTransform() : scene.globalTransformOf(node);
             slices(count, VERTICES_PER_STEP, placeVertices);
         }
 
         /** Whether the node mirrors, or the first joint of its skin. Read it when no step is left. */
         public function get isMirror():Boolean
         {
-            return (_skin == null ? _transform : _skin.palette[0]).isMirror;
+            return (_palette == null ? _transform : _palette[0]).isMirror;
         }
 
         private function addTargets(file:GltfFile, primitive:GltfJson, weights:Vector.<Number>):void
@@ -85,19 +96,13 @@ package starlogo.models.gltf
         private function addTarget(target:GltfAccessor, weight:Number):void
         {
             target.requireCount(count);
-            add(target).call(copyPoints).slices(3 * count, 3 * VERTICES_PER_STEP, function(first:int, end:int):void
+            add(target).slices(3 * count, 3 * VERTICES_PER_STEP, function(first:int, end:int):void
                 {
                     for (var i:int = first; i < end; i++)
                     {
                         _points[i] += weight * target.numbers[i];
                     }
                 });
-        }
-
-        // copied, because other nodes may have the same mesh
-        private function copyPoints():void
-        {
-            _points = _points == _positions.numbers ? _points.slice() : _points;
         }
 
         private function placeVertices(first:int, end:int):void

@@ -28,11 +28,6 @@ package starlogo.models.gltf
         private static const IN_LIST:String = ",]";
         private static const IN_OBJECT:String = ",}";
 
-        // A string with one of these characters is not what stands between its quotes. The player's parser finds them faster in a long string, and this
-        // pattern in a short one.
-        private static const LONG:int = 200;
-        private static const UNUSUAL:RegExp = /[\\\x00-\x1F]/;
-
         private static const NUMBER:RegExp = /^-?(0|[1-9]\d*)(\.\d+)?([eE][-+]?\d+)?$/;
         private static const WORDS:Object = {"true": true, "false": false, "null": null};
 
@@ -132,11 +127,7 @@ package starlogo.models.gltf
         {
             var end:int = endOfString();
             refuseIf(end < 0, "a string has no end");
-            var text:String = _text.substring(_at, end);
-            if (text.length > LONG || UNUSUAL.test(text))
-            {
-                text = decoded(_text.substring(_at - 1, end + 1));
-            }
+            var text:String = decoded(_text.substring(_at - 1, end + 1));
             if (_allowed.indexOf(WORD) >= 0)
             {
                 put(text);

@@ -11,7 +11,9 @@ package starlogo.models.loading
      */
     public final class CookedManifest
     {
-        private var _url:String;
+        /** The list's address. Read only. */
+        public var url:String;
+
         private var _download:FileDownload = null;
 
         // The addresses of the cooked files, by those of the models' files. All are relative to the list's folder. Null before they are read.
@@ -20,19 +22,13 @@ package starlogo.models.loading
         /** @param url the list's address */
         public function CookedManifest(url:String)
         {
-            _url = url;
-        }
-
-        /** The list's address. */
-        public function get url():String
-        {
-            return _url;
+            this.url = url;
         }
 
         /** Fetches the list, if it has not been requested before. @param newLoader <code>function():URLLoader</code> */
         public function fetch(newLoader:Function):void
         {
-            _download ||= new FileDownload(_url, newLoader());
+            _download ||= new FileDownload(url, newLoader());
         }
 
         /** Whether the download is running. */
@@ -45,7 +41,7 @@ package starlogo.models.loading
         public function addressFor(file:String):String
         {
             var path:String = FileAddress.pathOf(file);
-            var folder:String = FileAddress.folderOf(_url);
+            var folder:String = FileAddress.folderOf(url);
             if (path.indexOf(folder) != 0 || _download == null || _download.bytes == null)
             {
                 return null;

@@ -59,9 +59,8 @@ package starlogo.models.loading
         // the progress of a cooked file that gave no model; 0 if there was none
         private var _tried:Number = 0;
 
-        // The downloads that the next step waits for: the file and its transform file, or its cooked file; and other files that its reader asks for.
+        // The downloads that the next step waits for: the file and its transform file, or its cooked file; or other files that its reader asks for.
         private var _downloads:Vector.<FileDownload> = new Vector.<FileDownload>();
-        private var _beside:Vector.<FileDownload> = new Vector.<FileDownload>();
 
         // what reads the file, or makes the model instead; null before the file has come, and after the model is made
         private var _maker:ModelMaker = null;
@@ -85,7 +84,7 @@ package starlogo.models.loading
         /** Whether the load can go on: no download is running. */
         public function get isReady():Boolean
         {
-            return !_downloads.some(isUnderWay) && !_beside.some(isUnderWay) && (_manifest == null || !_manifest.isUnderWay);
+            return !_downloads.some(isUnderWay) && (_manifest == null || !_manifest.isUnderWay);
         }
 
         /** The share of the load that is done, from 0 to 1. */
@@ -149,7 +148,7 @@ package starlogo.models.loading
         /** Stops fetching. */
         public function cancel():void
         {
-            for each (var each:FileDownload in _downloads.concat(_beside))
+            for each (var each:FileDownload in _downloads)
             {
                 each.cancel();
             }
@@ -235,7 +234,7 @@ package starlogo.models.loading
         {
             if (FileAddress.hasFolder(_url))
             {
-                _beside.push(new FileDownload(FileAddress.folderOf(_url) + uri, _newLoader(), take));
+                _downloads.push(new FileDownload(FileAddress.folderOf(_url) + uri, _newLoader(), take));
             }
             else
             {
@@ -245,11 +244,11 @@ package starlogo.models.loading
 
         private function stepMaker():Boolean
         {
-            for each (var file:FileDownload in _beside)
+            for each (var file:FileDownload in _downloads)
             {
                 file.deliver();
             }
-            _beside.length = 0;
+            _downloads.length = 0;
             return _maker.step();
         }
 

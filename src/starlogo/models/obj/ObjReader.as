@@ -4,7 +4,7 @@ package starlogo.models.obj
     import starlogo.models.building.ModelData;
     import starlogo.models.building.ModelReader;
     import starlogo.models.building.TriangleLabels;
-    import starlogo.models.building.VertexFilter;
+    import starlogo.models.building.removingUnusedVertices;
     import starlogo.models.files.FileLimits;
     import starlogo.models.files.refuseIf;
     import starlogo.models.files.shortened;
@@ -25,13 +25,10 @@ package starlogo.models.obj
         private var _lines:LineReader;
         private var _limits:FileLimits;
 
-        // Faces with more than three corners, which are kept until all vertices are known, and the most triangles that they are cut into.
-        private var _polygons:Vector.<Vector.<uint>> = new Vector.<Vector.<uint>>();
+        // Faces with more than three corners, each with the labels of its material and mesh. They are kept until all vertices are known.
+        // Then the most triangles that they are cut into.
+        private var _polygons:Array = [];
         private var _polygonTriangles:int = 0;
-
-        // The label of each polygon's material and mesh.
-        private var _polygonMaterials:Vector.<int> = new Vector.<int>();
-        private var _polygonMeshes:Vector.<int> = new Vector.<int>();
 
         // The highest index of a vertex in a face, and its line.
         private var _highestIndex:int = -1;
@@ -46,7 +43,7 @@ package starlogo.models.obj
             refuseMarkup(name, text);
             _lines = new LineReader(name, text);
             _limits = new FileLimits(name, text.length);
-            repeat(readSome).call(checkIndices).begin(cutting).add(new VertexFilter(_data.vertices, _data.triangles));
+            repeat(readSome).call(checkIndices).begin(cutting).add(removingUnusedVertices(_data.vertices, _data.triangles));
         }
 
         /** @inheritDoc */
@@ -73,44 +70,40 @@ package starlogo.models.obj
             return _lines.hasMore;
         }
 
-        private function readStatement(word:String):void
+        private function readStatement(words:Array):void
         {
-            if (word == "v")
+            switch (words[0])
             {
-                _lines.readPoint(_data.vertices, _data.vertices.length);
-                _lines.skipLine();
-            }
-            else if (word == "f")
-            {
-                readFace();
-            }
-            else if (word == "usemtl")
-            {
-                readLabel(_data.materials);
-            }
-            else if (word == "o" || word == "g")
-            {
-                readLabel(_data.meshes);
-            }
-            else
-            {
-                _lines.skipLine();
+                case "v":
+                    _lines.readPoint(words, 1, _data.vertices, _data.vertices.length);
+                    break;
+                case "f":
+                    readFace(words);
+                    break;
+                case "usemtl":
+                    readLabel(words, _data.materials);
+                    break;
+                case "o":
+                    readLabel(words, _data.meshes);
+                    break;
+                case "g":
+                    readLabel(words, _data.meshes);
             }
         }
 
         // Gives the triangles that follow a label with the name in the rest of a statement. If there is no name, they have none.
-        private function readLabel(labels:TriangleLabels):void
+        private function readLabel(words:Array, labels:TriangleLabels):void
         {
-            var name:String = _lines.readRest().join(" ");
+            var name:String = words.slice(1).join(" ");
             labels.beginRun(name == "" ? -1 : labels.labelWithKey(name, name), _data.triangles.length / 3);
         }
 
-        private function readFace():void
+        private function readFace(words:Array):void
         {
             var corners:Vector.<uint> = new Vector.<uint>();
-            for (var word:String = _lines.nextWord(); word != null; word = _lines.nextWord())
+            for (var i:int = 1; i < words.length; i++)
             {
-                corners.push(readCorner(word));
+                corners.push(readCorner(words[i]));
             }
             if (corners.length == 3)
             {
@@ -118,9 +111,7 @@ package starlogo.models.obj
             }
             else if (corners.length > 3)
             {
-                _polygons.push(corners);
-                _polygonMaterials.push(_data.materials.current);
-                _polygonMeshes.push(_data.meshes.current);
+                _polygons.push({"corners": corners, "material": _data.materials.current, "mesh": _data.meshes.current});
                 _polygonTriangles += corners.length - 2;
             }
         }
@@ -129,7 +120,7 @@ package starlogo.models.obj
         private function readCorner(word:String):int
         {
             var slash:int = word.indexOf("/");
-            var value:Number = Decimal.ofIndex(slash < 0 ? word : word.substr(0, slash));
+            var value:Number = Decimal.of(slash < 0 ? word : word.substr(0, slash));
             var index:int = int(value);
             if (index != value || index == 0)
             {
@@ -163,9 +154,10 @@ package starlogo.models.obj
             var triangulator:Triangulator = new Triangulator(_limits, _data.vertices, _data.triangles);
             return triangulator.addingEach(_polygons.length, function(index:int):Steps
                 {
-                    _data.materials.beginRun(_polygonMaterials[index], _data.triangles.length / 3);
-                    _data.meshes.beginRun(_polygonMeshes[index], _data.triangles.length / 3);
-                    return triangulator.addPolygon(_polygons[index]);
+                    var polygon:Object = _polygons[index];
+                    _data.materials.beginRun(polygon["material"], _data.triangles.length / 3);
+                    _data.meshes.beginRun(polygon["mesh"], _data.triangles.length / 3);
+                    return triangulator.addPolygon(polygon["corners"]);
                 });
         }
     }

@@ -83,33 +83,16 @@ package starlogo.models.polygons
         {
             var xs:Vector.<Number> = _rings.x;
             var ys:Vector.<Number> = _rings.y;
-            var next:Vector.<int> = _rings.next;
-            var ax:Number = xs[before];
-            var ay:Number = ys[before];
-            var bx:Number = xs[tip];
-            var by:Number = ys[tip];
-            var cx:Number = xs[after];
-            var cy:Number = ys[after];
-            var minX:Number = Math.min(ax, bx, cx);
-            var maxX:Number = Math.max(ax, bx, cx);
-            var minY:Number = Math.min(ay, by, cy);
-            var maxY:Number = Math.max(ay, by, cy);
             var count:int = 0;
-            for (var node:int = next[after]; node != before; node = next[node])
+            for (var node:int = _rings.next[after]; node != before; node = _rings.next[node])
             {
                 var x:Number = xs[node];
-                if (x >= minX && x <= maxX)
+                var y:Number = ys[node];
+                var isAtEnd:Boolean = x == xs[before] && y == ys[before] || x == xs[after] && y == ys[after];
+                var isAtTip:Boolean = x == xs[tip] && y == ys[tip];
+                if (!isAtEnd && (isAtTip ? _rings.goesInto(node, before, tip, after) : _rings.isInside(node, before, tip, after)))
                 {
-                    var y:Number = ys[node];
-                    var isAtEnd:Boolean = x == ax && y == ay || x == cx && y == cy;
-                    if (y >= minY && y <= maxY && !isAtEnd)
-                    {
-                        var isAtTip:Boolean = x == bx && y == by;
-                        if (isAtTip ? _rings.goesInto(node, before, tip, after) : _rings.isInside(node, before, tip, after))
-                        {
-                            return count;
-                        }
-                    }
+                    return count;
                 }
                 count++;
             }

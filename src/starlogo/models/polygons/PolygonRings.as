@@ -69,21 +69,16 @@ package starlogo.models.polygons
             {
                 return;
             }
-            var normal:Vector.<Number> = new <Number>[
-                    doubleArea(outline, 1, 2), doubleArea(outline, 2, 0), doubleArea(outline, 0, 1)];
-            var axis:int = 0;
-            for (var i:int = 1; i < 3; i++)
+            var largest:Number = 0;
+            for (var axis:int = 0; axis < 3; axis++)
             {
-                if (Math.abs(normal[i]) > Math.abs(normal[axis]))
+                var area:Number = doubleArea(outline, (axis + 1) % 3, (axis + 2) % 3);
+                if (Math.abs(area) > Math.abs(largest))
                 {
-                    axis = i;
+                    largest = area;
+                    _axisX = (axis + (area > 0 ? 1 : 2)) % 3;
+                    _axisY = (axis + (area > 0 ? 2 : 1)) % 3;
                 }
-            }
-            if (normal[axis] != 0)
-            {
-                var turnsLeft:Boolean = normal[axis] > 0;
-                _axisX = (axis + (turnsLeft ? 1 : 2)) % 3;
-                _axisY = (axis + (turnsLeft ? 2 : 1)) % 3;
             }
         }
 
@@ -194,8 +189,8 @@ package starlogo.models.polygons
         internal function isInside(node:int, before:int, tip:int, after:int):Boolean
         {
             var left:Number = orient2d(before, tip, node);
-            var right:Number = orient2d(tip, after, node);
-            return left >= 0 && right >= 0 && orient2d(after, before, node) >= 0
+            var right:Number = left < 0 ? -1 : orient2d(tip, after, node);
+            return right >= 0 && orient2d(after, before, node) >= 0
                 && !(left == 0 && isBeyond(node, before, tip)) && !(right == 0 && isBeyond(node, tip, after));
         }
 

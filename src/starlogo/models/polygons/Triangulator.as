@@ -19,18 +19,13 @@ package starlogo.models.polygons
      */
     public final class Triangulator
     {
-        // A step adds so many corners of polygons and of triangles. Each polygon counts as so many more.
-        private static const CORNERS_PER_STEP:int = 2000;
-        private static const CORNERS_PER_POLYGON:int = 10;
+        private static const POLYGONS_PER_STEP:int = 100;
 
         /** Three indices for each triangle, in the direction of its polygon. */
         public var triangles:Vector.<uint>;
 
         private var _limits:FileLimits;
         private var _vertices:Vector.<Number>;
-
-        // The corners of polygons so far, and CORNERS_PER_POLYGON for each call of a function of addingEach().
-        private var _cornerCount:Number = 0;
 
         /**
          * @param limits limit the tests of corners
@@ -57,18 +52,11 @@ package starlogo.models.polygons
             var rest:Steps = null;
             return new StepSequence().repeat(function():Boolean
                 {
-                    if (rest != null)
+                    var end:int = Math.min(next + POLYGONS_PER_STEP, count);
+                    rest = rest != null && rest.step() ? rest : null;
+                    while (rest == null && next < end)
                     {
-                        rest = rest.step() ? rest : null;
-                    }
-                    else
-                    {
-                        var end:Number = _cornerCount + triangles.length + CORNERS_PER_STEP;
-                        while (rest == null && next < count && _cornerCount + triangles.length < end)
-                        {
-                            rest = add(next++);
-                            _cornerCount += CORNERS_PER_POLYGON;
-                        }
+                        rest = add(next++);
                     }
                     return rest != null || next < count;
                 });
@@ -83,7 +71,6 @@ package starlogo.models.polygons
          */
         public function addPolygon(outline:Vector.<uint>, holes:Vector.<Vector.<uint>> = null):Steps
         {
-            _cornerCount += outline.length;
             if (outline.length < 3)
             {
                 return null;

@@ -136,39 +136,44 @@ package starlogo.models.stl
             return _lines.hasMore;
         }
 
-        private function readStatement(word:String):void
+        // Reads a line, which may have several statements.
+        private function readStatement(words:Array):void
         {
-            switch (word.toLowerCase().replace("endsolid", "solid"))
+            for (var i:int = 0; i < words.length; i++)
             {
-                case "solid":
-                    _lines.skipLine();
-                    break;
-                case "vertex":
-                    readVertex();
-                    break;
-                case "endloop":
-                    if (_corners != 3)
-                    {
-                        throw new ModelError(_data.name, _lines.place, "expected a facet of three vertices, but found " + _corners);
-                    }
-                    _corners = 0;
-                    break;
-                case "outer":
-                    if (_corners != 0)
-                    {
-                        throw new ModelError(_data.name, _lines.place, "a loop begins before the last one has ended");
-                    }
+                switch (words[i].toLowerCase().replace("endsolid", "solid"))
+                {
+                    case "solid":
+                        // the rest is its name
+                        return;
+                    case "vertex":
+                        readVertex(words, i + 1);
+                        i += 3;
+                        break;
+                    case "endloop":
+                        if (_corners != 3)
+                        {
+                            throw new ModelError(_data.name, _lines.place, "expected a facet of three vertices, but found " + _corners);
+                        }
+                        _corners = 0;
+                        break;
+                    case "outer":
+                        if (_corners != 0)
+                        {
+                            throw new ModelError(_data.name, _lines.place, "a loop begins before the last one has ended");
+                        }
+                }
             }
         }
 
-        private function readVertex():void
+        private function readVertex(words:Array, first:int):void
         {
             var point:Vector.<Number> = new Vector.<Number>(3, true);
             if (_corners == 3)
             {
                 throw new ModelError(_data.name, _lines.place, "a facet has more than three vertices");
             }
-            _lines.readPoint(point, 0);
+            _lines.readPoint(words, first, point, 0);
             _data.triangles.push(_points.add(point[0], point[1], point[2]));
             _corners++;
         }

@@ -69,16 +69,6 @@ package starlogo.models.text
             return length > LONGEST ? NaN : read(PARTS.exec(word));
         }
 
-        /** The same, in less time for an index. */
-        public static function ofIndex(word:String):Number
-        {
-            const ZERO:int = 0x30;
-            const NINE:int = 0x39;
-            var first:int = word.charCodeAt(0);
-            var last:int = word.charCodeAt(word.length - 1);
-            return first > ZERO && first <= NINE && last >= ZERO && last <= NINE ? Number(word) : of(word);
-        }
-
         private static function read(parts:Array):Number
         {
             if (parts == null)

@@ -40,13 +40,10 @@ package starlogo.models.text
                     {
                         end++;
                     }
-                    var more:Array = of(text.substring(start, end));
-                    // most texts are one piece, whose list is taken as it is
-                    for (var i:int = 0; i < more.length && start > 0; i++)
+                    for each (var word:String in of(text.substring(start, end)))
                     {
-                        words.push(more[i]);
+                        words.push(word);
                     }
-                    words = start == 0 ? more : words;
                     start = end;
                     return start < text.length;
                 }).begin(function():Steps

@@ -48,11 +48,6 @@ package starlogo.models.text
                         "\uFEFF1", "1\u00A0", "1\f2", "0x", "0x1234567890123456", "1_0", "\u0661"])
             {
                 assertTrue(wrong, isNaN(Decimal.of(wrong)));
-                assertTrue(wrong, wrong == null || isNaN(Decimal.ofIndex(wrong)));
-            }
-            for each (var index:String in ["0", "1", "07", "10", "123456"])
-            {
-                assertEquals(index, Decimal.of(index), Decimal.ofIndex(index));
             }
         }
 

@@ -1,0 +1,42 @@
+package starlogo.models.animation
+{
+    /**
+     * A channel of an animation: which numbers of the file move, and how.
+     *
+     * @private
+     */
+    public final class AnimationChannel
+    {
+        /** How the numbers move. Read only. */
+        public var keys:KeyFrames;
+
+        private var _target:String;
+        private var _numbers:Vector.<Number>;
+        private var _first:int;
+
+        /**
+         * @param target the thing in the file whose numbers move
+         * @param keys how they move
+         * @param numbers all numbers of the target, as they are in the file
+         * @param first the index of the first one that moves
+         */
+        public function AnimationChannel(target:String, keys:KeyFrames, numbers:Vector.<Number>, first:int = 0)
+        {
+            this.keys = keys;
+            _target = target;
+            _numbers = numbers;
+            _first = first;
+        }
+
+        /** Moves the numbers. @param moved takes the numbers of targets @param time seconds */
+        public function move(moved:Object, time:Number):void
+        {
+            var values:Vector.<Number> = keys.valueAt(time);
+            var numbers:Vector.<Number> = moved[_target] ||= _numbers.slice();
+            for (var i:int = 0; i < values.length; i++)
+            {
+                numbers[_first + i] = values[i];
+            }
+        }
+    }
+}

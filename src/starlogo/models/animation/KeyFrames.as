@@ -1,0 +1,199 @@
+package starlogo.models.animation
+{
+    import starlogo.data.lastNotAfter;
+    import starlogo.geometry.Trigonometry;
+    import starlogo.models.ModelError;
+    import starlogo.models.files.refuseIf;
+
+    /**
+     * Numbers over time: the keys of an animation's sampler, and what is between them. The readers of formats make them.
+     *
+     * @private
+     */
+    public final class KeyFrames
+    {
+        /** The interpolation in a straight line. That of quaternions is along the arc. */
+        public static const LINEAR:String = "LINEAR";
+
+        /** The interpolation that stays at a key until the next one. All others are curves. */
+        public static const STEP:String = "STEP";
+
+        private static const HALVINGS:int = 52;
+
+        // Quaternions closer than this are mixed in a straight line: the cosine of half of the angle.
+        private static const STRAIGHT:Number = 1 - 1e-9;
+
+        private var _modelName:String;
+        private var _place:Object;
+        private var _times:Vector.<Number>;
+        private var _values:Vector.<Number>;
+        private var _interpolations:Array;
+        private var _areRotations:Boolean;
+
+        // The control points of curves after each key and before it: a value for each number, or a time and a value. Null if there is no curve.
+        private var _after:Vector.<Number>;
+        private var _before:Vector.<Number>;
+
+        /**
+         * @param modelName the model's name
+         * @param place the sampler's place in the file, for errors
+         * @param times the time of each key, at least one
+         * @param values the numbers of each key
+         * @param interpolations from each key to the next; or one for all keys
+         * @param after the control points of curves after each key: a value for each number, at a third of the time to the next key; or for
+         * each number the point's time and its value. Null if there is no curve
+         * @param before those before each key, in the same form
+         * @param areRotations whether each key is a quaternion
+         * @throws ModelError if a time is not finite, or the times go back
+         */
+        public function KeyFrames(modelName:String, place:Object, times:Vector.<Number>, values:Vector.<Number>, interpolations:Array,
+                after:Vector.<Number> = null, before:Vector.<Number> = null, areRotations:Boolean = false)
+        {
+            _modelName = modelName;
+            _place = place;
+            _times = times;
+            _values = values;
+            _interpolations = interpolations;
+            _after = after;
+            _before = before;
+            _areRotations = areRotations;
+            for (var i:int = 0; i < times.length; i++)
+            {
+                if (times[i] - times[i] != 0 || i > 0 && times[i] < times[i - 1])
+                {
+                    throw new ModelError(modelName, String(place), "its times must be finite and not go back, but found " + times[i]);
+                }
+            }
+        }
+
+        /** How many numbers a key has. */
+        public function get width():int
+        {
+            return _values.length / _times.length;
+        }
+
+        /** The time of the last key. */
+        public function get end():Number
+        {
+            return _times[_times.length - 1];
+        }
+
+        /** The numbers at a time. Before the first key and after the last one they stay. @throws ModelError if one is not finite */
+        public function valueAt(time:Number):Vector.<Number>
+        {
+            var key:int = lastNotAfter(_times, time);
+            var next:int = Math.min(key + 1, _times.length - 1);
+            var length:Number = _times[next] - _times[key];
+            var share:Number = time > _times[key] && length > 0 ? (time - _times[key]) / length : 0;
+            var interpolation:String = _interpolations[Math.min(key, _interpolations.length - 1)];
+            var result:Vector.<Number> = ofKey(key);
+            var isBetween:Boolean = share > 0 && interpolation != STEP;
+            if (isBetween && interpolation != LINEAR)
+            {
+                goAlongCurves(result, ofKey(next), key, share);
+            }
+            else if (isBetween && _areRotations)
+            {
+                goAlongArc(result, ofKey(next), share);
+            }
+            else if (isBetween)
+            {
+                goStraight(result, ofKey(next), share);
+            }
+            var differences:Number = 0;
+            for each (var number:Number in result)
+            {
+                differences += number - number;
+            }
+            refuseIf(differences != 0, _modelName, "its numbers at " + time + " seconds are not finite", _place);
+            if (_areRotations)
+            {
+                normalise(result);
+            }
+            return result;
+        }
+
+        private function ofKey(key:int):Vector.<Number>
+        {
+            return _values.slice(key * width, (key + 1) * width);
+        }
+
+        // Takes numbers on to the next key, in a straight line. By the differences, so that equal numbers stay exactly as they are.
+        private static function goStraight(numbers:Vector.<Number>, to:Vector.<Number>, share:Number):void
+        {
+            for (var i:int = 0; i < numbers.length; i++)
+            {
+                numbers[i] += share * (to[i] - numbers[i]);
+            }
+        }
+
+        // Takes a quaternion to the next one along the shorter arc.
+        private static function goAlongArc(from:Vector.<Number>, to:Vector.<Number>, share:Number):void
+        {
+            // those of integers are rounded
+            normalise(from);
+            normalise(to);
+            var cosine:Number = from[0] * to[0] + from[1] * to[1] + from[2] * to[2] + from[3] * to[3];
+            var sign:Number = cosine < 0 ? -1 : 1;
+            var ofFrom:Number = 1 - share;
+            var ofTo:Number = share;
+            if (sign * cosine < STRAIGHT)
+            {
+                var sine:Number = Math.sqrt(1 - cosine * cosine);
+                var angle:Number = Trigonometry.arctangent(sine, sign * cosine);
+                ofFrom = Trigonometry.sine(ofFrom * angle) / sine;
+                ofTo = Trigonometry.sine(share * angle) / sine;
+            }
+            for (var i:int = 0; i < 4; i++)
+            {
+                from[i] = ofFrom * from[i] + sign * ofTo * to[i];
+            }
+        }
+
+        private static function normalise(turn:Vector.<Number>):void
+        {
+            var length:Number = Math.sqrt(turn[0] * turn[0] + turn[1] * turn[1] + turn[2] * turn[2] + turn[3] * turn[3]);
+            for (var i:int = 0; i < 4 && length > 0; i++)
+            {
+                turn[i] /= length;
+            }
+        }
+
+        // Takes numbers along the curves from a key to the next one. Where a curve is at a time is found by halving.
+        private function goAlongCurves(numbers:Vector.<Number>, to:Vector.<Number>, key:int, share:Number):void
+        {
+            var start:Number = _times[key];
+            var length:Number = _times[key + 1] - start;
+            var hasTimes:Boolean = _after.length > _values.length;
+            for (var i:int = 0; i < numbers.length; i++)
+            {
+                var out:int = key * width + i;
+                var into:int = out + width;
+                var at:Number = hasTimes ? placeAt(share, (_after[2 * out] - start) / length, (_before[2 * into] - start) / length) : share;
+                numbers[i] = bezier(numbers[i], _after[hasTimes ? 2 * out + 1 : out], _before[hasTimes ? 2 * into + 1 : into], to[i], at);
+            }
+        }
+
+        // Where a curve is at a share of its time, from 0 to 1. Its control points have two more shares. The curve does not go back in time.
+        private static function placeAt(share:Number, first:Number, second:Number):Number
+        {
+            first = Math.max(0, Math.min(first, 1));
+            second = Math.max(0, Math.min(second, 1));
+            var at:Number = 0;
+            var step:Number = 0.5;
+            for (var i:int = 0; i < HALVINGS; i++)
+            {
+                at += bezier(0, first, second, 1, at + step) <= share ? step : 0;
+                step /= 2;
+            }
+            return at;
+        }
+
+        // By the differences from the first number, so that four equal numbers give exactly this number. A matrix keeps its last row.
+        private static function bezier(a:Number, b:Number, c:Number, d:Number, at:Number):Number
+        {
+            var rest:Number = 1 - at;
+            return a + 3 * rest * rest * at * (b - a) + 3 * rest * at * at * (c - a) + at * at * at * (d - a);
+        }
+    }
+}

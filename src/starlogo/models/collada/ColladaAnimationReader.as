@@ -1,0 +1,86 @@
+package starlogo.models.collada
+{
+    import starlogo.models.animation.AnimationChannel;
+    import starlogo.models.animation.FileAnimation;
+    import starlogo.models.building.ModelReader;
+    import starlogo.steps.finish;
+
+    /**
+     * Reads the animations of a COLLADA document. They move the numbers of elements. An element's target is its <code>ColladaElement.index</code>.
+     *
+     * @private
+     */
+    public final class ColladaAnimationReader
+    {
+        /**
+         * Reads the animations. If there are any, it makes a pose, so that the geometries and skins are read and checked.
+         *
+         * @param name the model's name
+         * @param text the document's text
+         * @param upAxis as for ColladaReader
+         * @throws ModelError if the document is wrong
+         */
+        public static function allIn(name:String, text:String, upAxis:Object):Vector.<FileAnimation>
+        {
+            var document:ColladaDocument = new ColladaDocument(name, text);
+            finish(document);
+            document.limits.restart();
+            var read:Object = {};
+            var newReader:Function = function(moved:Object):ModelReader
+            {
+                document.limits.restart();
+                return new ColladaReader(document, upAxis, null, moved);
+            };
+            var animations:Vector.<FileAnimation> = new Vector.<FileAnimation>();
+            var all:Vector.<ColladaElement> = document.entriesOf("library_animations", "animation");
+            var clips:Vector.<ColladaElement> = document.entriesOf("library_animation_clips", "animation_clip");
+            for each (var clip:ColladaElement in clips)
+            {
+                var parts:Vector.<ColladaElement> = new Vector.<ColladaElement>();
+                for each (var part:ColladaElement in clip.childrenNamed("instance_animation"))
+                {
+                    parts.push(part.target("url", ["animation"]));
+                }
+                var start:Number = clip.toNumber(clip.attribute("start") || "0");
+                var end:Number = clip.attribute("end") == "" ? NaN : clip.toNumber(clip.attribute("end"));
+                clip.refuseIf(end < start, "it ends before it starts");
+                animations.push(new FileAnimation(clip.attribute("name") || clip.id, channelsOf(parts, read), newReader, start, end));
+            }
+            if (clips.length == 0 && all.length > 0)
+            {
+                animations.push(new FileAnimation("", channelsOf(all, read), newReader));
+            }
+            if (animations.length > 0)
+            {
+                animations[0].verticesAt(0);
+            }
+            return animations;
+        }
+
+        // The channels of some animations, and of those within them. A channel is read once, even if several clips have it.
+        // @param read the channels that are read so far, by the index of their elements
+        private static function channelsOf(elements:Vector.<ColladaElement>, read:Object):Vector.<AnimationChannel>
+        {
+            var channels:Vector.<AnimationChannel> = new Vector.<AnimationChannel>();
+            var pending:Vector.<ColladaElement> = elements.slice().reverse();
+            while (pending.length > 0)
+            {
+                var element:ColladaElement = pending.pop();
+                element.limits.countElements(1 + element.children.length, element);
+                for each (var channel:ColladaElement in element.childrenNamed("channel"))
+                {
+                    read[channel.index] ||= [ColladaChannel.read(channel)];
+                    if (read[channel.index][0] != null)
+                    {
+                        channels.push(read[channel.index][0]);
+                    }
+                }
+                for each (var inner:ColladaElement in element.childrenNamed("animation").reverse())
+                {
+                    pending.push(inner);
+                }
+            }
+            return channels;
+        }
+    }
+}

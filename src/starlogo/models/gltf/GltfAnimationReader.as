@@ -1,0 +1,105 @@
+package starlogo.models.gltf
+{
+    import starlogo.models.animation.AnimationChannel;
+    import starlogo.models.animation.FileAnimation;
+    import starlogo.models.animation.KeyFrames;
+    import starlogo.models.building.ModelReader;
+    import starlogo.steps.finish;
+
+    /**
+     * Reads the animations of a glTF file. They move properties of nodes. <code>GltfScene.targetOf()</code> returns a property's target.
+     *
+     * @private
+     */
+    public final class GltfAnimationReader
+    {
+        private static const TYPES:Object = {translation: "VEC3", rotation: "VEC4", scale: "VEC3", weights: "SCALAR"};
+        private static const CUBIC:String = "CUBICSPLINE";
+
+        /**
+         * Reads the animations.
+         *
+         * @param file the file; all its steps must be done
+         * @param upAxis as for GltfReader
+         * @throws ModelError if one is wrong
+         */
+        public static function allIn(file:GltfFile, upAxis:Object):Vector.<FileAnimation>
+        {
+            var animations:Vector.<FileAnimation> = new Vector.<FileAnimation>();
+            for (var i:int = 0; i < file.json.count("animations"); i++)
+            {
+                var animation:GltfJson = file.json.element("animations", i);
+                animations.push(new FileAnimation(animation.text("name") || "", channelsOf(file, animation), function(moved:Object):ModelReader
+                        {
+                            file.limits.restart();
+                            return new GltfReader(file, upAxis, null, moved);
+                        }));
+            }
+            return animations;
+        }
+
+        private static function channelsOf(file:GltfFile, animation:GltfJson):Vector.<AnimationChannel>
+        {
+            var channels:Vector.<AnimationChannel> = new Vector.<AnimationChannel>();
+            for (var i:int = 0; i < animation.count("channels"); i++)
+            {
+                var channel:GltfJson = animation.element("channels", i);
+                var target:GltfJson = channel.object("target");
+                channel.refuseIf(target == null, "expected a target");
+                var node:int = target.reference("node", "nodes");
+                var path:String = target.text("path");
+                // otherwise it is the target of an extension
+                if (node >= 0 && TYPES.hasOwnProperty(path))
+                {
+                    target.refuseIf(file.json.fileEntry("nodes", node).has("matrix") && path != "weights", "a node with a matrix can't be animated");
+                    var sampler:int = channel.requiredWhole("sampler", animation.count("samplers") - 1);
+                    var keys:KeyFrames = keysOf(file, animation.element("samplers", sampler), path);
+                    channels.push(new AnimationChannel(GltfScene.targetOf(node, path), keys, new Vector.<Number>(keys.width)));
+                }
+            }
+            return channels;
+        }
+
+        // Reads the keys of a sampler. @param path the property that they move
+        private static function keysOf(file:GltfFile, sampler:GltfJson, path:String):KeyFrames
+        {
+            var input:int = sampler.reference("input", "accessors");
+            var output:int = sampler.reference("output", "accessors");
+            sampler.refuseIf(input < 0 || output < 0, "expected input and output");
+            var interpolation:String = sampler.has("interpolation") ? sampler.text("interpolation") : KeyFrames.LINEAR;
+            sampler.refuseIf([KeyFrames.LINEAR, KeyFrames.STEP, CUBIC].indexOf(interpolation) < 0, "expected LINEAR, STEP or CUBICSPLINE", "interpolation");
+            var times:GltfAccessor = file.accessor(input, "SCALAR");
+            var values:GltfAccessor = file.accessor(output, TYPES[path]);
+            var wanted:Number = Number(times.count) * (interpolation == CUBIC ? 3 : 1);
+            values.json.refuseIf(times.count == 0 || values.count < wanted || values.count % wanted != 0 || path != "weights" && values.count != wanted,
+                    "it has " + values.count + " elements for " + times.count + " keys");
+            file.limits.countNumbers(times.count, sampler.place);
+            finish(times);
+            finish(values);
+            var isRotation:Boolean = path == "rotation";
+            return interpolation == CUBIC ? splines(sampler, times.numbers, values.numbers, isRotation)
+                : new KeyFrames(sampler.modelName, sampler.place, times.numbers, values.numbers, [interpolation], null, null, isRotation);
+        }
+
+        // The keys of Hermite splines: for each key the tangents before it, the values, and the tangents after it (glTF specification, appendix
+        // C). A control point of the same curve is a third of the tangent away from its key.
+        private static function splines(sampler:GltfJson, times:Vector.<Number>, numbers:Vector.<Number>, areRotations:Boolean):KeyFrames
+        {
+            var width:int = numbers.length / times.length / 3;
+            var values:Vector.<Number> = new Vector.<Number>();
+            var after:Vector.<Number> = new Vector.<Number>();
+            var before:Vector.<Number> = new Vector.<Number>();
+            for (var key:int = 0; key < times.length; key++)
+            {
+                for (var i:int = 3 * key * width; i < (3 * key + 1) * width; i++)
+                {
+                    var value:Number = numbers[i + width];
+                    values.push(value);
+                    after.push(key == times.length - 1 ? value : value + numbers[i + 2 * width] * (times[key + 1] - times[key]) / 3);
+                    before.push(key == 0 ? value : value - numbers[i] * (times[key] - times[key - 1]) / 3);
+                }
+            }
+            return new KeyFrames(sampler.modelName, sampler.place, times, values, [CUBIC], after, before, areRotations);
+        }
+    }
+}

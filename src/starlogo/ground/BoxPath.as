@@ -107,13 +107,6 @@ package starlogo.ground
             return Math.max(-1, Math.min(int.MAX_VALUE, Math.floor(distance / widthAt(level))));
         }
 
-        /** Finds the passage over the whole ground: all of the motion until its latest time. */
-        public function findWholePassage(out:SquarePassage):void
-        {
-            out.begin(search.motion.latest);
-            findHeights(out);
-        }
-
         /** Finds the passage over a square until the latest time. Returns whether there is one. */
         public function findPassage(level:int, column:int, row:int, out:SquarePassage):Boolean
         {
@@ -165,20 +158,6 @@ package starlogo.ground
             var high:Number = (axis.cellsBegin + (square + 1) * width - (axis.middle - axis.half)) / travel;
             passage.from = Math.max(passage.from, Math.min(low, high));
             passage.to = Math.min(passage.to, Math.max(low, high));
-        }
-
-        /** Narrows a passage over a square to the part in which the box is between the heights of the square. */
-        public function narrowPassage(heights:HeightBounds, passage:SquarePassage):void
-        {
-            var box:GroundBox = search.box;
-            var speed:Number = search.motion.z;
-            if (speed != 0)
-            {
-                var low:Number = (heights.least - (box.z + _halfZ)) / speed;
-                var high:Number = (heights.greatest - (box.z - _halfZ)) / speed;
-                passage.from = Math.max(passage.from, Math.min(low, high));
-                passage.to = Math.min(passage.to, Math.max(low, high));
-            }
         }
 
         /** Whether the shape in the box stays farther away from a square than a triangle may be. The square is between two heights. */

@@ -107,6 +107,14 @@ package starlogo.ground
             return Math.max(-1, Math.min(int.MAX_VALUE, Math.floor(distance / widthAt(level))));
         }
 
+        /** Whether a square is at a border of the ground. */
+        public function isAtBorder(level:int, column:int, row:int):Boolean
+        {
+            var grid:HeightGrid = search.grid;
+            return column == 0 || row == 0 || column == HeightPyramid.squareOf(grid.lastCellColumn, level)
+                || row == HeightPyramid.squareOf(grid.lastCellRow, level);
+        }
+
         /** Finds the passage over a square until the latest time. Returns whether there is one. */
         public function findPassage(level:int, column:int, row:int, out:SquarePassage):Boolean
         {

@@ -66,7 +66,7 @@ package starlogo.ground
             _row = row;
             _passage = passage;
             readTops(at);
-            var hasWalls:Boolean = grid.isBlocky || grid.isAtBorder(0, column, row) || grid.isBesideHole(at);
+            var hasWalls:Boolean = grid.isBlocky || _path.isAtBorder(0, column, row) || grid.isBesideHole(at);
             if (passage.least <= _greatest.z && (hasWalls || passage.greatest >= _least.z))
             {
                 var width:Number = grid.cellWidth;

@@ -31,8 +31,7 @@ package starlogo.ground
         {
             contact.deepestPointInto(_deepest);
             var below:Number = grid.heightAt(_deepest.x, _deepest.y) - _deepest.z;
-            // the ground may end nearer than that, along x or y
-            if (!(below > 0 && grid.isWithin(_deepest.x, _deepest.y, grid.border - maxLength)))
+            if (!(below > 0 && distanceToEnd(grid, _deepest) >= maxLength))
             {
                 return 0;
             }
@@ -50,6 +49,14 @@ package starlogo.ground
             var slopeX:Number = _heightsAround.riseX / grid.cellWidth;
             var slopeY:Number = _heightsAround.riseY / grid.cellWidth;
             return Math.max(least, below / Math.sqrt(1 + slopeX * slopeX + slopeY * slopeY));
+        }
+
+        // How far a point in the ground is from where the ground ends, along x or y.
+        private static function distanceToEnd(grid:HeightGrid, point:Vector3D):Number
+        {
+            var alongX:Number = Math.min(point.x - grid.x, grid.x + (grid.columns - 1) * grid.cellWidth - point.x);
+            var alongY:Number = Math.min(point.y - grid.y, grid.y + (grid.rows - 1) * grid.cellWidth - point.y);
+            return Math.min(alongX, alongY) + grid.border;
         }
     }
 }

@@ -127,7 +127,7 @@ package starlogo.ground
             grid.pyramid.findRange(level, column, row, column, row, _heights);
             _heights.least += _path.zeroHeight;
             _heights.greatest += _path.zeroHeight;
-            if (grid.isAtBorder(level, column, row) || _heights.hasHole)
+            if (_path.isAtBorder(level, column, row) || _heights.hasHole)
             {
                 _heights.least = Math.min(_heights.least, _passage.least);
             }

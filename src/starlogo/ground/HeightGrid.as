@@ -184,12 +184,6 @@ package starlogo.ground
             return isHole(index - 1) || isHole(index + 1) || isHole(index - columns) || isHole(index + columns);
         }
 
-        /** Whether a cell, or a square of a level of the pyramid, is at a border of the ground. */
-        public function isAtBorder(level:int, column:int, row:int):Boolean
-        {
-            return column == 0 || row == 0 || column == HeightPyramid.squareOf(lastCellColumn, level) || row == HeightPyramid.squareOf(lastCellRow, level);
-        }
-
         /** Whether there is a cell at a column and a row, and it is no hole. */
         public function hasCell(column:int, row:int):Boolean
         {

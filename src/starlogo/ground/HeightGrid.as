@@ -135,10 +135,7 @@ package starlogo.ground
             {
                 _spare.heights[i] = heights[i];
             }
-            for (i = 0; i < holes.length; i++)
-            {
-                _spare.holes[i] = holes[i];
-            }
+            _spare.holes = holes.concat();
             _spare.pyramid.copyFrom(pyramid);
             return _spare;
         }
@@ -164,6 +161,14 @@ package starlogo.ground
         public function isWithin(atX:Number, atY:Number, beyond:Number):Boolean
         {
             return atX >= x - beyond && atY >= y - beyond && atX <= x + (columns - 1) * cellWidth + beyond && atY <= y + (rows - 1) * cellWidth + beyond;
+        }
+
+        // Whether a point is between the sides of the outermost cells, as seen from above; over a hole too. It takes a record, because V8 would make
+        // objects of the Numbers.
+        private function isInOutline(point:GroundPoint):Boolean
+        {
+            var beyond:Number = border;
+            return point.x >= x - beyond && point.y >= y - beyond && point.x <= x + (columns - 1) * cellWidth + beyond && point.y <= y + (rows - 1) * cellWidth + beyond;
         }
 
         /** How far beyond the outermost heights the ground goes on: half a cell of blocks. Slopes end at these heights. */
@@ -223,7 +228,7 @@ package starlogo.ground
         /** Finds the height at a point's x and y, and on slopes its triangle. */
         public function findHeight(point:GroundPoint):void
         {
-            if (!isWithin(point.x, point.y, border))
+            if (!isInOutline(point))
             {
                 point.height = NaN;
             }

@@ -107,11 +107,12 @@ package starlogo.ground
             return Math.max(-1, Math.min(int.MAX_VALUE, Math.floor(distance / widthAt(level))));
         }
 
-        /** Finds the passage over the whole ground: all of the motion until its latest time. */
-        public function findWholePassage(out:SquarePassage):void
+        /** Whether a square is at a border of the ground. */
+        public function isAtBorder(level:int, column:int, row:int):Boolean
         {
-            out.begin(search.motion.latest);
-            findHeights(out);
+            var grid:HeightGrid = search.grid;
+            return column == 0 || row == 0 || column == HeightPyramid.squareOf(grid.lastCellColumn, level)
+                || row == HeightPyramid.squareOf(grid.lastCellRow, level);
         }
 
         /** Finds the passage over a square until the latest time. Returns whether there is one. */
@@ -165,20 +166,6 @@ package starlogo.ground
             var high:Number = (axis.cellsBegin + (square + 1) * width - (axis.middle - axis.half)) / travel;
             passage.from = Math.max(passage.from, Math.min(low, high));
             passage.to = Math.min(passage.to, Math.max(low, high));
-        }
-
-        /** Narrows a passage over a square to the part in which the box is between the heights of the square. */
-        public function narrowPassage(heights:HeightBounds, passage:SquarePassage):void
-        {
-            var box:GroundBox = search.box;
-            var speed:Number = search.motion.z;
-            if (speed != 0)
-            {
-                var low:Number = (heights.least - (box.z + _halfZ)) / speed;
-                var high:Number = (heights.greatest - (box.z - _halfZ)) / speed;
-                passage.from = Math.max(passage.from, Math.min(low, high));
-                passage.to = Math.min(passage.to, Math.max(low, high));
-            }
         }
 
         /** Whether the shape in the box stays farther away from a square than a triangle may be. The square is between two heights. */

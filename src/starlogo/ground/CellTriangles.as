@@ -1,5 +1,7 @@
 package starlogo.ground
 {
+    import flash.geom.Vector3D;
+
     /**
      * The triangles of a cell of the ground: two on top, and two on each side where a wall stands. A wall stands where a block is higher than its
      * neighbour, at the terrain's borders and around holes. A hole has no triangles.
@@ -16,16 +18,12 @@ package starlogo.ground
 
         private var _path:BoxPath;
 
-        // The cell, its sides, the heights of its corners, counter-clockwise, and the least and the greatest of these.
+        // The cell, the heights of its corners, counter-clockwise, and the least and the greatest corner of the box around its top.
         private var _column:int = 0;
         private var _row:int = 0;
-        private var _minX:Number = 0;
-        private var _maxX:Number = 0;
-        private var _minY:Number = 0;
-        private var _maxY:Number = 0;
         private var _tops:Vector.<Number> = new Vector.<Number>(4, true);
-        private var _least:Number = 0;
-        private var _greatest:Number = 0;
+        private var _least:Vector3D = new Vector3D();
+        private var _greatest:Vector3D = new Vector3D();
 
         // The index of the cell's next triangle, and the end of its triangles: 0, TOPS_END or WALLS_END.
         private var _next:int = 0;
@@ -59,9 +57,8 @@ package starlogo.ground
         {
             var grid:HeightGrid = _path.search.grid;
             var at:int = row * grid.columns + column;
-            var hasHoles:Boolean = grid.holes != null;
             leave();
-            if (hasHoles && grid.isHole(at))
+            if (grid.isHole(at))
             {
                 return;
             }
@@ -69,15 +66,14 @@ package starlogo.ground
             _row = row;
             _passage = passage;
             readTops(at);
-            var isAtBorder:Boolean = column == 0 || row == 0 || column == grid.lastCellColumn || row == grid.lastCellRow;
-            var hasWalls:Boolean = isAtBorder || grid.isBlocky || hasHoles && grid.isBesideHole(at);
-            if (passage.least <= _greatest && (hasWalls || passage.greatest >= _least))
+            var hasWalls:Boolean = grid.isBlocky || _path.isAtBorder(0, column, row) || grid.isBesideHole(at);
+            if (passage.least <= _greatest.z && (hasWalls || passage.greatest >= _least.z))
             {
                 var width:Number = grid.cellWidth;
-                _minX = _path.alongX.cellsBegin + column * width;
-                _maxX = _path.alongX.cellsBegin + (column + 1) * width;
-                _minY = _path.alongY.cellsBegin + row * width;
-                _maxY = _path.alongY.cellsBegin + (row + 1) * width;
+                _least.x = _path.alongX.cellsBegin + column * width;
+                _least.y = _path.alongY.cellsBegin + row * width;
+                _greatest.x = _path.alongX.cellsBegin + (column + 1) * width;
+                _greatest.y = _path.alongY.cellsBegin + (row + 1) * width;
                 _end = TOPS_END;
                 if (hasWalls)
                 {
@@ -105,10 +101,10 @@ package starlogo.ground
             // comparisons take the player less time than Math.min() and Math.max()
             var low:Number = first < second ? first : second;
             low = low < third ? low : third;
-            _least = low < fourth ? low : fourth;
+            _least.z = low < fourth ? low : fourth;
             var high:Number = first > second ? first : second;
             high = high > third ? high : third;
-            _greatest = high > fourth ? high : fourth;
+            _greatest.z = high > fourth ? high : fourth;
         }
 
         /** Writes the next triangle near the box. Returns false if there is none. */
@@ -142,12 +138,12 @@ package starlogo.ground
             var high:Number = corners[2] > corners[5] ? corners[2] : corners[5];
             high = high > corners[8] ? high : corners[8];
             var slack:Number = _path.slack;
-            out.minX = _minX - slack;
-            out.maxX = _maxX + slack;
-            out.minY = _minY - slack;
-            out.maxY = _maxY + slack;
-            out.minZ = low - slack;
-            out.maxZ = high + slack;
+            out.least.x = _least.x - slack;
+            out.least.y = _least.y - slack;
+            out.least.z = low - slack;
+            out.greatest.x = _greatest.x + slack;
+            out.greatest.y = _greatest.y + slack;
+            out.greatest.z = high + slack;
             out.radius = _path.search.grid.cellWidth + high - low;
             return _passage.least <= high && _passage.greatest >= low;
         }
@@ -155,14 +151,14 @@ package starlogo.ground
         // Writes half of the top: the first half is beside the side with the greatest x.
         private function writeTop(isFirst:Boolean, corners:Vector.<Number>):void
         {
-            corners[0] = _minX;
-            corners[1] = _minY;
+            corners[0] = _least.x;
+            corners[1] = _least.y;
             corners[2] = _tops[0];
-            corners[3] = _maxX;
-            corners[4] = isFirst ? _minY : _maxY;
+            corners[3] = _greatest.x;
+            corners[4] = isFirst ? _least.y : _greatest.y;
             corners[5] = isFirst ? _tops[1] : _tops[2];
-            corners[6] = isFirst ? _maxX : _minX;
-            corners[7] = _maxY;
+            corners[6] = isFirst ? _greatest.x : _least.x;
+            corners[7] = _greatest.y;
             corners[8] = isFirst ? _tops[2] : _tops[3];
         }
 
@@ -209,8 +205,8 @@ package starlogo.ground
         // Writes x and y of a corner of the cell.
         private function writeCorner(corner:int, out:Vector.<Number>, to:int):void
         {
-            out[to] = corner == 1 || corner == 2 ? _maxX : _minX;
-            out[int(to + 1)] = corner > 1 ? _maxY : _minY;
+            out[to] = corner == 1 || corner == 2 ? _greatest.x : _least.x;
+            out[int(to + 1)] = corner > 1 ? _greatest.y : _least.y;
         }
     }
 }

@@ -8,7 +8,6 @@ package starlogo.ground
      *
      * <ul>
      * <li>agents whose middle is in the ground, if it is in the agent too</li>
-     * <li>spheres that touch the ground under or beside their middle</li>
      * <li>agents that are higher above the ground than the steepest slope near them allows</li>
      * </ul>
      *
@@ -25,9 +24,8 @@ package starlogo.ground
         /** No answer. Only a test of the agent's shape decides. */
         public static const UNKNOWN:int = 2;
 
-        // The place under the agent's middle, the one under the point of a sphere that is nearest to the ground, and bounds of the heights around.
+        // The place under the agent's middle, and bounds of the heights around.
         private var _under:GroundPoint = new GroundPoint();
-        private var _nearest:GroundPoint = new GroundPoint();
         private var _heightsAround:HeightBounds = new HeightBounds();
 
         /**
@@ -72,17 +70,13 @@ package starlogo.ground
             // The height that the steepest slope of all reaches. For a sphere it is its radius times the root of 1 + 2 s², at most 1 + s².
             var height:Number = isSphere ? inner + inner * slope * slope : extents.halfZ + slope * (extents.halfX + extents.halfY);
             // an agent whose lowest height is in the ground under its middle is not far
-            if (above > height * Tolerances.OUTER + slack || above > extents.halfZ && isFar(grid, extents, isSphere, above, slack))
-            {
-                return APART;
-            }
-            return isSphere && !grid.isBlocky && touchesSphere(grid, extents, _under) ? TOUCHING : UNKNOWN;
+            var isApart:Boolean = above > height * Tolerances.OUTER + slack || above > extents.halfZ && isFar(grid, extents, isSphere, above, slack);
+            return isApart ? APART : UNKNOWN;
         }
 
         // Whether the agent is above all heights near it, or higher above its place than the slopes between them reach.
         private function isFar(grid:HeightGrid, extents:GroundBox, isSphere:Boolean, above:Number, slack:Number):Boolean
         {
-            var width:Number = grid.cellWidth;
             var halfX:Number = extents.halfX * Tolerances.OUTER + slack;
             var halfY:Number = extents.halfY * Tolerances.OUTER + slack;
             var halfZ:Number = extents.halfZ * Tolerances.OUTER + slack;
@@ -91,22 +85,10 @@ package starlogo.ground
             {
                 return true;
             }
-            var riseX:Number = _heightsAround.riseX * halfX / width;
-            var riseY:Number = _heightsAround.riseY * halfY / width;
+            var riseX:Number = _heightsAround.riseX * halfX / grid.cellWidth;
+            var riseY:Number = _heightsAround.riseY * halfY / grid.cellWidth;
             var height:Number = isSphere ? Math.sqrt(halfZ * halfZ + riseX * riseX + riseY * riseY) : halfZ + riseX + riseY;
             return !grid.isBlocky && above > height;
-        }
-
-        // Whether a sphere above sloping ground touches it, as far as one of its points knows: the nearest one to the plane of the triangle under its middle.
-        private function touchesSphere(grid:HeightGrid, extents:GroundBox, under:GroundPoint):Boolean
-        {
-            var width:Number = grid.cellWidth;
-            grid.findFall(under);
-            var step:Number = extents.halfX / Math.sqrt(under.fallX * under.fallX + under.fallY * under.fallY + width * width);
-            _nearest.x = under.x - step * under.fallX;
-            _nearest.y = under.y - step * under.fallY;
-            grid.findHeight(_nearest);
-            return _nearest.height >= extents.z - step * width;
         }
     }
 }

@@ -25,13 +25,11 @@ package starlogo.ground
     public final class GroundModelQuery extends ImpactQuery
     {
         private var _pairs:PieceTrianglePairs = new PieceTrianglePairs();
-        private var _pieceTest:PieceTouchTest = new PieceTouchTest(_pairs);
 
         /** Finds how deep the model is in the ground, and how far up it has to be lifted. */
-        public var penetration:GroundPenetrationQuery = new GroundPenetrationQuery(_pairs, _pieceTest);
+        public var penetration:GroundPenetrationQuery = new GroundPenetrationQuery(_pairs);
 
-        // The motion of the search for the first touch, and what chooses it. It begins where the model is, because the model is moved to the beginning.
-        private var _sweep:RelativeMotion = new RelativeMotion();
+        // Chooses the first touch.
         private var _touch:ImpactChoice = new ImpactChoice();
 
         // For the upper bound of a distance: the box around the model, a point of the ground, and the same point as the corners of a triangle.
@@ -67,7 +65,21 @@ package starlogo.ground
             _pairs.begin(RelativeMotion.NONE, 0);
             while (_pairs.nextPiece())
             {
-                if (_pieceTest.isTouching())
+                if (_pairs.reachesUnder() || touchesTriangle())
+                {
+                    return true;
+                }
+            }
+            return false;
+        }
+
+        // Whether the current piece touches a triangle near it.
+        private function touchesTriangle():Boolean
+        {
+            var kernel:TriangleKernel = _pairs.pieces.kernel;
+            while (_pairs.nextTriangle())
+            {
+                if (!kernel.planeKeepsApart(RelativeMotion.NONE) && kernel.areTouching())
                 {
                     return true;
                 }
@@ -78,29 +90,27 @@ package starlogo.ground
         /** @inheritDoc */
         override public function findImpactOfSurfaces(motion:RelativeMotion, out:ContactPoint):void
         {
-            var kernel:TriangleKernel = _pairs.kernel;
+            var kernel:TriangleKernel = _pairs.pieces.kernel;
+            // begins where the model is, because the model is moved to the beginning
+            var sweep:RelativeMotion = _pairs.search.motion;
             _touch.begin(motion.latest);
-            _sweep.copyVector(motion);
-            _sweep.earliest = motion.earliest;
-            _sweep.latest = motion.latest;
             _pairs.pieces.moveTo(motion, 0);
-            _pairs.begin(_sweep, 0);
+            _pairs.begin(motion, 0);
             while (_touch.time > 0 && _pairs.next())
             {
-                if (kernel.plane.keepsApart(kernel.shape, _sweep))
+                if (kernel.plane.keepsApart(kernel.shape, sweep))
                 {
                     continue;
                 }
-                kernel.findTime(_sweep);
-                if (_touch.choose(_sweep, kernel.plane) && out != null)
+                kernel.findTime(sweep);
+                if (_touch.choose(sweep, kernel.plane) && out != null)
                 {
-                    _sweep.time = _touch.time;
-                    kernel.findContact(_sweep, out);
-                    kernel.plane.leadOutside(kernel.shape, _sweep, out);
-                    kernel.plane.alignContact(kernel.shape, _sweep, out);
+                    sweep.time = _touch.time;
+                    kernel.findContact(sweep, out);
+                    kernel.plane.leadOutside(kernel.shape, sweep, out);
+                    kernel.plane.alignContact(kernel.shape, sweep, out);
                 }
-                _sweep.latest = _touch.latest;
-                _pairs.leaveOutLater(_sweep);
+                sweep.latest = _touch.latest;
             }
             motion.time = _touch.time;
             if (out != null && motion.time != RelativeMotion.NEVER)
@@ -143,21 +153,21 @@ package starlogo.ground
          */
         public function findClosest(areTouching:Boolean, out:ClosestPoints):void
         {
-            var origin:Placement = _pairs.origin;
-            var kernel:TriangleKernel = _pairs.kernel;
+            var origin:Placement = _pairs.search.origin;
+            var kernel:TriangleKernel = _pairs.pieces.kernel;
             boundDistance(out);
             _pairs.begin(RelativeMotion.NONE, out.distance);
             while (_pairs.next())
             {
                 if (kernel.findCloser(_pairs.triangle.corners, out))
                 {
-                    _pairs.leaveOutFarther(out.distance);
+                    _pairs.search.maxDistance = out.distance;
                 }
             }
             if (areTouching)
             {
                 // either the model's point is in the ground, or the surface's point is in the model
-                var isUnder:Boolean = _pairs.grid.heightAt(out.a.x + origin.x, out.a.y + origin.y) - origin.z >= out.a.z;
+                var isUnder:Boolean = _pairs.search.grid.heightAt(out.a.x + origin.x, out.a.y + origin.y) - origin.z >= out.a.z;
                 out.setPoint(isUnder ? out.a : out.b);
             }
             out.correct(areTouching);
@@ -168,12 +178,12 @@ package starlogo.ground
         // tree's is the distance from there to the farthest corner of the box around it.
         private function boundDistance(out:ClosestPoints):void
         {
-            var origin:Placement = _pairs.origin;
+            var origin:Placement = _pairs.search.origin;
             var box:GroundBox = _modelBox;
             _pairs.pieces.findBoxAroundWhole(box);
             _nearest.x = box.x + origin.x;
             _nearest.y = box.y + origin.y;
-            _pairs.grid.findNearest(_nearest);
+            _pairs.search.grid.findNearest(_nearest);
             var x:Number = _nearest.x - origin.x;
             var y:Number = _nearest.y - origin.y;
             var z:Number = _nearest.height - origin.z;
@@ -186,9 +196,9 @@ package starlogo.ground
             {
                 _pairs.pieces.begin();
                 _pairs.pieces.next();
-                _pairs.kernel.findCloser(pointAsTriangle(x, y, z), out);
+                _pairs.pieces.kernel.findCloser(pointAsTriangle(x, y, z), out);
             }
-            out.distance = out.distance * Tolerances.OUTER + Tolerances.SURFACES * _pairs.grid.cellWidth;
+            out.distance = out.distance * Tolerances.OUTER + Tolerances.SURFACES * _pairs.search.grid.cellWidth;
         }
 
         private function pointAsTriangle(x:Number, y:Number, z:Number):Vector.<Number>

@@ -26,7 +26,6 @@ package starlogo.ground
         private static const ROUNDED_TERMS:Number = 10;
 
         private var _pairs:PieceTrianglePairs;
-        private var _pieceTest:PieceTouchTest;
         private var _kernel:TriangleKernel;
 
         // A contact of the current piece and the current triangle.
@@ -38,15 +37,11 @@ package starlogo.ground
         private var _modelBox:GroundBox = new GroundBox();
         private var _heightsAround:HeightBounds = new HeightBounds();
 
-        /**
-         * @param pairs of the model, where it stands
-         * @param pieceTest of these pairs
-         */
-        public function GroundPenetrationQuery(pairs:PieceTrianglePairs, pieceTest:PieceTouchTest)
+        /** @param pairs of the model, where it stands */
+        public function GroundPenetrationQuery(pairs:PieceTrianglePairs)
         {
             _pairs = pairs;
-            _pieceTest = pieceTest;
-            _kernel = pairs.kernel;
+            _kernel = pairs.pieces.kernel;
         }
 
         /**
@@ -57,11 +52,7 @@ package starlogo.ground
          */
         public function findContact(out:ContactPoint):void
         {
-            if (findDeepestBehind(out) || findDeepestOverlap(out))
-            {
-                _pieceTest.noteWayOut(out);
-            }
-            else
+            if (!(findDeepestBehind(out) || findDeepestOverlap(out)))
             {
                 findLift(out);
             }
@@ -70,11 +61,11 @@ package starlogo.ground
         /** Finds the contact that lifts the model from its lowest place above all ground under it. */
         public function findLift(out:ContactPoint):void
         {
-            var origin:Placement = _pairs.origin;
+            var origin:Placement = _pairs.search.origin;
             var box:GroundBox = _modelBox;
             _pairs.pieces.findBoxAroundWhole(box);
             var low:Number = box.z - box.halfZ;
-            _pairs.grid.pyramid.findAround(box.x + origin.x, box.y + origin.y, box.halfX, box.halfY, _heightsAround);
+            _pairs.search.grid.pyramid.findAround(box.x + origin.x, box.y + origin.y, box.halfX, box.halfY, _heightsAround);
             out.setNormal(0, 0, 1);
             out.depth = Math.max(0, _heightsAround.greatest - origin.z - low);
             out.x = box.x;
@@ -103,7 +94,7 @@ package starlogo.ground
                     }
                 }
                 // A structure's middle is inside of it. A tree's piece may be flat, with its middle on the surface. So there it counts only if no triangle touches.
-                if ((isApart || !_pairs.pieces.isTree) && _pieceTest.hasPointUnder(depth))
+                if ((isApart || !_pairs.pieces.isTree) && _pairs.hasPointUnder(depth))
                 {
                     return true;
                 }
@@ -117,12 +108,13 @@ package starlogo.ground
         {
             var isFound:Boolean = false;
             // less than any depth, so that rounding hides no piece that just touches
-            out.depth = -Tolerances.SEPARATION * _pairs.grid.cellWidth;
+            out.depth = -Tolerances.SEPARATION * _pairs.search.grid.cellWidth;
             _pairs.begin(RelativeMotion.NONE, 0);
             while (_pairs.next())
             {
                 _kernel.plane.findBehind(_kernel.shape, RelativeMotion.NONE, _tried);
-                if (_tried.depth > out.depth && isClearlyDeeper(_tried, out) && isThrough(_pairs.triangle.corners, _tried))
+                // deeper by more than rounding
+                if (_tried.depth > out.depth && _tried.depth >= out.depth + _pairs.triangle.margin && isThrough(_pairs.triangle.corners, _tried))
                 {
                     _pairs.moveToWorld(_tried);
                     if (isDepthProven(_tried))
@@ -131,7 +123,7 @@ package starlogo.ground
                         out.copyFrom(_tried);
                         out.isDeepestOfA = true;
                         out.exitBound = LEAST_SHARE_PROVEN * out.depth;
-                        _pairs.leaveOutShallower(out.depth);
+                        _pairs.search.leastDepth = out.depth;
                     }
                 }
             }
@@ -218,20 +210,14 @@ package starlogo.ground
         // How much a depth behind the current triangle may be off by rounding.
         private function roundingHere():Number
         {
-            var origin:Placement = _pairs.origin;
+            var origin:Placement = _pairs.search.origin;
             return ROUNDED_TERMS * _pairs.triangle.margin + 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
-        }
-
-        // Whether a contact is deeper than another one by more than rounding.
-        private function isClearlyDeeper(contact:ContactPoint, than:ContactPoint):Boolean
-        {
-            return contact.depth >= than.depth + _pairs.triangle.margin;
         }
 
         // Whether each exit from the ground is at least about as long as a contact in the world is deep, because the piece's deepest point has to get out.
         private function isDepthProven(contact:ContactPoint):Boolean
         {
-            return contact.depth >= 0 && _exits.boundOf(_pairs.grid, contact, contact.depth) >= LEAST_SHARE_PROVEN * contact.depth;
+            return contact.depth >= 0 && _exits.boundOf(_pairs.search.grid, contact, contact.depth) >= LEAST_SHARE_PROVEN * contact.depth;
         }
     }
 }

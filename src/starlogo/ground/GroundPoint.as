@@ -20,9 +20,5 @@ package starlogo.ground
          */
         public var corner:int = 0;
         public var side:int = 0;
-
-        /** How far the triangle falls from a height to the next one along x, and along y. */
-        public var fallX:Number = 0;
-        public var fallY:Number = 0;
     }
 }

@@ -1,5 +1,6 @@
 package starlogo.ground
 {
+    import flash.geom.Vector3D;
     import starlogo.convex.TrianglePlane;
 
     /**
@@ -19,15 +20,11 @@ package starlogo.ground
         public var radius:Number = 0;
 
         /**
-         * A box around it: around its cell as seen from above, and between the least and the greatest height of a corner. It is larger by the slack of
-         * GroundTriangles.
+         * The least and the greatest corner of a box around it: around its cell as seen from above, and between the least and the greatest height of a
+         * corner. The box is larger by the slack of GroundTriangles.
          */
-        public var minX:Number = 0;
-        public var maxX:Number = 0;
-        public var minY:Number = 0;
-        public var maxY:Number = 0;
-        public var minZ:Number = 0;
-        public var maxZ:Number = 0;
+        public var least:Vector3D = new Vector3D();
+        public var greatest:Vector3D = new Vector3D();
 
         /** The margin of its surface (see Touching) and its plane. Only KeptTriangles sets them. */
         public var margin:Number = 0;

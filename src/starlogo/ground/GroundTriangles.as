@@ -27,9 +27,6 @@ package starlogo.ground
         private var _squares:Vector.<int> = new Vector.<int>();
         private var _squaresEnd:int = 0;
 
-        // Whether the passage is the same over all squares: the box stands and nothing beside it counts, so only squares below it are visited.
-        private var _hasOnePassage:Boolean = false;
-
         // The level of the first squares.
         private var _firstLevel:int = 0;
 
@@ -38,8 +35,7 @@ package starlogo.ground
         {
             _path.begin(search);
             stop();
-            _hasOnePassage = search.motion.isStill && search.maxDistance == 0;
-            _path.findWholePassage(_passage);
+            _passage.begin(search.motion.latest);
             _firstLevel = _path.firstLevel();
             addSquares(_firstLevel, 0, 0, int.MAX_VALUE);
         }
@@ -108,7 +104,7 @@ package starlogo.ground
             var level:int = _squares[_squaresEnd];
             var column:int = _squares[int(_squaresEnd + 1)];
             var row:int = _squares[int(_squaresEnd + 2)];
-            if (!_hasOnePassage && !_path.findPassage(level, column, row, _passage))
+            if (!_path.findPassage(level, column, row, _passage))
             {
                 return;
             }
@@ -120,7 +116,6 @@ package starlogo.ground
             readHeights(level, column, row);
             if (_passage.least <= _heights.greatest && _passage.greatest >= _heights.least && !_path.isFarther(level, column, row, _heights))
             {
-                _path.narrowPassage(_heights, _passage);
                 addSquares(level - 1, column << HeightPyramid.SHIFT, row << HeightPyramid.SHIFT, 1 << HeightPyramid.SHIFT);
             }
         }
@@ -129,12 +124,10 @@ package starlogo.ground
         private function readHeights(level:int, column:int, row:int):void
         {
             var grid:HeightGrid = _path.search.grid;
-            var isAtBorder:Boolean = column == 0 || row == 0 || column == HeightPyramid.squareOf(grid.lastCellColumn, level)
-                || row == HeightPyramid.squareOf(grid.lastCellRow, level);
             grid.pyramid.findRange(level, column, row, column, row, _heights);
             _heights.least += _path.zeroHeight;
             _heights.greatest += _path.zeroHeight;
-            if (isAtBorder || _heights.hasHole)
+            if (_path.isAtBorder(level, column, row) || _heights.hasHole)
             {
                 _heights.least = Math.min(_heights.least, _passage.least);
             }

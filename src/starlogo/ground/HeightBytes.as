@@ -21,8 +21,8 @@ package starlogo.ground
             bytes.writeBoolean(grid.isBlocky);
             writeNumbers(bytes, grid.heights, false);
             var holes:Vector.<int> = grid.holes;
-            var numbers:Vector.<Number> = new Vector.<Number>(countHoleNumbers(grid), true);
-            for (var i:int = 0; holes != null && i < numbers.length; i++)
+            var numbers:Vector.<Number> = new Vector.<Number>(holes.length, true);
+            for (var i:int = 0; i < numbers.length; i++)
             {
                 numbers[i] = holes[i];
             }
@@ -44,22 +44,17 @@ package starlogo.ground
             }
             var flag:int = bytes.readUnsignedByte();
             var heights:Vector.<Number> = readNumbers(bytes, columns * rows, false);
-            var bits:Vector.<Number> = heights == null ? null : readNumbers(bytes, countHoleNumbers(grid), true);
+            var bits:Vector.<Number> = heights == null ? null : readNumbers(bytes, grid.holes.length, true);
             if (flag > 1 || bits == null)
             {
                 return null;
             }
-            var holes:Vector.<int> = null;
+            var found:HeightGrid = new HeightGrid(columns, rows, cellWidth, x, y);
             for (var i:int = 0; i < bits.length; i++)
             {
-                if (bits[i] != 0)
-                {
-                    holes ||= new Vector.<int>(bits.length, true);
-                    holes[i] = bits[i];
-                }
+                found.holes[i] = bits[i];
             }
-            var found:HeightGrid = new HeightGrid(columns, rows, cellWidth, x, y);
-            found.setSurface(flag == 1, heights, holes);
+            found.setSurface(flag == 1, heights, found.holes);
             return found;
         }
 
@@ -107,11 +102,6 @@ package starlogo.ground
                 }
             }
             return numbers;
-        }
-
-        private static function countHoleNumbers(grid:HeightGrid):int
-        {
-            return (grid.columns * grid.rows + 31) >> 5;
         }
     }
 }

@@ -2,7 +2,7 @@
 // HeightPyramid bounds of them. Three parts build on these:
 // - GroundTriangles finds the triangles near the box of a GroundSearch: square by square (BoxPath), then those of each cell (CellTriangles).
 // - GroundModelQuery tests a model. PieceTrianglePairs are its convex pieces (ModelPieces), each with the triangles near it (KeptTriangles).
-// PieceTouchTest decides whether a piece touches, GroundPenetrationQuery how deep the model is, GroundExits how long its way out is at least.
+// GroundPenetrationQuery finds how deep the model is, GroundExits how long its way out is at least.
 // - GroundRayQuery tests a ray, and GroundEarlyOut decides about most agents by the heights alone.
 // Read this file first, then GroundSearch, GroundTriangles and GroundModelQuery.
 package starlogo.ground
@@ -40,9 +40,9 @@ package starlogo.ground
 
         /**
          * A bit for each cell: whether it is a hole. 32 cells are one number, in the order of the heights. The cell of a height is the block
-         * around it, or the slopes between it and the next heights along x and y. Null if there is no hole. Read only.
+         * around it, or the slopes between it and the next heights along x and y. Read only.
          */
-        public var holes:Vector.<int> = null;
+        public var holes:Vector.<int>;
 
         /** Bounds of the heights. Read only. */
         public var pyramid:HeightPyramid;
@@ -63,6 +63,7 @@ package starlogo.ground
             this.x = x;
             this.y = y;
             heights = new Vector.<Number>(columns * rows, true);
+            holes = new Vector.<int>((columns * rows + 31) >> 5, true);
             pyramid = new HeightPyramid(this);
         }
 
@@ -91,7 +92,7 @@ package starlogo.ground
         /** Makes all heights 0, without holes. */
         public function reset():void
         {
-            setSurface(isBlocky, new Vector.<Number>(columns * rows, true), null);
+            setSurface(isBlocky, new Vector.<Number>(columns * rows, true), new Vector.<int>(holes.length, true));
         }
 
         /** Sets all of the surface. The heights and the holes are kept. */
@@ -134,7 +135,7 @@ package starlogo.ground
             {
                 _spare.heights[i] = heights[i];
             }
-            _spare.holes = holes == null ? null : holes.concat();
+            _spare.holes = holes.concat();
             _spare.pyramid.copyFrom(pyramid);
             return _spare;
         }
@@ -179,13 +180,13 @@ package starlogo.ground
         /** Whether the cell of a height is a hole. */
         public function isHole(index:int):Boolean
         {
-            return holes != null && (holes[index >> 5] >> (index & 31) & 1) == 1;
+            return (holes[index >> 5] >> (index & 31) & 1) == 1;
         }
 
         /** Whether one of the four cells beside the cell of a height is a hole. The cell is not at a border. */
         public function isBesideHole(index:int):Boolean
         {
-            return holes != null && (isHole(index - 1) || isHole(index + 1) || isHole(index - columns) || isHole(index + columns));
+            return isHole(index - 1) || isHole(index + 1) || isHole(index - columns) || isHole(index + columns);
         }
 
         /** Whether there is a cell at a column and a row, and it is no hole. */
@@ -211,7 +212,6 @@ package starlogo.ground
         {
             var index:int = row * columns + column;
             var bit:int = 1 << (index & 31);
-            holes ||= new Vector.<int>((columns * rows + 31) >> 5, true);
             holes[index >> 5] = becomesHole ? holes[index >> 5] | bit : holes[index >> 5] & ~bit;
             pyramid.update(column, row, column, row);
         }
@@ -242,13 +242,26 @@ package starlogo.ground
             }
         }
 
-        // Finds the height of the highest block at a point. At most four blocks meet there.
+        // Finds the height of the highest block at a point; NaN if all are holes. At most four blocks meet there.
         private function findHeightOfBlocks(point:GroundPoint):void
         {
             // rounding can lead beyond the last block
             var toX:Number = Math.min((point.x - x) / cellWidth + 0.5, columns);
             var toY:Number = Math.min((point.y - y) / cellWidth + 0.5, rows);
-            findHighest(Math.max(0, Math.ceil(toX) - 1), Math.max(0, Math.ceil(toY) - 1), Math.min(toX, columns - 1), Math.min(toY, rows - 1), point);
+            var firstColumn:int = Math.max(0, Math.ceil(toX) - 1);
+            var lastColumn:int = Math.min(toX, columns - 1);
+            var lastRow:int = Math.min(toY, rows - 1);
+            point.height = NaN;
+            for (var row:int = Math.max(0, Math.ceil(toY) - 1); row <= lastRow; row++)
+            {
+                for (var index:int = row * columns + firstColumn; index <= row * columns + lastColumn; index++)
+                {
+                    if (!isHole(index) && !(heights[index] <= point.height))
+                    {
+                        point.height = heights[index];
+                    }
+                }
+            }
         }
 
         // Finds the height of the slope at a point, and its triangle.
@@ -280,23 +293,6 @@ package starlogo.ground
             point.height = (1 - more) * heights[corner] + (more - less) * heights[point.side] + less * heights[int(corner + columns + 1)];
         }
 
-        // Finds the height of the highest block of a range that is no hole; NaN if all are holes.
-        private function findHighest(firstColumn:int, firstRow:int, lastColumn:int, lastRow:int, out:GroundPoint):void
-        {
-            var highest:Number = NaN;
-            for (var row:int = firstRow; row <= lastRow; row++)
-            {
-                for (var index:int = row * columns + firstColumn; index <= row * columns + lastColumn; index++)
-                {
-                    if (!isHole(index) && !(heights[index] <= highest))
-                    {
-                        highest = heights[index];
-                    }
-                }
-            }
-            out.height = highest;
-        }
-
         // The cell beside a hole to which a place at the hole's border belongs, or -1. The place is at the border to the cell before the hole
         // along x, or along y, or at both.
         private function cellBeside(hole:int, isAtX:Boolean, isAtY:Boolean):int
@@ -312,17 +308,6 @@ package starlogo.ground
             return isAtX && isAtY && !isHole(hole - columns - 1) ? hole - columns - 1 : -1;
         }
 
-        /** Finds the fall of sloping ground at a point whose triangle is known. */
-        public function findFall(point:GroundPoint):void
-        {
-            var near:Number = heights[point.corner];
-            var side:Number = heights[point.side];
-            var far:Number = heights[int(point.corner + columns + 1)];
-            var isRight:Boolean = point.side == point.corner + 1;
-            point.fallX = isRight ? near - side : side - far;
-            point.fallY = isRight ? side - far : near - side;
-        }
-
         /** Finds the normal at a point whose height is known: a unit vector out of the ground. It is up from blocks, and where there is no ground. */
         public function findNormal(point:GroundPoint, out:Vector3D):void
         {
@@ -331,10 +316,15 @@ package starlogo.ground
             out.z = 1;
             if (!isBlocky && !isNaN(point.height))
             {
-                findFall(point);
-                var length:Number = Math.sqrt(point.fallX * point.fallX + point.fallY * point.fallY + cellWidth * cellWidth);
-                out.x = point.fallX / length;
-                out.y = point.fallY / length;
+                var toSide:Number = heights[point.corner] - heights[point.side];
+                var fromSide:Number = heights[point.side] - heights[int(point.corner + columns + 1)];
+                var isSideAlongX:Boolean = point.side == point.corner + 1;
+                // how far the triangle falls from a height to the next one along x, and along y
+                var fallX:Number = isSideAlongX ? toSide : fromSide;
+                var fallY:Number = isSideAlongX ? fromSide : toSide;
+                var length:Number = Math.sqrt(fallX * fallX + fallY * fallY + cellWidth * cellWidth);
+                out.x = fallX / length;
+                out.y = fallY / length;
                 out.z = cellWidth / length;
             }
         }

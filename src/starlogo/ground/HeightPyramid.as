@@ -110,7 +110,6 @@ package starlogo.ground
         private function findRangeOfHeights(firstColumn:int, firstRow:int, lastColumn:int, lastRow:int, out:HeightBounds):void
         {
             var all:Vector.<Number> = _grid.heights;
-            var hasHoles:Boolean = _grid.holes != null;
             var columns:int = _grid.columns;
             var low:Number = Infinity;
             var high:Number = -Infinity;
@@ -131,10 +130,7 @@ package starlogo.ground
                     rise = row == firstRow ? 0 : here - all[int(at - columns)];
                     riseY = rise > riseY ? rise : riseY;
                     riseY = -rise > riseY ? -rise : riseY;
-                    if (hasHoles && _grid.isHole(at))
-                    {
-                        out.hasHole = true;
-                    }
+                    out.hasHole ||= _grid.isHole(at);
                 }
             }
             out.least = low;

@@ -24,9 +24,6 @@ package starlogo.ground
         private var _next:int = 0;
         private var _areKept:Boolean = false;
 
-        // Whether the source has still to begin, because many questions need no triangle.
-        private var _mustBegin:Boolean = false;
-
         // How many boxes were left when the triangles that are kept were looked for.
         private var _boxesLeft:int = 0;
 
@@ -43,7 +40,7 @@ package starlogo.ground
         /** Ends all searches. */
         public function stop():void
         {
-            _areKept = _mustBegin = false;
+            _areKept = false;
             _count = _next = 0;
             _source.stop();
         }
@@ -60,37 +57,23 @@ package starlogo.ground
             // fewer boxes are left: all inside of the box whose triangles are kept have been
             if (!_areKept || boxesLeft < _boxesLeft)
             {
-                _areKept = false;
-                _mustBegin = true;
                 _count = 0;
                 _boxesLeft = boxesLeft;
                 _search.box.copyFrom(box);
                 _search.shape = shape;
+                _source.begin(_search);
+                _areKept = _source.comesToFewCells;
             }
-            _least.x = box.x - box.halfX;
-            _least.y = box.y - box.halfY;
-            _least.z = box.z - box.halfZ;
-            _greatest.x = box.x + box.halfX;
-            _greatest.y = box.y + box.halfY;
-            _greatest.z = box.z + box.halfZ;
-            if (!_search.motion.isStill)
-            {
-                extendAlong(_search.motion);
-            }
-        }
-
-        // Extends the corners of the box by its motion.
-        private function extendAlong(motion:RelativeMotion):void
-        {
+            var motion:RelativeMotion = _search.motion;
             var x:Number = motion.latest * motion.x;
             var y:Number = motion.latest * motion.y;
             var z:Number = motion.latest * motion.z;
-            _least.x += Math.min(0, x);
-            _least.y += Math.min(0, y);
-            _least.z += Math.min(0, z);
-            _greatest.x += Math.max(0, x);
-            _greatest.y += Math.max(0, y);
-            _greatest.z += Math.max(0, z);
+            _least.x = box.x - box.halfX + Math.min(0, x);
+            _least.y = box.y - box.halfY + Math.min(0, y);
+            _least.z = box.z - box.halfZ + Math.min(0, z);
+            _greatest.x = box.x + box.halfX + Math.max(0, x);
+            _greatest.y = box.y + box.halfY + Math.max(0, y);
+            _greatest.z = box.z + box.halfZ + Math.max(0, z);
         }
 
         /**
@@ -99,25 +82,13 @@ package starlogo.ground
          */
         public function next():Boolean
         {
-            if (_mustBegin)
-            {
-                _mustBegin = false;
-                _source.begin(_search);
-                _areKept = _source.comesToFewCells;
-            }
             var far:Number = _search.maxDistance;
             var front:Number = far - _search.leastDepth + _source.slack;
-            var minX:Number = _least.x - far;
-            var minY:Number = _least.y - far;
-            var minZ:Number = _least.z - far;
-            var maxX:Number = _greatest.x + far;
-            var maxY:Number = _greatest.y + far;
-            var maxZ:Number = _greatest.z + far;
             while (_next < _count || findMore())
             {
                 var near:GroundTriangle = _found[_next];
                 _next++;
-                if (minZ > near.maxZ || maxZ < near.minZ || minX > near.maxX || maxX < near.minX || minY > near.maxY || maxY < near.minY)
+                if (isApart(_least, near.greatest, far) || isApart(near.least, _greatest, far))
                 {
                     continue;
                 }
@@ -134,6 +105,12 @@ package starlogo.ground
                 }
             }
             return false;
+        }
+
+        // Whether the least corner of a box is so far beyond the greatest corner of another one that the boxes are farther apart.
+        private static function isApart(least:Vector3D, greatest:Vector3D, far:Number):Boolean
+        {
+            return least.z - greatest.z > far || least.x - greatest.x > far || least.y - greatest.y > far;
         }
 
         // Finds one more triangle, and sets what only tests of the model need: its margin and its plane. Returns false if there is none.

@@ -27,7 +27,7 @@ package starlogo.ground
         // In the list of nodes: the structure around the whole model.
         private static const WHOLE:int = -1;
 
-        /** Its shape is the current piece, relative to the origin, unless that is divisible. */
+        /** Its shape is the current piece, relative to the origin, unless that is divisible. It decides about the piece and a triangle. */
         public var kernel:TriangleKernel = new TriangleKernel();
 
         /** The margin of the kernel's shape, with the margins of the model's place and surface. Read only. */
@@ -55,15 +55,12 @@ package starlogo.ground
         private var _placement:Placement = new Placement();
         private var _margin:Number = 0;
 
-        // What comes next: a range of the tree's triangles, then nodes from the last one on.
+        // What comes next: a range of the tree's triangles, then nodes from the last one on. Behind these is the current node.
         private var _nextTriangle:int = 0;
         private var _trianglesEnd:int = 0;
         private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
         private var _nodes:Vector.<int> = new Vector.<int>();
         private var _nodeCount:int = 0;
-
-        // The node that is current, or was before its triangles.
-        private var _currentNode:int = 0;
 
         // The middle and the half lengths of a box, relative to the model's place.
         private var _middleAndHalves:Vector.<Number> = new Vector.<Number>(6, true);
@@ -130,8 +127,7 @@ package starlogo.ground
                 return false;
             }
             _nodeCount--;
-            _currentNode = _nodes[_nodeCount];
-            enter(_currentNode);
+            enter(_nodes[_nodeCount]);
             return true;
         }
 
@@ -139,7 +135,7 @@ package starlogo.ground
         public function divide():void
         {
             var tree:BoxTree = _tree.boxTree;
-            var node:int = _currentNode;
+            var node:int = _nodes[_nodeCount];
             var left:int = tree.left[node];
             if (left == 0)
             {
@@ -147,10 +143,9 @@ package starlogo.ground
                 _trianglesEnd = tree.end[node];
                 return;
             }
-            var lower:int = heightOf(left) < heightOf(left + 1) ? left : left + 1;
-            var upper:int = lower == left ? left + 1 : left;
-            _nodes[_nodeCount] = upper;
-            _nodes[int(_nodeCount + 1)] = lower;
+            var isLeftLower:Boolean = heightOf(left) < heightOf(left + 1);
+            _nodes[_nodeCount] = isLeftLower ? left + 1 : left;
+            _nodes[int(_nodeCount + 1)] = isLeftLower ? left : left + 1;
             _nodeCount += 2;
         }
 

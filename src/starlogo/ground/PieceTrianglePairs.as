@@ -1,10 +1,11 @@
 package starlogo.ground
 {
+    import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ContactPoint;
+    import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Placement;
-    import starlogo.intersection.TriangleKernel;
     import starlogo.solid.ModelTree;
 
     /**
@@ -19,36 +20,27 @@ package starlogo.ground
         /** The pieces. A query may move the model before it begins. */
         public var pieces:ModelPieces = new ModelPieces();
 
-        /** Decides about the current piece and the current triangle. Both are relative to the origin. Read only. */
-        public var kernel:TriangleKernel;
+        /**
+         * The search for the triangles near the current piece. Its origin is the place that the model was set to: pieces, triangles and contacts are
+         * relative to it. After <code>begin()</code>, its limits may be narrowed.
+         */
+        public var search:GroundSearch = new GroundSearch();
 
-        /** The place that the model was set to: pieces, triangles and contacts are relative to it. Read only. */
-        public var origin:Placement;
+        private var _triangles:KeptTriangles = new KeptTriangles(search);
 
-        // Finds triangles near the current piece.
-        private var _search:GroundSearch = new GroundSearch();
-        private var _triangles:KeptTriangles = new KeptTriangles(_search);
-
-        public function PieceTrianglePairs()
-        {
-            kernel = pieces.kernel;
-            origin = _search.origin;
-        }
+        // A point of the current piece, relative to the origin, the ground under it, and the ground's normal there.
+        private var _point:Vector3D = new Vector3D();
+        private var _under:GroundPoint = new GroundPoint();
+        private var _normal:Vector3D = new Vector3D();
 
         /** Sets the model and the ground, as <code>GroundModelQuery.setTo()</code> takes them. */
         public function setTo(grid:HeightGrid, tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int, exact:Boolean):void
         {
-            _search.grid = grid;
-            origin.x = placement.x;
-            origin.y = placement.y;
-            origin.z = placement.z;
+            search.grid = grid;
+            search.origin.x = placement.x;
+            search.origin.y = placement.y;
+            search.origin.z = placement.z;
             pieces.setTo(tree, structure, placement, depth, exact);
-        }
-
-        /** The ground. */
-        public function get grid():HeightGrid
-        {
-            return _search.grid;
         }
 
         /** The current triangle of the ground. */
@@ -67,28 +59,11 @@ package starlogo.ground
         {
             _triangles.stop();
             pieces.begin();
-            _search.motion.copyVector(motion);
-            _search.motion.latest = motion.latest;
-            _search.maxDistance = maxDistance;
-            _search.leastDepth = 0;
-        }
-
-        /** From now on only triangles count that the pieces may meet until a motion's latest time. */
-        public function leaveOutLater(motion:RelativeMotion):void
-        {
-            _search.motion.latest = motion.latest;
-        }
-
-        /** From now on only triangles count that are at most this far away. */
-        public function leaveOutFarther(maxDistance:Number):void
-        {
-            _search.maxDistance = maxDistance;
-        }
-
-        /** From now on only triangles count behind whose planes the piece, or its box, is at least this deep. */
-        public function leaveOutShallower(depth:Number):void
-        {
-            _search.leastDepth = depth;
+            search.motion.copyVector(motion);
+            search.motion.earliest = motion.earliest;
+            search.motion.latest = motion.latest;
+            search.maxDistance = maxDistance;
+            search.leastDepth = 0;
         }
 
         /** Goes on to the next triangle near the piece, or near the next piece that has one. Returns false if there is none. */
@@ -119,6 +94,43 @@ package starlogo.ground
             return false;
         }
 
+        /** Whether a point of the current piece is at least this deep under the ground. */
+        public function hasPointUnder(depth:Number):Boolean
+        {
+            return isUnder(pieces.point, depth);
+        }
+
+        /**
+         * Whether a quick test shows that the current piece reaches under the ground: its point is there, or its lowest point along the ground's normal.
+         * This shows it of nearly all pieces that do.
+         */
+        public function reachesUnder():Boolean
+        {
+            if (hasPointUnder(0))
+            {
+                return true;
+            }
+            if (pieces.isDivisible)
+            {
+                return false;
+            }
+            var shape:ConvexShape = pieces.kernel.shape;
+            search.grid.findNormal(_under, _normal);
+            var at:int = shape.support(_normal, -1);
+            _point.x = shape.x + shape.points[at] - shape.radius * _normal.x;
+            _point.y = shape.y + shape.points[int(at + 1)] - shape.radius * _normal.y;
+            _point.z = shape.z + shape.points[int(at + 2)] - shape.radius * _normal.z;
+            return isUnder(_point, 0);
+        }
+
+        private function isUnder(point:Vector3D, depth:Number):Boolean
+        {
+            _under.x = point.x + search.origin.x;
+            _under.y = point.y + search.origin.y;
+            search.grid.findHeight(_under);
+            return _under.height - depth >= point.z + search.origin.z;
+        }
+
         /** Goes on to the next triangle near the piece. Returns false if there is none. */
         public function nextTriangle():Boolean
         {
@@ -127,17 +139,17 @@ package starlogo.ground
                 return false;
             }
             var near:GroundTriangle = _triangles.triangle;
-            kernel.shape.margin = pieces.margin + near.margin;
-            kernel.setTriangle(near.corners, near.plane);
+            pieces.kernel.shape.margin = pieces.margin + near.margin;
+            pieces.kernel.setTriangle(near.corners, near.plane);
             return true;
         }
 
         /** Moves a contact of the piece and the triangle into the world. */
         public function moveToWorld(contact:ContactPoint):void
         {
-            contact.x += origin.x;
-            contact.y += origin.y;
-            contact.z += origin.z;
+            contact.x += search.origin.x;
+            contact.y += search.origin.y;
+            contact.z += search.origin.z;
         }
     }
 }

@@ -1,7 +1,7 @@
 package starlogo.ground
 {
     /**
-     * A part of the motion of a GroundSearch's box, as a record: when the box is over a square of the ground, and between which heights. BoxPath narrows it,
+     * A part of the motion of a GroundSearch's box, as a record: when the box is over a square of the ground, and between which heights. BoxPath finds it,
      * and GroundTriangles and CellTriangles leave out what is not between these heights.
      */
     internal final class SquarePassage

@@ -8,6 +8,7 @@ import path from 'node:path';
 import { after, test } from 'node:test';
 import { setTimeout } from 'node:timers/promises';
 import { failuresIn, saidOf } from '../runner/failures.mjs';
+import { OF_HASHES } from '../runner/farther.mjs';
 import { read, root } from '../structure/sources.mjs';
 
 /** The build files, by their paths in the project. */
@@ -49,10 +50,14 @@ test('a build that fails says why last, without the lines of Ant around it', () 
 	assert.equal(runAnt(['FAILED ATest.is: 1, not 2', '', ...ofExec], 1).stdout.split('seconds\n')[1], '\nFAILED ATest.is: 1, not 2\n');
 	assert.equal(runAnt(ofExec, 1).stdout.split('seconds\n')[1], '\nexec returned: 1\n');
 	const twice = ['/c/A.as(3): col: 5 Error: one', '    x++;', '/c/A.as(9): col: 5 Error: two', '    x++;'];
-	const long = `FAILED ATest.is: ${'1, not 2; '.repeat(100)}`;
-	const cut = `${long.slice(0, 300)}... (the whole line: bin/test-reports/failures.txt)\n`;
-	assert.equal(runAnt([long, '', ...ofExec], 1).stdout, `${cut}\nTotal time: 8 seconds\n\n${cut}`);
-	assert.equal(readFileSync(path.join(home, 'bin/test-reports/failures.txt'), 'utf8'), `${long}\n`);
+	for (const [long, length] of [[`FAILED ATest.is: ${'1, not 2; '.repeat(100)}`, 299], [`FAILED ATest.is: ${'1,'.repeat(300)}`, 300]]) {
+		const cut = `${long.slice(0, length)}... (the whole line: bin/test-reports/failures.txt)\n`;
+		assert.equal(runAnt([long, '', ...ofExec], 1).stdout, `${cut}\nTotal time: 8 seconds\n\n${cut}`);
+		assert.equal(readFileSync(path.join(home, 'bin/test-reports/failures.txt'), 'utf8'), `${long}\n`);
+	}
+	const hashes = OF_HASHES.map((name) => `FAILED ${name}: another hash`);
+	const sure = 'FAILED BTest.is: 1, not 2';
+	assert.equal(runAnt([...hashes, sure, '', ...ofExec], 1).stdout.split('seconds\n')[1], `\n${[sure, ...hashes].join('\n')}\n`);
 	const ofParts = ['BUILD FAILED', '/a/build.xml:2: The following error occurred while executing this line:', '/a/build.xml:9: mxmlc:', ...twice, '/a/build.xml:9: mxmlc:', ...twice, '', 'Total time: 8 seconds'];
 	assert.equal(runAnt(ofParts, 1).stdout.split('seconds\n')[1], `\nmxmlc:\n${twice.join('\n')}\n`);
 	const other = ['/c/A.as(3): col: 7 one', 'x++;'];

@@ -55,12 +55,33 @@ test('the engine calls no question by an older name', () => {
 	assert.deepEqual(sourcesBelow('src/starlogo').filter((file) => calls.test(codeOf(read(file)))), []);
 });
 
+/** The questions of AgentQueries, and what each takes, as text. */
+function questionsOf(source) {
+	const others = ['AgentQueries', 'update', 'refresh', 'moved', ...olderNames(source).map(([before]) => before)];
+	const methods = [...codeOf(source).matchAll(/^ {8}public function (\w+)\(([^)]*)\)/gm)].map(([, name, taken]) => ({ name, taken }));
+	const questions = methods.filter(({ name }) => !others.includes(name));
+	assert.ok(questions.length > 20);
+	return questions;
+}
+
+test('the changelog has every question, and InWorldTest those that need a number, a point or a structure', () => {
+	const questions = questionsOf(read('src/starlogo/queries/AgentQueries.as'));
+	// the first release had these
+	const known = ['countNear', 'nearPoint', 'countNearPoint', 'nearestToPoint'].map((name) => `CHANGELOG.md: ${name}`);
+	const tells = 'docs/adding.md, "A question", says what stands in these files: ';
+	const untold = missing(questions.map(({ name }) => name), ['CHANGELOG.md'], known);
+	assert.deepEqual(untold, [], tells + untold.join(', '));
+	const needsNumbers = ({ taken }) => taken.split(',').some((each) => /:(?:Number|Vector3D|BoundingStructure)\s*$/.test(each));
+	const numeric = questions.filter(needsNumbers).map(({ name }) => name);
+	assert.ok(numeric.includes('walk') && numeric.includes('overlapping') && numeric.includes('inCone'));
+	const unasked = missing(numeric, ['test/starlogo/queries/InWorldTest.as'], []);
+	assert.deepEqual(unasked, [], tells + unasked.join(', '));
+});
+
 test('every question stands in the files of docs/adding.md, "A question"', () => {
 	const source = read('src/starlogo/queries/AgentQueries.as');
 	const older = olderNames(source);
-	const others = ['AgentQueries', 'update', 'refresh', 'moved', ...older.map(([before]) => before)];
-	const questions = [...codeOf(source).matchAll(/^ {8}public function (\w+)\(/gm)].map(([, name]) => name).filter((name) => !others.includes(name));
-	assert.ok(questions.length > 20);
+	const questions = questionsOf(source).map(({ name }) => name);
 	// it asks only the agent's own shape
 	const known = ['test/module/questions.mjs: touchesEdge'];
 	const isAsked = (each) => older.some(([before, name]) => each.endsWith(`: ${name}`) && new RegExp(`\\b${before}\\b`).test(read(each.split(':')[0])));

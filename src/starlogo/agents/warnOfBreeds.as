@@ -1,8 +1,8 @@
 package starlogo.agents
 {
     /**
-     * Warns if a breed that a game names is probably misspelled, because only a breed of a similar name has agents. In ActionScript this does
-     * nothing. The ES module has its own version, for games that are developed.
+     * Warns if a breed that a filter names is probably misspelled, because only a breed of a similar name has agents. Every question calls this. So
+     * in ActionScript it does nothing. The ES module has its own version, for games that are developed.
      *
      * @param names the breeds; null for none
      * @param agents the agents that there are; null for a free row

@@ -193,7 +193,7 @@ package starlogo.collision
          * @param handler <code>function(collider:Agent, collidee:Agent):void</code>, or with a third argument,
          *     <code>contact:Contact</code>. The engine computes contacts only for handlers that take them. A parameter counts whether it has
          *     a default value or not. A handler <code>function(...all):void</code> gets the two agents. A handler that takes no arguments
-         *     at all passes here, but Adobe's player throws an ArgumentError when it is called
+         *     at all passes here, but Adobe's player throws an ArgumentError when it is called. So a line is traced if none has a name
          * @throws ArgumentError if one is null, a breed has no name, or each breed is TERRAIN or EDGE. In Flash also if the handler has one parameter,
          *     or more than three
          */

@@ -5,7 +5,6 @@ package starlogo.handlers
 {
     import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
-    import starlogo.agents.warnOfBreeds;
     import starlogo.data.HashTable;
     import starlogo.data.textOf;
     import starlogo.engine;
@@ -137,7 +136,7 @@ package starlogo.handlers
                     newNames.push(Breeds.NAMES.nameOf(handler.colliderBreed), Breeds.NAMES.nameOf(handler.collideeBreed));
                 }
             }
-            warnOfBreeds(newNames, agents);
+            warnOfMissingBreeds(newNames, agents);
             _changesBefore = _changes;
         }
 

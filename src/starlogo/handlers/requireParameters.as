@@ -1,8 +1,11 @@
 package starlogo.handlers
 {
+    import starlogo.data.warn;
+
     /**
-     * Checks that a handler can be called with two agents, or with two agents and a contact. A function without named parameters passes: it
-     * may have a rest parameter. In JavaScript a function takes any number of arguments. The ES module has its own version, which warns.
+     * Checks that a handler can be called with two agents, or with two agents and a contact. A function without named parameters passes,
+     * because it may have a rest parameter. If it has none, Adobe's player cannot call it, so a line is traced. In JavaScript a function takes
+     * any number of arguments. The ES module has its own version, which warns.
      *
      * @param kind CollisionHandler.COLLISION, START or END
      * @throws ArgumentError if the function has one parameter, or more than three
@@ -12,6 +15,12 @@ package starlogo.handlers
     public function requireParameters(breed:String, otherBreed:String, callback:Function, kind:int):void
     {
         var count:int = callback.length;
+        if (count == 0)
+        {
+            warn("the handler for \"" + breed + "\" and \"" + otherBreed + "\" has no parameters. If it is function():void, Adobe's player throws an "
+                    + "ArgumentError when it is called, and other players may not: write function(collider:Agent, collidee:Agent):void. "
+                    + "If it is function(...all):void, nothing is wrong");
+        }
         if (count == 1 || count > 3)
         {
             var allowed:String = "two agents, or two agents and a contact: function(collider:Agent, collidee:Agent):void or "

@@ -7,6 +7,7 @@ package starlogo.collision
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
+    import starlogo.data.warn;
     import starlogo.models.BuiltInModel;
     import starlogo.queries.AgentFilter;
     import starlogo.terrain.WorldBounds;
@@ -76,6 +77,39 @@ package starlogo.collision
             addAll("bears", "balls");
             _collision.update(_agents);
             assertEquals("none was added", 0, _collision.statistics.handlerCalls);
+            // it may have a rest parameter, so a line is traced
+            _collision.onCollisionEnd("bears", "nets", function():void
+                {
+                });
+            assertFalse(warn("the handler for \"bears\" and \"nets\" has no parameters. If it is function():void, Adobe's player throws an "
+                        + "ArgumentError when it is called, and other players may not: write function(collider:Agent, collidee:Agent):void. "
+                        + "If it is function(...all):void, nothing is wrong"));
+        }
+
+        // A warning that is said is not said again.
+        [Test]
+        public function breedsThatAreProbablyMisspelledAreTold():void
+        {
+            addAll("hedgehogs", "foxes", "trees7", "hedgehogs");
+            for each (var name:String in ["hegdehogs", "Hedgehogs", "foxe", "fox", "trees8", "sphere", "terain", "edgy", Collision.EDGE])
+            {
+                _collision.onCollision("foxes", name, note("x"));
+            }
+            _collision.update(_agents);
+            assertFalse(warn(missing("hegdehogs") + "; is \"hedgehogs\" meant?"));
+            assertFalse(warn(missing("Hedgehogs") + "; is \"hedgehogs\" meant?"));
+            assertFalse(warn(missing("foxe") + "; is \"foxes\" meant?"));
+            assertFalse(warn(missing("terain") + "; is Collision.TERRAIN meant?"));
+            assertFalse(warn(missing("sphere") + ", which is the shape of " + _agents[0] + ": new Agent(\"sphere\", \"BREED\") gives it a breed"));
+            // not so near, or other numbers
+            assertTrue(warn(missing("fox") + "; is \"foxes\" meant?"));
+            assertTrue(warn(missing("trees8") + "; is \"trees7\" meant?"));
+            assertTrue(warn(missing("edgy") + "; is Collision.EDGE meant?"));
+        }
+
+        private static function missing(breed:String):String
+        {
+            return "no agent is of the breed \"" + breed + "\"";
         }
 
         [Test]

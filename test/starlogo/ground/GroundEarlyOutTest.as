@@ -9,11 +9,13 @@ package starlogo.ground
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.models.BuiltInModel;
     import starlogo.terrain.Terrain;
     import support.Complaints;
     import support.Effort;
     import support.RandomGround;
     import support.fillHeights;
+    import support.landOf;
 
     use namespace engine;
 
@@ -54,6 +56,37 @@ package starlogo.ground
             }
             wrong.assertNone();
             assertTrue("answers: " + counts, Math.min(counts[0], Math.min(counts[1], counts[2])) > count / 4);
+        }
+
+        // On level ground, whatever its height. Rounding alone would part some of them from it.
+        [Test]
+        public function whatStandsOnLevelGroundTouchesIt():void
+        {
+            var apart:Complaints = new Complaints();
+            for each (var kind:String in ["cube", "sphere"])
+            {
+                var shape:BoundingStructure = landOf(BuiltInModel.cube(), BuiltInModel.sphere()).boundingStructures.tightestFit(kind);
+                for each (var far:Number in [0, 1000])
+                {
+                    for (var tenths:int = -9; tenths <= 9; tenths++)
+                    {
+                        var terrain:Terrain = new Terrain(8, 8, 1, far, far);
+                        fillHeights(terrain, function(column:int, row:int):Number
+                            {
+                                return tenths * 0.1;
+                            });
+                        for (var size:int = 1; size < 12; size++)
+                        {
+                            _placement.x = far + 3.3;
+                            _placement.y = far + 3.4;
+                            _placement.z = tenths * 0.1;
+                            _placement.size = size * 0.1;
+                            apart.addIf(answerTo(terrain, shape) == GroundEarlyOut.APART, kind, [far, tenths, size].join());
+                        }
+                    }
+                }
+            }
+            apart.assertNone();
         }
 
         // A spike under the middle of a tetrahedron's extents, which is outside of it.

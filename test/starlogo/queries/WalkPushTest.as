@@ -211,6 +211,8 @@ package starlogo.queries
                         var before:Matrix3D = _floor.getMatrix();
                         before.invert();
                         var inFloor:Vector3D = before.transformVector(new Vector3D(_walker.x, _walker.y, _walker.z));
+                        var from:Vector.<Number> = _floor.getQuaternion();
+                        var heading:Number = _walker.heading;
                         _floor.heading += random.between(-20, 20);
                         _floor.pitch += random.between(-4, 4);
                         _floor.roll += random.between(-4, 4);
@@ -221,9 +223,45 @@ package starlogo.queries
                         var carried:Vector3D = _floor.getMatrix().transformVector(inFloor);
                         var distance:Number = Vector3D.distance(carried, new Vector3D(_walker.x, _walker.y, _walker.z));
                         assertTrue([name, i, j, distance].join(), distance < 0.5 * _walker.size);
+                        var turned:Number = _walker.heading - heading - turnAboutZ(from, _floor.getQuaternion());
+                        assertTrue([name, i, j, "heading", _walker.heading, turned].join(), Math.abs(turned - 360 * Math.round(turned / 360)) < NEAR);
                     }
                 }
             }
+        }
+
+        // A deck that is tilted in both headings turns about the z axis alone, and so does who stands on it.
+        [Test]
+        public function aTiltedDeckTurnsWhoStandsOnIt():void
+        {
+            var greatLand:GreatLand = landOf(BuiltInModel.box(10, 10, 1, "deck"), BuiltInModel.capsule(0.3, 1.8, "hero"));
+            for each (var name:String in NAMES)
+            {
+                var deck:Agent = agentAt("deck", 0, 0, 0, "decks");
+                deck.pitch = 25;
+                deck.heading = 40;
+                deck.hierarchical = true;
+                var hero:Agent = agentAt("hero", 0, 0, 1.3, "heroes");
+                var queries:AgentQueries = new AgentQueries(EachCollider.make(name, greatLand));
+                for (var i:int = -5; i <= 3; i++)
+                {
+                    // it falls onto the deck first
+                    deck.heading += i > 0 ? 10 : 0;
+                    queries.update(new <Agent>[deck, hero]);
+                    queries.walk(hero, 0, 0, null, _footing);
+                    var expected:Number = i > 0 ? 10 * i : 0;
+                    assertTrue([name, i, hero.heading].join(), Math.abs(hero.heading - expected) < NEAR);
+                }
+                assertStrictlyEquals(name, deck, _footing.on);
+            }
+        }
+
+        // The turn about the z axis, in degrees, that is in the rotation from one quaternion to another: the twist of its swing and twist.
+        private static function turnAboutZ(from:Vector.<Number>, to:Vector.<Number>):Number
+        {
+            var z:Number = to[2] * from[3] - to[3] * from[2] + to[1] * from[0] - to[0] * from[1];
+            var w:Number = to[3] * from[3] + to[0] * from[0] + to[1] * from[1] + to[2] * from[2];
+            return 2 * Math.atan2(z, w) * 180 / Math.PI;
         }
 
         [Test]

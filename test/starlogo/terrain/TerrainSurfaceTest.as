@@ -58,8 +58,9 @@ package starlogo.terrain
                         along += areaOf(surface, first, axis) * surface.normals[at + axis];
                         squares += surface.normals[at + axis] * surface.normals[at + axis];
                     }
-                    assertTrue(Math.abs(squares - 1) < 1e-9);
-                    assertTrue("a steep cell may face away from the mean of its neighbours, but walls and columns may not: " + along,
+                    var vertex:String = "vertex " + surface.triangles[i] + " of " + terrain + (terrain.isBlocky ? ", blocky" : "");
+                    assertTrue("its normal's squared length is " + squares + ": " + vertex, Math.abs(squares - 1) < 1e-9);
+                    assertTrue("a steep cell may face away from the mean of its neighbours, but walls and columns may not: " + along + ", " + vertex,
                             along >= 0 || !terrain.isBlocky && surface.normals[at + 2] > 0);
                     walls += surface.normals[at + 2] == 0 ? 1 : 0;
                     smooth += surface.normals[at + 2] > 0 && surface.normals[at + 2] < 1 ? 1 : 0;

@@ -79,7 +79,7 @@ package starlogo.ground
             var kernel:TriangleKernel = _pairs.pieces.kernel;
             while (_pairs.nextTriangle())
             {
-                if (!kernel.planeKeepsApart(RelativeMotion.NONE) && kernel.areTouching())
+                if (!kernel.plane.keepsApart(kernel.shape, RelativeMotion.NONE) && kernel.areTouching())
                 {
                     return true;
                 }

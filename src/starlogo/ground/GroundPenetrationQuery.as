@@ -114,7 +114,7 @@ package starlogo.ground
             {
                 _kernel.plane.findBehind(_kernel.shape, RelativeMotion.NONE, _tried);
                 // deeper by more than rounding
-                if (_tried.depth > out.depth && _tried.depth >= out.depth + _pairs.triangle.margin && isThrough(_pairs.triangle.corners, _tried))
+                if (_tried.depth >= out.depth + _pairs.triangle.margin && isThrough(_pairs.triangle.corners, _tried))
                 {
                     _pairs.moveToWorld(_tried);
                     if (isDepthProven(_tried))

@@ -29,12 +29,9 @@ package starlogo.queries.trees
         public function setTo(placement:Placement, angle:Number):Cone
         {
             _placement = placement;
-            if (angle != _angle)
-            {
-                _angle = angle;
-                _sine = Trigonometry.sine(angle);
-                _cosine = Trigonometry.cosine(angle);
-            }
+            _angle = angle;
+            _sine = Trigonometry.sine(angle);
+            _cosine = Trigonometry.cosine(angle);
             return this;
         }
 

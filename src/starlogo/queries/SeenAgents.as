@@ -1,6 +1,6 @@
 // This room answers questions about agents in space: what is near, what touches, what a ray meets, how far something can go. A class for each
-// kind of questions (AgentPlaces, TouchQueries, AgentRays, MoveQueries, WalkQueries) searches the trees of a SeenAgents, tests what it finds, and gives
-// it to a Collector. DistanceQueries measures two bodies without a search. AgentQueries has all questions, and passes them on: its head is a list of
+// kind of questions (AgentPlaces, TouchQueries, AgentRays, MoveQueries) searches the trees of a SeenAgents, tests what it finds, and gives
+// it to a Collector. AgentQueries has all questions, and passes them on: its head is a list of
 // them. LevelShapes, with LevelChoice and LevelCollider, gives agents shapes without a GreatLand. The folder trees/ has the trees, their searches, and the
 // Collector, which has an answer while it is searched for, with its RowFilter; rays/ how a ray meets a row, and the hits of rays and casts; motion/ how a
 // body moves among rows. A filter's accepts may ask while a question is under way: PerQuestion says what that one has afterwards. Read this file first,

@@ -42,10 +42,11 @@ package starlogo.queries.rays
             _seen = seen;
         }
 
-        /** Begins without hits. */
-        public function begin():void
+        /** Begins without hits. Returns these hits. */
+        public function begin():Hits
         {
             _hits.count = 0;
+            return this;
         }
 
         /**

@@ -555,10 +555,7 @@ package starlogo.agents
         /** @private Turns the agent by three angles. @throws RangeError if one is not finite; the agent is then unchanged */
         engine function turnTo(heading:Number, pitch:Number, roll:Number):void
         {
-            if (!isFinite(heading + pitch + roll))
-            {
-                TraitChecks.requireAngles(this, heading, pitch, roll);
-            }
+            TraitChecks.requireAngles(this, heading, pitch, roll);
             if (turn.setAngles(heading, pitch, roll))
             {
                 countBodyChange();

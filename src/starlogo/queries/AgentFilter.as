@@ -68,7 +68,9 @@ package starlogo.queries
         /** @inheritDoc */
         override public function admits(agent:Agent):Boolean
         {
-            return admitsBreed(agent.breed) && (except == null || except.indexOf(agent) < 0) && (accepts == null || accepts(agent));
+            var breed:String = agent.breed;
+            return (breeds == null || breeds.indexOf(breed) >= 0) && (exceptBreeds == null || exceptBreeds.indexOf(breed) < 0)
+                && (except == null || except.indexOf(agent) < 0) && (accepts == null || accepts(agent));
         }
 
         /** @private */
@@ -76,12 +78,6 @@ package starlogo.queries
         {
             warnOfBreeds(breeds, agents);
             warnOfBreeds(exceptBreeds, agents);
-        }
-
-        /** @private Whether agents of a breed count, unless they are excluded otherwise. */
-        engine function admitsBreed(breed:String):Boolean
-        {
-            return (breeds == null || breeds.indexOf(breed) >= 0) && (exceptBreeds == null || exceptBreeds.indexOf(breed) < 0);
         }
     }
 }

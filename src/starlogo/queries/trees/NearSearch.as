@@ -43,17 +43,33 @@ package starlogo.queries.trees
         }
 
         /**
-         * Finds the rows near a place.
+         * Begins a search. Call <code>find()</code> or <code>count()</code> then.
          *
-         * @param collector receives them. Its limit, a squared distance, says how near they must be
+         * @param collector receives the rows. Its limit, a squared distance, says how near they must be
          * @param x the place
          * @param y the place
          * @param z the place
-         * @param cone the rows must be in it too; null for none
+         * @return this search
          */
-        public function find(collector:Collector, x:Number, y:Number, z:Number, cone:Cone = null):void
+        public function begin(collector:Collector, x:Number, y:Number, z:Number):NearSearch
         {
-            begin(collector, x, y, z);
+            _collector = collector;
+            _tree = _seen.treeOfPlaces();
+            _x = x;
+            _y = y;
+            _z = z;
+            return this;
+        }
+
+        /**
+         * Finds the rows near the place.
+         *
+         * @param cone the rows must be in it too; null for none
+         * @return the collector, which has them
+         */
+        public function find(cone:Cone = null):Collector
+        {
+            var collector:Collector = _collector;
             var asks:Boolean = collector.wanted < Collector.ALL && collector.filter.accepts != null;
             var asker:int = collector.filter.askerRow;
             var waiting:int = asker < 0 ? push(RowTree.ROOT, 0) : pushBeside(_tree.leafOf(asker));
@@ -63,7 +79,6 @@ package starlogo.queries.trees
                 if (asks)
                 {
                     putNearestLast(0, waiting);
-                    collector.askBelow(_squares[waiting]);
                 }
                 var node:int = _nodes[waiting];
                 if (_squares[waiting] > collector.limit)
@@ -78,22 +93,23 @@ package starlogo.queries.trees
                 }
                 else
                 {
+                    if (asks)
+                    {
+                        collector.askBelow(_squares[waiting]);
+                    }
                     visit(node, cone);
                 }
             }
+            return collector;
         }
 
         /**
-         * Counts the rows near a place. If the filter excludes none, a node that is wholly within the limit is counted without a look at its rows.
-         *
-         * @param collector has the filter and the limit, a squared distance. It wants all rows
-         * @param x the place
-         * @param y the place
-         * @param z the place
+         * Counts the rows near the place. The collector wants all. If the filter excludes none, a node that is wholly within the limit is counted without
+         * a look at its rows.
          */
-        public function count(collector:Collector, x:Number, y:Number, z:Number):int
+        public function count():int
         {
-            begin(collector, x, y, z);
+            var collector:Collector = _collector;
             var countsWholeNodes:Boolean = !collector.filter.excludes && collector.filter.accepts == null;
             var counted:int = 0;
             var waiting:int = push(RowTree.ROOT, 0);
@@ -115,15 +131,6 @@ package starlogo.queries.trees
                 }
             }
             return counted + collector.endWithCount();
-        }
-
-        private function begin(collector:Collector, x:Number, y:Number, z:Number):void
-        {
-            _collector = collector;
-            _tree = _seen.treeOfPlaces();
-            _x = x;
-            _y = y;
-            _z = z;
         }
 
         // Whether the whole box of a node is within the limit.
@@ -212,26 +219,20 @@ package starlogo.queries.trees
                 var toY:Number = ys[slot] - atY;
                 var toZ:Number = zs[slot] - atZ;
                 var square:Number = toX * toX + toY * toY + toZ * toZ;
-                if (square > limit)
-                {
-                    continue;
-                }
                 var row:int = _tree.rows[slot];
-                if (row == asker)
+                if (square > limit || row == asker)
                 {
                     continue;
                 }
                 if (!filter.mayAdmit(row))
                 {
                     excluded++;
-                    continue;
                 }
-                if (cone != null && !cone.contains(places, slot))
+                else if (cone == null || cone.contains(places, slot))
                 {
-                    continue;
+                    collector.add(row, square);
+                    limit = collector.limit;
                 }
-                collector.add(row, square);
-                limit = collector.limit;
             }
             _tree.countExcluded(excluded);
         }

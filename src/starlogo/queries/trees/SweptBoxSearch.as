@@ -184,19 +184,14 @@ package starlogo.queries.trees
             }
             if (_moves && count == _waiting + 2 && _entries[_waiting] < _entries[int(_waiting + 1)])
             {
-                swapLast(_waiting, count - 1);
+                var nearer:int = _stack[_waiting];
+                _stack[_waiting] = _stack[int(_waiting + 1)];
+                _stack[int(_waiting + 1)] = nearer;
+                var entry:Number = _entries[_waiting];
+                _entries[_waiting] = _entries[int(_waiting + 1)];
+                _entries[int(_waiting + 1)] = entry;
             }
             _waiting = count;
-        }
-
-        private function swapLast(first:int, second:int):void
-        {
-            var nearer:int = _stack[first];
-            _stack[first] = _stack[second];
-            _stack[second] = nearer;
-            var entry:Number = _entries[first];
-            _entries[first] = _entries[second];
-            _entries[second] = entry;
         }
 
         // Finds where on the way the box meets another (the method of slabs: Kay and Kajiya, "Ray Tracing Complex Scenes", 1986). A list receives it, because

@@ -37,12 +37,7 @@ package starlogo.queries.rays
             {
                 if (i == hits.length || hits[i] == null)
                 {
-                    var spare:Object = _spare.pop();
-                    if (spare == null)
-                    {
-                        spare = new _type();
-                    }
-                    hits[i] = spare;
+                    hits[i] = _spare.pop() || new _type();
                 }
             }
         }

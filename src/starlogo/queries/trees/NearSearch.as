@@ -1,6 +1,5 @@
 package starlogo.queries.trees
 {
-    import starlogo.broadphase.Points;
     import starlogo.engine;
     import starlogo.queries.SeenAgents;
 
@@ -202,10 +201,7 @@ package starlogo.queries.trees
         {
             var collector:Collector = _collector;
             var filter:RowFilter = collector.filter;
-            var places:Points = _tree.middles;
-            var xs:Vector.<Number> = places.x;
-            var ys:Vector.<Number> = places.y;
-            var zs:Vector.<Number> = places.z;
+            var boxes:Vector.<Number> = _tree.rowBoxes;
             var atX:Number = _x;
             var atY:Number = _y;
             var atZ:Number = _z;
@@ -215,9 +211,11 @@ package starlogo.queries.trees
             var end:int = _tree.startOf(leaf + 1);
             for (var slot:int = _tree.startOf(leaf); slot < end; slot++)
             {
-                var toX:Number = xs[slot] - atX;
-                var toY:Number = ys[slot] - atY;
-                var toZ:Number = zs[slot] - atZ;
+                // the box of a place begins and ends there
+                var box:int = RowTree.PER_BOX * slot;
+                var toX:Number = boxes[box] - atX;
+                var toY:Number = boxes[int(box + 1)] - atY;
+                var toZ:Number = boxes[int(box + 2)] - atZ;
                 var square:Number = toX * toX + toY * toY + toZ * toZ;
                 var row:int = _tree.rows[slot];
                 if (square > limit || row == asker)
@@ -228,7 +226,7 @@ package starlogo.queries.trees
                 {
                     excluded++;
                 }
-                else if (cone == null || cone.contains(places, slot))
+                else if (cone == null || cone.contains(boxes, box))
                 {
                     collector.add(row, square);
                     limit = collector.limit;

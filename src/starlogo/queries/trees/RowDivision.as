@@ -67,14 +67,15 @@ package starlogo.queries.trees
 
         private static function longestSide(boxes:Vector.<Number>, box:int):int
         {
-            var alongX:Number = boxes[box + 3] - boxes[box];
-            var alongY:Number = boxes[box + 4] - boxes[box + 1];
-            var alongZ:Number = boxes[box + 5] - boxes[box + 2];
-            if (alongX >= alongY && alongX >= alongZ)
+            var longest:int = 0;
+            for (var side:int = 1; side < 3; side++)
             {
-                return 0;
+                if (boxes[box + 3 + side] - boxes[box + side] > boxes[box + 3 + longest] - boxes[box + longest])
+                {
+                    longest = side;
+                }
             }
-            return alongY >= alongZ ? 1 : 2;
+            return longest;
         }
 
         // Sorts rows partly: the keys before the middle are not greater than the middle's key, the keys after it not smaller (Hoare, "Find",

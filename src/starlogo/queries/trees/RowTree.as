@@ -51,9 +51,6 @@ package starlogo.queries.trees
         /** By slot: the row. Read only. */
         public var rows:Vector.<int> = new Vector.<int>();
 
-        /** By slot: the middle of the row's box. Read only. */
-        public var middles:Points = new Points();
-
         /**
          * By slot: the row's box, widened by a slack that is larger than its rounding errors. A place has no slack. Read only.
          */
@@ -218,7 +215,6 @@ package starlogo.queries.trees
             if (rows.length < count)
             {
                 rows.length = count;
-                middles.grow(count);
                 rowBoxes.length = PER_BOX * count;
             }
             if (_breedSets.length < 2 * firstLeaf)
@@ -265,14 +261,14 @@ package starlogo.queries.trees
             }
         }
 
-        // Reads the middle and the box of a slot's row.
+        // Reads the box of a slot's row.
         private function boundRow(slot:int):void
         {
             var row:int = rows[slot];
             var box:int = PER_BOX * slot;
-            var x:Number = middles.x[slot] = _points.x[row];
-            var y:Number = middles.y[slot] = _points.y[row];
-            var z:Number = middles.z[slot] = _points.z[row];
+            var x:Number = _points.x[row];
+            var y:Number = _points.y[row];
+            var z:Number = _points.z[row];
             var halfX:Number = 0;
             var halfY:Number = 0;
             var halfZ:Number = 0;

@@ -208,22 +208,12 @@ package starlogo.queries.trees
                     // along this axis the box around the way is the box itself, which was tested before
                     continue;
                 }
-                var near:Number = (boxes[int(box + axis)] - _box[int(axis + 3)]) / along;
-                var far:Number = (boxes[int(box + 3 + axis)] - _box[axis]) / along;
-                if (near > far)
-                {
-                    var swapped:Number = near;
-                    near = far;
-                    far = swapped;
-                }
-                if (near > enters)
-                {
-                    enters = near;
-                }
-                if (far < leaves)
-                {
-                    leaves = far;
-                }
+                var toLeast:Number = (boxes[int(box + axis)] - _box[int(axis + 3)]) / along;
+                var toGreatest:Number = (boxes[int(box + 3 + axis)] - _box[axis]) / along;
+                var near:Number = along > 0 ? toLeast : toGreatest;
+                var far:Number = along > 0 ? toGreatest : toLeast;
+                enters = near > enters ? near : enters;
+                leaves = far < leaves ? far : leaves;
             }
             out[index] = enters;
             return enters <= leaves;

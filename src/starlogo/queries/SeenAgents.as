@@ -48,6 +48,12 @@ package starlogo.queries
         /** @private The tests of their bodies. They belong to the collision system and have its settings. */
         engine var narrowPhase:NarrowPhase;
 
+        /**
+         * @private How many questions under way are calling a filter's <code>accepts</code>. It may ask questions itself, nested one deeper than the
+         * question that calls it, but not change the agents. What a question needs after these calls is PerQuestion. Read only.
+         */
+        engine var nesting:int = 0;
+
         private var _source:QuerySource;
 
         // Functions that add the tests which some questions need.
@@ -65,8 +71,6 @@ package starlogo.queries
 
         // What collects the rows of a question.
         private var _collectors:PerQuestion;
-
-        private var _nesting:int = 0;
 
         /**
          * Begins without agents, as an AgentQueries does.
@@ -171,25 +175,16 @@ package starlogo.queries
             return collector;
         }
 
-        /**
-         * @private How many questions under way are calling a filter's <code>accepts</code>. It may ask questions itself, nested one deeper than the
-         * question that calls it, but not change the agents. What a question needs after these calls is PerQuestion.
-         */
-        engine function get nesting():int
-        {
-            return _nesting;
-        }
-
         /** @private A question begins to call a filter's <code>accepts</code>. Questions are one deeper from now on. */
         engine function enterFilter():void
         {
-            _nesting++;
+            nesting++;
         }
 
         /** @private The calls of <code>accepts</code> have ended. */
         engine function leaveFilter():void
         {
-            _nesting--;
+            nesting--;
         }
 
         /** @private Throws an error if a filter's <code>accepts</code> is being called and the agent is in the list. */
@@ -290,7 +285,7 @@ package starlogo.queries
 
         private function requireOutsideFilter(what:String):void
         {
-            if (_nesting > 0)
+            if (nesting > 0)
             {
                 throw new IllegalOperationError(what + " must not be called from a filter's accepts");
             }

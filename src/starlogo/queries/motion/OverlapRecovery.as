@@ -59,14 +59,14 @@ package starlogo.queries.motion
          */
         public function leaveOverlaps(state:MotionState):void
         {
-            if (replace(state, false) && !push(state.core, state.obstacles, state.from, false, state.pushes))
+            if (replaceByPlanes(state, false) && !pushFree(state.core, state.obstacles, state.from, false, state.pushes))
             {
-                replace(state, true);
+                replaceByPlanes(state, true);
             }
             if (state.core.isFlat && state.planes.count == 0)
             {
                 // its core is as flat, and a sweep touches across a wider gap than a body that stands
-                push(state.core, state.obstacles, state.from, true, _pushesOff);
+                pushFree(state.core, state.obstacles, state.from, true, _pushesOff);
             }
         }
 
@@ -79,7 +79,7 @@ package starlogo.queries.motion
         public function restoreClearance(body:MovingBody, place:Vector3D):void
         {
             _core.beginStanding(body, place);
-            push(_core, body.rows, place, true, _pushesOff);
+            pushFree(_core, body.rows, place, true, _pushesOff);
         }
 
         /**
@@ -111,7 +111,7 @@ package starlogo.queries.motion
 
         // Pushes a body off the rows that it touches, or else out of those that its core overlaps a little: from one row after the other, round and round, until
         // all are free of pushes. Returns whether this succeeds. If not, the body is where it was, and there are no pushes.
-        private function push(core:BodyCore, rows:IntList, place:Vector3D, isOff:Boolean, pushes:ContactList):Boolean
+        private function pushFree(core:BodyCore, rows:IntList, place:Vector3D, clearsTouches:Boolean, pushes:ContactList):Boolean
         {
             var last:ContactPoint = null;
             var freeInTurn:int = 0;
@@ -122,7 +122,7 @@ package starlogo.queries.motion
                 var row:int = rows.numbers[int(i % rows.count)];
                 var separates:Boolean = i >= FIRST_SEPARATING_ROUND * rows.count;
                 freeInTurn++;
-                if (isOff ? findPushOff(core, row, place, separates, last, _contact) : findPushOut(core, row, place, separates, last, _contact))
+                if (clearsTouches ? findPushOff(core, row, place, separates, last, _contact) : findPushOut(core, row, place, separates, last, _contact))
                 {
                     if (i >= MOST_ROUNDS * rows.count || !(_contact.depth < TOO_DEEP) || leadsBack(_contact, last))
                     {
@@ -140,7 +140,7 @@ package starlogo.queries.motion
 
         // Lets planes stand for obstacles that the core overlaps: for deep overlaps, and also for shallow ones if they are to count. These are obstacles no
         // longer, nor are one-way rows that the body passes. Returns whether obstacles are left that the core overlapped.
-        private function replace(state:MotionState, alsoShallow:Boolean):Boolean
+        private function replaceByPlanes(state:MotionState, alsoShallow:Boolean):Boolean
         {
             var obstacles:IntList = state.obstacles;
             var isLeft:Boolean = false;
@@ -257,8 +257,10 @@ package starlogo.queries.motion
             for (var i:int = 0; core.isFlat && !touches && i < 6; i++)
             {
                 var beside:Number = i < 3 ? -core.clearance / 2 : core.clearance / 2;
-                var axis:int = i % 3;
-                touching.setTo(place.x + (axis == 2 ? beside : 0), place.y + (axis == 1 ? beside : 0), place.z + (axis == 0 ? beside : 0));
+                var x:Number = i % 3 == 2 ? beside : 0;
+                var y:Number = i % 3 == 1 ? beside : 0;
+                var z:Number = i % 3 == 0 ? beside : 0;
+                touching.setTo(place.x + x, place.y + y, place.z + z);
                 touches = core.bodyTouches(row, touching);
             }
             return touches;

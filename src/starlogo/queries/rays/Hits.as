@@ -42,11 +42,10 @@ package starlogo.queries.rays
             _seen = seen;
         }
 
-        /** Begins without hits. Returns these hits. */
-        public function begin():Hits
+        /** Begins without hits. */
+        public function begin():void
         {
             _hits.count = 0;
-            return this;
         }
 
         /**

@@ -61,7 +61,9 @@ package starlogo.agents
         /** @private The numbers of the names of models. */
         engine static const MODELS:NameNumbers = new NameNumbers(new Vector.<String>());
 
-        private static var sCreated:int = 0;
+        /** @private The number of agents and terrains created so far, which is also the largest id. Read only. */
+        engine static var createdCount:int = 0;
+
         private static var sMatrix:Vector.<Number> = new Matrix3D().rawData;
 
         /** @private The agent's place in the world. Its rotation may be stale: see <code>freshPlacement</code>. */
@@ -140,7 +142,7 @@ package starlogo.agents
         /** @private Counts a new agent, and returns its id. */
         engine static function takeId():int
         {
-            return ++sCreated;
+            return ++createdCount;
         }
 
         /** @private The id of a new agent. */
@@ -153,12 +155,6 @@ package starlogo.agents
         engine function get isOfWorld():Boolean
         {
             return Breeds.isOfWorld(breedNumber);
-        }
-
-        /** @private The number of agents and terrains created so far, which is also the largest id. */
-        engine static function get createdCount():int
-        {
-            return sCreated;
         }
 
         /** A number that no other agent of this run has. The first is 1. Those of the edges of the world have negative numbers. */
@@ -555,10 +551,7 @@ package starlogo.agents
         /** @private Turns the agent by three angles. @throws RangeError if one is not finite; the agent is then unchanged */
         engine function turnTo(heading:Number, pitch:Number, roll:Number):void
         {
-            if (!isFinite(heading + pitch + roll))
-            {
-                TraitChecks.requireAngles(this, heading, pitch, roll);
-            }
+            TraitChecks.requireAngles(this, heading, pitch, roll);
             if (turn.setAngles(heading, pitch, roll))
             {
                 countBodyChange();

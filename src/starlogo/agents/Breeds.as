@@ -22,18 +22,13 @@ package starlogo.agents
         /** The numbers of the names of breeds. The first names are reserved. */
         public static const NAMES:NameNumbers = new NameNumbers(new <String>[TERRAIN, EDGE, ANY_BREED]);
 
-        private static var sChanges:int = 0;
-
-        /** How often agents have got other breeds. What is computed from the breeds of agents holds until it is another number. */
-        public static function get changes():int
-        {
-            return sChanges;
-        }
+        /** How often agents have got other breeds. What is computed from the breeds of agents holds until it is another number. Read only. */
+        public static var changes:int = 0;
 
         /** Counts that an agent has got another breed. */
         public static function countChange():void
         {
-            sChanges++;
+            changes++;
         }
 
         /** Whether a number is that of the breed of the ground or of the edges. No other agent may have these breeds. */

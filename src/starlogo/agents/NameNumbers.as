@@ -11,9 +11,6 @@ package starlogo.agents
         private var _names:Vector.<String> = new Vector.<String>();
         private var _order:Vector.<int> = new Vector.<int>();
 
-        // The last number asked for.
-        private var _last:int = 0;
-
         /** @param first the names that have the first numbers */
         public function NameNumbers(first:Vector.<String>)
         {
@@ -32,12 +29,8 @@ package starlogo.agents
         /** The number of a name, from 0. A new name gets the next number. */
         public function numberOf(name:String):int
         {
-            if (_names.length == 0 || _names[_last] != name)
-            {
-                var number:int = knownNumberOf(name);
-                _last = number < 0 ? add(name) : number;
-            }
-            return _last;
+            var number:int = knownNumberOf(name);
+            return number < 0 ? add(name) : number;
         }
 
         /** The number of a name; -1 if it has none yet. */

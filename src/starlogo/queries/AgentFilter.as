@@ -68,7 +68,9 @@ package starlogo.queries
         /** @inheritDoc */
         override public function admits(agent:Agent):Boolean
         {
-            return admitsBreed(agent.breed) && (except == null || except.indexOf(agent) < 0) && (accepts == null || accepts(agent));
+            var breed:String = agent.breed;
+            return (breeds == null || breeds.indexOf(breed) >= 0) && (exceptBreeds == null || exceptBreeds.indexOf(breed) < 0)
+                && (except == null || except.indexOf(agent) < 0) && (accepts == null || accepts(agent));
         }
 
         /** @private */
@@ -76,26 +78,6 @@ package starlogo.queries
         {
             warnOfBreeds(breeds, agents);
             warnOfBreeds(exceptBreeds, agents);
-        }
-
-        /** @private Whether agents of a breed count, unless they are excluded otherwise. */
-        engine function admitsBreed(breed:String):Boolean
-        {
-            return (breeds == null || has(breeds, breed)) && (exceptBreeds == null || !has(exceptBreeds, breed));
-        }
-
-        // faster than indexOf if there are few names
-        private static function has(names:Vector.<String>, name:String):Boolean
-        {
-            var length:int = names.length;
-            for (var i:int = 0; i < length; i++)
-            {
-                if (names[i] == name)
-                {
-                    return true;
-                }
-            }
-            return false;
         }
     }
 }

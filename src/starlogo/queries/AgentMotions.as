@@ -1,5 +1,5 @@
 // A walk is read in this order:
-// 1. WalkQueries.walk: reads the options into a Walk, moves the agent to where the Walk ends, and copies its Footing
+// 1. MoveQueries.walk: reads the options into a Walk, moves the agent to where the Walk ends, and copies its Footing
 // 2. WalkMover.go: carried by a platform, pushed out of overlaps, leg by leg along the ground, a fall, and a clearance at the end
 // 3. Slider: each way of a walk is a slide, or goes straight up or down
 // 4. CoreSweep: how such a way starts (startMotion), what stops it first (findFirstObstacle), and when (findTouchTime)
@@ -24,7 +24,6 @@ package starlogo.queries
     public final class AgentMotions
     {
         private var _moves:MoveQueries;
-        private var _walks:WalkQueries;
 
         /**
          * Asks about the agents of a SeenAgents. Others may ask about the same.
@@ -40,7 +39,6 @@ package starlogo.queries
             seen.needTests(StructurePairTests.addTo);
             seen.needTests(TreePairTests.addTo);
             _moves = new MoveQueries(seen);
-            _walks = new WalkQueries(seen);
         }
 
         /**
@@ -207,7 +205,7 @@ package starlogo.queries
          */
         public function walk(agent:Agent, dx:Number, dy:Number, options:WalkOptions = null, out:Footing = null):Footing
         {
-            return _walks.walk(agent, dx, dy, options, out);
+            return _moves.walk(agent, dx, dy, options, out);
         }
     }
 }

@@ -50,7 +50,7 @@ package starlogo.queries
          */
         public function near(agent:Agent, radius:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return findNear(agent, radius, Collector.ALL, filter).endWithList(out);
+            return aroundAgent(agent, radius, Collector.ALL, filter).find().endWithList(out);
         }
 
         /**
@@ -62,8 +62,7 @@ package starlogo.queries
          */
         public function countNear(agent:Agent, radius:Number, filter:AgentFilter = null):int
         {
-            var at:Placement = _seen.placementOf(agent);
-            return count(agent, at.x, at.y, at.z, radius, filter);
+            return aroundAgent(agent, radius, Collector.ALL, filter).count();
         }
 
         /**
@@ -77,7 +76,7 @@ package starlogo.queries
          */
         public function nearest(agent:Agent, radius:Number = Infinity, filter:AgentFilter = null):Agent
         {
-            return findNear(agent, radius, 1, filter).endWithFirst();
+            return aroundAgent(agent, radius, 1, filter).find().endWithFirst();
         }
 
         /**
@@ -96,7 +95,7 @@ package starlogo.queries
         public function nearestFew(agent:Agent, count:int, radius:Number = Infinity, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
             requireNotNegative("count", count);
-            return findNear(agent, radius, count, filter).endWithList(out);
+            return aroundAgent(agent, radius, count, filter).find().endWithList(out);
         }
 
         /**
@@ -110,7 +109,7 @@ package starlogo.queries
          */
         public function nearPoint(point:Vector3D, radius:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return findNearPoint(point, radius, Collector.ALL, filter).endWithList(out);
+            return aroundPoint(point, radius, Collector.ALL, filter).find().endWithList(out);
         }
 
         /**
@@ -122,8 +121,7 @@ package starlogo.queries
          */
         public function countNearPoint(point:Vector3D, radius:Number, filter:AgentFilter = null):int
         {
-            requirePoint(point);
-            return count(null, point.x, point.y, point.z, radius, filter);
+            return aroundPoint(point, radius, Collector.ALL, filter).count();
         }
 
         /**
@@ -136,7 +134,7 @@ package starlogo.queries
          */
         public function nearestToPoint(point:Vector3D, radius:Number = Infinity, filter:AgentFilter = null):Agent
         {
-            return findNearPoint(point, radius, 1, filter).endWithFirst();
+            return aroundPoint(point, radius, 1, filter).find().endWithFirst();
         }
 
         /**
@@ -156,40 +154,29 @@ package starlogo.queries
         public function inCone(agent:Agent, radius:Number, degrees:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
             requireNotNegative("degrees", degrees);
-            return findNear(agent, radius, Collector.ALL, filter, degrees).endWithList(out);
+            var search:NearSearch = aroundAgent(agent, radius, Collector.ALL, filter);
+            var cone:Cone = degrees < 360 ? _cone.setTo(agent.freshPlacement(), degrees / 2) : null;
+            return search.find(cone).endWithList(out);
         }
 
-        private function findNear(agent:Agent, radius:Number, wanted:int, filter:AgentFilter, degrees:Number = 360):Collector
+        private function aroundAgent(agent:Agent, radius:Number, wanted:int, filter:AgentFilter):NearSearch
         {
             var at:Placement = _seen.placementOf(agent);
-            return find(agent, at.x, at.y, at.z, radius, wanted, filter, degrees);
+            return begin(agent, at.x, at.y, at.z, radius, wanted, filter);
         }
 
-        private function findNearPoint(point:Vector3D, radius:Number, wanted:int, filter:AgentFilter):Collector
+        private function aroundPoint(point:Vector3D, radius:Number, wanted:int, filter:AgentFilter):NearSearch
         {
             requirePoint(point);
-            return find(null, point.x, point.y, point.z, radius, wanted, filter);
+            return begin(null, point.x, point.y, point.z, radius, wanted, filter);
         }
 
-        // Finds the agents near a place, without the one that asks, which may be null. From 360 degrees on there is no cone in front of it. Returns what
-        // has the answer.
-        private function find(asker:Agent, x:Number, y:Number, z:Number, radius:Number, wanted:int, filter:AgentFilter,
-                degrees:Number = 360):Collector
+        // Begins the search of a question around a place, without the agent that asks, which may be null.
+        private function begin(asker:Agent, x:Number, y:Number, z:Number, radius:Number, wanted:int, filter:AgentFilter):NearSearch
         {
             requireNotNegative("radius", radius);
-            var collector:Collector = _seen.beginSearch(wanted, radius * radius, asker, filter);
-            var cone:Cone = degrees < 360 ? _cone.setTo(asker.freshPlacement(), degrees / 2) : null;
             var search:NearSearch = NearSearch(_searches.current);
-            search.find(collector, x, y, z, cone);
-            return collector;
-        }
-
-        private function count(asker:Agent, x:Number, y:Number, z:Number, radius:Number, filter:AgentFilter):int
-        {
-            requireNotNegative("radius", radius);
-            var collector:Collector = _seen.beginSearch(Collector.ALL, radius * radius, asker, filter);
-            var search:NearSearch = NearSearch(_searches.current);
-            return search.count(collector, x, y, z);
+            return search.begin(_seen.beginSearch(wanted, radius * radius, asker, filter), x, y, z);
         }
     }
 }

@@ -1,10 +1,10 @@
 // The head of SeenAgents says what this room is made of; this one lists its questions. Each one is passed on, in the order of this file:
 // - near to inCone: AgentPlaces finds places within a distance (NearSearch), or in a cone (Cone)
 // - touching to overlapping: TouchQueries finds the rows whose bodies touch a body that stands (SweptBoxSearch, NarrowPhase)
-// - distance, distanceToPoint: DistanceQueries measures between two bodies (NarrowPhase)
+// - distance, distanceToPoint: TouchQueries measures between two bodies (NarrowPhase)
 // - cast, castAll, canSee: AgentRays finds the rows that a ray meets (SweptBoxSearch, RowRayQuery)
 // - castShape to slide: MoveQueries finds how far a body can go (TouchSweep, Slider)
-// - walk: WalkQueries finds where a character comes to stand (WalkMover)
+// - walk: MoveQueries finds where a character comes to stand (WalkMover)
 // AgentPlaces, AgentRays and AgentMotions have the same questions for games that load only these. AgentMotions has those of the last two lines.
 package starlogo.queries
 {
@@ -54,10 +54,8 @@ package starlogo.queries
         private var _seen:SeenAgents;
         private var _places:AgentPlaces;
         private var _touches:TouchQueries;
-        private var _distances:DistanceQueries;
         private var _rays:AgentRays;
         private var _moves:MoveQueries;
-        private var _walks:WalkQueries;
 
         /**
          * Begins without agents. Call <code>update()</code> before you ask: before the first one, questions that search the list throw an
@@ -79,10 +77,8 @@ package starlogo.queries
             _seen.needTests(StructurePairTests.addTo);
             _places = new AgentPlaces(_seen);
             _touches = new TouchQueries(_seen);
-            _distances = new DistanceQueries(_seen);
             _rays = new AgentRays(_seen);
             _moves = new MoveQueries(_seen);
-            _walks = new WalkQueries(_seen);
         }
 
         /**
@@ -300,7 +296,7 @@ package starlogo.queries
          */
         public function distance(a:Agent, b:Agent, pointA:Vector3D = null, pointB:Vector3D = null):Number
         {
-            return _distances.distance(a, b, pointA, pointB);
+            return _touches.distance(a, b, pointA, pointB);
         }
 
         /**
@@ -317,7 +313,7 @@ package starlogo.queries
          */
         public function distanceToPoint(agent:Agent, point:Vector3D, out:Vector3D = null):Number
         {
-            return _distances.distanceToPoint(agent, point, out);
+            return _touches.distanceToPoint(agent, point, out);
         }
 
         /** @copy AgentRays#cast() */
@@ -386,13 +382,13 @@ package starlogo.queries
         /** @copy AgentMotions#walk() */
         public function walk(agent:Agent, dx:Number, dy:Number, options:WalkOptions = null, out:Footing = null):Footing
         {
-            return _walks.walk(agent, dx, dy, options, out);
+            return _moves.walk(agent, dx, dy, options, out);
         }
 
-        /** @private How an agent stands where it is: see WalkQueries.findFooting. */
+        /** @private How an agent stands where it is: see MoveQueries.findFooting. */
         engine function findFooting(agent:Agent, options:WalkOptions, out:Footing):Footing
         {
-            return _walks.findFooting(agent, options, out);
+            return _moves.findFooting(agent, options, out);
         }
     }
 }

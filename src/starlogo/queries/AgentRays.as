@@ -84,7 +84,8 @@ package starlogo.queries
         public function cast(origin:Vector3D, direction:Vector3D, maxDistance:Number = Infinity, filter:AgentFilter = null, hit:RayHit = null):RayHit
         {
             var collector:Collector = begin(1, requireOrigin(origin), direction, maxDistance, filter);
-            var hits:Hits = beginHits();
+            var hits:Hits = Hits(_hits.current);
+            hits.begin();
             collect(collector, hits);
             if (hits.end(collector) == 0)
             {
@@ -126,7 +127,8 @@ package starlogo.queries
         {
             var collector:Collector = begin(Collector.ALL, requireOrigin(origin), direction, maxDistance, filter);
             var listed:Vector.<RayHit> = out || new Vector.<RayHit>();
-            var hits:Hits = beginHits();
+            var hits:Hits = Hits(_hits.current);
+            hits.begin();
             if (allSurfaces)
             {
                 collectSurfaces(collector, hits);
@@ -218,14 +220,6 @@ package starlogo.queries
             _search.begin(_seen.treeOfExtents(), _ray.x, _ray.y, _ray.z);
             _search.moveAlong(_ray.directionX, _ray.directionY, _ray.directionZ, maxDistance);
             return collector;
-        }
-
-        // The hits of a question that begins now: none yet.
-        private function beginHits():Hits
-        {
-            var hits:Hits = Hits(_hits.current);
-            hits.begin();
-            return hits;
         }
 
         // Finds the rows that the ray meets, and keeps how it meets them.

@@ -1,19 +1,14 @@
 package starlogo.queries
 {
     import starlogo.agents.Agent;
-    import starlogo.bounding.BoundingStructure;
     import starlogo.data.hintOfName;
     import starlogo.engine;
-    import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.BoxTreeBuilder;
     import starlogo.libraries.ModelEntry;
-    import starlogo.libraries.ModelStructures;
     import starlogo.libraries.ModelTable;
     import starlogo.models.Model;
     import starlogo.search.BaseShapeChoice;
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
-    import starlogo.solid.ModelTree;
 
     use namespace engine;
 
@@ -28,7 +23,8 @@ package starlogo.queries
         /** The tests of its shapes, with the limits for trees: for questions and colliders alike. Each brings the tests that it needs. */
         public var narrowPhase:NarrowPhase;
 
-        private var _models:ModelTable = new ModelTable();
+        /** The models and structures by name. The LevelShapes adds them. */
+        public var models:ModelTable = new ModelTable();
 
         public function LevelChoice()
         {
@@ -36,53 +32,32 @@ package starlogo.queries
             narrowPhase = new NarrowPhase(this);
         }
 
-        /** Builds the tree of a model, and prepares its triangles if it shall. It replaces what has its name. */
-        public function addModel(model:Model, preparesExact:Boolean):void
-        {
-            var tree:ModelTree = new ModelTree(new BoxTree(model.vertices, model.triangles));
-            tree.beginBuilding(BoxTreeBuilder.MOST_VERTICES_OF_LEAF, BoxTreeBuilder.MAX_DEPTH, false, preparesExact);
-            tree.finishBuilding();
-            _models.entryToWrite(model.name).replace(model, null, tree);
-        }
-
-        /**
-         * Uses a structure as the shape with a name. It replaces what has this name.
-         *
-         * @throws ArgumentError if the name is null or empty, or the structure is null or not one of the engine's
-         */
-        public function addStructure(name:String, structure:BoundingStructure):void
-        {
-            ModelTable.checkName(name);
-            ModelShape.requireStructure(structure);
-            _models.entryToWrite(name).replace(null, ModelStructures.of(structure), null);
-        }
-
         /** @inheritDoc */
         override engine function get revision():int
         {
-            return _models.revision;
+            return models.revision;
         }
 
         /** @inheritDoc */
         override engine function revisionOf(name:String):int
         {
-            return _models.entryOf(name).revision;
+            return models.entryOf(name).revision;
         }
 
         /** @inheritDoc */
         override engine function modelOf(name:String):Model
         {
-            return _models.entryOf(name).model;
+            return models.entryOf(name).model;
         }
 
         /** @inheritDoc */
         override engine function isLoading(agent:Agent):Boolean
         {
-            var entry:ModelEntry = _models.entryOf(agent.shape);
+            var entry:ModelEntry = models.entryOf(agent.shape);
             if (entry.model == null && entry.structures == null)
             {
                 throw new ArgumentError(agent + ": there is no model and no structure \"" + agent.shape + "\"; add it to the LevelShapes first"
-                        + hintOfName(agent.shape, _models.names));
+                        + hintOfName(agent.shape, models.names));
             }
             return false;
         }
@@ -90,7 +65,7 @@ package starlogo.queries
         /** @inheritDoc */
         override public function bind(shape:ModelShape, agent:Agent):void
         {
-            var entry:ModelEntry = _models.entryOf(shape.modelName);
+            var entry:ModelEntry = models.entryOf(shape.modelName);
             if (entry.structures != null)
             {
                 shape.setStructure(entry.structures.tightest);

@@ -4,8 +4,14 @@ package starlogo.queries
     import starlogo.collision.QuerySource;
     import starlogo.data.requireGiven;
     import starlogo.engine;
+    import starlogo.hierarchy.BoxTree;
+    import starlogo.hierarchy.BoxTreeBuilder;
+    import starlogo.libraries.ModelStructures;
+    import starlogo.libraries.ModelTable;
     import starlogo.models.Model;
+    import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
+    import starlogo.solid.ModelTree;
 
     use namespace engine;
 
@@ -49,7 +55,10 @@ package starlogo.queries
         public function addModel(model:Model):void
         {
             requireGiven("model", model);
-            choice.addModel(model, prepareExact);
+            var tree:ModelTree = new ModelTree(new BoxTree(model.vertices, model.triangles));
+            tree.beginBuilding(BoxTreeBuilder.MOST_VERTICES_OF_LEAF, BoxTreeBuilder.MAX_DEPTH, false, prepareExact);
+            tree.finishBuilding();
+            choice.models.entryToWrite(model.name).replace(model, null, tree);
         }
 
         /**
@@ -62,7 +71,9 @@ package starlogo.queries
          */
         public function addStructure(name:String, structure:BoundingStructure):void
         {
-            choice.addStructure(name, structure);
+            ModelTable.checkName(name);
+            ModelShape.requireStructure(structure);
+            choice.models.entryToWrite(name).replace(null, ModelStructures.of(structure), null);
         }
 
         /**

@@ -1,6 +1,6 @@
 // This room answers questions about agents in space: what is near, what touches, what a ray meets, how far something can go. A class for each
-// kind of questions (AgentPlaces, TouchQueries, AgentRays, MoveQueries, WalkQueries) searches the trees of a SeenAgents, tests what it finds, and gives
-// it to a Collector. DistanceQueries measures two bodies without a search. AgentQueries has all questions, and passes them on: its head is a list of
+// kind of questions (AgentPlaces, TouchQueries, AgentRays, MoveQueries) searches the trees of a SeenAgents, tests what it finds, and gives
+// it to a Collector. AgentQueries has all questions, and passes them on: its head is a list of
 // them. LevelShapes, with LevelChoice and LevelCollider, gives agents shapes without a GreatLand. The folder trees/ has the trees, their searches, and the
 // Collector, which has an answer while it is searched for, with its RowFilter; rays/ how a ray meets a row, and the hits of rays and casts; motion/ how a
 // body moves among rows. A filter's accepts may ask while a question is under way: PerQuestion says what that one has afterwards. Read this file first,
@@ -48,6 +48,12 @@ package starlogo.queries
         /** @private The tests of their bodies. They belong to the collision system and have its settings. */
         engine var narrowPhase:NarrowPhase;
 
+        /**
+         * @private How many questions under way are calling a filter's <code>accepts</code>. It may ask questions itself, nested one deeper than the
+         * question that calls it, but not change the agents. What a question needs after these calls is PerQuestion. Read only.
+         */
+        engine var nesting:int = 0;
+
         private var _source:QuerySource;
 
         // Functions that add the tests which some questions need.
@@ -65,8 +71,6 @@ package starlogo.queries
 
         // What collects the rows of a question.
         private var _collectors:PerQuestion;
-
-        private var _nesting:int = 0;
 
         /**
          * Begins without agents, as an AgentQueries does.
@@ -171,25 +175,16 @@ package starlogo.queries
             return collector;
         }
 
-        /**
-         * @private How many questions under way are calling a filter's <code>accepts</code>. It may ask questions itself, nested one deeper than the
-         * question that calls it, but not change the agents. What a question needs after these calls is PerQuestion.
-         */
-        engine function get nesting():int
-        {
-            return _nesting;
-        }
-
         /** @private A question begins to call a filter's <code>accepts</code>. Questions are one deeper from now on. */
         engine function enterFilter():void
         {
-            _nesting++;
+            nesting++;
         }
 
         /** @private The calls of <code>accepts</code> have ended. */
         engine function leaveFilter():void
         {
-            _nesting--;
+            nesting--;
         }
 
         /** @private Throws an error if a filter's <code>accepts</code> is being called and the agent is in the list. */
@@ -290,7 +285,7 @@ package starlogo.queries
 
         private function requireOutsideFilter(what:String):void
         {
-            if (_nesting > 0)
+            if (nesting > 0)
             {
                 throw new IllegalOperationError(what + " must not be called from a filter's accepts");
             }

@@ -3,8 +3,12 @@ package starlogo.queries
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Sphere;
+    import starlogo.collision.Collider;
+    import starlogo.convex.ClosestPoints;
     import starlogo.data.requireGiven;
     import starlogo.engine;
+    import starlogo.geometry.copyVector;
     import starlogo.geometry.requireInWorld;
     import starlogo.queries.trees.Collector;
     import starlogo.queries.trees.SweptBoxSearch;
@@ -17,7 +21,11 @@ package starlogo.queries
     use namespace engine;
 
     /**
-     * Answers which agents touch an agent or a structure. AgentQueries says what each question means.
+     * Answers which agents touch an agent or a structure, and how far two of them are apart, as a collider sees them. AgentQueries says what each
+     * question means.
+     *
+     * <p>A distance is 0 if the collider's own test says that the two touch, and greater otherwise. Shapes are wider by the margin for the rounding of
+     * places (Tolerances.PLACES), as they are in tests for touching.</p>
      *
      * @private
      */
@@ -25,11 +33,13 @@ package starlogo.queries
     {
         private var _seen:SeenAgents;
         private var _search:SweptBoxSearch = new SweptBoxSearch();
+        private var _closest:ClosestPoints = new ClosestPoints();
 
-        // A body that is not an agent's: one at another place, or the edges of the world; that of a structure; and this place.
+        // A second body: an agent's, one at another place, or the edges of the world; the body of a structure or a point; and this place or point.
         private var _body:Body = new Body();
         private var _structureBody:StructureBody = new StructureBody();
         private var _place:Vector3D = new Vector3D();
+        private var _point:Sphere = new Sphere(new Vector3D(), 0);
 
         /** @param seen the agents that the questions are about */
         public function TouchQueries(seen:SeenAgents)
@@ -72,6 +82,68 @@ package starlogo.queries
         public function overlapping(structure:BoundingStructure, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
         {
             return find(null, _structureBody.read(structure), Collector.ALL, filter).endWithList(out);
+        }
+
+        /**
+         * The distance between two agents. See AgentQueries.distance.
+         *
+         * @param pointA receives the first agent's nearest point; or null
+         * @param pointB receives the second agent's nearest point; or null
+         */
+        public function distance(a:Agent, b:Agent, pointA:Vector3D, pointB:Vector3D):Number
+        {
+            Collider.requireTwo(a, b);
+            // a handler may have changed the ground
+            _seen.table.refreshWorld();
+            if (a.isOfWorld && b.isOfWorld)
+            {
+                throw new ArgumentError("the ground and the edges of the world have no distance from each other");
+            }
+            var rowB:int = _seen.rowOf(b);
+            if (rowB >= 0 && _seen.table.shapes[rowB] == null)
+            {
+                return Infinity;
+            }
+            return measure(_seen.bodyOf(a), rowB < 0 ? _seen.bodyOf(b, _body) : _seen.table.bodyOf(rowB), pointA, pointB);
+        }
+
+        /** The distance between an agent and a point. See AgentQueries.distanceToPoint. */
+        public function distanceToPoint(agent:Agent, point:Vector3D, out:Vector3D):Number
+        {
+            requirePoint(point);
+            _point.center.setTo(point.x, point.y, point.z);
+            var distance:Number = measure(_seen.bodyOf(agent), _structureBody.read(_point), out, null);
+            if (distance == 0)
+            {
+                // without the rounding of that point, which stands in the game's point if that is out too
+                copyTo(out, _point.center);
+            }
+            return distance;
+        }
+
+        private function measure(a:Body, b:Body, pointA:Vector3D, pointB:Vector3D):Number
+        {
+            if (a.shape == null || b.shape == null)
+            {
+                return Infinity;
+            }
+            _seen.narrowPhase.findClosest(a, b, pointA != null || pointB != null, _closest);
+            if (_closest.distance == Infinity)
+            {
+                // the edges of a world without edges have no points
+                return Infinity;
+            }
+            copyTo(pointA, _closest.a);
+            copyTo(pointB, _closest.b);
+            return _closest.distance;
+        }
+
+        private static function copyTo(out:Vector3D, point:Vector3D):void
+        {
+            if (out != null)
+            {
+                copyVector(point, out);
+            }
         }
 
         // Finds the agents that touch a body, sorted by the distances of their places from the body's place. If one is wanted, it may be any that

@@ -1,7 +1,6 @@
 package starlogo.queries
 {
     import starlogo.agents.Agent;
-    import starlogo.geometry.isInWorld;
     import starlogo.geometry.requireInWorld;
 
     /**
@@ -12,11 +11,8 @@ package starlogo.queries
      */
     public function requireMotion(dx:Number, dy:Number, dz:Number, asker:Agent):void
     {
-        if (!isInWorld(dx, dy, dz))
-        {
-            requireInWorld("dx of a motion", dx, 0, 0, asker);
-            requireInWorld("dy of a motion", 0, dy, 0, asker);
-            requireInWorld("dz of a motion", 0, 0, dz, asker);
-        }
+        requireInWorld("dx of a motion", dx, 0, 0, asker);
+        requireInWorld("dy of a motion", 0, dy, 0, asker);
+        requireInWorld("dz of a motion", 0, 0, dz, asker);
     }
 }

@@ -120,19 +120,16 @@ package starlogo.queries.motion
         public function narrow(row:int, place:Vector3D):Boolean
         {
             var inset:Number = _inset;
-            setInset(_mostInset);
-            if (coreTouches(row, place))
+            while (_inset < _mostInset)
             {
-                setInset(inset);
-                return false;
+                setInset(Math.min(NARROWING * _inset, _mostInset));
+                if (!coreTouches(row, place))
+                {
+                    return true;
+                }
             }
-            do
-            {
-                inset = Math.min(NARROWING * inset, _mostInset);
-                setInset(inset);
-            }
-            while (inset < _mostInset && coreTouches(row, place));
-            return true;
+            setInset(inset);
+            return false;
         }
 
         private function setInset(width:Number):void

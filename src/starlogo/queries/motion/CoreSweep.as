@@ -90,7 +90,7 @@ package starlogo.queries.motion
         }
 
         /**
-         * Finds which row a core meets first. Of rows with the same <code>comparedTime</code>, the first one in their order counts.
+         * Finds which row a core meets first: none, if the motion has no length. Of rows with the same <code>comparedTime</code>, the first one in their order counts.
          *
          * @param from where the motion begins
          * @param countsInside whether a row stops the core at the beginning if one of the two is inside of the other there
@@ -101,7 +101,8 @@ package starlogo.queries.motion
         {
             out.row = -1;
             out.time = out.comparedTime = RelativeMotion.NEVER;
-            for (var i:int = 0; i < rows.count && out.comparedTime > 0; i++)
+            var end:int = hasLength(motion) ? rows.count : 0;
+            for (var i:int = 0; i < end && out.comparedTime > 0; i++)
             {
                 if (findImpact(core, rows.numbers[i], from, motion, countsInside, _met) && _met.comparedTime < out.comparedTime)
                 {

@@ -220,27 +220,20 @@ package starlogo.queries.motion
         }
 
         /**
-         * Finds a contact of the whole body with a row that it touches when it stands at a place: the contact of two of their parts if that is shallow.
-         * Otherwise the contact separates the two.
+         * Finds a contact of the whole body with a row that it touches when it stands at a place.
+         *
+         * @param separates whether the contact must separate the two. The ground can be floor and wall at once, and a contact with one does not lead away
+         *     from the other. Otherwise a shallow contact may be that of two of their parts
          */
-        public function findContact(row:int, place:Vector3D, out:ContactPoint):void
+        public function findContact(row:int, place:Vector3D, separates:Boolean, out:ContactPoint):void
         {
             var other:Body = bodyOf(row);
             var tests:PairTests = narrowPhase.pairTestsFor(whole, other);
             tests.findContactOfParts(moveTo(place), other, RelativeMotion.NONE, out);
-            if (!isShallow(row, out))
+            if (separates || !isShallow(row, out))
             {
                 tests.separate(whole, other, RelativeMotion.NONE, out);
             }
-        }
-
-        /** Finds the contact that separates the two. The ground can be floor and wall at once, and a contact with one does not lead away from the other. */
-        public function findSeparatingContact(row:int, place:Vector3D, out:ContactPoint):void
-        {
-            var other:Body = bodyOf(row);
-            var tests:PairTests = narrowPhase.pairTestsFor(whole, other);
-            tests.findContactOfParts(moveTo(place), other, RelativeMotion.NONE, out);
-            tests.separate(whole, other, RelativeMotion.NONE, out);
         }
 
         /** Whether a contact with a row is so shallow that rounding in the game can be the cause. */
@@ -256,7 +249,7 @@ package starlogo.queries.motion
             {
                 return false;
             }
-            findSeparatingContact(row, place, _contact);
+            findContact(row, place, true, _contact);
             return !isShallow(row, _contact) || passesOneWay(row, _contact);
         }
 

@@ -59,14 +59,14 @@ package starlogo.queries.motion
          */
         public function leaveOverlaps(state:MotionState):void
         {
-            if (replaceDeep(state) && !pushOut(state.core, state.obstacles, state.from, state.pushes))
+            if (replaceByPlanes(state, false) && !pushFree(state.core, state.obstacles, state.from, false, state.pushes))
             {
-                replaceAll(state);
+                replaceByPlanes(state, true);
             }
             if (state.core.isFlat && state.planes.count == 0)
             {
                 // its core is as flat, and a sweep touches across a wider gap than a body that stands
-                pushOff(state.core, state.obstacles, state.from);
+                pushFree(state.core, state.obstacles, state.from, true, _pushesOff);
             }
         }
 
@@ -79,7 +79,7 @@ package starlogo.queries.motion
         public function restoreClearance(body:MovingBody, place:Vector3D):void
         {
             _core.beginStanding(body, place);
-            pushOff(_core, body.rows, place);
+            pushFree(_core, body.rows, place, true, _pushesOff);
         }
 
         /**
@@ -109,21 +109,9 @@ package starlogo.queries.motion
             return sum;
         }
 
-        // Pushes a body out of the rows that its core overlaps a little. Returns whether its core gets free.
-        private function pushOut(core:BodyCore, rows:IntList, place:Vector3D, pushes:ContactList):Boolean
-        {
-            return push(core, rows, place, false, pushes);
-        }
-
-        // Pushes a body off the rows that it touches, if it gets a clearance off all of them.
-        private function pushOff(core:BodyCore, rows:IntList, place:Vector3D):void
-        {
-            push(core, rows, place, true, _pushesOff);
-        }
-
-        // Pushes a body off the rows that it touches, or else out of those that its core overlaps: from one row after the other, round and round, until all are
-        // free of pushes. Returns whether this succeeds. If not, the body is where it was, and there are no pushes.
-        private function push(core:BodyCore, rows:IntList, place:Vector3D, isOff:Boolean, pushes:ContactList):Boolean
+        // Pushes a body off the rows that it touches, or else out of those that its core overlaps a little: from one row after the other, round and round, until
+        // all are free of pushes. Returns whether this succeeds. If not, the body is where it was, and there are no pushes.
+        private function pushFree(core:BodyCore, rows:IntList, place:Vector3D, clearsTouches:Boolean, pushes:ContactList):Boolean
         {
             var last:ContactPoint = null;
             var freeInTurn:int = 0;
@@ -134,7 +122,7 @@ package starlogo.queries.motion
                 var row:int = rows.numbers[int(i % rows.count)];
                 var separates:Boolean = i >= FIRST_SEPARATING_ROUND * rows.count;
                 freeInTurn++;
-                if (isOff ? findPushOff(core, row, place, separates, last, _contact) : findPushOut(core, row, place, separates, last, _contact))
+                if (clearsTouches ? findPushOff(core, row, place, separates, last, _contact) : findPushOut(core, row, place, separates, last, _contact))
                 {
                     if (i >= MOST_ROUNDS * rows.count || !(_contact.depth < TOO_DEEP) || leadsBack(_contact, last))
                     {
@@ -150,21 +138,9 @@ package starlogo.queries.motion
             return true;
         }
 
-        // Lets planes stand for obstacles that the core overlaps deeply. Returns whether it overlapped others.
-        private function replaceDeep(state:MotionState):Boolean
-        {
-            return replace(state, false);
-        }
-
-        // Lets planes stand for all obstacles that the core overlaps.
-        private function replaceAll(state:MotionState):void
-        {
-            replace(state, true);
-        }
-
         // Lets planes stand for obstacles that the core overlaps: for deep overlaps, and also for shallow ones if they are to count. These are obstacles no
         // longer, nor are one-way rows that the body passes. Returns whether obstacles are left that the core overlapped.
-        private function replace(state:MotionState, alsoShallow:Boolean):Boolean
+        private function replaceByPlanes(state:MotionState, alsoShallow:Boolean):Boolean
         {
             var obstacles:IntList = state.obstacles;
             var isLeft:Boolean = false;
@@ -192,26 +168,15 @@ package starlogo.queries.motion
         private function addPlane(row:int, state:MotionState, alsoShallow:Boolean):Boolean
         {
             var core:BodyCore = state.core;
-            if (!findOverlap(core.moving, row, state.from, alsoShallow, _contact) || core.narrow(row, state.from)
-                    || !core.bodyOverlaps(row, state.from))
+            core.moving.findContact(row, state.from, alsoShallow, _contact);
+            var counts:Boolean = alsoShallow || !core.moving.isShallow(row, _contact);
+            if (!counts || core.narrow(row, state.from) || !core.bodyOverlaps(row, state.from))
             {
                 return false;
             }
             state.planes.add(_contact, row);
             core.moving.warnIfInside(row, _contact);
             return true;
-        }
-
-        // Finds the contact of an overlap. Returns whether it counts.
-        private static function findOverlap(body:MovingBody, row:int, place:Vector3D, alsoShallow:Boolean, out:ContactPoint):Boolean
-        {
-            if (alsoShallow)
-            {
-                body.findSeparatingContact(row, place, out);
-                return true;
-            }
-            body.findContact(row, place, out);
-            return !body.isShallow(row, out);
         }
 
         // Finds the push out of a row that the core overlaps: along the contact's normal by its depth. Returns whether
@@ -251,13 +216,10 @@ package starlogo.queries.motion
         // Finds the contact with a row that the body touches at a place. It does not lead back against the last push if another contact does not.
         private static function findContactOfPush(body:MovingBody, row:int, place:Vector3D, separates:Boolean, last:ContactPoint, out:ContactPoint):void
         {
-            if (!separates)
+            body.findContact(row, place, separates, out);
+            if (!separates && leadsBack(out, last))
             {
-                body.findContact(row, place, out);
-            }
-            if (separates || leadsBack(out, last))
-            {
-                body.findSeparatingContact(row, place, out);
+                body.findContact(row, place, true, out);
             }
         }
 
@@ -269,7 +231,7 @@ package starlogo.queries.motion
             {
                 return false;
             }
-            body.findSeparatingContact(row, place, out);
+            body.findContact(row, place, true, out);
             if (body.isShallow(row, out) || !core.bodyOverlaps(row, place))
             {
                 return false;
@@ -290,32 +252,18 @@ package starlogo.queries.motion
         // touches the row at one of these.
         private static function findTouchingPlace(core:BodyCore, row:int, place:Vector3D, touching:Vector3D):Boolean
         {
-            if (touchesAt(core, row, place, 0, 0, 0, touching))
+            touching.copyFrom(place);
+            var touches:Boolean = core.bodyTouches(row, touching);
+            for (var i:int = 0; core.isFlat && !touches && i < 6; i++)
             {
-                return true;
+                var beside:Number = i < 3 ? -core.clearance / 2 : core.clearance / 2;
+                var x:Number = i % 3 == 2 ? beside : 0;
+                var y:Number = i % 3 == 1 ? beside : 0;
+                var z:Number = i % 3 == 0 ? beside : 0;
+                touching.setTo(place.x + x, place.y + y, place.z + z);
+                touches = core.bodyTouches(row, touching);
             }
-            if (!core.isFlat)
-            {
-                return false;
-            }
-            var side:Number = -core.clearance / 2;
-            for (var i:int = 0; i < 2; i++)
-            {
-                if (touchesAt(core, row, place, 0, 0, side, touching) || touchesAt(core, row, place, 0, side, 0, touching)
-                        || touchesAt(core, row, place, side, 0, 0, touching))
-                {
-                    return true;
-                }
-                side = -side;
-            }
-            return false;
-        }
-
-        // Sets the touching place to a place moved by x, y and z. Returns whether the body touches a row there.
-        private static function touchesAt(core:BodyCore, row:int, place:Vector3D, x:Number, y:Number, z:Number, touching:Vector3D):Boolean
-        {
-            touching.setTo(place.x + x, place.y + y, place.z + z);
-            return core.bodyTouches(row, touching);
+            return touches;
         }
     }
 }

@@ -55,7 +55,7 @@ package starlogo.queries.motion
                     makePlanesUpright(planes, _remaining);
                 }
                 _remaining.project(planes);
-                sweepRest(out.place, _remaining.motion, _state);
+                _sweep.findFirstObstacle(core, _state.obstacles, out.place, _remaining.motion, impact);
             }
             // the planes from this index on belong to the corner where the body is
             var corner:int = planes.count;
@@ -72,7 +72,7 @@ package starlogo.queries.motion
                 var newest:int = planes.add(impact.contact, impact.row);
                 dropNeedlessPlanes(out.place, _remaining, _state, corner, newest);
                 _remaining.project(planes);
-                sweepRest(out.place, _remaining.motion, _state);
+                _sweep.findFirstObstacle(core, _state.obstacles, out.place, _remaining.motion, impact);
             }
             if (!impact.isMet)
             {
@@ -106,19 +106,6 @@ package starlogo.queries.motion
         {
             _state.core.begin(body, body.rows, from, motion);
             return _sweep.meets(_state.core, row, from, motion);
-        }
-
-        // Finds what stops the rest of a motion next. The state receives the impact.
-        private function sweepRest(place:Vector3D, rest:Vector3D, state:MotionState):void
-        {
-            if (rest.lengthSquared > 0)
-            {
-                _sweep.findFirstObstacle(state.core, state.obstacles, place, rest, state.impact);
-            }
-            else
-            {
-                state.impact.row = -1;
-            }
         }
 
         // Notes what a slide meets: the most level surface is its floor. What is too steep becomes an upright wall. The rest climbs what is not.

@@ -97,7 +97,8 @@ package starlogo.queries.motion
             {
                 var row:int = body.rows.numbers[i];
                 findTouch(body, row, start, _alone, _touch);
-                mayPush ||= mayPushChange(_alone, start, _touch);
+                // the row alone pushes the body, or stops it at once in a shallow overlap
+                mayPush ||= !_alone.from.equals(start.from) || (_touch.time == 0 && !_touch.hasPlanes);
                 if (_touch.isStopped)
                 {
                     collector.add(row, _touch.time);
@@ -128,12 +129,6 @@ package starlogo.queries.motion
                 setEnd(body, out.time, start, out.place);
                 pushBack(body.from, alone, out.place);
             }
-        }
-
-        // Whether another start may change the answer for a row: the row alone pushes the body, or stops it at once in a shallow overlap.
-        private static function mayPushChange(alone:MotionState, start:MotionState, touch:MotionResult):Boolean
-        {
-            return !alone.from.equals(start.from) || (touch.time == 0 && !touch.hasPlanes);
         }
 
         /**

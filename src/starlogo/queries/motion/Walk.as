@@ -7,7 +7,7 @@ package starlogo.queries.motion
     import starlogo.queries.WalkOptions;
 
     /**
-     * A walk, as a record: what the options mean for this agent, how far it has come, and its footing. WalkQueries begins it, and the WalkMover goes it.
+     * A walk, as a record: what the options mean for this agent, how far it has come, and its footing. MoveQueries begins it, and the WalkMover goes it.
      *
      * @private
      */

@@ -176,7 +176,10 @@ package starlogo.queries.motion
                 walk.place.copyFrom(walk.legStart);
                 return true;
             }
-            slideAlong(walk, walk.place, riseOf(walk), walk.walkableZ, _slid);
+            // the slide begins along the ground below the agent
+            var normal:Vector3D = walk.floorNormal;
+            var rise:Number = -(normal.x * walk.legMotion.x + normal.y * walk.legMotion.y) / normal.z;
+            slideAlong(walk, walk.place, rise, walk.walkableZ, _slid);
             if (_slid.metWall && stepUp(walk, _slid.place))
             {
                 return true;
@@ -185,13 +188,6 @@ package starlogo.queries.motion
             // the ground may have led up only for a part of the leg: on a ramp, and over the edge of a step
             var height:Number = Math.max(0, walk.place.z - walk.legStart.z);
             return standBelow(walk, walk.place, height + walk.options.snap + walk.closeDepth);
-        }
-
-        // How far a leg leads up or down if it runs along the ground below the agent.
-        private static function riseOf(walk:Walk):Number
-        {
-            var normal:Vector3D = walk.floorNormal;
-            return -(normal.x * walk.legMotion.x + normal.y * walk.legMotion.y) / normal.z;
         }
 
         // Tries a leg again a step higher, and goes down again. Returns whether the agent comes farther than to a place without the step, and stands.
@@ -298,14 +294,13 @@ package starlogo.queries.motion
         // Returns whether it stands.
         private function standAtEnd(walk:Walk, down:MotionResult):Boolean
         {
-            return down.isStopped && (standOn(walk, down.contact, down.row, down.place) || standOnOther(walk, down.place));
-        }
-
-        // Lets the agent stand on what else it touches at a place, besides something too steep.
-        private function standOnOther(walk:Walk, place:Vector3D):Boolean
-        {
-            slideDown(walk, place, walk.closeDepth, walk.body.extent, _tried);
-            return _tried.hasFloor && standOn(walk, _tried.floor, _tried.floorRow, place);
+            var stands:Boolean = down.isStopped && standOn(walk, down.contact, down.row, down.place);
+            if (stands || !down.isStopped)
+            {
+                return stands;
+            }
+            slideDown(walk, down.place, walk.closeDepth, walk.body.extent, _tried);
+            return _tried.hasFloor && standOn(walk, _tried.floor, _tried.floorRow, down.place);
         }
 
         // Lets the agent stand at a place, on a row that it touches there, if the row carries it.

@@ -3,7 +3,6 @@ package starlogo.queries.rays
     import flash.geom.Vector3D;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.geometry.copyVector;
     import starlogo.hierarchy.BoxTree;
     import starlogo.models.building.TriangleLabels;
     import starlogo.queries.CastHit;
@@ -18,13 +17,9 @@ package starlogo.queries.rays
      */
     public final class TriangleOfHit
     {
-        // From the point to each corner.
-        private var _a:Vector3D = new Vector3D();
-        private var _b:Vector3D = new Vector3D();
-        private var _c:Vector3D = new Vector3D();
-
-        // The weights of the corners.
-        private var _weights:Vector3D = new Vector3D();
+        // From the point to each corner, and the weights of the corners.
+        private var _corners:Vector.<Vector3D> = new <Vector3D>[new Vector3D(), new Vector3D(), new Vector3D()];
+        private var _weights:Vector.<Number> = new Vector.<Number>(3, true);
 
         /**
          * Writes the mesh, the material and the weights.
@@ -36,7 +31,7 @@ package starlogo.queries.rays
         {
             hit.mesh = hit.material = -1;
             hit.meshName = hit.materialName = null;
-            _weights.setTo(0, 0, 0);
+            _weights[0] = _weights[1] = _weights[2] = 0;
             if (hit.triangle >= 0)
             {
                 if (body.shape.model != null)
@@ -49,9 +44,12 @@ package starlogo.queries.rays
                     hit.materialName = materials.nameOf(hit.material);
                 }
                 readCorners(body.shape.tree.boxTree, 3 * hit.triangle, body.placement, hit.point);
-                weigh(_weights);
+                weigh();
             }
-            copyVector(_weights, hit.weights);
+            // not setTo, because a game in JavaScript may have given a hit any object with x, y and z
+            hit.weights.x = _weights[0];
+            hit.weights.y = _weights[1];
+            hit.weights.z = _weights[2];
         }
 
         private function readCorners(tree:BoxTree, corner:int, placement:Placement, point:Vector3D):void
@@ -62,38 +60,28 @@ package starlogo.queries.rays
             var inX:Number = placement.r00 * x + placement.r10 * y + placement.r20 * z;
             var inY:Number = placement.r01 * x + placement.r11 * y + placement.r21 * z;
             var inZ:Number = placement.r02 * x + placement.r12 * y + placement.r22 * z;
-            readCorner(tree, corner, inX, inY, inZ, _a);
-            readCorner(tree, corner + 1, inX, inY, inZ, _b);
-            readCorner(tree, corner + 2, inX, inY, inZ, _c);
-        }
-
-        // The way to a corner from a point in the model's space.
-        private static function readCorner(tree:BoxTree, corner:int, x:Number, y:Number, z:Number, out:Vector3D):void
-        {
-            var vertex:int = 3 * tree.triangles[corner];
-            out.setTo(tree.vertices[vertex] - x, tree.vertices[int(vertex + 1)] - y, tree.vertices[int(vertex + 2)] - z);
+            for (var i:int = 0; i < 3; i++)
+            {
+                var vertex:int = 3 * tree.triangles[corner + i];
+                _corners[i].setTo(tree.vertices[vertex] - inX, tree.vertices[int(vertex + 1)] - inY, tree.vertices[int(vertex + 2)] - inZ);
+            }
         }
 
         // Weighs the corners from the longest edge, because along it even a narrow triangle has digits.
-        private function weigh(weights:Vector3D):void
+        private function weigh():void
         {
-            var ab:Number = squaredDistance(_a, _b);
-            var bc:Number = squaredDistance(_b, _c);
-            var ca:Number = squaredDistance(_c, _a);
-            if (ab >= bc && ab >= ca)
+            var start:int = 0;
+            var longest:Number = -1;
+            for (var i:int = 0; i < 3; i++)
             {
-                weighFrom(_a, _b, _c, ab, weights);
+                var square:Number = squaredDistance(_corners[i], _corners[(i + 1) % 3]);
+                if (square > longest)
+                {
+                    longest = square;
+                    start = i;
+                }
             }
-            else if (bc >= ca)
-            {
-                weighFrom(_b, _c, _a, bc, weights);
-                weights.setTo(weights.z, weights.x, weights.y);
-            }
-            else
-            {
-                weighFrom(_c, _a, _b, ca, weights);
-                weights.setTo(weights.y, weights.z, weights.x);
-            }
+            weighFrom(start, (start + 1) % 3, (start + 2) % 3, longest);
         }
 
         private static function squaredDistance(u:Vector3D, v:Vector3D):Number
@@ -104,10 +92,13 @@ package starlogo.queries.rays
             return x * x + y * y + z * z;
         }
 
-        // Finds the weights of an edge's ends, x and y, and of the corner over it, z. The point's height over the edge, as a part of the corner's, is the
+        // Finds the weights of an edge's ends and of the corner over it. The point's height over the edge, as a part of the corner's, is the
         // weight of the corner. Its place along the edge divides the rest. What is beyond an edge of the triangle counts as on it.
-        private static function weighFrom(start:Vector3D, end:Vector3D, over:Vector3D, squaredLength:Number, weights:Vector3D):void
+        private function weighFrom(first:int, second:int, third:int, squaredLength:Number):void
         {
+            var start:Vector3D = _corners[first];
+            var end:Vector3D = _corners[second];
+            var over:Vector3D = _corners[third];
             var edgeX:Number = end.x - start.x;
             var edgeY:Number = end.y - start.y;
             var edgeZ:Number = end.z - start.z;
@@ -132,9 +123,10 @@ package starlogo.queries.rays
             var room:Number = along < alongOver ? along : 1 - along;
             var side:Number = along < alongOver ? alongOver : 1 - alongOver;
             weight = weight * side > room ? room / side : Math.min(1, weight);
-            weights.z = weight;
-            weights.y = Math.max(0, Math.min(1 - weight, along - weight * alongOver));
-            weights.x = 1 - weight - weights.y;
+            var weightOfEnd:Number = Math.max(0, Math.min(1 - weight, along - weight * alongOver));
+            _weights[third] = weight;
+            _weights[second] = weightOfEnd;
+            _weights[first] = 1 - weight - weightOfEnd;
         }
     }
 }

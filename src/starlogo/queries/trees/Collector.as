@@ -237,6 +237,12 @@ package starlogo.queries.trees
             return _seen.table.list.agentsByRow[rowAt(index)];
         }
 
+        /** Ends a search for all rows. Returns how many they are, without sorting them. */
+        public function endWithCount():int
+        {
+            return filter.accepts == null ? _rows.count : end();
+        }
+
         /** Ends the search. Returns the agent of the first row of the answer, or null. */
         public function endWithFirst():Agent
         {

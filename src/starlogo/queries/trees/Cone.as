@@ -1,6 +1,5 @@
 package starlogo.queries.trees
 {
-    import starlogo.broadphase.Points;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Trigonometry;
@@ -29,24 +28,21 @@ package starlogo.queries.trees
         public function setTo(placement:Placement, angle:Number):Cone
         {
             _placement = placement;
-            if (angle != _angle)
-            {
-                _angle = angle;
-                _sine = Trigonometry.sine(angle);
-                _cosine = Trigonometry.cosine(angle);
-            }
+            _angle = angle;
+            _sine = Trigonometry.sine(angle);
+            _cosine = Trigonometry.cosine(angle);
             return this;
         }
 
-        /** Whether a place of a list is in the cone. */
-        public function contains(places:Points, index:int):Boolean
+        /** Whether a place is in the cone: three numbers of a list, from an index on. */
+        public function contains(places:Vector.<Number>, index:int):Boolean
         {
             var axisX:Number = _placement.r00;
             var axisY:Number = _placement.r10;
             var axisZ:Number = _placement.r20;
-            var toX:Number = places.x[index] - _placement.x;
-            var toY:Number = places.y[index] - _placement.y;
-            var toZ:Number = places.z[index] - _placement.z;
+            var toX:Number = places[index] - _placement.x;
+            var toY:Number = places[int(index + 1)] - _placement.y;
+            var toZ:Number = places[int(index + 2)] - _placement.z;
             var acrossX:Number = axisY * toZ - axisZ * toY;
             var acrossY:Number = axisZ * toX - axisX * toZ;
             var acrossZ:Number = axisX * toY - axisY * toX;

@@ -1,6 +1,5 @@
 package starlogo.queries.trees
 {
-    import starlogo.broadphase.Points;
     import starlogo.engine;
     import starlogo.queries.SeenAgents;
 
@@ -43,60 +42,74 @@ package starlogo.queries.trees
         }
 
         /**
-         * Finds the rows near a place.
+         * Begins a search. Call <code>find()</code> or <code>count()</code> then.
          *
-         * @param collector receives them. Its limit, a squared distance, says how near they must be
+         * @param collector receives the rows. Its limit, a squared distance, says how near they must be
          * @param x the place
          * @param y the place
          * @param z the place
-         * @param cone the rows must be in it too; null for none
+         * @return this search
          */
-        public function find(collector:Collector, x:Number, y:Number, z:Number, cone:Cone = null):void
+        public function begin(collector:Collector, x:Number, y:Number, z:Number):NearSearch
         {
-            begin(collector, x, y, z);
-            var tree:RowTree = _tree;
-            var asksInOrder:Boolean = collector.filter.accepts != null && collector.wanted < Collector.ALL;
+            _collector = collector;
+            _tree = _seen.treeOfPlaces();
+            _x = x;
+            _y = y;
+            _z = z;
+            return this;
+        }
+
+        /**
+         * Finds the rows near the place.
+         *
+         * @param cone the rows must be in it too; null for none
+         * @return the collector, which has them
+         */
+        public function find(cone:Cone = null):Collector
+        {
+            var collector:Collector = _collector;
+            var asks:Boolean = collector.wanted < Collector.ALL && collector.filter.accepts != null;
             var asker:int = collector.filter.askerRow;
-            var waiting:int = asker < 0 ? push(RowTree.ROOT, 0) : pushBeside(tree.leafOf(asker));
+            var waiting:int = asker < 0 ? push(RowTree.ROOT, 0) : pushBeside(_tree.leafOf(asker));
             while (waiting > 0 && collector.limit >= 0)
             {
                 waiting--;
-                if (asksInOrder)
+                if (asks)
                 {
-                    putNearestLast(waiting);
-                    askBefore(waiting);
+                    putNearestLast(0, waiting);
                 }
                 var node:int = _nodes[waiting];
                 if (_squares[waiting] > collector.limit)
                 {
                     continue;
                 }
-                if (node < tree.firstLeaf)
+                if (node < _tree.firstLeaf)
                 {
-                    waiting = pushBoth(node << 1, waiting);
+                    var first:int = waiting;
+                    waiting = push((node << 1) + 1, push(node << 1, first));
+                    putNearestLast(first, waiting - 1);
                 }
                 else
                 {
-                    visit(node, cone, true);
+                    if (asks)
+                    {
+                        collector.askBelow(_squares[waiting]);
+                    }
+                    visit(node, cone);
                 }
             }
+            return collector;
         }
 
         /**
-         * Counts the rows near a place. If the filter excludes none, a node that is wholly within the limit is counted without a look at its rows. The
-         * rows are collected only if the filter's <code>accepts</code> has to be asked.
-         *
-         * @param collector has the filter and the limit, a squared distance
-         * @param x the place
-         * @param y the place
-         * @param z the place
+         * Counts the rows near the place. The collector wants all. If the filter excludes none, a node that is wholly within the limit is counted without
+         * a look at its rows.
          */
-        public function count(collector:Collector, x:Number, y:Number, z:Number):int
+        public function count():int
         {
-            begin(collector, x, y, z);
-            var tree:RowTree = _tree;
-            var asks:Boolean = collector.filter.accepts != null;
-            var countsWholeNodes:Boolean = !asks && !collector.filter.excludes;
+            var collector:Collector = _collector;
+            var countsWholeNodes:Boolean = !collector.filter.excludes && collector.filter.accepts == null;
             var counted:int = 0;
             var waiting:int = push(RowTree.ROOT, 0);
             while (waiting > 0)
@@ -105,27 +118,18 @@ package starlogo.queries.trees
                 var node:int = _nodes[waiting];
                 if (countsWholeNodes && isWithin(node))
                 {
-                    counted += tree.countIn(node, collector.filter.askerRow);
+                    counted += _tree.countIn(node, collector.filter.askerRow);
                 }
-                else if (node < tree.firstLeaf)
+                else if (node < _tree.firstLeaf)
                 {
                     waiting = push((node << 1) + 1, push(node << 1, waiting));
                 }
                 else
                 {
-                    counted += visit(node, null, asks);
+                    visit(node, null);
                 }
             }
-            return asks ? collector.end() : counted;
-        }
-
-        private function begin(collector:Collector, x:Number, y:Number, z:Number):void
-        {
-            _collector = collector;
-            _tree = _seen.treeOfPlaces();
-            _x = x;
-            _y = y;
-            _z = z;
+            return counted + collector.endWithCount();
         }
 
         // Whether the whole box of a node is within the limit.
@@ -143,41 +147,28 @@ package starlogo.queries.trees
         // how many nodes wait.
         private function pushBeside(leaf:int):int
         {
-            var up:int = 0;
-            while (leaf >> up > 1)
-            {
-                up++;
-            }
             var waiting:int = 0;
-            while (up > 0)
+            for (var leaves:int = _tree.firstLeaf >> 1; leaves > 0; leaves >>= 1)
             {
-                up--;
-                waiting = push(leaf >> up ^ 1, waiting);
+                waiting = push(int(leaf / leaves) ^ 1, waiting);
             }
-            _nodes[waiting] = leaf;
-            _squares[waiting] = 0;
-            return waiting + 1;
+            return push(leaf, waiting);
         }
 
-        // If a node is a leaf, asks for the rows that are nearer than the leaf.
-        private function askBefore(index:int):void
-        {
-            if (_nodes[index] >= _tree.firstLeaf)
-            {
-                _collector.askBelow(_squares[index]);
-            }
-        }
-
-        // Makes the nearest of the waiting nodes the last of them.
-        private function putNearestLast(last:int):void
+        // Makes the nearest of some of the waiting nodes the last of them.
+        private function putNearestLast(first:int, last:int):void
         {
             var nearest:int = last;
-            for (var i:int = 0; i < last; i++)
+            for (var i:int = first; i < last; i++)
             {
                 if (_squares[i] < _squares[nearest])
                 {
                     nearest = i;
                 }
+            }
+            if (nearest == last)
+            {
+                return;
             }
             var node:int = _nodes[nearest];
             var square:Number = _squares[nearest];
@@ -185,22 +176,6 @@ package starlogo.queries.trees
             _squares[nearest] = _squares[last];
             _nodes[last] = node;
             _squares[last] = square;
-        }
-
-        // Lets a node and its sibling wait, with the nearer one to be visited next. Returns how many nodes wait.
-        private function pushBoth(node:int, first:int):int
-        {
-            var second:int = push(node, first);
-            var waiting:int = push(node + 1, second);
-            if (waiting == first + 2 && _squares[first] < _squares[second])
-            {
-                var square:Number = _squares[first];
-                _squares[first] = _squares[second];
-                _squares[second] = square;
-                _nodes[first] = node + 1;
-                _nodes[second] = node;
-            }
-            return waiting;
         }
 
         // Lets a node wait if its box is within the limit, and it may have rows that count. Returns how many nodes wait.
@@ -221,57 +196,43 @@ package starlogo.queries.trees
             return waiting + 1;
         }
 
-        // Finds the rows of a leaf that the filter may admit and that are within the limit, and gives them to the collector if it needs them. Returns
-        // how many they are.
-        private function visit(leaf:int, cone:Cone, collects:Boolean):int
+        // Gives the collector the rows of a leaf that the filter may admit and that are within the limit.
+        private function visit(leaf:int, cone:Cone):void
         {
             var collector:Collector = _collector;
             var filter:RowFilter = collector.filter;
-            var places:Points = _tree.middles;
-            var xs:Vector.<Number> = places.x;
-            var ys:Vector.<Number> = places.y;
-            var zs:Vector.<Number> = places.z;
+            var boxes:Vector.<Number> = _tree.rowBoxes;
             var atX:Number = _x;
             var atY:Number = _y;
             var atZ:Number = _z;
             var asker:int = filter.askerRow;
             var limit:Number = collector.limit;
-            var counted:int = 0;
             var excluded:int = 0;
             var end:int = _tree.startOf(leaf + 1);
             for (var slot:int = _tree.startOf(leaf); slot < end; slot++)
             {
-                var toX:Number = xs[slot] - atX;
-                var toY:Number = ys[slot] - atY;
-                var toZ:Number = zs[slot] - atZ;
+                // the box of a place begins and ends there
+                var box:int = RowTree.PER_BOX * slot;
+                var toX:Number = boxes[box] - atX;
+                var toY:Number = boxes[int(box + 1)] - atY;
+                var toZ:Number = boxes[int(box + 2)] - atZ;
                 var square:Number = toX * toX + toY * toY + toZ * toZ;
-                if (square > limit)
-                {
-                    continue;
-                }
                 var row:int = _tree.rows[slot];
-                if (row == asker)
+                if (square > limit || row == asker)
                 {
                     continue;
                 }
                 if (!filter.mayAdmit(row))
                 {
                     excluded++;
-                    continue;
                 }
-                if (cone != null && !cone.contains(places, slot))
-                {
-                    continue;
-                }
-                counted++;
-                if (collects)
+                else if (cone == null || cone.contains(boxes, box))
                 {
                     collector.add(row, square);
                     limit = collector.limit;
                 }
             }
             _tree.countExcluded(excluded);
-            return counted;
         }
     }
 }

@@ -10,8 +10,7 @@ package starlogo.queries.trees
 
     /**
      * The rows of the agents that an AgentFilter admits. The agent that asks is never in its own answer; the searches leave out
-     * <code>askerRow</code> themselves. The filter is asked about each breed once a question, when a row of the breed is met. Its
-     * <code>accepts</code> is asked last, by the Collector.
+     * <code>askerRow</code> themselves. The filter's lists are read once a question. Its <code>accepts</code> is asked last, by the Collector.
      *
      * @private
      */
@@ -30,9 +29,11 @@ package starlogo.queries.trees
         public var askerRow:int = -1;
 
         private var _listed:ListedAgents;
-        private var _filter:AgentFilter;
 
-        // The number of the question, from 1 on. By row: the last question that excepted it. By the number of a breed: the last question that met
+        // Whether only the breeds of a list count.
+        private var _namesBreeds:Boolean = false;
+
+        // The number of the question, from 1 on. By row: the last question that excepted it. By the number of a breed: the last question that named
         // it, less than 0 if the filter excluded the breed.
         private var _question:int = 0;
         private var _exceptMarks:Vector.<int> = new Vector.<int>();
@@ -49,7 +50,6 @@ package starlogo.queries.trees
         {
             _listed = listed;
             askerRow = asker == null ? -1 : _listed.rowOf(asker);
-            _filter = filter;
             excludes = false;
             breedSet = RowTree.ALL_BREEDS;
             accepts = null;
@@ -64,21 +64,30 @@ package starlogo.queries.trees
                 _exceptMarks.length = _breedMarks.length = _question = 0;
             }
             _question++;
-            excludes = filter.breeds != null || filter.exceptBreeds != null;
-            if (filter.breeds != null)
+            _namesBreeds = filter.breeds != null;
+            excludes = _namesBreeds || filter.exceptBreeds != null;
+            if (excludes && _breedMarks.length < Breeds.NAMES.count)
             {
-                breedSet = setOf(filter.breeds);
+                _breedMarks.length = Breeds.NAMES.count;
             }
-            else if (filter.exceptBreeds != null && Breeds.NAMES.count <= RowTree.BREED_BITS)
+            if (_namesBreeds)
             {
-                // each breed has a bit of its own
-                breedSet = ~setOf(filter.exceptBreeds);
+                breedSet = markBreeds(filter.breeds, _question);
+            }
+            if (filter.exceptBreeds != null)
+            {
+                var excepted:int = markBreeds(filter.exceptBreeds, -_question);
+                if (!_namesBreeds && Breeds.NAMES.count <= RowTree.BREED_BITS)
+                {
+                    // each breed has a bit of its own
+                    breedSet = ~excepted;
+                }
             }
             markExcepted(filter.except);
         }
 
-        // The set of some breeds. A name may be null. No agent has an unknown breed.
-        private static function setOf(names:Vector.<String>):int
+        // Marks some breeds. Returns their set. A name may be null. No agent has an unknown breed.
+        private function markBreeds(names:Vector.<String>, mark:int):int
         {
             var breeds:int = 0;
             for (var i:int = 0; i < names.length; i++)
@@ -87,6 +96,7 @@ package starlogo.queries.trees
                 if (breed >= 0)
                 {
                     breeds |= RowTree.breedBit(breed);
+                    _breedMarks[breed] = mark;
                 }
             }
             return breeds;
@@ -95,24 +105,14 @@ package starlogo.queries.trees
         /** Whether the filter may admit a row: by its breed and the filter's <code>except</code>. <code>accepts</code> is not called. */
         public function mayAdmit(row:int):Boolean
         {
-            return !excludes || (_exceptMarks[row] != _question && admitsBreedOf(_listed.agentsByRow[row]));
+            return !excludes || (_exceptMarks[row] != _question && admitsBreed(_listed.agentsByRow[row].breedNumber));
         }
 
-        private function admitsBreedOf(agent:Agent):Boolean
+        // A filter's accepts may have made the breed since the question began.
+        private function admitsBreed(breed:int):Boolean
         {
-            var breed:int = agent.breedNumber;
-            if (breed >= _breedMarks.length)
-            {
-                _breedMarks.length = Breeds.NAMES.count;
-            }
-            var known:int = _breedMarks[breed];
-            if (known == _question || known == -_question)
-            {
-                return known > 0;
-            }
-            var admits:Boolean = _filter.admitsBreed(agent.breed);
-            _breedMarks[breed] = admits ? _question : -_question;
-            return admits;
+            var mark:int = breed < _breedMarks.length ? _breedMarks[breed] : 0;
+            return _namesBreeds ? mark == _question : mark != -_question;
         }
 
         // Marks the rows of agents that are excepted.

@@ -51,12 +51,8 @@ package starlogo.queries.trees
         /** By slot: the row. Read only. */
         public var rows:Vector.<int> = new Vector.<int>();
 
-        /** By slot: the middle of the row's box. Read only. */
-        public var middles:Points = new Points();
-
         /**
-         * By slot: the row's box, widened by a slack that is larger than its rounding errors. A tree of places has them only for rows that were
-         * refreshed. Read only.
+         * By slot: the row's box, widened by a slack that is larger than its rounding errors. A place has no slack. Read only.
          */
         public var rowBoxes:Vector.<Number> = new Vector.<Number>();
 
@@ -102,14 +98,11 @@ package starlogo.queries.trees
                 firstLeaf *= 2;
             }
             grow(points.x.length);
-            for (var slot:int = 0; slot < count; slot++)
+            for (var i:int = 0; i < count; i++)
             {
-                var row:int = rows[slot];
-                this.rows[slot] = row;
-                takeMiddle(slot, row);
+                this.rows[i] = rows[i];
             }
-            boundMiddles(PER_BOX * ROOT, 0, count);
-            RowDivision.divide(this.rows, middles, nodeBoxes, count, firstLeaf);
+            RowDivision.divide(this.rows, count, points, nodeBoxes, firstLeaf);
             boundAll();
         }
 
@@ -205,20 +198,12 @@ package starlogo.queries.trees
             }
             var slot:int = _slots[row];
             var node:int = leafOf(row);
-            takeMiddle(slot, row);
             boundRow(slot);
             // if a box does not grow, the boxes around it do not grow either
             while (node > 0 && widen(PER_BOX * node, rowBoxes, PER_BOX * slot))
             {
                 node >>= 1;
             }
-        }
-
-        private function takeMiddle(slot:int, row:int):void
-        {
-            middles.x[slot] = _points.x[row];
-            middles.y[slot] = _points.y[row];
-            middles.z[slot] = _points.z[row];
         }
 
         private function grow(rowCount:int):void
@@ -230,7 +215,6 @@ package starlogo.queries.trees
             if (rows.length < count)
             {
                 rows.length = count;
-                middles.grow(count);
                 rowBoxes.length = PER_BOX * count;
             }
             if (_breedSets.length < 2 * firstLeaf)
@@ -240,59 +224,30 @@ package starlogo.queries.trees
             }
         }
 
-        // Makes a node's box enclose the middles in some slots.
-        private function boundMiddles(box:int, first:int, end:int):void
-        {
-            for (var axis:int = 0; axis < 3; axis++)
-            {
-                var keys:Vector.<Number> = axis == 0 ? middles.x : (axis == 1 ? middles.y : middles.z);
-                var least:Number = Infinity;
-                var greatest:Number = -Infinity;
-                for (var slot:int = first; slot < end; slot++)
-                {
-                    var key:Number = keys[slot];
-                    least = key < least ? key : least;
-                    greatest = key > greatest ? key : greatest;
-                }
-                nodeBoxes[box + axis] = least;
-                nodeBoxes[box + 3 + axis] = greatest;
-            }
-        }
-
         private function boundAll():void
         {
             for (var slot:int = 0; slot < count; slot++)
             {
                 _slots[rows[slot]] = slot;
+                boundRow(slot);
             }
             for (var node:int = 2 * firstLeaf - 1; node > 0; node--)
             {
                 var box:int = PER_BOX * node;
+                empty(box);
                 if (node < firstLeaf)
                 {
-                    empty(box);
                     widen(box, nodeBoxes, 2 * box);
                     widen(box, nodeBoxes, 2 * box + PER_BOX);
                 }
-                else if (_sizes == null)
-                {
-                    boundMiddles(box, startOf(node), startOf(node + 1));
-                }
                 else
                 {
-                    boundRows(box, startOf(node), startOf(node + 1));
+                    var end:int = startOf(node + 1);
+                    for (slot = startOf(node); slot < end; slot++)
+                    {
+                        widen(box, rowBoxes, PER_BOX * slot);
+                    }
                 }
-            }
-        }
-
-        // Makes a node's box enclose the rows in some slots, and finds their boxes.
-        private function boundRows(box:int, first:int, end:int):void
-        {
-            empty(box);
-            for (var slot:int = first; slot < end; slot++)
-            {
-                boundRow(slot);
-                widen(box, rowBoxes, PER_BOX * slot);
             }
         }
 
@@ -306,18 +261,19 @@ package starlogo.queries.trees
             }
         }
 
+        // Reads the box of a slot's row.
         private function boundRow(slot:int):void
         {
+            var row:int = rows[slot];
             var box:int = PER_BOX * slot;
-            var x:Number = middles.x[slot];
-            var y:Number = middles.y[slot];
-            var z:Number = middles.z[slot];
+            var x:Number = _points.x[row];
+            var y:Number = _points.y[row];
+            var z:Number = _points.z[row];
             var halfX:Number = 0;
             var halfY:Number = 0;
             var halfZ:Number = 0;
             if (_sizes != null)
             {
-                var row:int = rows[slot];
                 halfX = _sizes.halfX[row];
                 halfY = _sizes.halfY[row];
                 halfZ = _sizes.halfZ[row];

@@ -27,14 +27,10 @@ package starlogo.queries.trees
         private var _box:Vector.<Number> = new Vector.<Number>(RowTree.PER_BOX, true);
         private var _around:Vector.<Number> = new Vector.<Number>(RowTree.PER_BOX, true);
 
-        // The nodes that wait for a visit, and where on the way the box meets them.
-        private var _nodes:Vector.<int> = new Vector.<int>();
+        // What waits, a stack: the number of a node, or -1 - slot for a row; and where on the way the box meets it.
+        private var _stack:Vector.<int> = new Vector.<int>();
         private var _entries:Vector.<Number> = new Vector.<Number>();
         private var _waiting:int = 0;
-
-        // The slots of the current leaf whose boxes overlap the box around the way, and how many of them are left.
-        private var _slots:Vector.<int> = new Vector.<int>();
-        private var _slotsLeft:int = 0;
 
         /**
          * Begins with a box that stands still. Call <code>widen()</code> or <code>moveAlong()</code> afterwards if needed.
@@ -59,8 +55,7 @@ package starlogo.queries.trees
             _around[3] = x + halfX + slack;
             _around[4] = y + halfY + slack;
             _around[5] = z + halfZ + slack;
-            _slotsLeft = 0;
-            _nodes[0] = RowTree.ROOT;
+            _stack[0] = RowTree.ROOT;
             _entries[0] = 0;
             _waiting = tree.count > 0 ? 1 : 0;
         }
@@ -135,51 +130,36 @@ package starlogo.queries.trees
         public function next(breedSet:int, limit:Number):int
         {
             _limit = limit;
-            while (_slotsLeft > 0 || _waiting > 0)
+            while (_waiting > 0)
             {
-                if (_slotsLeft > 0)
+                _waiting--;
+                if (_moves && _entries[_waiting] > limit)
                 {
-                    _slotsLeft--;
-                    var slot:int = _slots[_slotsLeft];
-                    // its entry is written behind those of the nodes that wait, and not used
-                    if (!_moves || findEntry(tree.rowBoxes, RowTree.PER_BOX * slot, _entries, _waiting))
-                    {
-                        return tree.rows[slot];
-                    }
                     continue;
                 }
-                _waiting--;
-                if (!_moves || _entries[_waiting] <= limit)
+                var next:int = _stack[_waiting];
+                if (next < 0)
                 {
-                    visit(_nodes[_waiting], breedSet);
+                    return tree.rows[-1 - next];
+                }
+                if (!tree.mayHave(next, breedSet))
+                {
+                    continue;
+                }
+                if (next < tree.firstLeaf)
+                {
+                    push(tree.nodeBoxes, next << 1, (next << 1) + 2, false);
+                }
+                else
+                {
+                    push(tree.rowBoxes, tree.startOf(next), tree.startOf(next + 1), true);
                 }
             }
             return -1;
         }
 
-        // Finds the rows of a leaf, or puts the children of a node on the waiting list.
-        private function visit(node:int, breedSet:int):void
-        {
-            if (!tree.mayHave(node, breedSet))
-            {
-                return;
-            }
-            if (node >= tree.firstLeaf)
-            {
-                _slotsLeft = findOverlapping(tree.rowBoxes, tree.startOf(node), tree.startOf(node + 1), _slots, 0);
-                return;
-            }
-            var first:int = _waiting;
-            _waiting = findOverlapping(tree.nodeBoxes, node << 1, (node << 1) + 2, _nodes, first);
-            if (_moves)
-            {
-                keepOnWay(first);
-            }
-        }
-
-        // Finds the boxes that overlap the box around the way. It appends their numbers to the first entries of a list, and returns the new
-        // number of entries.
-        private function findOverlapping(boxes:Vector.<Number>, first:int, end:int, out:Vector.<int>, count:int):int
+        // Lets those of some boxes wait that the box meets on its way. Of two, the nearer one comes next.
+        private function push(boxes:Vector.<Number>, first:int, end:int, areSlots:Boolean):void
         {
             var minX:Number = _around[0];
             var minY:Number = _around[1];
@@ -187,62 +167,31 @@ package starlogo.queries.trees
             var maxX:Number = _around[3];
             var maxY:Number = _around[4];
             var maxZ:Number = _around[5];
+            var count:int = _waiting;
             for (var i:int = first; i < end; i++)
             {
                 var box:int = RowTree.PER_BOX * i;
-                if (boxes[box] > maxX)
+                if (boxes[box] > maxX || boxes[int(box + 3)] < minX || boxes[int(box + 1)] > maxY || boxes[int(box + 4)] < minY
+                        || boxes[int(box + 2)] > maxZ || boxes[int(box + 5)] < minZ)
                 {
                     continue;
                 }
-                if (boxes[int(box + 3)] < minX)
+                if (!_moves || findEntry(boxes, box, _entries, count))
                 {
-                    continue;
+                    _stack[count] = areSlots ? -1 - i : i;
+                    count++;
                 }
-                if (boxes[int(box + 1)] > maxY)
-                {
-                    continue;
-                }
-                if (boxes[int(box + 4)] < minY)
-                {
-                    continue;
-                }
-                if (boxes[int(box + 2)] > maxZ)
-                {
-                    continue;
-                }
-                if (boxes[int(box + 5)] < minZ)
-                {
-                    continue;
-                }
-                out[count] = i;
-                count++;
             }
-            return count;
-        }
-
-        // Of the last two nodes on the waiting list, it keeps only nodes that the box meets on its way. The nearer one will be visited next.
-        private function keepOnWay(first:int):void
-        {
-            var kept:int = first;
-            for (var i:int = first; i < _waiting; i++)
+            if (_moves && count == _waiting + 2 && _entries[_waiting] < _entries[int(_waiting + 1)])
             {
-                if (findEntry(tree.nodeBoxes, RowTree.PER_BOX * _nodes[i], _entries, kept))
-                {
-                    _nodes[kept] = _nodes[i];
-                    kept++;
-                }
+                var nearer:int = _stack[_waiting];
+                _stack[_waiting] = _stack[int(_waiting + 1)];
+                _stack[int(_waiting + 1)] = nearer;
+                var entry:Number = _entries[_waiting];
+                _entries[_waiting] = _entries[int(_waiting + 1)];
+                _entries[int(_waiting + 1)] = entry;
             }
-            _waiting = kept;
-            var second:int = first + 1;
-            if (kept > second && _entries[first] < _entries[second])
-            {
-                var nearer:int = _nodes[first];
-                _nodes[first] = _nodes[second];
-                _nodes[second] = nearer;
-                var entry:Number = _entries[first];
-                _entries[first] = _entries[second];
-                _entries[second] = entry;
-            }
+            _waiting = count;
         }
 
         // Finds where on the way the box meets another (the method of slabs: Kay and Kajiya, "Ray Tracing Complex Scenes", 1986). A list receives it, because
@@ -259,22 +208,12 @@ package starlogo.queries.trees
                     // along this axis the box around the way is the box itself, which was tested before
                     continue;
                 }
-                var near:Number = (boxes[int(box + axis)] - _box[int(axis + 3)]) / along;
-                var far:Number = (boxes[int(box + 3 + axis)] - _box[axis]) / along;
-                if (near > far)
-                {
-                    var swapped:Number = near;
-                    near = far;
-                    far = swapped;
-                }
-                if (near > enters)
-                {
-                    enters = near;
-                }
-                if (far < leaves)
-                {
-                    leaves = far;
-                }
+                var toLeast:Number = (boxes[int(box + axis)] - _box[int(axis + 3)]) / along;
+                var toGreatest:Number = (boxes[int(box + 3 + axis)] - _box[axis]) / along;
+                var near:Number = along > 0 ? toLeast : toGreatest;
+                var far:Number = along > 0 ? toGreatest : toLeast;
+                enters = near > enters ? near : enters;
+                leaves = far < leaves ? far : leaves;
             }
             out[index] = enters;
             return enters <= leaves;

@@ -28,41 +28,8 @@ package starlogo.search
          */
         public function putInOrder(pairs:FoundPairs):int
         {
-            if (!areInOrder(pairs))
-            {
-                sortByRanks(pairs);
-            }
+            sortByRanks(pairs);
             return pairs.haveTimes ? sortByTimes(pairs) : 0;
-        }
-
-        // Whether the pairs are in the order of their ranks already, as those of agents in one cell are.
-        private static function areInOrder(pairs:FoundPairs):Boolean
-        {
-            var rows:Vector.<int> = pairs.rows;
-            var ranks:Vector.<int> = pairs.list.ranks;
-            var end:int = 2 * pairs.count;
-            var row:int = -1;
-            var first:int = -1;
-            var last:int = -1;
-            for (var i:int = 0; i < end; i += 2)
-            {
-                if (rows[i] != row)
-                {
-                    row = rows[i];
-                    if (ranks[row] < first)
-                    {
-                        return false;
-                    }
-                    last = first = ranks[row];
-                }
-                var second:int = ranks[rows[int(i + 1)]];
-                if (second <= last)
-                {
-                    return false;
-                }
-                last = second;
-            }
-            return true;
         }
 
         private function sortByRanks(pairs:FoundPairs):void

@@ -196,6 +196,12 @@ package starlogo.search.pairs
             throw new IllegalOperationError(this + " does not implement findClosest");
         }
 
+        /** Finds the contact of convex covers of two bodies, where they are. The way out of the covers leads out of the bodies too. */
+        public function findContactOfCovers(a:Body, b:Body, out:ContactPoint):void
+        {
+            throw new IllegalOperationError(this + " does not implement findContactOfCovers");
+        }
+
         /**
          * Changes a contact of parts so that it separates two bodies: if the first one moves along the normal by the depth, the two just
          * touch. Most contacts of parts do this already, and only the point moves, to the middle of the overlap.

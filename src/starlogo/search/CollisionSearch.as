@@ -208,12 +208,14 @@ package starlogo.search
         // Whether an agent of the list sweeps. No entry is null.
         private static function isAnySweeping(agents:Vector.<Agent>):Boolean
         {
-            var i:int = agents.length - 1;
-            while (i >= 0 && !agents[i].isSweeping)
+            for each (var agent:Agent in agents)
             {
-                i--;
+                if (agent.isSweeping)
+                {
+                    return true;
+                }
             }
-            return i >= 0;
+            return false;
         }
     }
 }

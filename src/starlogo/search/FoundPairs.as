@@ -155,20 +155,9 @@ package starlogo.search
         public function write(out:Vector.<Agent>):void
         {
             var byRow:Vector.<Agent> = list.agentsByRow;
-            var all:Vector.<int> = rows;
-            var end:int = 2 * count;
-            var row:int = -1;
-            var first:Agent = null;
-            for (var i:int = 0; i < end; i += 2)
+            for (var i:int = 0; i < 2 * count; i++)
             {
-                // in a dense crowd many pairs have the same first agent
-                if (all[i] != row)
-                {
-                    row = all[i];
-                    first = byRow[row];
-                }
-                out[i] = first;
-                out[int(i + 1)] = byRow[all[int(i + 1)]];
+                out[i] = byRow[rows[i]];
             }
         }
     }

@@ -9,13 +9,7 @@ package starlogo.search
      */
     internal final class PairOrder
     {
-        // If there are at least so many agents for each pair, comparing pairs is faster than counting those of each agent.
-        private static const MANY_AGENTS:int = 12;
-
-        // The factor of the first rank in a key of both ranks. All ranks are less.
-        private static const RANK_FACTOR:Number = 1 << 26;
-
-        // The indices of the pairs with their keys, to sort them by comparisons.
+        // The indices of the pairs with their times, to sort them by these.
         private var _indices:SortableIntList = new SortableIntList();
 
         // By rank: where the next pair goes whose row on a side has the rank, in a counting sort.
@@ -28,33 +22,10 @@ package starlogo.search
          */
         public function putInOrder(pairs:FoundPairs):int
         {
-            sortByRanks(pairs);
-            return pairs.haveTimes ? sortByTimes(pairs) : 0;
-        }
-
-        private function sortByRanks(pairs:FoundPairs):void
-        {
-            if (MANY_AGENTS * pairs.count < pairs.list.rows.count)
-            {
-                sortByKeys(pairs);
-                return;
-            }
             // pairs whose rows on a side have the same rank keep their order
             scatter(pairs, 1);
             scatter(pairs, 0);
-        }
-
-        // Sorts by a key of both ranks.
-        private function sortByKeys(pairs:FoundPairs):void
-        {
-            var rows:Vector.<int> = pairs.rows;
-            var ranks:Vector.<int> = pairs.list.ranks;
-            _indices.count = 0;
-            for (var i:int = 0; i < pairs.count; i++)
-            {
-                _indices.add(i, ranks[rows[2 * i]] * RANK_FACTOR + ranks[rows[2 * i + 1]]);
-            }
-            arrange(pairs);
+            return pairs.haveTimes ? sortByTimes(pairs) : 0;
         }
 
         // Sorts by times. Pairs of the same time keep their order. Returns how many pairs touch before the end of their motions.

@@ -144,9 +144,15 @@ package starlogo.search
         private function noteConditions(input:SearchInput):Boolean
         {
             var limits:TreeLimits = narrowPhase.treeLimits;
-            // no tree is so deep that the number is too large. If the triangles decide, the depth does not count
-            var depth:int = limits.exact ? 0 : Math.min(limits.maxDepth, 1 << 28);
-            var settings:int = (depth << 2) + (input.admitted == null ? 0 : 2) + (_motions.isSwept ? 1 : 0);
+            // no tree is deeper. If the triangles decide, the depth does not count
+            var deepest:int = 1 << 28;
+            var depth:int = limits.exact ? 0 : limits.maxDepth;
+            if (depth > deepest)
+            {
+                depth = deepest;
+            }
+            var isFiltered:Boolean = input.admitted != null;
+            var settings:int = depth << 2 | int(isFiltered) << 1 | int(_motions.isSwept);
             var areSame:Boolean = input.interests === _interests && input.interests.pairCount == _interestCount && settings == _settings;
             _interests = input.interests;
             _interestCount = input.interests.pairCount;
@@ -208,9 +214,9 @@ package starlogo.search
         // Whether an agent of the list sweeps. No entry is null.
         private static function isAnySweeping(agents:Vector.<Agent>):Boolean
         {
-            for each (var agent:Agent in agents)
+            for (var i:int = 0; i < agents.length; i++)
             {
-                if (agent.isSweeping)
+                if (agents[i].isSweeping)
                 {
                     return true;
                 }

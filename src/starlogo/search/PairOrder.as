@@ -42,27 +42,16 @@ package starlogo.search
                     earlyCount++;
                 }
             }
-            arrange(pairs);
-            return earlyCount;
-        }
-
-        // Puts the pairs into the order of the keys. Their times, if there are any, go along.
-        private function arrange(pairs:FoundPairs):void
-        {
             _indices.sortFirst(pairs.count);
             pairs.makeRoom(pairs.count);
-            var to:Vector.<int> = pairs.spareRows;
-            for (var i:int = 0; i < pairs.count; i++)
+            for (i = 0; i < pairs.count; i++)
             {
                 var pair:int = _indices.numbers[i];
-                to[int(2 * i)] = pairs.rows[int(2 * pair)];
-                to[int(2 * i + 1)] = pairs.rows[int(2 * pair + 1)];
-                if (pairs.haveTimes)
-                {
-                    pairs.spareTimes[i] = pairs.times[pair];
-                }
+                pairs.spareRows[int(2 * i)] = pairs.rows[int(2 * pair)];
+                pairs.spareRows[int(2 * i + 1)] = pairs.rows[int(2 * pair + 1)];
             }
             pairs.exchangeLists();
+            return earlyCount;
         }
 
         // One step of a counting sort: puts the pairs into the order of the ranks of their first rows (side 0) or second rows (1). The times, if there

@@ -25,8 +25,8 @@ package starlogo.broadphase
         // The mask of a level without buckets.
         private static const NO_BUCKETS:int = 0;
 
-        // A level with buckets has this many at least. So cells near each other never share one.
-        private static const FEWEST_BUCKETS:int = 32;
+        // A level with buckets has 32 at least. So cells near each other never share one.
+        private static const FEWEST_BITS:int = 5;
 
         /** So many first buckets of a level are copied after its last one, so that the neighbours of the last cells are in one run too. */
         internal static const COPIED:int = 2;
@@ -72,12 +72,12 @@ package starlogo.broadphase
          */
         public function takeBuckets(first:int):int
         {
-            mask = maskFor(count);
-            var bits:int = 0;
-            while (1 << bits <= mask)
+            var bits:int = FEWEST_BITS;
+            while (1 << bits < count)
             {
                 bits++;
             }
+            mask = (1 << bits) - 1;
             // The stride is odd and about the square root of the number of buckets. So neighbouring cells, and all cells of a compact world,
             // get different buckets.
             stride = (1 << ((bits + 1) >> 1)) + 1;
@@ -97,32 +97,10 @@ package starlogo.broadphase
             return mask != NO_BUCKETS;
         }
 
-        /** Whether a bucket is one of the level's. */
-        public function hasBucket(bucket:int):Boolean
-        {
-            return hasBuckets && bucket >= firstBucket && bucket < endBucket;
-        }
-
         /** Gives up the buckets. */
         public function dropBuckets():void
         {
             mask = NO_BUCKETS;
-        }
-
-        /** Whether the level has as many buckets as it would get for so many members. */
-        public function hasRightBucketCount(members:int):Boolean
-        {
-            return members == 0 || maskFor(members) == mask;
-        }
-
-        private static function maskFor(members:int):int
-        {
-            var buckets:int = FEWEST_BUCKETS;
-            while (buckets < members)
-            {
-                buckets *= 2;
-            }
-            return buckets - 1;
         }
 
         /** The column of cells at an x, or the line of cells at a y. */

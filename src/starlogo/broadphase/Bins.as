@@ -164,40 +164,17 @@ package starlogo.broadphase
             var fromX:Vector.<Number> = extents.x;
             var fromY:Vector.<Number> = extents.y;
             var indices:Vector.<int> = extents.level;
-            var buckets:Vector.<int> = _buckets;
-            var counts:Vector.<int> = _counts;
-            var index:int = 0;
-            var cellsPerPatch:Number = 0;
-            var mask:int = 0;
-            var stride:int = 0;
-            var first:int = 0;
-            var copies:int = 0;
-            var all:Vector.<BinLevel> = levels;
-            var bias:Number = BinLevel.BIAS;
             for (var i:int = 0; i < end; i++)
             {
                 var row:int = rows[i];
-                if (indices[row] != index)
+                var level:BinLevel = levels[indices[row]];
+                var bucket:int = level.bucketAt(fromX[row], fromY[row]);
+                if (bucket < level.firstBucket + BinLevel.COPIED)
                 {
-                    index = indices[row];
-                    var level:BinLevel = all[index];
-                    cellsPerPatch = level.cellsPerPatch;
-                    mask = level.mask;
-                    stride = level.stride;
-                    first = level.firstBucket;
-                    copies = level.endBucket;
+                    _counts[int(bucket + level.mask + 1)]++;
                 }
-                // BinLevel.bucketAt() as a loop. CellLists relies on the same buckets
-                var column:int = fromX[row] * cellsPerPatch + bias;
-                var line:int = fromY[row] * cellsPerPatch + bias;
-                var bucket:int = ((line & mask) * stride + column) & mask;
-                if (bucket < BinLevel.COPIED)
-                {
-                    counts[int(copies + bucket)]++;
-                }
-                bucket += first;
-                buckets[i] = bucket;
-                counts[bucket]++;
+                _buckets[i] = bucket;
+                _counts[bucket]++;
             }
         }
 
@@ -240,7 +217,7 @@ package starlogo.broadphase
         {
             for (var i:int = 1; i < levels.length; i++)
             {
-                if (levels[i].count > 0)
+                if (levels[i].hasBuckets)
                 {
                     copyFirstBucketsOf(levels[i]);
                 }

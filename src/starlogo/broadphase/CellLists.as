@@ -13,14 +13,21 @@ package starlogo.broadphase
     {
         private static const NONE:int = -1;
 
+        // So many times may each member move to another bucket, on average, before the numbers of buckets may be wrong.
+        private static const MOST_MOVES:int = 4;
+
         // The rows that are found near a row.
         private var _near:Vector.<int> = new Vector.<int>();
 
         private var _levels:Vector.<BinLevel>;
         private var _extents:Extents = null;
 
-        // By level: the number of its members.
-        private var _counts:Vector.<int> = new Vector.<int>();
+        // The number of the members, and how many rows may enter a bucket from now on.
+        private var _count:int = 0;
+        private var _entriesLeft:int = 0;
+
+        // The rows that were found near a row.
+        private var _found:IntSet = new IntSet();
 
         // By bucket: the first row of its list, or NONE.
         private var _heads:Vector.<int> = new Vector.<int>();
@@ -55,10 +62,9 @@ package starlogo.broadphase
             }
             for (var i:int = 0; i < members.count; i++)
             {
-                row = members.numbers[i];
-                var index:int = extents.level[row];
-                enter(row, index, _levels[index].bucketAt(extents.x[row], extents.y[row]));
+                update(members.numbers[i]);
             }
+            _entriesLeft = MOST_MOVES * members.count;
         }
 
         /** Makes sure that there are this many rows. */
@@ -85,7 +91,7 @@ package starlogo.broadphase
             return _buckets[row] != NONE;
         }
 
-        /** Moves a row to the bucket of its extents, and makes it a member if it is none. Returns false if its level has no buckets. */
+        /** Moves a row to the bucket of its extents, and makes it a member if it is none. Returns false if its level has no buckets for it. */
         public function update(row:int):Boolean
         {
             var index:int = _extents.level[row];
@@ -97,7 +103,11 @@ package starlogo.broadphase
             if (_buckets[row] != bucket)
             {
                 remove(row);
-                enter(row, index, bucket);
+                _count++;
+                _entriesLeft--;
+                _next[row] = _heads[bucket];
+                _heads[bucket] = row;
+                _buckets[row] = bucket;
             }
             return true;
         }
@@ -124,42 +134,22 @@ package starlogo.broadphase
                 _next[before] = _next[row];
             }
             _buckets[row] = NONE;
-            _counts[levelOf(bucket)]--;
+            _count--;
         }
 
-        // The index of the level that has a bucket.
-        private function levelOf(bucket:int):int
+        /** The number of the members. */
+        public function get count():int
         {
-            var i:int = 1;
-            while (!_levels[i].hasBucket(bucket))
-            {
-                i++;
-            }
-            return i;
+            return _count;
         }
 
-        /** Counts the members. */
-        public function countMembers():int
+        /**
+         * Whether the members may have outgrown the numbers of buckets, because many rows have moved to other buckets since the beginning. A search of
+         * all rows, which finds the right numbers, then costs little for each of these moves.
+         */
+        public function get areWorn():Boolean
         {
-            var count:int = 0;
-            for (var i:int = 1; i < _levels.length; i++)
-            {
-                count += _counts[i];
-            }
-            return count;
-        }
-
-        /** Whether each level with members has as many buckets as the bins would give it now. */
-        public function haveRightBucketCounts():Boolean
-        {
-            for (var i:int = 1; i < _levels.length; i++)
-            {
-                if (!_levels[i].hasRightBucketCount(_counts[i]))
-                {
-                    return false;
-                }
-            }
-            return true;
+            return _entriesLeft < 0;
         }
 
         /**
@@ -172,29 +162,28 @@ package starlogo.broadphase
             var own:BinLevel = _levels[_extents.level[row]];
             for (var i:int = 1; i < _levels.length; i++)
             {
-                if (_counts[i] == 0)
-                {
-                    continue;
-                }
                 var level:BinLevel = _levels[i];
-                var coarser:BinLevel = own.width > level.width ? own : level;
-                var found:int = findOfLevel(row, level, own.width / 2 + level.width / 2 + coarser.slack);
-                found = keepNear(row, found, coarser.slack, asked);
-                if (found > 0)
+                if (level.hasBuckets)
                 {
-                    sink.onCandidates(row, _near, found, coarser);
+                    var coarser:BinLevel = own.width > level.width ? own : level;
+                    var found:int = findOfLevel(row, level, own.width / 2 + level.width / 2 + coarser.slack);
+                    found = keepNear(row, found, coarser.slack, asked);
+                    if (found > 0)
+                    {
+                        sink.onCandidates(row, _near, found, coarser);
+                    }
                 }
             }
         }
 
-        // Finds the members of a level in the cells within a distance of a member. Returns their number.
+        // Finds the members of a level in the cells within a distance of a member, and those of other cells that share their buckets. Some may come
+        // more than once. Returns their number.
         private function findOfLevel(row:int, level:BinLevel, distance:Number):int
         {
             var found:int = 0;
             var cellsAcross:Number = 2 * distance * level.cellsPerPatch + 2;
             if (cellsAcross * cellsAcross > level.mask)
             {
-                // so many cells may share buckets, but of all buckets each comes once
                 for (var bucket:int = level.firstBucket; bucket < level.endBucket; bucket++)
                 {
                     found = collectBucket(bucket, found);
@@ -213,7 +202,7 @@ package starlogo.broadphase
             {
                 for (var column:int = level.cellIndexAt(x - distance); column <= lastColumn; column++)
                 {
-                    found = keepOfCell(level, column, line, found, collectBucket(level.bucketOf(column, line), found));
+                    found = collectBucket(level.bucketOf(column, line), found);
                 }
             }
             return found;
@@ -223,10 +212,9 @@ package starlogo.broadphase
         private function emptyBuckets():void
         {
             var end:int = 0;
-            _counts.length = _levels.length;
+            _count = 0;
             for (var i:int = 1; i < _levels.length; i++)
             {
-                _counts[i] = 0;
                 end = _levels[i].hasBuckets ? _levels[i].endBucket : end;
             }
             if (end > _heads.length)
@@ -237,14 +225,6 @@ package starlogo.broadphase
             {
                 _heads[i] = NONE;
             }
-        }
-
-        private function enter(row:int, level:int, bucket:int):void
-        {
-            _counts[level]++;
-            _next[row] = _heads[bucket];
-            _heads[bucket] = row;
-            _buckets[row] = bucket;
         }
 
         // Adds the rows of a bucket to _near. Returns their number with the ones before.
@@ -258,23 +238,7 @@ package starlogo.broadphase
             return found;
         }
 
-        // Leaves out rows of other cells that share the bucket.
-        private function keepOfCell(level:BinLevel, column:int, line:int, first:int, end:int):int
-        {
-            var kept:int = first;
-            for (var i:int = first; i < end; i++)
-            {
-                var row:int = _near[i];
-                if (level.cellIndexAt(_extents.x[row]) == column && level.cellIndexAt(_extents.y[row]) == line)
-                {
-                    _near[kept] = row;
-                    kept++;
-                }
-            }
-            return kept;
-        }
-
-        // Keeps the rows that make a pair with a member: whose circles overlap its own, and whose pair is not found from them.
+        // Keeps the rows that make a pair with a member: whose circles overlap its own, and whose pair is not found from them. Each is kept once.
         private function keepNear(row:int, count:int, slack:Number, asked:IntSet):int
         {
             var xs:Vector.<Number> = _extents.x;
@@ -284,13 +248,16 @@ package starlogo.broadphase
             var y:Number = ys[row];
             var ownRadius:Number = radii[row] + slack;
             var kept:int = 0;
+            _found.clear(_buckets.length);
+            _found.add(row);
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = _near[i];
                 var distanceX:Number = xs[other] - x;
                 var distanceY:Number = ys[other] - y;
                 var touchingDistance:Number = ownRadius + radii[other];
-                if (distanceX * distanceX + distanceY * distanceY <= touchingDistance * touchingDistance && other != row && (other > row || !asked.has(other)))
+                if (distanceX * distanceX + distanceY * distanceY <= touchingDistance * touchingDistance && (other > row || !asked.has(other))
+                        && _found.add(other))
                 {
                     _near[kept] = other;
                     kept++;

@@ -44,26 +44,20 @@ package starlogo.broadphase
          */
         public function areNear(a:int, b:int, slack:Number):Boolean
         {
-            if (!areHeightsNear(a, b, slack))
+            var distance:Number = z[a] - z[b];
+            var maxDistance:Number = halfZ[a] + halfZ[b] + slack;
+            if (distance > maxDistance || distance < -maxDistance)
             {
                 return false;
             }
-            var distance:Number = x[a] - x[b];
-            var maxDistance:Number = halfX[a] + halfX[b] + slack;
+            distance = x[a] - x[b];
+            maxDistance = halfX[a] + halfX[b] + slack;
             if (distance > maxDistance || distance < -maxDistance)
             {
                 return false;
             }
             distance = y[a] - y[b];
             maxDistance = halfY[a] + halfY[b] + slack;
-            return distance <= maxDistance && distance >= -maxDistance;
-        }
-
-        /** Whether the extents of two rows overlap along z, or nearly do. */
-        public function areHeightsNear(a:int, b:int, slack:Number):Boolean
-        {
-            var distance:Number = z[a] - z[b];
-            var maxDistance:Number = halfZ[a] + halfZ[b] + slack;
             return distance <= maxDistance && distance >= -maxDistance;
         }
 

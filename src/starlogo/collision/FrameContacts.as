@@ -1,5 +1,6 @@
 package starlogo.collision
 {
+    import starlogo.data.IntSet;
     import starlogo.engine;
     import starlogo.search.FoundPairs;
 
@@ -9,51 +10,48 @@ package starlogo.collision
     internal final class FrameContacts
     {
         private var _system:BaseCollider = null;
+        private var _pairs:FoundPairs = null;
 
         // By pair: the contact.
         private var _contacts:Vector.<Contact> = new Vector.<Contact>();
 
-        // By pair: the frame in which the contact was computed.
-        private var _frames:Vector.<int> = new Vector.<int>();
-
-        // The number of the present frame.
-        private var _frame:int = 0;
+        // The pairs whose contacts were computed in this frame.
+        private var _found:IntSet = new IntSet();
 
         // The contact passed to handlers, which may change it.
         private var _given:Contact = new Contact();
 
-        /** Begins a frame. @param system computes its contacts */
-        public function begin(system:BaseCollider):void
+        /** Begins a frame. @param system computes its contacts @param pairs its pairs */
+        public function begin(system:BaseCollider, pairs:FoundPairs):void
         {
             _system = system;
-            _frame++;
+            _pairs = pairs;
+            _found.clear(pairs.count);
         }
 
         /** Computes the contact of a pair of the frame. */
-        public function find(pairs:FoundPairs, pair:int):void
+        public function find(pair:int):void
         {
             while (_contacts.length <= pair)
             {
                 _contacts.push(new Contact());
-                _frames.push(0);
             }
-            _system.contactOf(pairs.firstOf(pair), pairs.secondOf(pair), _contacts[pair]);
-            _frames[pair] = _frame;
+            _system.contactOf(_pairs.firstOf(pair), _pairs.secondOf(pair), _contacts[pair]);
+            _found.add(pair);
         }
 
         /**
          * Returns the contact of a pair, in an object that the next call overwrites. If a handler has changed a breed, the contact may not be
          * known yet. The collision system then computes it as the frame has seen the two agents.
          *
-         * @param pairs the pairs of the frame
-         * @param pair the index of one of them
+         * @param pair the index of a pair of the frame
          * @param isSecondCollider whether the second agent is the collider
          */
-        public function contactFor(pairs:FoundPairs, pair:int, isSecondCollider:Boolean):Contact
+        public function contactFor(pair:int, isSecondCollider:Boolean):Contact
         {
-            if (pair >= _frames.length || _frames[pair] != _frame)
+            if (!_found.has(pair))
             {
-                find(pairs, pair);
+                find(pair);
             }
             _given.copyFrom(_contacts[pair]);
             if (isSecondCollider)

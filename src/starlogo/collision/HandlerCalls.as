@@ -33,9 +33,6 @@ package starlogo.collision
         // Knows the touches; null if there are none and no handler is for starts or ends.
         private var _tracker:TouchTracker = null;
 
-        // Whether each pair has got its touch, with calls both ways.
-        private var _areTouchesComplete:Boolean;
-
         // The handlers of the present pair or ended touch.
         private var _ofPair:PairHandlers;
 
@@ -62,12 +59,11 @@ package starlogo.collision
             _table = table;
             _gameList.begin(agents);
             count = 0;
-            _areTouchesComplete = true;
             var isTracked:Boolean = tracker.touches.count > 0 || table.tracksTouches;
             if (table.contactKinds != 0)
             {
                 // before the touches, because a game's own contactOf may throw. Then no touch has changed
-                _contacts.begin(system);
+                _contacts.begin(system, pairs);
                 findContacts(tracker);
             }
             var starting:IntList = null;
@@ -84,7 +80,7 @@ package starlogo.collision
         {
             if (_tracker != null)
             {
-                _tracker.end(_areTouchesComplete);
+                _tracker.end();
                 _tracker = null;
             }
         }
@@ -100,7 +96,7 @@ package starlogo.collision
                 var kinds:int = _table.handlersOfPair(_pairs, pair).contactKinds;
                 if ((kinds & CollisionHandler.COLLISION) != 0 || kinds != 0 && tracker.touchToContinue(_pairs, pair) == null)
                 {
-                    _contacts.find(_pairs, pair);
+                    _contacts.find(pair);
                 }
             }
         }
@@ -145,7 +141,8 @@ package starlogo.collision
         {
             if (!_isCalling)
             {
-                _areTouchesComplete = false;
+                // the present pair may have got its touch without all calls
+                _pairs.touchOwner = null;
                 throw error;
             }
             _isCalling = false;
@@ -182,7 +179,6 @@ package starlogo.collision
             var touch:Touch = touchOf(pair);
             if (touch == null)
             {
-                _areTouchesComplete = false;
                 return;
             }
             var isStarting:Boolean = touch.firstFrame == _tracker.frame;
@@ -190,7 +186,10 @@ package starlogo.collision
             if (isStarting)
             {
                 touch.isCalledForBoth = _next > _ofPair.firstCount || _next == end;
-                _areTouchesComplete &&= touch.isCalledForBoth;
+                if (!touch.isCalledForBoth)
+                {
+                    _tracker.dropAt(pair);
+                }
             }
         }
 
@@ -232,7 +231,7 @@ package starlogo.collision
         {
             var collider:Agent = isSecondCollider ? second : first;
             var collidee:Agent = isSecondCollider ? first : second;
-            var contact:Contact = handler.takesContact && pair != NO_PAIR ? _contacts.contactFor(_pairs, pair, isSecondCollider) : null;
+            var contact:Contact = handler.takesContact && pair != NO_PAIR ? _contacts.contactFor(pair, isSecondCollider) : null;
             // a local, so that the handler is not called as a method of its CollisionHandler
             var toCall:Function = handler.callback;
             count++;

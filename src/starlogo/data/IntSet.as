@@ -23,7 +23,8 @@ package starlogo.data
             mark++;
             if (marks.length < length)
             {
-                marks.length = length;
+                // grows by an eighth, because a vector that grows a little each time is copied each time
+                marks.length = length + (length >> 3);
             }
         }
 

@@ -22,7 +22,7 @@ package starlogo.handlers
         /** By index: all touches that there are, and objects for later ones, which have no agents. Read only. */
         public var all:Vector.<Touch> = new Vector.<Touch>();
 
-        // By the ids of two agents, the lesser first: the index of their touch.
+        // By the ids of the first and of the second agent: the index of their touch.
         private var _indices:HashTable = new HashTable();
 
         // The indices of the objects for later touches.
@@ -34,7 +34,11 @@ package starlogo.handlers
         /** The touch of two agents, in either order; null if there is none. */
         public function find(a:Agent, b:Agent):Touch
         {
-            var index:int = a.idNumber < b.idNumber ? _indices.find(a.idNumber, b.idNumber) : _indices.find(b.idNumber, a.idNumber);
+            var index:int = _indices.find(a.idNumber, b.idNumber);
+            if (index < 0)
+            {
+                index = _indices.find(b.idNumber, a.idNumber);
+            }
             return index < 0 ? null : all[index];
         }
 
@@ -51,14 +55,14 @@ package starlogo.handlers
             touch.serial = _startedCount;
             _startedCount++;
             count++;
-            _indices.set (Math.min(first.idNumber, second.idNumber), Math.max(first.idNumber, second.idNumber), touch.index);
+            _indices.set (first.idNumber, second.idNumber, touch.index);
             return touch;
         }
 
         /** Ends a touch. It keeps its agents until <code>release()</code>. */
         public function end(touch:Touch):void
         {
-            _indices.remove(Math.min(touch.first.idNumber, touch.second.idNumber), Math.max(touch.first.idNumber, touch.second.idNumber));
+            _indices.remove(touch.first.idNumber, touch.second.idNumber);
             count--;
         }
 

@@ -10,15 +10,15 @@ package starlogo.handlers
 
     /**
      * Compares the pairs of a frame with the touches of the last one: which touches go on, and which end. A frame calls <code>begin()</code> before its
-     * handlers, and <code>end()</code> after them. If its pairs are those of the last frame with few changes, only the touches of dropped and added pairs
-     * are compared. The memory is in proportion to the largest number of pairs that there were.
+     * handlers, and <code>end()</code> after them. It writes the touches of the pairs to FoundPairs. If a search has replaced few of these pairs since,
+     * only the touches of dropped and added pairs are compared. The memory is in proportion to the largest number of pairs that there were.
      *
      * @private
      */
     public final class TouchTracker
     {
-        // In place of the index of a touch: there is none.
-        private static const NONE:int = -1;
+        // In place of the index of a touch: the pair has no handlers for starts or ends.
+        private static const UNTRACKED:int = FoundPairs.NO_TOUCH - 1;
 
         /** The number of the frame, from 1 on. */
         public var frame:int = 0;
@@ -29,14 +29,8 @@ package starlogo.handlers
         // The pairs of the frame.
         private var _pairs:FoundPairs = null;
 
-        // By pair of this frame: the index of its touch, or NONE.
-        private var _indices:Vector.<int> = new Vector.<int>();
-
-        // By pair of the frame before: the index of its touch, or NONE.
-        private var _indicesBefore:Vector.<int> = new Vector.<int>();
-
-        // The number of the search that has found the pairs, or NONE if not each pair has got its touch.
-        private var _search:int = NONE;
+        // The pairs whose touches may begin.
+        private var _starting:IntList = new IntList();
 
         // The indices of the touches that ended in this frame, in the order in which they began.
         private var _ended:SortableIntList = new SortableIntList();
@@ -58,21 +52,13 @@ package starlogo.handlers
             var starting:IntList = pairsThatMayStart(pairs);
             frame++;
             _pairs = pairs;
-            var before:Vector.<int> = _indices;
-            _indices = _indicesBefore;
-            _indicesBefore = before;
-            if (_indices.length < pairs.count)
-            {
-                // grows by an eighth, because a vector that grows a little in each frame is copied each time
-                _indices.length = pairs.count + (pairs.count >> 3);
-            }
             if (starting == null)
             {
                 compareAll(table);
             }
             else
             {
-                compareSome(table);
+                compareSome(starting, table);
             }
             _ended.sortFirst(_ended.count);
             return starting;
@@ -81,8 +67,8 @@ package starlogo.handlers
         /** The touch of a pair of the frame; null if there is none. */
         public function touchAt(pair:int):Touch
         {
-            var index:int = _indices[pair];
-            return index == NONE ? null : touches.all[index];
+            var index:int = _pairs.touches[pair];
+            return index < 0 ? null : touches.all[index];
         }
 
         /** Gives a pair of the frame the touch of its agents. If there is none, one begins, of the breeds that the two have now. */
@@ -91,8 +77,15 @@ package starlogo.handlers
             var first:Agent = _pairs.firstOf(pair);
             var second:Agent = _pairs.secondOf(pair);
             var touch:Touch = touches.find(first, second) || touches.start(first, second, first.breedNumber, second.breedNumber, frame);
-            _indices[pair] = touch.index;
+            _pairs.touches[pair] = touch.index;
             return touch;
+        }
+
+        /** Lets the touch of a pair end in the next frame, because its handlers were called for the first agent only. A new one may begin there. */
+        public function dropAt(pair:int):void
+        {
+            _pairs.droppedTouches.add(_pairs.touches[pair]);
+            _pairs.touches[pair] = FoundPairs.NO_TOUCH;
         }
 
         /** The number of touches that ended in this frame. */
@@ -107,28 +100,35 @@ package starlogo.handlers
             return touches.all[_ended.numbers[index]];
         }
 
-        /**
-         * Ends a frame, also one that has failed: forgets the touches that have ended.
-         *
-         * @param areComplete whether each pair with handlers for starts or ends has got its touch, both ways
-         */
-        public function end(areComplete:Boolean):void
+        /** Ends a frame, also one that has failed: forgets the touches that have ended. */
+        public function end():void
         {
             for (var i:int = 0; i < _ended.count; i++)
             {
                 touches.release(endedAt(i));
             }
             _ended.count = 0;
-            _search = areComplete ? _pairs.searches : NONE;
         }
 
         /**
-         * The pairs whose touches may begin in a frame: the added ones if the touches of all others go on. Null stands for all pairs. Ask before
+         * The pairs whose touches may begin in a frame: those that have none if the touches of all others go on. Null stands for all pairs. Ask before
          * <code>begin()</code>.
          */
         public function pairsThatMayStart(pairs:FoundPairs):IntList
         {
-            return pairs === _pairs && pairs.areKept && pairs.searches == _search + 1 ? pairs.added : null;
+            if (pairs.touchOwner !== this)
+            {
+                return null;
+            }
+            _starting.count = 0;
+            for (var pair:int = 0; pair < pairs.count; pair++)
+            {
+                if (pairs.touches[pair] == FoundPairs.NO_TOUCH)
+                {
+                    _starting.add(pair);
+                }
+            }
+            return _starting;
         }
 
         /**
@@ -144,6 +144,11 @@ package starlogo.handlers
 
         private function compareAll(table:HandlerTable):void
         {
+            if (_pairs.touches.length < _pairs.count)
+            {
+                // grows by an eighth, because a vector that grows a little in each frame is copied each time
+                _pairs.touches.length = _pairs.count + (_pairs.count >> 3);
+            }
             for (var pair:int = 0; pair < _pairs.count; pair++)
             {
                 continueTouch(pair, table);
@@ -152,50 +157,21 @@ package starlogo.handlers
             {
                 endUnlessContinued(touches.all[index]);
             }
+            _pairs.droppedTouches.count = 0;
+            _pairs.touchOwner = this;
         }
 
-        private function compareSome(table:HandlerTable):void
+        private function compareSome(starting:IntList, table:HandlerTable):void
         {
-            var added:IntList = _pairs.added;
-            moveTouches();
-            for (var i:int = 0; i < added.count; i++)
+            for (var i:int = 0; i < starting.count; i++)
             {
-                continueTouch(added.numbers[i], table);
+                continueTouch(starting.numbers[i], table);
             }
-            var dropped:IntList = _pairs.dropped;
-            for (i = 0; i < dropped.count; i++)
+            for (i = 0; i < _pairs.droppedTouches.count; i++)
             {
-                var index:int = _indicesBefore[dropped.numbers[i]];
-                if (index != NONE)
-                {
-                    endUnlessContinued(touches.all[index]);
-                }
+                endUnlessContinued(touches.all[_pairs.droppedTouches.numbers[i]]);
             }
-        }
-
-        // Copies the touches of kept pairs to where their pairs are now.
-        private function moveTouches():void
-        {
-            var added:IntList = _pairs.added;
-            var dropped:IntList = _pairs.dropped;
-            var nextAdded:int = 0;
-            var nextDropped:int = 0;
-            var before:int = 0;
-            for (var pair:int = 0; pair < _pairs.count; pair++)
-            {
-                if (nextAdded < added.count && added.numbers[nextAdded] == pair)
-                {
-                    nextAdded++;
-                    continue;
-                }
-                while (nextDropped < dropped.count && dropped.numbers[nextDropped] == before)
-                {
-                    nextDropped++;
-                    before++;
-                }
-                _indices[pair] = _indicesBefore[before];
-                before++;
-            }
+            _pairs.droppedTouches.count = 0;
         }
 
         // Lets the touch of a pair go on, if there is one and the two still have handlers for starts or ends.
@@ -203,7 +179,7 @@ package starlogo.handlers
         {
             var isTracked:Boolean = table.handlersOfPair(_pairs, pair).tracksTouches;
             var touch:Touch = isTracked ? touchToContinue(_pairs, pair) : null;
-            _indices[pair] = touch == null ? NONE : touch.index;
+            _pairs.touches[pair] = touch != null ? touch.index : isTracked ? FoundPairs.NO_TOUCH : UNTRACKED;
             if (touch != null)
             {
                 touch.lastFrame = frame;

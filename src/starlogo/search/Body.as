@@ -93,11 +93,7 @@ package starlogo.search
         /** Becomes the same as another body. While the other's model is loading, the shape is null, and only the place counts. */
         public function copyFrom(other:Body):void
         {
-            // see takeShape(); the shape may be null here
-            if (shape !== other.shape)
-            {
-                shape = other.shape;
-            }
+            shape = other.shape;
             form = other.form;
             rank = other.rank;
             depthLimit = other.depthLimit;
@@ -254,12 +250,8 @@ package starlogo.search
         internal function takeShape(shape:ModelShape):void
         {
             _isPlaced = false;
-            // writing an object to a field costs Adobe's VM more than comparing it first
-            if (this.shape !== shape)
-            {
-                this.shape = shape;
-                form = shape.form;
-            }
+            this.shape = shape;
+            form = shape.form;
         }
 
         // Finds the extents of the shape, turned and scaled as the placement says.
@@ -285,12 +277,8 @@ package starlogo.search
                 _spares[_placed.kind] = _placed;
                 _placed = _spares[kind];
             }
-            var placed:BoundingStructure = structure.place(at, _placed);
-            if (_placed !== placed)
-            {
-                _placed = placed;
-            }
-            return placed;
+            _placed = structure.place(at, _placed);
+            return _placed;
         }
     }
 }

@@ -1,13 +1,12 @@
 package starlogo.search
 {
-    import starlogo.bounding.BoundingStructure;
     import starlogo.broadphase.BinLevel;
     import starlogo.broadphase.PairSink;
     import starlogo.broadphase.Extents;
     import starlogo.data.IntList;
     import starlogo.engine;
-    import starlogo.search.pairs.PairTests;
     import starlogo.search.table.AgentTable;
+    import starlogo.search.table.ListedAgents;
 
     use namespace engine;
 
@@ -17,9 +16,6 @@ package starlogo.search
      */
     internal final class CandidateTests extends PairSink
     {
-        // In place of a form: none.
-        private static const NONE:int = -1;
-
         private var _table:AgentTable;
         private var _narrowPhase:NarrowPhase;
         private var _sweptTests:SweptTests;
@@ -70,8 +66,7 @@ package starlogo.search
                 count = interests.keepOfInterest(_table.breeds, row, others, count);
             }
             _narrowPhase.counts.candidatePairs += count;
-            count = _out.haveTimes ? _sweptTests.keepTouching(row, others, count, level, _times) : keepTouching(row, others, count, level);
-            _out.addPairs(row, others, count, _times);
+            addTouching(row, others, count, level);
         }
 
         /**
@@ -89,9 +84,14 @@ package starlogo.search
             _input.listMembers(rows, _table, _worldCandidates);
             var others:Vector.<int> = _worldCandidates.numbers;
             var count:int = _input.interests.keepOfInterest(_table.breeds, worldRow, others, _worldCandidates.count);
-            count = _out.haveTimes ? _sweptTests.keepTouching(worldRow, others, count, SweptTests.NO_EXTENTS, _times)
-                : keepTouchingWorld(worldRow, others, count);
-            _out.addPairs(worldRow, others, count, _times);
+            addTouching(worldRow, others, count, SweptTests.NO_EXTENTS);
+        }
+
+        // Adds the pairs of a row with those candidates that touch it.
+        private function addTouching(row:int, others:Vector.<int>, count:int, level:BinLevel):void
+        {
+            count = _out.haveTimes ? _sweptTests.keepTouching(row, others, count, level, _times) : keepTouching(row, others, count, level);
+            _out.addPairs(row, others, count, _times);
         }
 
         // Keeps the rows that touch a row, and moves them to the beginning of the list.
@@ -100,44 +100,20 @@ package starlogo.search
             // a field would be read again for each candidate
             var table:AgentTable = _table;
             var narrowPhase:NarrowPhase = _narrowPhase;
-            if (narrowPhase.choice.areSpheres)
+            if (narrowPhase.choice.areSpheres && row >= ListedAgents.FIRST_LISTED)
             {
                 return narrowPhase.sphereTests.keepTouching(table, row, others, count, level);
             }
             var body:Body = table.bodyOf(row);
             var extents:Extents = table.extents;
             var slack:Number = level.slack;
-            // two spheres or two boxes need no test of their extents, except for the heights
-            var quickForm:int = body.form == BoundingStructure.SPHERE || body.form == BoundingStructure.BOX ? body.form : NONE;
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = others[i];
-                var isNear:Boolean = table.shapes[other].form == quickForm ? extents.areHeightsNear(row, other, slack) : extents.areNear(row, other, slack);
-                if (isNear)
+                if (extents.areNear(row, other, slack) && narrowPhase.areTouching(body, table.bodyOf(other)))
                 {
-                    var otherBody:Body = table.bodyOf(other);
-                    if (narrowPhase.pairTestsFor(body, otherBody).areTouching(body, otherBody))
-                    {
-                        others[kept] = other;
-                        kept++;
-                    }
-                }
-            }
-            return kept;
-        }
-
-        // Keeps the rows that touch the ground or the edges of the world.
-        private function keepTouchingWorld(worldRow:int, others:Vector.<int>, count:int):int
-        {
-            var world:Body = _table.bodyOf(worldRow);
-            var tests:PairTests = _narrowPhase.findOrAddWorldTests(world);
-            var kept:int = 0;
-            for (var i:int = 0; i < count; i++)
-            {
-                if (tests.areTouching(_table.bodyOf(others[i]), world))
-                {
-                    others[kept] = others[i];
+                    others[kept] = other;
                     kept++;
                 }
             }

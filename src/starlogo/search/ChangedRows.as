@@ -46,7 +46,7 @@ package starlogo.search
         /** The number of members of the search. */
         public function get memberCount():int
         {
-            return _cells.countMembers();
+            return _cells.count;
         }
 
         /**
@@ -106,7 +106,7 @@ package starlogo.search
                     return false;
                 }
             }
-            return _cells.haveRightBucketCounts();
+            return !_cells.areWorn;
         }
 
         /** Finds the members near the changed ones, as the bins do for all. Each pair is passed to the sink once. */

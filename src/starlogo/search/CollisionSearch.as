@@ -56,8 +56,11 @@ package starlogo.search
         // If few rows have changed: their pairs, which are put between the others.
         private var _pairsOfChanged:FoundPairs;
 
-        // What the pairs of the last search depend on, besides agents, ground and edges.
-        private var _conditions:SearchConditions = new SearchConditions();
+        // What the pairs of the last search depend on, besides agents, ground and edges: the pairs of breeds that count, their number, because a game that
+        // calls findCollisionsAmong() may add some, and the settings.
+        private var _interests:BreedInterests = null;
+        private var _interestCount:int = 0;
+        private var _settings:int = 0;
 
         // Whether the cells are prepared, so that the next search may begin with these pairs.
         private var _isPrepared:Boolean = false;
@@ -94,9 +97,8 @@ package starlogo.search
             narrowPhase.counts.clear();
             // A search prepares the cells only if it is like the one before, because the next is then probably like it too. So the third of three like
             // searches is the first that begins with the pairs of the last one.
-            var prepares:Boolean = isLikeLast(input);
+            var prepares:Boolean = noteConditions(input) && areFewRead(input);
             var beginsWithLast:Boolean = prepares && _isPrepared;
-            _conditions.setTo(input, _motions.isSwept, narrowPhase.treeLimits);
             // if the search throws, the next one is of all rows, because the table has been read
             _isPrepared = false;
             var canUpdate:Boolean = false;
@@ -138,15 +140,35 @@ package starlogo.search
             table.readWorld(input.ground, input.edges);
         }
 
-        // Whether the search depends on the same as the last one, and few rows were read again.
-        private function isLikeLast(input:SearchInput):Boolean
+        // Notes what the pairs of a search depend on, besides agents, ground and edges. Returns whether it is the same as for the last one.
+        private function noteConditions(input:SearchInput):Boolean
+        {
+            var limits:TreeLimits = narrowPhase.treeLimits;
+            // no tree is deeper. If the triangles decide, the depth does not count
+            var deepest:int = 1 << 28;
+            var depth:int = limits.exact ? 0 : limits.maxDepth;
+            if (depth > deepest)
+            {
+                depth = deepest;
+            }
+            var isFiltered:Boolean = input.admitted != null;
+            var settings:int = depth << 2 | int(isFiltered) << 1 | int(_motions.isSwept);
+            var areSame:Boolean = input.interests === _interests && input.interests.pairCount == _interestCount && settings == _settings;
+            _interests = input.interests;
+            _interestCount = input.interests.pairCount;
+            _settings = settings;
+            return areSame;
+        }
+
+        // Whether few rows were read again.
+        private function areFewRead(input:SearchInput):Boolean
         {
             var readCount:int = table.changed.count + table.leftOrReordered.count;
             if (_motions.isSwept)
             {
                 readCount += _motions.previouslyChanged.count;
             }
-            return _conditions.areThoseOf(input, _motions.isSwept, narrowPhase.treeLimits) && areFew(readCount, input);
+            return areFew(readCount, input);
         }
 
         // Whether so few rows have changed that a search of these is faster than a search of all.
@@ -192,12 +214,14 @@ package starlogo.search
         // Whether an agent of the list sweeps. No entry is null.
         private static function isAnySweeping(agents:Vector.<Agent>):Boolean
         {
-            var i:int = agents.length - 1;
-            while (i >= 0 && !agents[i].isSweeping)
+            for (var i:int = 0; i < agents.length; i++)
             {
-                i--;
+                if (agents[i].isSweeping)
+                {
+                    return true;
+                }
             }
-            return i >= 0;
+            return false;
         }
     }
 }

@@ -33,23 +33,26 @@ package starlogo.search
         /** Has the agent of each row, and its rank in the list of the search. */
         public var list:ListedAgents;
 
-        /** How many searches have written their pairs here. */
-        public var searches:int = 0;
+        /** In place of the index of a pair's touch: none has begun yet, or it is not known. */
+        public static const NO_TOUCH:int = -1;
 
-        /** Whether these are the pairs of the search before, without the dropped pairs and with the added ones. */
-        public var areKept:Boolean = false;
+        /** The TouchTracker that has found the touches of the pairs, before the last searches replaced some pairs; null after a search of all rows. */
+        public var touchOwner:Object = null;
 
-        /** If they are: the indices of the dropped pairs among the earlier pairs, in ascending order. */
-        public var dropped:IntList = new IntList();
+        /** By pair, if there is a touchOwner: the index of the pair's touch. A number less than 0 stands for none. It is NO_TOUCH for a new pair. */
+        public var touches:Vector.<int> = new Vector.<int>();
 
-        /** If they are: the indices of the added pairs among these pairs, in ascending order. */
-        public var added:IntList = new IntList();
+        /** If there is a touchOwner: the touches of pairs that are gone since it has looked. */
+        public var droppedTouches:IntList = new IntList();
 
         /** The list to which pairs are written when they or their order change: see <code>exchangeLists()</code>. */
         internal var spareRows:Vector.<int> = new Vector.<int>();
 
         /** The same for their times, if they have any. */
         internal var spareTimes:Vector.<Number> = new Vector.<Number>();
+
+        /** The same for their touches. */
+        internal var spareTouches:Vector.<int> = new Vector.<int>();
 
         /** @param list has the agent of each row */
         public function FoundPairs(list:ListedAgents)
@@ -62,23 +65,7 @@ package starlogo.search
         {
             this.haveTimes = haveTimes;
             count = 0;
-            searches++;
-            areKept = false;
-        }
-
-        /** Begins to change the pairs to those of the next search, with <code>dropped</code> and <code>added</code>, which are empty now. */
-        internal function beginKept():void
-        {
-            searches++;
-            areKept = true;
-            dropped.count = added.count = 0;
-        }
-
-        /** Ends this: the pairs are those that were written to <code>spareRows</code>. */
-        internal function endKept():void
-        {
-            count += added.count - dropped.count;
-            exchangeLists();
+            touchOwner = null;
         }
 
         /** Makes room for a number of pairs in the spare lists. */
@@ -93,6 +80,10 @@ package starlogo.search
             {
                 spareTimes.length = pairCount + (pairCount >> 3);
             }
+            if (touchOwner != null && spareTouches.length < pairCount)
+            {
+                spareTouches.length = pairCount + (pairCount >> 3);
+            }
         }
 
         /** Exchanges the lists of the pairs and the spare ones. */
@@ -104,6 +95,9 @@ package starlogo.search
             var timesBefore:Vector.<Number> = times;
             times = spareTimes;
             spareTimes = timesBefore;
+            var touchesBefore:Vector.<int> = touches;
+            touches = spareTouches;
+            spareTouches = touchesBefore;
         }
 
         /** Adds a pair of two rows. */
@@ -161,20 +155,9 @@ package starlogo.search
         public function write(out:Vector.<Agent>):void
         {
             var byRow:Vector.<Agent> = list.agentsByRow;
-            var all:Vector.<int> = rows;
-            var end:int = 2 * count;
-            var row:int = -1;
-            var first:Agent = null;
-            for (var i:int = 0; i < end; i += 2)
+            for (var i:int = 0; i < 2 * count; i++)
             {
-                // in a dense crowd many pairs have the same first agent
-                if (all[i] != row)
-                {
-                    row = all[i];
-                    first = byRow[row];
-                }
-                out[i] = first;
-                out[int(i + 1)] = byRow[all[int(i + 1)]];
+                out[i] = byRow[rows[i]];
             }
         }
     }

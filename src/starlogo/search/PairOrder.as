@@ -9,13 +9,7 @@ package starlogo.search
      */
     internal final class PairOrder
     {
-        // If there are at least so many agents for each pair, comparing pairs is faster than counting those of each agent.
-        private static const MANY_AGENTS:int = 12;
-
-        // The factor of the first rank in a key of both ranks. All ranks are less.
-        private static const RANK_FACTOR:Number = 1 << 26;
-
-        // The indices of the pairs with their keys, to sort them by comparisons.
+        // The indices of the pairs with their times, to sort them by these.
         private var _indices:SortableIntList = new SortableIntList();
 
         // By rank: where the next pair goes whose row on a side has the rank, in a counting sort.
@@ -28,66 +22,10 @@ package starlogo.search
          */
         public function putInOrder(pairs:FoundPairs):int
         {
-            if (!areInOrder(pairs))
-            {
-                sortByRanks(pairs);
-            }
-            return pairs.haveTimes ? sortByTimes(pairs) : 0;
-        }
-
-        // Whether the pairs are in the order of their ranks already, as those of agents in one cell are.
-        private static function areInOrder(pairs:FoundPairs):Boolean
-        {
-            var rows:Vector.<int> = pairs.rows;
-            var ranks:Vector.<int> = pairs.list.ranks;
-            var end:int = 2 * pairs.count;
-            var row:int = -1;
-            var first:int = -1;
-            var last:int = -1;
-            for (var i:int = 0; i < end; i += 2)
-            {
-                if (rows[i] != row)
-                {
-                    row = rows[i];
-                    if (ranks[row] < first)
-                    {
-                        return false;
-                    }
-                    last = first = ranks[row];
-                }
-                var second:int = ranks[rows[int(i + 1)]];
-                if (second <= last)
-                {
-                    return false;
-                }
-                last = second;
-            }
-            return true;
-        }
-
-        private function sortByRanks(pairs:FoundPairs):void
-        {
-            if (MANY_AGENTS * pairs.count < pairs.list.rows.count)
-            {
-                sortByKeys(pairs);
-                return;
-            }
             // pairs whose rows on a side have the same rank keep their order
             scatter(pairs, 1);
             scatter(pairs, 0);
-        }
-
-        // Sorts by a key of both ranks.
-        private function sortByKeys(pairs:FoundPairs):void
-        {
-            var rows:Vector.<int> = pairs.rows;
-            var ranks:Vector.<int> = pairs.list.ranks;
-            _indices.count = 0;
-            for (var i:int = 0; i < pairs.count; i++)
-            {
-                _indices.add(i, ranks[rows[2 * i]] * RANK_FACTOR + ranks[rows[2 * i + 1]]);
-            }
-            arrange(pairs);
+            return pairs.haveTimes ? sortByTimes(pairs) : 0;
         }
 
         // Sorts by times. Pairs of the same time keep their order. Returns how many pairs touch before the end of their motions.
@@ -104,27 +42,16 @@ package starlogo.search
                     earlyCount++;
                 }
             }
-            arrange(pairs);
-            return earlyCount;
-        }
-
-        // Puts the pairs into the order of the keys. Their times, if there are any, go along.
-        private function arrange(pairs:FoundPairs):void
-        {
             _indices.sortFirst(pairs.count);
             pairs.makeRoom(pairs.count);
-            var to:Vector.<int> = pairs.spareRows;
-            for (var i:int = 0; i < pairs.count; i++)
+            for (i = 0; i < pairs.count; i++)
             {
                 var pair:int = _indices.numbers[i];
-                to[int(2 * i)] = pairs.rows[int(2 * pair)];
-                to[int(2 * i + 1)] = pairs.rows[int(2 * pair + 1)];
-                if (pairs.haveTimes)
-                {
-                    pairs.spareTimes[i] = pairs.times[pair];
-                }
+                pairs.spareRows[int(2 * i)] = pairs.rows[int(2 * pair)];
+                pairs.spareRows[int(2 * i + 1)] = pairs.rows[int(2 * pair + 1)];
             }
             pairs.exchangeLists();
+            return earlyCount;
         }
 
         // One step of a counting sort: puts the pairs into the order of the ranks of their first rows (side 0) or second rows (1). The times, if there

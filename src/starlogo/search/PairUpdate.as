@@ -6,7 +6,7 @@ package starlogo.search
     internal final class PairUpdate
     {
         /**
-         * Replaces the pairs of changed rows.
+         * Replaces the pairs of changed rows. The touches of pairs go with them.
          *
          * @param changed these rows
          * @param pairs the pairs of the last search, in order. They become those of the next
@@ -15,57 +15,65 @@ package starlogo.search
          */
         public function replacePairsOf(changed:IntSet, pairs:FoundPairs, found:FoundPairs, earlyCount:int):void
         {
-            pairs.beginKept();
             pairs.makeRoom(pairs.count + found.count);
-            var to:Vector.<int> = pairs.spareRows;
-            var ranks:Vector.<int> = pairs.list.ranks;
-            var next:int = 0;
-            for (var i:int = 0; i < found.count; i++)
+            var rows:Vector.<int> = pairs.rows;
+            var added:int = 0;
+            var kept:int = 0;
+            for (var i:int = 0; i < pairs.count; i++)
             {
-                var a:int = found.rows[2 * i];
-                var b:int = found.rows[2 * i + 1];
-                if (i >= earlyCount)
+                var a:int = rows[int(2 * i)];
+                var b:int = rows[int(2 * i + 1)];
+                if (changed.has(a) || changed.has(b))
                 {
-                    next = keepBefore(ranks[a], ranks[b], pairs, next, changed, to);
-                }
-                var pair:int = next - pairs.dropped.count + i;
-                to[2 * pair] = a;
-                to[2 * pair + 1] = b;
-                pairs.added.add(pair);
-            }
-            keepBefore(int.MAX_VALUE, 0, pairs, next, changed, to);
-            pairs.endKept();
-        }
-
-        // Copies the pairs from an index on up to a pair of two ranks, behind those that are copied or added already. Drops the pairs of changed rows.
-        // Returns the index of the first pair after these two ranks.
-        private static function keepBefore(firstRank:int, secondRank:int, pairs:FoundPairs, start:int, changed:IntSet, to:Vector.<int>):int
-        {
-            var from:Vector.<int> = pairs.rows;
-            var ranks:Vector.<int> = pairs.list.ranks;
-            var marks:Vector.<int> = changed.marks;
-            var mark:int = changed.mark;
-            var end:int = 2 * pairs.count;
-            var next:int = 2 * (start - pairs.dropped.count + pairs.added.count);
-            for (var i:int = 2 * start; i < end; i += 2)
-            {
-                var a:int = from[i];
-                var b:int = from[int(i + 1)];
-                if (marks[a] == mark || marks[b] == mark)
-                {
-                    pairs.dropped.add(i >> 1);
+                    dropTouch(pairs, i);
                     continue;
                 }
-                var rank:int = ranks[a];
-                if (rank > firstRank || rank == firstRank && ranks[b] > secondRank)
+                while (added < found.count && (added < earlyCount || isBefore(found, added, a, b)))
                 {
-                    return i >> 1;
+                    addNew(pairs, kept + added, found, added);
+                    added++;
                 }
-                to[next] = a;
-                to[int(next + 1)] = b;
-                next += 2;
+                pairs.spareRows[int(2 * (kept + added))] = a;
+                pairs.spareRows[int(2 * (kept + added) + 1)] = b;
+                if (pairs.touchOwner != null)
+                {
+                    pairs.spareTouches[int(kept + added)] = pairs.touches[i];
+                }
+                kept++;
             }
-            return pairs.count;
+            for (; added < found.count; added++)
+            {
+                addNew(pairs, kept + added, found, added);
+            }
+            pairs.exchangeLists();
+            pairs.count = kept + added;
+        }
+
+        // Whether a found pair comes before a pair of two rows in the order of the list.
+        private static function isBefore(found:FoundPairs, pair:int, a:int, b:int):Boolean
+        {
+            var ranks:Vector.<int> = found.list.ranks;
+            var rank:int = ranks[found.rows[int(2 * pair)]];
+            return rank < ranks[a] || rank == ranks[a] && ranks[found.rows[int(2 * pair + 1)]] < ranks[b];
+        }
+
+        // Adds a found pair to the spare lists, at a place.
+        private static function addNew(pairs:FoundPairs, to:int, found:FoundPairs, pair:int):void
+        {
+            pairs.spareRows[2 * to] = found.rows[2 * pair];
+            pairs.spareRows[2 * to + 1] = found.rows[2 * pair + 1];
+            if (pairs.touchOwner != null)
+            {
+                pairs.spareTouches[to] = FoundPairs.NO_TOUCH;
+            }
+        }
+
+        private static function dropTouch(pairs:FoundPairs, pair:int):void
+        {
+            if (pairs.touchOwner != null && pairs.touches[pair] >= 0)
+            {
+                pairs.droppedTouches.add(pairs.touches[pair]);
+            }
         }
     }
 }

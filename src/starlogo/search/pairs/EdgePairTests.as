@@ -108,7 +108,7 @@ package starlogo.search.pairs
         {
             var deepest:int = findDeepest(a, b, RelativeMotion.NONE, _penetrations);
             var outwards:Vector3D = OUTWARDS[deepest];
-            _supportSearch.findPoint(a, outwards, _farthest);
+            _supportSearch.find(a, outwards, _farthest);
             var own:Number = along(deepest, _farthest.x, _farthest.y, _farthest.z);
             var toEdge:Number = placeOf(b, deepest) - own;
             // corners that count as equally far are not quite, and the point is their mean
@@ -146,7 +146,7 @@ package starlogo.search.pairs
         private function writeContact(deepest:int, penetrations:Vector.<Number>, a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             var left:Number = 1 - motion.time;
-            _supportSearch.findPoint(a, OUTWARDS[deepest], _farthest);
+            _supportSearch.find(a, OUTWARDS[deepest], _farthest);
             out.x = _farthest.x - left * motion.x;
             out.y = _farthest.y - left * motion.y;
             out.z = _farthest.z - left * motion.z;
@@ -191,7 +191,7 @@ package starlogo.search.pairs
                 out[edge] = beyond;
                 if (body.form == ModelShape.TREE && (beyond >= -tolerance || beyond - along(edge, motion.x, motion.y, motion.z) >= -tolerance))
                 {
-                    _supportSearch.findSupport(body, OUTWARDS[edge], _farthest);
+                    _supportSearch.find(body, OUTWARDS[edge], _farthest);
                     out[edge] = _farthest.support - place;
                 }
             }

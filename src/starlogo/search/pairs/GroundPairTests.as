@@ -17,7 +17,6 @@ package starlogo.search.pairs
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
     import starlogo.search.penetration.DisplacedPair;
-    import starlogo.search.penetration.ExitBounds;
     import starlogo.search.penetration.ExitSearch;
     import starlogo.search.penetration.PlacesAbove;
     import starlogo.search.TreeLimits;
@@ -29,7 +28,7 @@ package starlogo.search.pairs
      *
      * @private
      */
-    public final class GroundPairTests extends PairTests implements ExitBounds
+    public final class GroundPairTests extends PairTests
     {
         // How much of a cell of the ground counts as its extent. It is small because agents may be small, and not 0 because they may be points.
         private static const CELL_SHARE:Number = 1e-4;
@@ -42,14 +41,13 @@ package starlogo.search.pairs
         private var _earlyOut:GroundEarlyOut = new GroundEarlyOut();
         private var _query:GroundModelQuery = new GroundModelQuery();
         private var _rays:GroundRayQuery = new GroundRayQuery();
-        private var _exits:GroundExits = new GroundExits();
 
         /** @param limits how far trees are tested */
         public function GroundPairTests(limits:TreeLimits)
         {
             _limits = limits;
             var pair:DisplacedPair = new DisplacedPair(this);
-            _exitSearch = new ExitSearch(pair, this, new PlacesAbove(pair));
+            _exitSearch = new ExitSearch(pair, new GroundExits(), new PlacesAbove(pair));
         }
 
         /** Gives these tests to a narrow phase that does not have them. */
@@ -117,7 +115,7 @@ package starlogo.search.pairs
          *
          * @inheritDoc
          */
-        public function findContactOfCovers(a:Body, b:Body, out:ContactPoint):void
+        override public function findContactOfCovers(a:Body, b:Body, out:ContactPoint):void
         {
             queryOf(a, b).penetration.findLift(out);
         }
@@ -126,18 +124,6 @@ package starlogo.search.pairs
         override protected function showsTouch(a:Body, b:Body, contact:ContactPoint):Boolean
         {
             return contact.exitBound > depthToleranceOf(a, b);
-        }
-
-        /** @inheritDoc */
-        public function isDeepestInside(b:Body, contact:ContactPoint):Boolean
-        {
-            return _exits.isInside(gridOf(b), contact);
-        }
-
-        /** @inheritDoc */
-        public function exitBoundOf(b:Body, contact:ContactPoint, maxLength:Number):Number
-        {
-            return _exits.boundOf(gridOf(b), contact, maxLength);
         }
 
         /** @inheritDoc */

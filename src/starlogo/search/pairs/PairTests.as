@@ -98,14 +98,9 @@ package starlogo.search.pairs
             return areStructures(a, b) && contact.depth > 2 * depthToleranceOf(a, b);
         }
 
-        /**
-         * Finds the contact of two bodies that do not touch where they are: its point is half way between the points where they are nearest, its normal
-         * points from one of these points to the other, and its depth is 0. If rounding hides the direction between these points, the point and the
-         * normal stay as they are.
-         *
-         * @param out the contact of parts of the two, which changes
-         */
-        protected function findContactApart(a:Body, b:Body, out:ContactPoint):void
+        // Changes the contact of parts of two bodies to that of two that do not touch. If rounding hides the direction between the points where they are
+        // nearest, the point and the normal stay as they are.
+        private function findContactApart(a:Body, b:Body, out:ContactPoint):void
         {
             var isReversed:Boolean = NarrowPhase.isReversed(a, b);
             findClosest(isReversed ? b : a, isReversed ? a : b, false, _closest);
@@ -194,6 +189,12 @@ package starlogo.search.pairs
         public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
             throw new IllegalOperationError(this + " does not implement findClosest");
+        }
+
+        /** Finds the contact of convex covers of two bodies, where they are. The way out of the covers leads out of the bodies too. */
+        public function findContactOfCovers(a:Body, b:Body, out:ContactPoint):void
+        {
+            throw new IllegalOperationError(this + " does not implement findContactOfCovers");
         }
 
         /**

@@ -146,16 +146,6 @@ package starlogo.search.pairs
             out.correct(areTouching);
         }
 
-        /** @inheritDoc */
-        override protected function findContactApart(a:Body, b:Body, out:ContactPoint):void
-        {
-            var further:Number = b.halfX - a.halfX;
-            out.x = (a.x + b.x + further * out.normalX) / 2;
-            out.y = (a.y + b.y + further * out.normalY) / 2;
-            out.z = (a.z + b.z + further * out.normalZ) / 2;
-            out.depth = 0;
-        }
-
         private function areOverlapping(a:Body, b:Body):Boolean
         {
             readGap(a, b, _gap);

@@ -10,7 +10,7 @@ package starlogo.search.pairs
         /** The coordinate of the point along the direction, in patches. */
         public var support:Number = 0;
 
-        /** The point in the world, or one for several that are as far. Only <code>SupportSearch.findPoint()</code> writes it. */
+        /** The point in the world, or one for several that are as far. */
         public var x:Number = 0;
         public var y:Number = 0;
         public var z:Number = 0;

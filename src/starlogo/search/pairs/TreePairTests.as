@@ -14,7 +14,6 @@ package starlogo.search.pairs
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
     import starlogo.search.penetration.DisplacedPair;
-    import starlogo.search.penetration.ExitBounds;
     import starlogo.search.penetration.ExitSearch;
     import starlogo.search.TreeLimits;
     import starlogo.solid.ModelTree;
@@ -29,7 +28,7 @@ package starlogo.search.pairs
      *
      * @private
      */
-    public final class TreePairTests extends PairTests implements ExitBounds
+    public final class TreePairTests extends PairTests
     {
         private static const POINT:Sphere = new Sphere(new Vector3D(), 0);
 
@@ -58,7 +57,7 @@ package starlogo.search.pairs
             _counts = counts;
             _trees = new TreeTreeQuery(counts);
             _treeAndStructure = new TreeStructureQuery(counts);
-            _exitSearch = new ExitSearch(new DisplacedPair(this), this, null);
+            _exitSearch = new ExitSearch(new DisplacedPair(this));
         }
 
         /** Gives these tests to a narrow phase that does not have them. */
@@ -124,23 +123,11 @@ package starlogo.search.pairs
         }
 
         /** The covers are the structures around the trees. @inheritDoc */
-        public function findContactOfCovers(a:Body, b:Body, out:ContactPoint):void
+        override public function findContactOfCovers(a:Body, b:Body, out:ContactPoint):void
         {
             _pose.relate(a.placement, b.placement);
             StructurePairs.findContact(_pose.place(b.shape.structure), a.shape.structure, RelativeMotion.NONE, out);
             RelativePose.moveContactToWorld(out, a.placement, RelativeMotion.NONE);
-        }
-
-        /** It is not known. @inheritDoc */
-        public function isDeepestInside(b:Body, contact:ContactPoint):Boolean
-        {
-            return false;
-        }
-
-        /** No bound is known. @inheritDoc */
-        public function exitBoundOf(b:Body, contact:ContactPoint, maxLength:Number):Number
-        {
-            return 0;
         }
 
         /** @inheritDoc */

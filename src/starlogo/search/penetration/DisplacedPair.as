@@ -165,6 +165,12 @@ package starlogo.search.penetration
             _tests.findImpactOfSurfaces(first, second, motion, out);
         }
 
+        /** Finds the contact of convex covers of the two where the first body is. See PairTests.findContactOfCovers. */
+        public function findContactOfCovers(out:ContactPoint):void
+        {
+            _tests.findContactOfCovers(first, second, out);
+        }
+
         /** Finds the contact of two parts where the first body is. See PairTests.findContactOfParts. */
         public function findContactOfParts(out:ContactPoint):void
         {

@@ -2,7 +2,11 @@ package starlogo.search.penetration
 {
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
+    import starlogo.engine;
+    import starlogo.ground.GroundExits;
     import starlogo.search.Body;
+
+    use namespace engine;
 
     /**
      * Finds a short way out of an overlap. It pushes the first body out along the normals that it meets (PushOut). If an exit may be much shorter than
@@ -20,11 +24,11 @@ package starlogo.search.penetration
         private static const LEAST_SHARE:Number = 0.68;
 
         private var _pair:DisplacedPair;
-        private var _bounds:ExitBounds;
         private var _directions:DirectionSearch;
         private var _pushOut:PushOut;
 
-        // Null if the second body is not the ground.
+        // What is known about the ways out of the ground, and places above it. Null if the second body is not the ground.
+        private var _groundExits:GroundExits;
         private var _placesAbove:PlacesAbove;
 
         // The contact of the two, another contact to begin with, and the displacement that is tried.
@@ -34,15 +38,16 @@ package starlogo.search.penetration
 
         /**
          * @param pair the two bodies are those of its last beginning
-         * @param bounds of such pairs
+         * @param groundExits what is known about the ways out of the ground; null if the second body is not the ground. Then the deepest point of no
+         *     contact is known
          * @param placesAbove of the pair; null if the second body is not the ground
          */
-        public function ExitSearch(pair:DisplacedPair, bounds:ExitBounds, placesAbove:PlacesAbove)
+        public function ExitSearch(pair:DisplacedPair, groundExits:GroundExits = null, placesAbove:PlacesAbove = null)
         {
             _pair = pair;
-            _bounds = bounds;
+            _groundExits = groundExits;
             _directions = new DirectionSearch(pair);
-            _pushOut = new PushOut(pair, bounds, _directions);
+            _pushOut = new PushOut(pair, groundExits, _directions);
             _placesAbove = placesAbove;
         }
 
@@ -104,14 +109,14 @@ package starlogo.search.penetration
         private function areExitsLong(contact:ContactPoint, depth:Number):Boolean
         {
             var least:Number = LEAST_SHARE * depth;
-            return contact.exitBound >= least || contact.isDeepestOfA && _bounds.exitBoundOf(_pair.second, contact, depth) >= least;
+            return contact.exitBound >= least || contact.isDeepestOfA && _groundExits.boundOf(_pair.second.shape.grid, contact, depth) >= least;
         }
 
         // Tries the shortest way out of covers of the two. If there is no push, it is taken, however long it is.
         private function tryOutOfCovers(isPushed:Boolean, out:ContactPoint):void
         {
             _pair.putBack();
-            _bounds.findContactOfCovers(_pair.first, _pair.second, _other);
+            _pair.findContactOfCovers(_other);
             if (!isPushed)
             {
                 _directions.findAlong(_other, out);

@@ -1,7 +1,11 @@
 package starlogo.search.penetration
 {
     import starlogo.convex.ContactPoint;
+    import starlogo.engine;
     import starlogo.geometry.Tolerances;
+    import starlogo.ground.GroundExits;
+
+    use namespace engine;
 
     /**
      * Pushes the first of two bodies out of the second. It tries the shortest push out of a contact. A contact requires a push of at least its
@@ -36,14 +40,11 @@ package starlogo.search.penetration
         private var _contacts:HalfSpaceSolver = new HalfSpaceSolver();
         private var _push:ShortestDisplacement = new ShortestDisplacement();
 
-        // The contact after a push.
+        // The contact after a push, or the first contact displaced by it.
         private var _next:ContactPoint = new ContactPoint();
 
-        // The first contact, displaced.
-        private var _deepest:ContactPoint = new ContactPoint();
-
         private var _pair:DisplacedPair;
-        private var _bounds:ExitBounds;
+        private var _groundExits:GroundExits;
         private var _directions:DirectionSearch;
 
         // The displacement that is tried.
@@ -51,13 +52,13 @@ package starlogo.search.penetration
 
         /**
          * @param pair has begun when a method is called
-         * @param bounds of such pairs
+         * @param groundExits as in ExitSearch
          * @param directions shortens pushes that are longer than needed
          */
-        public function PushOut(pair:DisplacedPair, bounds:ExitBounds, directions:DirectionSearch)
+        public function PushOut(pair:DisplacedPair, groundExits:GroundExits, directions:DirectionSearch)
         {
             _pair = pair;
-            _bounds = bounds;
+            _groundExits = groundExits;
             _directions = directions;
         }
 
@@ -87,7 +88,7 @@ package starlogo.search.penetration
             {
                 if (!goToBlocked(_tried))
                 {
-                    takePush(first, out);
+                    takePush(_tried, first, out);
                     return true;
                 }
                 addBlock(_tried);
@@ -147,26 +148,26 @@ package starlogo.search.penetration
             return isOfSeveral && _pair.touchesAt(out);
         }
 
-        // Takes the push along the direction of _tried. If the two are free before its end, the depth is refined.
-        private function takePush(first:ContactPoint, out:ContactPoint):void
+        // Takes the push, whose direction is free. If the two are free before its end, the depth is refined.
+        private function takePush(free:Displacement, first:ContactPoint, out:ContactPoint):void
         {
-            out.setNormal(_tried.x, _tried.y, _tried.z);
+            out.setNormal(free.x, free.y, free.z);
             out.depth = _push.length;
-            _tried.distance = _push.length - _pair.probeDistance;
-            if (_tried.distance > 0 && !isDeepestStillInside(first) && !_pair.touchesAt(_tried))
+            free.distance = _push.length - _pair.probeDistance;
+            if (free.distance > 0 && !(first.isDeepestOfA && isDeepestStillInside(first, free)) && !_pair.touchesAt(free))
             {
-                _directions.shorten(_tried, out);
+                _directions.shorten(free, out);
             }
         }
 
-        // Whether the deepest point of a contact, displaced as is tried, is known to be of the first body and inside of the second.
-        private function isDeepestStillInside(contact:ContactPoint):Boolean
+        // Whether the deepest point of a contact with the ground is still inside of it after a displacement.
+        private function isDeepestStillInside(contact:ContactPoint, by:Displacement):Boolean
         {
-            _deepest.copyFrom(contact);
-            _deepest.x += _tried.distance * _tried.x;
-            _deepest.y += _tried.distance * _tried.y;
-            _deepest.z += _tried.distance * _tried.z;
-            return _deepest.isDeepestOfA && _bounds.isDeepestInside(_pair.second, _deepest);
+            _next.copyFrom(contact);
+            _next.x += by.distance * by.x;
+            _next.y += by.distance * by.y;
+            _next.z += by.distance * by.z;
+            return _groundExits.isInside(_pair.second.shape.grid, _next);
         }
     }
 }

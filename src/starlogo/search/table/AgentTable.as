@@ -381,40 +381,17 @@ package starlogo.search.table
         // Reads the places and the breeds of the rows that have changed, and moves their extents.
         private function readPlaces():void
         {
-            var numbers:Vector.<int> = changed.numbers;
-            var byRow:Vector.<Agent> = list.agentsByRow;
-            var seen:Vector.<int> = revisions;
-            var starts:Vector.<int> = _startRevisions;
-            var breedNumbers:Vector.<int> = breeds;
-            var xs:Vector.<Number> = places.x;
-            var ys:Vector.<Number> = places.y;
-            var zs:Vector.<Number> = places.z;
-            var offsetX:Vector.<Number> = _offsets.x;
-            var offsetY:Vector.<Number> = _offsets.y;
-            var offsetZ:Vector.<Number> = _offsets.z;
-            var boxes:Extents = extents;
-            var middleX:Vector.<Number> = boxes.x;
-            var middleY:Vector.<Number> = boxes.y;
-            var middleZ:Vector.<Number> = boxes.z;
-            var levels:Vector.<int> = boxes.level;
-            var end:int = changed.count;
-            for (var i:int = 0; i < end; i++)
+            for (var i:int = 0; i < changed.count; i++)
             {
-                var row:int = numbers[i];
-                var agent:Agent = byRow[row];
-                var at:Placement = agent.placement;
-                seen[row] = starts[row] = agent.revision;
-                breedNumbers[row] = agent.breedNumber;
-                xs[row] = at.x;
-                ys[row] = at.y;
-                zs[row] = at.z;
-                middleX[row] = at.x + offsetX[row];
-                middleY[row] = at.y + offsetY[row];
-                middleZ[row] = at.z + offsetZ[row];
+                var row:int = changed.numbers[i];
+                var agent:Agent = list.agentsByRow[row];
+                _startRevisions[row] = agent.revision;
+                breeds[row] = agent.breedNumber;
+                readPlace(row, agent);
                 // a new row has no level, and its extents are not known yet
-                if (levels[row] != 0)
+                if (extents.level[row] != 0)
                 {
-                    boxes.assignLevel(row);
+                    extents.assignLevel(row);
                 }
             }
         }
@@ -476,11 +453,7 @@ package starlogo.search.table
         // Gives a row its shape, and reads the body with it, and the extents of the body. The shape is null while the model is loading.
         private function takeShape(row:int, shape:ModelShape):void
         {
-            // writing an object costs Adobe's VM more than comparing it first
-            if (shape !== shapes[row])
-            {
-                shapes[row] = shape;
-            }
+            shapes[row] = shape;
             if (shape == null)
             {
                 return;

@@ -3,6 +3,7 @@ package starlogo.search.table
     import starlogo.agents.Agent;
     import starlogo.data.HashTable;
     import starlogo.data.IntList;
+    import starlogo.data.IntSet;
     import starlogo.data.textOf;
     import starlogo.data.warnOfUnknownProperties;
     import starlogo.engine;
@@ -53,9 +54,8 @@ package starlogo.search.table
         private var _inOrder:Vector.<int> = new Vector.<int>();
         private var _rowsById:HashTable = new HashTable();
 
-        // By row: the mark of the last list proposed with its agent. The mark of the list that was proposed last.
-        private var _marks:Vector.<int> = new <int>[0, 0];
-        private var _mark:int = 0;
+        // The rows of the proposed list.
+        private var _inProposed:IntSet = new IntSet();
 
         /** The number of rows that there are, free ones too. It never shrinks. */
         public function get rowCapacity():int
@@ -120,7 +120,7 @@ package starlogo.search.table
             isAccepted = false;
             var listed:Vector.<int> = rows.numbers;
             var to:Vector.<int> = proposed.numbers;
-            _mark++;
+            _inProposed.clear(rowCapacity);
             for (var i:int = 0; i < list.length; i++)
             {
                 var agent:Agent = list[i];
@@ -135,11 +135,10 @@ package starlogo.search.table
                     warnOfUnknownProperties(agent);
                     row = add(agent);
                 }
-                else if (_marks[row] == _mark)
+                if (!_inProposed.add(row))
                 {
                     throw new ArgumentError(agent + " is listed twice: agents[" + list.indexOf(agent) + "] and agents[" + i + "]");
                 }
-                _marks[row] = _mark;
                 to[i] = row;
             }
             proposed.count = list.length;
@@ -155,7 +154,7 @@ package starlogo.search.table
             addReordered(out);
             for (var i:int = 0; i < rows.count; i++)
             {
-                if (_marks[rows.numbers[i]] != _mark)
+                if (!_inProposed.has(rows.numbers[i]))
                 {
                     out.add(rows.numbers[i]);
                 }
@@ -167,7 +166,7 @@ package starlogo.search.table
         {
             for (var i:int = 0; i < rows.count; i++)
             {
-                if (_marks[rows.numbers[i]] != _mark)
+                if (!_inProposed.has(rows.numbers[i]))
                 {
                     free(rows.numbers[i]);
                 }
@@ -221,7 +220,7 @@ package starlogo.search.table
         {
             var before:int = agentsByRow.length;
             // grows by an eighth, because a vector that grows by one element is copied each time
-            agentsByRow.length = ranks.length = _marks.length = before + 1 + (before >> 3);
+            agentsByRow.length = ranks.length = _inProposed.marks.length = before + 1 + (before >> 3);
             for (var row:int = agentsByRow.length - 1; row >= before; row--)
             {
                 _free.add(row);

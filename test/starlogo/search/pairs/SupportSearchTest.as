@@ -86,7 +86,7 @@ package starlogo.search.pairs
             var farthest:SupportPoint = new SupportPoint();
             for each (var side:int in [-1, 1])
             {
-                search.findPoint(body, new Vector3D(side, 0, 0), farthest);
+                search.find(body, new Vector3D(side, 0, 0), farthest);
                 assertTrue(farthest.support + " and " + farthest.x, Math.abs(farthest.support - (side > 0 ? count - 1 : 0)) < 1e-3);
                 assertTrue(Math.abs(farthest.x - side * farthest.support) < 1e-3);
             }
@@ -133,7 +133,7 @@ package starlogo.search.pairs
         {
             var body:Body = new StructureBody().read(structure);
             var farthest:SupportPoint = new SupportPoint();
-            new SupportSearch(new TreeLimits()).findPoint(body, direction, farthest);
+            new SupportSearch(new TreeLimits()).find(body, direction, farthest);
             return farthest;
         }
 

@@ -11,7 +11,8 @@ package starlogo.hierarchy
      *
      * <p>In the space of tree a, its own boxes are axis-aligned, and all boxes of tree b have the same rotation. So a pair of boxes
      * takes a few products (Gottschalk, Lin and Manocha, "OBBTree", SIGGRAPH 1996; Ericson, "Real-Time Collision Detection", §4.4.1). If
-     * two nodes overlap, the larger one is divided. The child nearer to the other node is visited first.</p>
+     * two nodes overlap, the larger one is divided, or both if the overlap is deep, as in §6.3.4 of the thesis. The child nearer to the other
+     * node is visited first.</p>
      *
      * <p>The axes of the edges are tried only for pairs whose boxes decide. Higher up, the next boxes separate most of what these axes would
      * separate (van den Bergen, "Efficient collision detection of complex deformable models using AABB trees", 1997).</p>
@@ -86,7 +87,7 @@ package starlogo.hierarchy
                 result = ONLY_ROOTS;
                 if (!aEnds || !bEnds)
                 {
-                    top = pushChildren(trees, pair, a, aEnds, b, bEnds, top);
+                    top = pushChildren(trees, pair, a, aEnds, b, bEnds, isDeep(pair), top);
                 }
                 else if (doBoxesDecide || kernel.areTouching(a, b))
                 {
@@ -97,27 +98,41 @@ package starlogo.hierarchy
             return result;
         }
 
-        // Puts the pairs of a node with the children of the other, which is the larger one, in place of the pair. The nearer child is visited
-        // first. Returns the new top of the stack.
-        private function pushChildren(trees:PosedTrees, pair:BoxPair, a:int, aEnds:Boolean, b:int, bEnds:Boolean, top:int):int
+        // Puts the children of one node or of both in place of the pair, so that the nearest pair is visited first. Returns the new top of the stack.
+        private function pushChildren(trees:PosedTrees, pair:BoxPair, a:int, aEnds:Boolean, b:int, bEnds:Boolean, isDeep:Boolean, top:int):int
         {
             var stack:Vector.<int> = _nodes;
-            var dividesA:Boolean = !aEnds && (bEnds || trees.isNodeALarger(a, b));
-            var left:int = dividesA ? trees.a.left[a] : trees.b.left[b];
-            var isRightNearer:Boolean = dividesA
-                ? isRightNearerOfA(pair, trees.a.axisOf(a))
-                : isRightNearerOfB(pair, trees.pose.placement, trees.b.axisOf(b));
-            var nearer:int = isRightNearer ? left + 1 : left;
-            var farther:int = isRightNearer ? left : left + 1;
-            stack[top] = dividesA ? farther : a;
-            stack[top + 1] = dividesA ? b : farther;
-            stack[top + 2] = dividesA ? nearer : a;
-            stack[top + 3] = dividesA ? b : nearer;
-            return top + 4;
+            var dividesA:Boolean = !aEnds && (bEnds || isDeep || trees.isNodeALarger(a, b));
+            var dividesB:Boolean = isDeep ? !bEnds : !dividesA;
+            var nearer:int;
+            if (dividesA)
+            {
+                nearer = nearerChildOfA(pair, trees.a, a);
+                // the other child: the numbers of both add up to 2 * left + 1
+                stack[top] = 2 * trees.a.left[a] + 1 - nearer;
+                stack[top + 1] = b;
+                top += 2;
+                if (dividesB)
+                {
+                    beginPairAt(pair, trees.a.boxes, 6 * nearer, 6 * a);
+                }
+                a = nearer;
+            }
+            if (dividesB)
+            {
+                nearer = nearerChildOfB(pair, trees.pose.placement, trees.b, b);
+                stack[top] = a;
+                stack[top + 1] = 2 * trees.b.left[b] + 1 - nearer;
+                top += 2;
+                b = nearer;
+            }
+            stack[top] = a;
+            stack[top + 1] = b;
+            return top + 2;
         }
 
-        // Whether the distance of b's middle from a's box shows that the boxes are apart.
-        private static function isBeyondSphereOfB(pair:BoxPair):Boolean
+        // Whether the middle of b's box is so near to a's box that all of b's own axes overlap.
+        private static function isDeep(pair:BoxPair):Boolean
         {
             var x:Number = pair.offsetX;
             var y:Number = pair.offsetY;
@@ -126,19 +141,30 @@ package starlogo.hierarchy
             var halfY:Number = pair.aHalfY;
             var halfZ:Number = pair.aHalfZ;
             include "../intersection/squaredToBox.inc";
-            return squaredDistance > pair.bHalfX * pair.bHalfX + pair.bHalfY * pair.bHalfY + pair.bHalfZ * pair.bHalfZ;
+            var least:Number = Math.min(pair.bHalfX, pair.bHalfY, pair.bHalfZ);
+            return squaredDistance <= least * least;
         }
 
-        // Whether the right child of a's node is nearer to b's node.
-        private static function isRightNearerOfA(pair:BoxPair, axis:int):Boolean
+        // Returns the child of a node of tree a that is nearer to b's node.
+        private static function nearerChildOfA(pair:BoxPair, tree:BoxTree, node:int):int
         {
+            var axis:int = tree.axisOf(node);
             var along:Number = axis == 0 ? pair.offsetX : (axis == 1 ? pair.offsetY : pair.offsetZ);
-            return along > 0;
+            return along > 0 ? tree.left[node] + 1 : tree.left[node];
         }
 
-        // Whether the right child of b's node is nearer to a's node.
-        private static function isRightNearerOfB(pair:BoxPair, rotation:Placement, axis:int):Boolean
+        // Makes the vector of a pair begin at another node of tree a than before. The boxes' numbers begin at the two indices.
+        private static function beginPairAt(pair:BoxPair, boxes:Vector.<Number>, node:int, before:int):void
         {
+            pair.offsetX += boxes[before] - boxes[node];
+            pair.offsetY += boxes[int(before + 1)] - boxes[int(node + 1)];
+            pair.offsetZ += boxes[int(before + 2)] - boxes[int(node + 2)];
+        }
+
+        // Returns the child of a node of tree b that is nearer to a's node.
+        private static function nearerChildOfB(pair:BoxPair, rotation:Placement, tree:BoxTree, node:int):int
+        {
+            var axis:int = tree.axisOf(node);
             var along:Number = rotation.r02 * pair.offsetX + rotation.r12 * pair.offsetY + rotation.r22 * pair.offsetZ;
             if (axis == 0)
             {
@@ -148,7 +174,7 @@ package starlogo.hierarchy
             {
                 along = rotation.r01 * pair.offsetX + rotation.r11 * pair.offsetY + rotation.r21 * pair.offsetZ;
             }
-            return along < 0;
+            return along < 0 ? tree.left[node] + 1 : tree.left[node];
         }
     }
 }

@@ -82,7 +82,7 @@ package starlogo.queries
             var before:String = answers();
             var stranger:Agent = new Agent("unicorn");
             assertThrows(ArgumentError, /agents must/, _queries.update, null);
-            assertThrows(ArgumentError, /agents\[300\] is null/, _queries.update, _agents.concat(new <Agent>[null]));
+            assertThrows(ArgumentError, /agents\[300\].* null/, _queries.update, _agents.concat(new <Agent>[null]));
             assertThrows(ArgumentError, /agents\[3\] and agents\[300\]/, _queries.update, _agents.concat(new <Agent>[_agents[3]]));
             assertThrows(ArgumentError, /no model "unicorn"/, _queries.update, new <Agent>[_agents[1], stranger, _agents[0]]);
             assertEquals(before, answers());

@@ -118,7 +118,7 @@ package starlogo.geometry.hull
                 fromY = vertices[3 * corners[0] + 1];
                 fromZ = vertices[3 * corners[0] + 2];
             }
-            var axes:Vector.<Number> = this.axes;
+            var found:Vector.<Number> = axes;
             for (var i:int = 3 * first; i < 3 * end; i += 3)
             {
                 var x:Number = vertices[i] - fromX;
@@ -128,7 +128,7 @@ package starlogo.geometry.hull
                 // only distances perpendicular to the axes found so far count
                 for (var k:int = 3 * dimension; k < 9; k += 3)
                 {
-                    var along:Number = x * axes[k] + y * axes[int(k + 1)] + z * axes[int(k + 2)];
+                    var along:Number = x * found[k] + y * found[int(k + 1)] + z * found[int(k + 2)];
                     square += along * along;
                 }
                 if (square > _greatestSquare)

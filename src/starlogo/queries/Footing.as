@@ -16,6 +16,12 @@ package starlogo.queries
         /** The agent that it stands on. If it stands on the ground, this is the ground's agent. It is null if the agent does not stand. */
         public var on:Agent = null;
 
+        /**
+         * What stopped or turned it on its way: an agent that was in its way, or the ground's agent for what is too steep there. If it has met several, this
+         * is the last. It is null if it met nothing, or stepped over what it met. A fall and a push do not count.
+         */
+        public var against:Agent = null;
+
         /** The normal of the surface that it stands on, a unit vector. If the agent does not stand, the normal points up. */
         public var normal:Vector3D = new Vector3D(0, 0, 1);
 
@@ -41,6 +47,7 @@ package starlogo.queries
         {
             stands = other.stands;
             on = other.on;
+            against = other.against;
             part = other.part;
             pushed = other.pushed;
             copyVector(other.normal, normal);
@@ -49,7 +56,8 @@ package starlogo.queries
         /** Its values, for a trace. */
         public function toString():String
         {
-            return "footing " + (stands ? "on " + on + ", normal " + normal : "in the air") + ", part " + part + ", pushed " + pushed;
+            return "footing " + (stands ? "on " + on + ", normal " + normal : "in the air") + (against ? ", against " + against : "") + ", part " + part + ", pushed "
+                + pushed;
         }
     }
 }

@@ -173,7 +173,9 @@ package starlogo.queries
             agent.platformLink ||= new PlatformLink(agent);
             var footing:Footing = walk.footing;
             footing.stands = _walkMover.go(agent.platformLink, walk);
-            footing.on = footing.stands ? _seen.table.list.agentsByRow[walk.floorRow] : null;
+            var agents:Vector.<Agent> = _seen.table.list.agentsByRow;
+            footing.on = footing.stands ? agents[walk.floorRow] : null;
+            footing.against = walk.wallRow >= 0 ? agents[walk.wallRow] : null;
             copyVector(footing.stands ? walk.floorNormal : UP, footing.normal);
             return walk;
         }

@@ -225,6 +225,55 @@ package starlogo.queries
         }
 
         [Test]
+        public function theFootingSaysWhatTheAgentWalksAgainst():void
+        {
+            for each (var name:String in NAMES)
+            {
+                for each (var shape:String in WALKERS)
+                {
+                    var message:String = name + ", " + shape;
+                    var walker:Agent = walkerAt(shape, 0, 0, 0);
+                    var fence:Agent = agentAt("cube", 1.2, 0, 0);
+                    fence.size = 0.2;
+                    var enemy:Agent = agentAt("cube", 3, 0, 0, "enemies");
+                    var agents:Vector.<Agent> = new <Agent>[walker, fence, enemy];
+                    addTiles(agents, -4, 4, flat);
+                    var queries:AgentQueries = queriesOf(name, agents);
+                    var steps:int = 0;
+                    while (walker.x < 2.1 && steps++ < 50)
+                    {
+                        queries.walk(walker, 0.1, 0, _options, _footing);
+                        // it may meet the fence in one walk and step over it in the next
+                        _wrong.addIf(_footing.against != null && _footing.against !== fence, message, "on the way: " + _footing.against);
+                    }
+                    assertTrue(message, walker.x >= 2.1);
+                    queries.walk(walker, 0, 0.1, _options, _footing);
+                    assertNull(message + ": nothing is in its way", _footing.against);
+                    queries.walk(walker, 0.5, -0.1, _options, _footing);
+                    assertStrictlyEquals(message, enemy, _footing.against);
+                    assertTrue(message, _footing.part < 0.6 && _footing.on.breed == "tiles");
+                    assertTrue(message, String(_footing).indexOf("against " + enemy) > 0);
+                    queries.walk(walker, 0, 0, _options, _footing);
+                    assertNull(message + ": it goes nowhere", _footing.against);
+                    // through the air
+                    walker.moveTo(2, 0, 0.4);
+                    queries.moved(walker);
+                    queries.walk(walker, 1, 0, _options, _footing);
+                    assertStrictlyEquals(message + ": in the air", enemy, _footing.against);
+                    // the edge of a terrain's wall is too steep
+                    queries.terrain = new Terrain(9, 9, 1, -4, -4);
+                    queries.terrain.raiseWall(-2, 0, 3);
+                    queries.update(new <Agent>[walker]);
+                    walker.moveTo(-0.6, 0, 0.001);
+                    queries.moved(walker);
+                    queries.walk(walker, -1, 0, _options, _footing);
+                    assertStrictlyEquals(message + ": too steep", queries.terrain.agent, _footing.against);
+                }
+            }
+            _wrong.assertNone();
+        }
+
+        [Test]
         public function withoutFallsItGoesOverACliff():void
         {
             _options.fall = 0;

@@ -96,8 +96,7 @@ function $countStop({ interests, _pairIndices: met }, does, agent, other) {
 	if (stops !== $MANY_STOPS) return;
 	$warn(`a walk of ${name} ${does} ${otherName} and does not touch them, so the handlers of the two never run. `
 		+ `If it should go through them, leave them out: walk(agent, dx, dy, { filter: { exceptBreeds: [${otherName}] } }). `
-		+ `If it should bump into them, ask what is in its way: castAgent(agent, dx, dy, 0, { breeds: [${otherName}] }), `
-		+ "or wouldTouchAt(agent, x, y, z)");
+		+ "If it should bump into them, ask what has stopped it: the Footing's against");
 }
 
 /** The agent that a walk has stopped before. */

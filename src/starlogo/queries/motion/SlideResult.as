@@ -16,8 +16,8 @@ package starlogo.queries.motion
         /** The length of its way, as a fraction of the length of the motion, from 0 to 1. */
         public var fraction:Number = 1;
 
-        /** Whether it met a wall: a surface that was too steep for it. */
-        public var metWall:Boolean = false;
+        /** The row of the last wall that it met, a surface that was too steep for it; -1 if it met none. */
+        public var wallRow:int = -1;
 
         /** The most level contact that it has met: the one with the greatest z of its normal. */
         public var floor:ContactPoint = new ContactPoint();

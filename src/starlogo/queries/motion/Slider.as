@@ -42,7 +42,7 @@ package starlogo.queries.motion
             var core:BodyCore = _state.core;
             var planes:ContactList = _state.planes;
             var impact:Impact = _state.impact;
-            out.metWall = false;
+            out.wallRow = -1;
             out.floorRow = -1;
             _remaining.begin(motion, limits);
             _sweep.startMotion(body, rows, from, _remaining.motion, _state);
@@ -119,7 +119,7 @@ package starlogo.queries.motion
             }
             if (contact.normalZ < limits.walkableZ)
             {
-                out.metWall = true;
+                out.wallRow = impact.row;
                 makeUpright(contact, remaining);
             }
             else if (limits.hasWalls)

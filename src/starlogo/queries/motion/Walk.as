@@ -49,6 +49,9 @@ package starlogo.queries.motion
         public var floorRow:int = -1;
         public var floorNormal:Vector3D = new Vector3D();
 
+        /** The row of the last wall that the agent met and did not step over; -1 if it met none. */
+        public var wallRow:int = -1;
+
         /** What comes of it. */
         public var footing:Footing = new Footing();
 

@@ -141,6 +141,7 @@ package starlogo.queries.motion
             var stands:Boolean = beginsStanding;
             var startX:Number = walk.legStart.x;
             var startY:Number = walk.legStart.y;
+            walk.wallRow = -1;
             for (var i:int = 0; i < walk.legCount; i++)
             {
                 if (i > 0)
@@ -157,7 +158,7 @@ package starlogo.queries.motion
                 {
                     // in the air all surfaces are walls, except of level floors
                     slideAlong(walk, walk.legStart, 0, SlideLimits.LEVEL_Z, _slid);
-                    walk.place.copyFrom(_slid.place);
+                    endLeg(walk);
                 }
             }
             var dx:Number = walk.place.x - startX;
@@ -180,14 +181,24 @@ package starlogo.queries.motion
             var normal:Vector3D = walk.floorNormal;
             var rise:Number = -(normal.x * walk.legMotion.x + normal.y * walk.legMotion.y) / normal.z;
             slideAlong(walk, walk.place, rise, walk.walkableZ, _slid);
-            if (_slid.metWall && stepUp(walk, _slid.place))
+            if (_slid.wallRow >= 0 && stepUp(walk, _slid.place))
             {
                 return true;
             }
-            walk.place.copyFrom(_slid.place);
+            endLeg(walk);
             // the ground may have led up only for a part of the leg: on a ramp, and over the edge of a step
             var height:Number = Math.max(0, walk.place.z - walk.legStart.z);
             return standBelow(walk, walk.place, height + walk.options.snap + walk.closeDepth);
+        }
+
+        // Ends a leg where its slide ended.
+        private function endLeg(walk:Walk):void
+        {
+            walk.place.copyFrom(_slid.place);
+            if (_slid.wallRow >= 0)
+            {
+                walk.wallRow = _slid.wallRow;
+            }
         }
 
         // Tries a leg again a step higher, and goes down again. Returns whether the agent comes farther than to a place without the step, and stands.

@@ -32,7 +32,7 @@ package starlogo.queries.motion
             assertTrue("it met the cube below: " + result.floor.normalZ, Math.abs(result.floor.normalZ - 1) < 1e-9);
             slider.slide(body, body.rows, from, new Vector3D(), SlideLimits.NONE, result);
             assertEquals(-1, result.floorRow);
-            assertEquals(false, result.metWall);
+            assertEquals(-1, result.wallRow);
         }
 
         [Test]

@@ -141,7 +141,8 @@ package starlogo.hierarchy
             var halfY:Number = pair.aHalfY;
             var halfZ:Number = pair.aHalfZ;
             include "../intersection/squaredToBox.inc";
-            var least:Number = Math.min(pair.bHalfX, pair.bHalfY, pair.bHalfZ);
+            var least:Number = pair.bHalfX < pair.bHalfY ? pair.bHalfX : pair.bHalfY;
+            least = pair.bHalfZ < least ? pair.bHalfZ : least;
             return squaredDistance <= least * least;
         }
 

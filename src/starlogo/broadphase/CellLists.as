@@ -62,7 +62,7 @@ package starlogo.broadphase
             }
             for (var i:int = 0; i < members.count; i++)
             {
-                update(members.numbers[i]);
+                update(members.values[i]);
             }
             _entriesLeft = MOST_MOVES * members.count;
         }

@@ -277,7 +277,7 @@ package starlogo.queries
             }
             if (tree.isStale)
             {
-                tree.build(table.list.rows.numbers, table.list.rows.count, points, sizes);
+                tree.build(table.list.rows.values, table.list.rows.count, points, sizes);
             }
             tree.learnBreeds(table.list.agentsByRow);
             return tree;

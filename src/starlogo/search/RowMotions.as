@@ -72,13 +72,13 @@ package starlogo.search
             // rows that have not changed since have no motion any more
             for (var i:int = 0; i < previouslyChanged.count; i++)
             {
-                var row:int = previouslyChanged.numbers[i];
+                var row:int = previouslyChanged.values[i];
                 setMotion(row, 0, 0, 0);
                 haveJumped[row] = false;
             }
             for (i = 0; i < _changed.count; i++)
             {
-                row = _changed.numbers[i];
+                row = _changed.values[i];
                 var agent:Agent = _table.list.agentsByRow[row];
                 haveJumped[row] = !_table.isMotionStart(row, agent);
                 if (!haveJumped[row])
@@ -106,7 +106,7 @@ package starlogo.search
         {
             for (var i:int = 0; i < rows.count; i++)
             {
-                var row:int = rows.numbers[i];
+                var row:int = rows.values[i];
                 if (_table.shapes[row] != null)
                 {
                     _sweeps[row] = !haveJumped[row] && _table.list.agentsByRow[row].isSweeping;

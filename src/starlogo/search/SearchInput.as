@@ -85,9 +85,9 @@ package starlogo.search
             out.count = 0;
             for (var i:int = 0; i < rows.count; i++)
             {
-                if (isMember(rows.numbers[i], table))
+                if (isMember(rows.values[i], table))
                 {
-                    out.add(rows.numbers[i]);
+                    out.add(rows.values[i]);
                 }
             }
         }

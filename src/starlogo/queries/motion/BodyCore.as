@@ -90,7 +90,7 @@ package starlogo.queries.motion
             moving = body;
             for (var i:int = 0; i < rows.count; i++)
             {
-                var other:Body = body.bodyOf(rows.numbers[i]);
+                var other:Body = body.bodyOf(rows.values[i]);
                 if (other.form == ModelShape.GROUND)
                 {
                     cell = other.shape.grid.cellWidth;

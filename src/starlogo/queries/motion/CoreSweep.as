@@ -104,7 +104,7 @@ package starlogo.queries.motion
             var end:int = hasLength(motion) ? rows.count : 0;
             for (var i:int = 0; i < end && out.comparedTime > 0; i++)
             {
-                if (findImpact(core, rows.numbers[i], from, motion, countsInside, _met) && _met.comparedTime < out.comparedTime)
+                if (findImpact(core, rows.values[i], from, motion, countsInside, _met) && _met.comparedTime < out.comparedTime)
                 {
                     out.copyFrom(_met);
                 }

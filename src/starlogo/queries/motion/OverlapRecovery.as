@@ -97,7 +97,7 @@ package starlogo.queries.motion
             _core.beginStanding(body, place);
             for (var i:int = 0; i < body.rows.count; i++)
             {
-                if (measureOverlap(_core, body.rows.numbers[i], place, _contact))
+                if (measureOverlap(_core, body.rows.values[i], place, _contact))
                 {
                     sum += _contact.depth;
                     if (_contact.depth > deepest.depth)
@@ -119,7 +119,7 @@ package starlogo.queries.motion
             pushes.clear();
             for (var i:int = 0; freeInTurn < rows.count; i++)
             {
-                var row:int = rows.numbers[int(i % rows.count)];
+                var row:int = rows.values[int(i % rows.count)];
                 var separates:Boolean = i >= FIRST_SEPARATING_ROUND * rows.count;
                 freeInTurn++;
                 if (clearsTouches ? findPushOff(core, row, place, separates, last, _contact) : findPushOut(core, row, place, separates, last, _contact))
@@ -147,7 +147,7 @@ package starlogo.queries.motion
             var i:int = 0;
             while (i < obstacles.count)
             {
-                var row:int = obstacles.numbers[i];
+                var row:int = obstacles.values[i];
                 var isOverlapped:Boolean = state.core.coreTouches(row, state.from);
                 if (isOverlapped && (state.core.moving.passesOneWayAt(row, state.from) || addPlane(row, state, alsoShallow)))
                 {

@@ -95,7 +95,7 @@ package starlogo.queries.motion
             // what stops the body at once does not end the loop, because a row behind it may push the body
             for (var i:int = 0; i < body.rows.count; i++)
             {
-                var row:int = body.rows.numbers[i];
+                var row:int = body.rows.values[i];
                 findTouch(body, row, start, _alone, _touch);
                 // the row alone pushes the body, or stops it at once in a shallow overlap
                 mayPush ||= !_alone.from.equals(start.from) || (_touch.time == 0 && !_touch.hasPlanes);

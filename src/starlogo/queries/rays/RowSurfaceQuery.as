@@ -63,7 +63,7 @@ package starlogo.queries.rays
             _surfaces.find(_crossings, areTriangles);
             for (var i:int = 0; i < _surfaces.indices.count; i++)
             {
-                _crossings.readEntry(_surfaces.indices.numbers[i], _entry);
+                _crossings.readEntry(_surfaces.indices.values[i], _entry);
                 if (isGround ? _entry.distance <= ray.to : RowRayQuery.bringBack(_entry, _inModel, body.placement, ray))
                 {
                     out.addEntry(row, ray, _entry);

@@ -112,7 +112,7 @@ package starlogo.queries.trees
         {
             // _rows.add() written out: it would be one call more for each row
             var at:int = _rows.count;
-            _rows.numbers[at] = row;
+            _rows.values[at] = row;
             _rows.keys[at] = key;
             _rows.count = at + 1;
             if (_rows.count == _dropAt)
@@ -166,9 +166,9 @@ package starlogo.queries.trees
                 var key:Number = _rows.keys[i];
                 if (key < bound)
                 {
-                    var row:int = _rows.numbers[i];
+                    var row:int = _rows.values[i];
                     move(end, i);
-                    _rows.numbers[end] = row;
+                    _rows.values[end] = row;
                     _rows.keys[end] = key;
                     end++;
                 }
@@ -200,7 +200,7 @@ package starlogo.queries.trees
 
         private function move(from:int, to:int):void
         {
-            _rows.numbers[to] = _rows.numbers[from];
+            _rows.values[to] = _rows.values[from];
             _rows.keys[to] = _rows.keys[from];
         }
 
@@ -228,7 +228,7 @@ package starlogo.queries.trees
         /** A row of the answer. */
         public function rowAt(index:int):int
         {
-            return _rows.numbers[index];
+            return _rows.values[index];
         }
 
         // The agent of a row of the answer.

@@ -281,7 +281,7 @@ package starlogo.search.table
         // and returns false. It compares agents and rows on the way, because a second loop would read all of them again.
         private function tryFindChanged(agents:Vector.<Agent>, listed:IntList):Boolean
         {
-            var rows:Vector.<int> = listed.numbers;
+            var rows:Vector.<int> = listed.values;
             var byRow:Vector.<Agent> = list.agentsByRow;
             var seen:Vector.<int> = revisions;
             var bodiesSeen:Vector.<int> = _bodyRevisions;
@@ -318,7 +318,7 @@ package starlogo.search.table
         {
             for (var i:int = 0; i < leftOrReordered.count; i++)
             {
-                var row:int = leftOrReordered.numbers[i];
+                var row:int = leftOrReordered.values[i];
                 if (list.agentsByRow[row] == null)
                 {
                     shapes[row] = null;
@@ -327,7 +327,7 @@ package starlogo.search.table
             }
             for (i = 0; i < list.rows.count; i++)
             {
-                _bodies[list.rows.numbers[i]].rank = i;
+                _bodies[list.rows.values[i]].rank = i;
             }
         }
 
@@ -360,7 +360,7 @@ package starlogo.search.table
             }
             for (var i:int = 0; i < reshaped.count; i++)
             {
-                out[i] = _choice.shapeOf(list.agentsByRow[reshaped.numbers[i]]);
+                out[i] = _choice.shapeOf(list.agentsByRow[reshaped.values[i]]);
             }
         }
 
@@ -369,11 +369,11 @@ package starlogo.search.table
         {
             for (var i:int = 0; i < _reshaped.count; i++)
             {
-                var before:ModelShape = shapes[_reshaped.numbers[i]];
+                var before:ModelShape = shapes[_reshaped.values[i]];
                 var next:ModelShape = _newShapes[i];
                 if (before == null || next == null || next.modelName != before.modelName)
                 {
-                    _startRevisions[_reshaped.numbers[i]] = NO_START;
+                    _startRevisions[_reshaped.values[i]] = NO_START;
                 }
             }
         }
@@ -383,7 +383,7 @@ package starlogo.search.table
         {
             for (var i:int = 0; i < changed.count; i++)
             {
-                var row:int = changed.numbers[i];
+                var row:int = changed.values[i];
                 var agent:Agent = list.agentsByRow[row];
                 _startRevisions[row] = agent.revision;
                 breeds[row] = agent.breedNumber;
@@ -439,7 +439,7 @@ package starlogo.search.table
             var loading:int = 0;
             for (var i:int = 0; i < reshaped.count; i++)
             {
-                takeShape(reshaped.numbers[i], found[i]);
+                takeShape(reshaped.values[i], found[i]);
                 if (found[i] == null)
                 {
                     loading++;

@@ -98,7 +98,7 @@ package starlogo.search.table
             }
             for (var i:int = 0; i < rows.count; i++)
             {
-                if (agentsByRow[rows.numbers[i]] !== list[i])
+                if (agentsByRow[rows.values[i]] !== list[i])
                 {
                     return false;
                 }
@@ -118,8 +118,8 @@ package starlogo.search.table
                 freeUnlisted();
             }
             isAccepted = false;
-            var listed:Vector.<int> = rows.numbers;
-            var to:Vector.<int> = proposed.numbers;
+            var listed:Vector.<int> = rows.values;
+            var to:Vector.<int> = proposed.values;
             _inProposed.clear(rowCapacity);
             for (var i:int = 0; i < list.length; i++)
             {
@@ -154,9 +154,9 @@ package starlogo.search.table
             addReordered(out);
             for (var i:int = 0; i < rows.count; i++)
             {
-                if (!_inProposed.has(rows.numbers[i]))
+                if (!_inProposed.has(rows.values[i]))
                 {
-                    out.add(rows.numbers[i]);
+                    out.add(rows.values[i]);
                 }
             }
         }
@@ -166,9 +166,9 @@ package starlogo.search.table
         {
             for (var i:int = 0; i < rows.count; i++)
             {
-                if (!_inProposed.has(rows.numbers[i]))
+                if (!_inProposed.has(rows.values[i]))
                 {
-                    free(rows.numbers[i]);
+                    free(rows.values[i]);
                 }
             }
             var before:IntList = rows;
@@ -176,7 +176,7 @@ package starlogo.search.table
             proposed = before;
             for (i = 0; i < rows.count; i++)
             {
-                ranks[rows.numbers[i]] = i;
+                ranks[rows.values[i]] = i;
             }
             ranks[GROUND_ROW] = rows.count;
             ranks[EDGES_ROW] = rows.count + 1;
@@ -209,7 +209,7 @@ package starlogo.search.table
                 addRows();
             }
             _free.count--;
-            var row:int = _free.numbers[_free.count];
+            var row:int = _free.values[_free.count];
             agentsByRow[row] = agent;
             ranks[row] = UNLISTED;
             _rowsById.set (agent.idNumber, 0, row);
@@ -234,7 +234,7 @@ package starlogo.search.table
             var end:int = 0;
             for (var i:int = 0; i < proposed.count; i++)
             {
-                var row:int = proposed.numbers[i];
+                var row:int = proposed.values[i];
                 var rank:int = ranks[row];
                 if (rank == UNLISTED)
                 {

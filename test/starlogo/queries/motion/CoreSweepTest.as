@@ -59,7 +59,7 @@ package starlogo.queries.motion
                 {
                     var alone:Impact = new Impact();
                     row.count = 0;
-                    row.add(body.rows.numbers[k]);
+                    row.add(body.rows.values[k]);
                     if (new CoreSweep().findFirstImpact(core, row, from, motion, false, alone) && alone.comparedTime < expected.comparedTime)
                     {
                         expected = alone;

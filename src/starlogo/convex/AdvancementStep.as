@@ -9,7 +9,7 @@ package starlogo.convex
     public final class AdvancementStep
     {
         /** How many steps a sweep makes at most: see advance(). */
-        public static const MOST_STEPS:int = 80;
+        public static const MAX_STEPS:int = 80;
 
         /** The gap between the two shapes along a direction that keeps them apart. No gap is left if it is not above 0. */
         public var gap:Number = 0;

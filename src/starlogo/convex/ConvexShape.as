@@ -254,8 +254,8 @@ package starlogo.convex
                     high = projection > high ? projection : high;
                 }
             }
-            out.least = low;
-            out.greatest = high;
+            out.min = low;
+            out.max = high;
         }
 
         private function setOrigin(at:Vector3D):void

@@ -39,8 +39,8 @@ package starlogo.ground
         private var _halfZ:Number = 0;
 
         private var _separation:SquareSeparation = new SquareSeparation();
-        private var _least:Vector3D = new Vector3D();
-        private var _greatest:Vector3D = new Vector3D();
+        private var _min:Vector3D = new Vector3D();
+        private var _max:Vector3D = new Vector3D();
 
         /** Begins with a search, which is kept. */
         public function begin(search:GroundSearch):void
@@ -56,7 +56,7 @@ package starlogo.ground
             // the margins are fractions of the triangles' sizes, and so of the cell's width and the heights
             var whole:HeightBounds = grid.pyramid.whole;
             slack = ROUNDED_TERMS * Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(box.y) + Math.abs(box.z) + box.halfX + box.halfY + box.halfZ
-                    + Math.abs(alongX.cellsBegin) + Math.abs(alongY.cellsBegin) + Math.abs(zeroHeight) + grid.cellWidth + whole.greatest - whole.least
+                    + Math.abs(alongX.cellsBegin) + Math.abs(alongY.cellsBegin) + Math.abs(zeroHeight) + grid.cellWidth + whole.max - whole.min
                     + _latest * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z)));
             alongX.middle = box.x;
             alongX.half = box.halfX * Tolerances.OUTER + slack;
@@ -145,8 +145,8 @@ package starlogo.ground
             var end:Number = search.box.z + passage.to * search.motion.z;
             // a triangle beside the box must be nearer in height to be near enough
             var up:Number = Math.sqrt(Math.max(0, search.maxDistance * search.maxDistance - passage.besideSquared));
-            passage.least = Math.min(start, end) - _halfZ - up;
-            passage.greatest = Math.max(start, end) + _halfZ + up;
+            passage.min = Math.min(start, end) - _halfZ - up;
+            passage.max = Math.max(start, end) + _halfZ + up;
         }
 
         // Narrows a passage to the part in which the box is over a column or a row. If the box does not move along this axis, it is near enough to the
@@ -178,9 +178,9 @@ package starlogo.ground
             var width:Number = widthAt(level);
             var x:Number = alongX.cellsBegin + column * width;
             var y:Number = alongY.cellsBegin + row * width;
-            _least.setTo(x - slack, y - slack, heights.least - slack);
-            _greatest.setTo(x + width + slack, y + width + slack, heights.greatest + slack);
-            return _separation.isFarther(search, _least, _greatest);
+            _min.setTo(x - slack, y - slack, heights.min - slack);
+            _max.setTo(x + width + slack, y + width + slack, heights.max + slack);
+            return _separation.isFarther(search, _min, _max);
         }
     }
 }

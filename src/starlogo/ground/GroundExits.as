@@ -41,7 +41,7 @@ package starlogo.ground
                 return 0;
             }
             // all of the ground around is at least as high as its least height, and no slope leads to the point faster than the steepest
-            var least:Number = Math.max(0, _heightsAround.least - _deepest.z);
+            var least:Number = Math.max(0, _heightsAround.min - _deepest.z);
             if (grid.isBlocky)
             {
                 return least;

@@ -63,7 +63,7 @@ package starlogo.ground
             search.motion.earliest = motion.earliest;
             search.motion.latest = motion.latest;
             search.maxDistance = maxDistance;
-            search.leastDepth = 0;
+            search.minDepth = 0;
         }
 
         /** Goes on to the next triangle near the piece, or near the next piece that has one. Returns false if there is none. */

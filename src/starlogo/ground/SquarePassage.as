@@ -14,8 +14,8 @@ package starlogo.ground
         public var besideSquared:Number = 0;
 
         /** Triangles between these heights count: where the box is then, or as near as the limits of the search say. */
-        public var least:Number = 0;
-        public var greatest:Number = 0;
+        public var min:Number = 0;
+        public var max:Number = 0;
 
         /** Becomes the whole motion until its latest time. The heights are left. */
         public function begin(latest:Number):void

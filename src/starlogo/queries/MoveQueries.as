@@ -39,7 +39,7 @@ package starlogo.queries
         private static const SLOPE_ROUNDING:Number = 1e-9;
 
         // A leg of a walk is as long as the agent, or longer if the walk would have more legs than this.
-        private static const MOST_LEGS:int = 64;
+        private static const MAX_LEGS:int = 64;
 
         private static const UP:Vector3D = new Vector3D(0, 0, 1);
 
@@ -188,7 +188,7 @@ package starlogo.queries
             var length:Number = Math.sqrt(dx * dx + dy * dy);
             out.options = options;
             out.walkableZ = (1 - SLOPE_ROUNDING) * Trigonometry.cosine(options.slopeDegrees);
-            out.legCount = Math.min(MOST_LEGS, Math.max(1, Math.ceil(length / size)));
+            out.legCount = Math.min(MAX_LEGS, Math.max(1, Math.ceil(length / size)));
             out.legMotion.setTo(dx / out.legCount, dy / out.legCount, 0);
             out.legLength = length / out.legCount;
         }

@@ -229,13 +229,13 @@ package starlogo.search
         }
 
         /** Half of the largest extent. */
-        public function get largestHalf():Number
+        public function get maxHalf():Number
         {
             return Math.max(halfX, Math.max(halfY, halfZ));
         }
 
         /** Half of the smallest extent. */
-        public function get leastHalf():Number
+        public function get minHalf():Number
         {
             return Math.min(halfX, Math.min(halfY, halfZ));
         }

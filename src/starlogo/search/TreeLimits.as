@@ -33,7 +33,7 @@ package starlogo.search
         public function depthOf(body:Body):int
         {
             var depth:int = body.depthLimit == 0 ? maxDepth : body.depthLimit;
-            return exact || depth > BoxTree.LARGEST_DEPTH ? BoxTree.LARGEST_DEPTH : depth;
+            return exact || depth > BoxTree.MAX_DEPTH ? BoxTree.MAX_DEPTH : depth;
         }
     }
 }

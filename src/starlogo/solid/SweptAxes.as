@@ -17,7 +17,7 @@ package starlogo.solid
         private static const PER_AXIS:int = 6;
 
         // The largest number of axes, which a box or a hull has: two for each of three directions. A capsule has three, a sphere one.
-        private static const MOST_AXES:int = 6;
+        private static const MAX_AXES:int = 6;
 
         // The shape, how far its core may be from a triangle that it touches, and its motion.
         private var _shape:ConvexShape;
@@ -25,7 +25,7 @@ package starlogo.solid
         private var _motion:RelativeMotion;
 
         // The numbers of all axes, and their end.
-        private var _axes:Vector.<Number> = new Vector.<Number>(PER_AXIS * MOST_AXES, true);
+        private var _axes:Vector.<Number> = new Vector.<Number>(PER_AXIS * MAX_AXES, true);
         private var _end:int = 0;
 
         // The axis that is added, and how far the core extends along it.
@@ -104,8 +104,8 @@ package starlogo.solid
             axes[at] = _axis.x;
             axes[int(at + 1)] = _axis.y;
             axes[int(at + 2)] = _axis.z;
-            axes[int(at + 3)] = origin + _ofShape.least - radius;
-            axes[int(at + 4)] = origin + _ofShape.greatest + radius;
+            axes[int(at + 3)] = origin + _ofShape.min - radius;
+            axes[int(at + 4)] = origin + _ofShape.max + radius;
             axes[int(at + 5)] = travel;
             _end = at + PER_AXIS;
         }

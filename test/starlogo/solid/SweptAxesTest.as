@@ -82,7 +82,7 @@ package starlogo.solid
                     var axis:Vector3D = along.crossProduct(motion);
                     axis.normalize();
                     box.project(axis, extent);
-                    var height:Number = 1.001 * extent.greatest;
+                    var height:Number = 1.001 * extent.max;
                     var corner:Vector3D = new Vector3D(motion.x / 2 + height * axis.x, motion.y / 2 + height * axis.y, motion.z / 2 + height * axis.z);
                     _corners = new <Number>[corner.x, corner.y, corner.z, corner.x + 1e-3 * along.x, corner.y + 1e-3 * along.y, corner.z + 1e-3 * along.z,
                             corner.x + 1e-3 * motion.x, corner.y + 1e-3 * motion.y, corner.z + 1e-3 * motion.z];

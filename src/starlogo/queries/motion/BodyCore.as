@@ -32,8 +32,8 @@ package starlogo.queries.motion
 
         // The least half-extent of the body loses a slop, and the others lose in proportion. For a slim body, a tenth of its largest half-extent
         // takes the place of the least one. So no half-extent loses more than ten slops. The body loses at most half of its size.
-        private static const MOST_SLIMNESS:Number = 10;
-        private static const MOST_SHRINK:Number = 0.5;
+        private static const MAX_SLIMNESS:Number = 10;
+        private static const MAX_SHRINK:Number = 0.5;
 
         // The factor by which the inset grows until the core is free.
         private static const NARROWING:Number = 4;
@@ -65,7 +65,7 @@ package starlogo.queries.motion
         private var _inset:Number = 0;
 
         // The largest inset that the motion may have. With it the core is free of every shallow overlap.
-        private var _mostInset:Number = 0;
+        private var _maxInset:Number = 0;
 
         // The core where it was asked for last, and this place.
         private var _core:Body = new Body();
@@ -95,14 +95,14 @@ package starlogo.queries.motion
                 {
                     cell = other.shape.grid.cellWidth;
                 }
-                largest = Math.max(largest, 2 * other.largestHalf);
+                largest = Math.max(largest, 2 * other.maxHalf);
             }
             slop = SLOP_OF_EXTENT * extent + SLOP_OF_OTHERS * largest + SLOP_OF_PLACES * (Math.abs(from.x) + Math.abs(from.y) + Math.abs(from.z))
                 + SLOP_OF_MOTION * (cell + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             clearance = slop / 4;
-            _mostInset = slop + SHALLOW * largest;
+            _maxInset = slop + SHALLOW * largest;
             setInset(slop);
-            isFlat = shrink * body.whole.leastHalf < FLAT_SLOPS * slop;
+            isFlat = shrink * body.whole.minHalf < FLAT_SLOPS * slop;
         }
 
         /** Becomes the core of a body that stands at a place, among its rows. */
@@ -120,9 +120,9 @@ package starlogo.queries.motion
         public function narrow(row:int, place:Vector3D):Boolean
         {
             var inset:Number = _inset;
-            while (_inset < _mostInset)
+            while (_inset < _maxInset)
             {
-                setInset(Math.min(NARROWING * _inset, _mostInset));
+                setInset(Math.min(NARROWING * _inset, _maxInset));
                 if (!coreTouches(row, place))
                 {
                     return true;
@@ -197,8 +197,8 @@ package starlogo.queries.motion
         // The part of its size that a body loses with an inset.
         private static function shrinkOf(body:Body, inset:Number):Number
         {
-            var taken:Number = inset / Math.max(body.leastHalf, body.largestHalf / MOST_SLIMNESS);
-            return taken < MOST_SHRINK ? taken : MOST_SHRINK;
+            var taken:Number = inset / Math.max(body.minHalf, body.maxHalf / MAX_SLIMNESS);
+            return taken < MAX_SHRINK ? taken : MAX_SHRINK;
         }
     }
 }

@@ -136,7 +136,7 @@ package starlogo.queries.motion
         /** Its largest extent. */
         public function get extent():Number
         {
-            return 2 * whole.largestHalf;
+            return 2 * whole.maxHalf;
         }
 
         /**
@@ -216,7 +216,7 @@ package starlogo.queries.motion
         /** The larger extent of the body and another. That of the ground is 0. */
         public function extentWith(other:Body):Number
         {
-            return Math.max(2 * other.largestHalf, extent);
+            return Math.max(2 * other.maxHalf, extent);
         }
 
         /**

@@ -24,7 +24,7 @@ package starlogo.queries.motion
      */
     public final class OverlapRecovery
     {
-        private static const MOST_ROUNDS:int = 30;
+        private static const MAX_ROUNDS:int = 30;
 
         // The depth of a push out of an overlap that is not shallow. No push leads out of it.
         private static const TOO_DEEP:Number = Infinity;
@@ -124,7 +124,7 @@ package starlogo.queries.motion
                 freeInTurn++;
                 if (clearsTouches ? findPushOff(core, row, place, separates, last, _contact) : findPushOut(core, row, place, separates, last, _contact))
                 {
-                    if (i >= MOST_ROUNDS * rows.count || !(_contact.depth < TOO_DEEP) || leadsBack(_contact, last))
+                    if (i >= MAX_ROUNDS * rows.count || !(_contact.depth < TOO_DEEP) || leadsBack(_contact, last))
                     {
                         place.copyFrom(_before);
                         pushes.clear();

@@ -19,7 +19,7 @@ package starlogo.queries.motion
         private static const VERTICAL_NORMAL:Number = 1e-20;
 
         // A slide turns at this many contacts at most.
-        private static const MOST_CONTACTS:int = 8;
+        private static const MAX_CONTACTS:int = 8;
 
         private var _sweep:CoreSweep = new CoreSweep();
 
@@ -59,7 +59,7 @@ package starlogo.queries.motion
             }
             // the planes from this index on belong to the corner where the body is
             var corner:int = planes.count;
-            for (var contacts:int = 0; contacts < MOST_CONTACTS && impact.isMet; contacts++)
+            for (var contacts:int = 0; contacts < MAX_CONTACTS && impact.isMet; contacts++)
             {
                 if (!isInCorner(core, impact, _remaining.motion))
                 {

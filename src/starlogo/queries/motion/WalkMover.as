@@ -23,10 +23,10 @@ package starlogo.queries.motion
         private static const CLOSE_DEPTH:Number = 1e-6;
 
         // The least way down of a fall with the slide after it. A shorter one is undone. A part of the extent.
-        private static const LEAST_FALL:Number = 1e-8;
+        private static const MIN_FALL:Number = 1e-8;
 
         // The most pushes out of what the agent overlaps where a walk begins.
-        private static const MOST_PUSHES:int = 8;
+        private static const MAX_PUSHES:int = 8;
 
         private var _slider:Slider = new Slider();
         private var _recovery:OverlapRecovery = new OverlapRecovery();
@@ -132,7 +132,7 @@ package starlogo.queries.motion
                 walk.place.copyFrom(_slid.place);
                 pushes++;
             }
-            while (pushes < MOST_PUSHES && left > 0 && _recovery.measureOverlaps(walk.body, walk.place, walk.deepest) > 0);
+            while (pushes < MAX_PUSHES && left > 0 && _recovery.measureOverlaps(walk.body, walk.place, walk.deepest) > 0);
         }
 
         // Goes all legs: along the ground if the agent stands, else straight on through the air. Returns whether it stands at the end.
@@ -274,7 +274,7 @@ package starlogo.queries.motion
                 return true;
             }
             slideDown(walk, _fallen, Math.min(left, depthAfterFall(walk)), widthAfterFall(walk), _slid);
-            if (!(walk.place.z - _slid.place.z < LEAST_FALL * walk.body.extent))
+            if (!(walk.place.z - _slid.place.z < MIN_FALL * walk.body.extent))
             {
                 walk.place.copyFrom(_slid.place);
             }

@@ -176,7 +176,7 @@ package starlogo.search.pairs
         // The largest gap between a body and an edge that still counts as a touch.
         private static function toleranceOf(body:Body):Number
         {
-            return body.margin + Tolerances.ROUNDING * body.largestHalf;
+            return body.margin + Tolerances.ROUNDING * body.maxHalf;
         }
 
         // Finds how far the body is beyond each edge. A tree's own points are computed only for edges that its extents come to, within the
@@ -215,7 +215,7 @@ package starlogo.search.pairs
         // place.
         private static function lengthOfWayBack(penetration:Number, isDeepest:Boolean, body:Body):Number
         {
-            var half:Number = body.largestHalf == 0 ? 1 : body.largestHalf;
+            var half:Number = body.maxHalf == 0 ? 1 : body.maxHalf;
             var slack:Number = Tolerances.SEPARATION / 5 * half;
             var depth:Number = Math.max(0, penetration);
             return isDeepest ? Math.max(depth, slack) : depth + slack;

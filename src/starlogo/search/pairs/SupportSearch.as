@@ -60,7 +60,7 @@ package starlogo.search.pairs
             if (body.shape.tree == null)
             {
                 body.shape.structure.shapeInto(_shape);
-                findOfShape(_shape, _direction, Tolerances.SEPARATION * body.largestHalf / at.size, out);
+                findOfShape(_shape, _direction, Tolerances.SEPARATION * body.maxHalf / at.size, out);
             }
             else
             {

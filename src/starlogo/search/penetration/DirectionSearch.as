@@ -29,7 +29,7 @@ package starlogo.search.penetration
         private static const NARROW:Number = 1 / 16;
 
         // The most halvings. After 53 a Number has no more bits to halve.
-        private static const MOST_STEPS:int = 60;
+        private static const MAX_STEPS:int = 60;
 
         // No displacement is longer, in patches. Bodies in the world are free long before it.
         private static const FARTHEST:Number = 1e300;
@@ -171,7 +171,7 @@ package starlogo.search.penetration
                 }
                 between.outer = _tried.distance;
             }
-            for (var i:int = 0; i < MOST_STEPS && between.outer - between.inner > probe; i++)
+            for (var i:int = 0; i < MAX_STEPS && between.outer - between.inner > probe; i++)
             {
                 halve(between);
             }

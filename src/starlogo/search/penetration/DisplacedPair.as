@@ -26,7 +26,7 @@ package starlogo.search.penetration
         private static const ROOM:Number = 100 * Tolerances.SEPARATION;
 
         // The extent of two points at the origin. It is not 0, so all steps are longer than 0.
-        private static const LEAST_EXTENT:Number = 1e-100;
+        private static const MIN_EXTENT:Number = 1e-100;
 
         /** The first body, at the place that is tried. */
         public var first:Body = new Body();
@@ -71,8 +71,8 @@ package starlogo.search.penetration
             first.copyFrom(a);
             first.moveTo(_from);
             roundingGap = _tests.roundingGapOf(a, b);
-            extent = Math.max(_tests.extentOf(a, b), Math.max(roundingGap, LEAST_EXTENT));
-            tolerance = Math.max(_tests.depthToleranceOf(a, b), Tolerances.SEPARATION * LEAST_EXTENT);
+            extent = Math.max(_tests.extentOf(a, b), Math.max(roundingGap, MIN_EXTENT));
+            tolerance = Math.max(_tests.depthToleranceOf(a, b), Tolerances.SEPARATION * MIN_EXTENT);
         }
 
         /**

@@ -21,7 +21,7 @@ package starlogo.search.penetration
     {
         // No other way is tried if each exit is at least this fraction of the push. Smaller: contacts are longer. Larger: most searches in smooth ground
         // try all places.
-        private static const LEAST_SHARE:Number = 0.68;
+        private static const MIN_RATIO:Number = 0.68;
 
         private var _pair:DisplacedPair;
         private var _directions:DirectionSearch;
@@ -108,7 +108,7 @@ package starlogo.search.penetration
         // Whether a contact whose deepest point is of the first body shows that each exit is at least a share of a depth.
         private function areExitsLong(contact:ContactPoint, depth:Number):Boolean
         {
-            var least:Number = LEAST_SHARE * depth;
+            var least:Number = MIN_RATIO * depth;
             return contact.exitBound >= least || contact.isDeepestOfA && _groundExits.boundOf(_pair.second.shape.grid, contact, depth) >= least;
         }
 

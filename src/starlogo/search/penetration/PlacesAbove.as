@@ -23,7 +23,7 @@ package starlogo.search.penetration
         private static const TURN_Y:Number = 0.6754902942615238;
 
         // The most planes that the body slides along before it forgets them. Three meet in one place.
-        private static const MOST_PLANES:int = 3;
+        private static const MAX_PLANES:int = 3;
 
         private var _pair:DisplacedPair;
 
@@ -158,7 +158,7 @@ package starlogo.search.penetration
             var z:Number = _shortest * _free.z;
             _planes.begin();
             _target.setToNone();
-            for (var i:int = 0; i < MOST_PLANES && _target.length < _shortest; i++)
+            for (var i:int = 0; i < MAX_PLANES && _target.length < _shortest; i++)
             {
                 _tried.setDirection(_target.displacement.x, _target.displacement.y, _target.displacement.z);
                 _tried.distance = 1;

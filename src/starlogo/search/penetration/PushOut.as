@@ -15,17 +15,17 @@ package starlogo.search.penetration
     internal final class PushOut
     {
         // The most contacts that a push leads out of. Three are the sides of a corner; others were met before them.
-        private static const MOST_CONTACTS:int = 6;
+        private static const MAX_CONTACTS:int = 6;
 
         // How much farther than its depth a push leads out of each contact, as a fraction of SEPARATION. This is more than the gap across which
         // surfaces touch.
         private static const SLACK:Number = 0.001;
 
         // The most searches between two calls of begin().
-        private static const MOST_SEARCHES:int = 2;
+        private static const MAX_SEARCHES:int = 2;
 
         /** Where the pushes end that do not free the body, in all searches since <code>begin()</code>: x and y of each. Read only. */
-        public var blockedPlaces:Vector.<Number> = new Vector.<Number>(2 * MOST_CONTACTS * MOST_SEARCHES, true);
+        public var blockedPlaces:Vector.<Number> = new Vector.<Number>(2 * MAX_CONTACTS * MAX_SEARCHES, true);
 
         /** The end of the numbers of <code>blockedPlaces</code>. Read only. */
         public var blockedEnd:int = 0;
@@ -84,7 +84,7 @@ package starlogo.search.penetration
             _push.setToNone();
             _pair.putBack();
             add(first);
-            while (_push.length <= most && _push.length < Infinity && count <= MOST_CONTACTS)
+            while (_push.length <= most && _push.length < Infinity && count <= MAX_CONTACTS)
             {
                 if (!goToBlocked(_tried))
                 {

@@ -142,7 +142,7 @@ package starlogo.solid.interior
         // Whether more points decide about a shell. One point decides if too many crossings are counted, as in models with very many nested shells.
         private function isUndecided(closed:ClosedShell):Boolean
         {
-            return closed.enclosing == null || closed.enclosing.length > 0 && _countedCrossings < WindingCounter.MOST_CROSSINGS_PER_TRIANGLE * _mesh.tree.itemCount;
+            return closed.enclosing == null || closed.enclosing.length > 0 && _countedCrossings < WindingCounter.MAX_CROSSINGS_PER_TRIANGLE * _mesh.tree.itemCount;
         }
 
         // Finds the shells that enclose a point of a triangle of a shell: near a corner, or in the middle, and a little inside of the shell. readTriangle()

@@ -20,7 +20,7 @@ package starlogo.solid.interior
         private static const NON_MANIFOLD_PER_STEP:int = 100;
 
         // How many waiting edges are tried for an edge: see matchSome().
-        private static const MOST_TRIED:int = 8;
+        private static const MAX_TRIED:int = 8;
 
         // How lax a pass of matching is. It may match edges that run in opposite directions, of triangles with different third corners; opposite edges of
         // any triangles, so of copies of one too; or any edges.
@@ -231,7 +231,7 @@ package starlogo.solid.interior
             matchSome(matchSome(matchSome(rest, STRICT), WITH_COPIES), ANY);
         }
 
-        // Matches each edge with the first waiting edge before it that a pass as lax as this may match with it. Only the first MOST_TRIED of the waiting
+        // Matches each edge with the first waiting edge before it that a pass as lax as this may match with it. Only the first MAX_TRIED of the waiting
         // edges are tried, so the cost is linear. Returns the edges that are left.
         private function matchSome(edges:Array, laxity:int):Array
         {
@@ -240,7 +240,7 @@ package starlogo.solid.interior
             for each (var edge:int in edges)
             {
                 var at:int = next;
-                var end:int = Math.min(waiting.length, next + MOST_TRIED);
+                var end:int = Math.min(waiting.length, next + MAX_TRIED);
                 while (at < end && neededLaxity(waiting[at], edge) > laxity)
                 {
                     at++;

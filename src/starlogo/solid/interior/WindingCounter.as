@@ -22,7 +22,7 @@ package starlogo.solid.interior
          * How many crossings are counted at most while a surface is explored, as a multiple of its number of triangles. In a model of many nested shells
          * each point has to be tested with many of them, so the work would grow with the square of the triangles.
          */
-        internal static const MOST_CROSSINGS_PER_TRIANGLE:int = 20;
+        internal static const MAX_CROSSINGS_PER_TRIANGLE:int = 20;
 
         // This many triangles, or up to twice as many, say where most of them are.
         private static const SAMPLES:int = 1000;

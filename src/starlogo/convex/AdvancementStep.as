@@ -24,13 +24,13 @@ package starlogo.convex
         public var count:int = 0;
 
         /** The time of an earlier step at which the shapes touched, but only across the margins; RelativeMotion.NEVER if there was none. */
-        public var lastTouch:Number = RelativeMotion.NEVER;
+        public var marginTouchTime:Number = RelativeMotion.NEVER;
 
         /** Begins with the first step. */
         public function begin():void
         {
             count = 0;
-            lastTouch = RelativeMotion.NEVER;
+            marginTouchTime = RelativeMotion.NEVER;
         }
     }
 }

@@ -18,20 +18,20 @@ package starlogo.convex
      */
     public function advance(step:AdvancementStep, motion:RelativeMotion):Boolean
     {
-        var wasTouching:Boolean = step.lastTouch != RelativeMotion.NEVER;
+        var wasTouching:Boolean = step.marginTouchTime != RelativeMotion.NEVER;
         if (step.isTouching)
         {
             if (wasTouching || motion.time == 0)
             {
                 return false;
             }
-            step.lastTouch = motion.time;
+            step.marginTouchTime = motion.time;
         }
         var next:Number = motion.time + step.gap / step.speed;
         if (wasTouching || !(step.speed > 0 && next > motion.time && next <= motion.latest))
         {
             // the step after a touch has led out of it, or there is none in time
-            motion.time = step.lastTouch;
+            motion.time = step.marginTouchTime;
             return false;
         }
         motion.time = next;

@@ -45,11 +45,11 @@ package starlogo.ground
          * @param structure the structure, or the one around the tree, in the model's space
          * @param placement where the model stands
          * @param depth how many levels of the tree are visited
-         * @param exact whether triangles decide in place of depths, if the tree has triangles
+         * @param isExact whether triangles decide in place of depths, if the tree has triangles
          */
-        public function setTo(grid:HeightGrid, tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int, exact:Boolean):void
+        public function setTo(grid:HeightGrid, tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int, isExact:Boolean):void
         {
-            _pairs.setTo(grid, tree, structure, placement, depth, exact);
+            _pairs.setTo(grid, tree, structure, placement, depth, isExact);
         }
 
         /** @inheritDoc */

@@ -34,13 +34,13 @@ package starlogo.ground
         private var _normal:Vector3D = new Vector3D();
 
         /** Sets the model and the ground, as <code>GroundModelQuery.setTo()</code> takes them. */
-        public function setTo(grid:HeightGrid, tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int, exact:Boolean):void
+        public function setTo(grid:HeightGrid, tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int, isExact:Boolean):void
         {
             search.grid = grid;
             search.origin.x = placement.x;
             search.origin.y = placement.y;
             search.origin.z = placement.z;
-            pieces.setTo(tree, structure, placement, depth, exact);
+            pieces.setTo(tree, structure, placement, depth, isExact);
         }
 
         /** The current triangle of the ground. */

@@ -7,8 +7,8 @@ package starlogo.ground
     internal final class SquarePassage
     {
         /** When the part begins and ends, as multiples of the motion. There is no such part if it ends before it begins. */
-        public var from:Number = 0;
-        public var to:Number = 0;
+        public var earliest:Number = 0;
+        public var latest:Number = 0;
 
         /** The square of how far the box is beside the square all the time, along x and y. */
         public var besideSquared:Number = 0;
@@ -20,8 +20,8 @@ package starlogo.ground
         /** Becomes the whole motion until its latest time. The heights are left. */
         public function begin(latest:Number):void
         {
-            from = 0;
-            to = latest;
+            earliest = 0;
+            this.latest = latest;
             besideSquared = 0;
         }
     }

@@ -211,12 +211,12 @@ package starlogo.queries
             return origin;
         }
 
-        private function begin(wanted:int, origin:Vector3D, direction:Vector3D, maxDistance:Number, filter:AgentFilter):Collector
+        private function begin(maxCount:int, origin:Vector3D, direction:Vector3D, maxDistance:Number, filter:AgentFilter):Collector
         {
             _ray.aim(origin, direction);
             requireNotNegative("maxDistance", maxDistance);
             _ray.to = maxDistance;
-            var collector:Collector = _seen.beginSearch(wanted, maxDistance, null, filter);
+            var collector:Collector = _seen.beginSearch(maxCount, maxDistance, null, filter);
             _search.begin(_seen.treeOfExtents(), _ray.x, _ray.y, _ray.z);
             _search.moveAlong(_ray.directionX, _ray.directionY, _ray.directionZ, maxDistance);
             return collector;

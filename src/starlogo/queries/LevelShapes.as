@@ -99,12 +99,12 @@ package starlogo.queries
          */
         public function get exact():Boolean
         {
-            return choice.narrowPhase.treeLimits.exact;
+            return choice.narrowPhase.treeLimits.isExact;
         }
 
         public function set exact(value:Boolean):void
         {
-            choice.narrowPhase.treeLimits.exact = value;
+            choice.narrowPhase.treeLimits.isExact = value;
         }
 
         /** @private */

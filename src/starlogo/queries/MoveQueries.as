@@ -236,10 +236,10 @@ package starlogo.queries
 
         // Finds the rows that stop a body on a straight way, each as if the others were not there. The filter's accepts is called first, because it may ask
         // other questions, which use the same hits. Returns how many hits there are.
-        private function findStops(body:MovingBody, filter:AgentFilter, wanted:int, first:MotionResult):int
+        private function findStops(body:MovingBody, filter:AgentFilter, maxCount:int, first:MotionResult):int
         {
             body.collectRowsAlong(filter);
-            return _hits.end(_sweep.findTouches(body, wanted, _hits, first));
+            return _hits.end(_sweep.findTouches(body, maxCount, _hits, first));
         }
 
         // Writes how the body touches a row of the answer.

@@ -168,10 +168,10 @@ package starlogo.queries
         }
 
         /** @private Begins the search of a question, and returns what collects its rows: see Collector.begin. */
-        engine function beginSearch(wanted:int, limit:Number, asker:Agent, filter:AgentFilter):Collector
+        engine function beginSearch(maxCount:int, limit:Number, asker:Agent, filter:AgentFilter):Collector
         {
             var collector:Collector = Collector(_collectors.current);
-            collector.begin(wanted, limit, asker, filter);
+            collector.begin(maxCount, limit, asker, filter);
             return collector;
         }
 

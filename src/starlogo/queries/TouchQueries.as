@@ -148,10 +148,10 @@ package starlogo.queries
 
         // Finds the agents that touch a body, sorted by the distances of their places from the body's place. If one is wanted, it may be any that
         // touches. The agent that asks is left out; it may be null. While the body's model is loading it touches nothing.
-        private function find(asker:Agent, body:Body, wanted:int, filter:AgentFilter):Collector
+        private function find(asker:Agent, body:Body, maxCount:int, filter:AgentFilter):Collector
         {
             var table:AgentTable = _seen.table;
-            var collector:Collector = _seen.beginSearch(wanted, Infinity, asker, filter);
+            var collector:Collector = _seen.beginSearch(maxCount, Infinity, asker, filter);
             if (body.shape == null)
             {
                 return collector;

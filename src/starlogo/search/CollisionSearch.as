@@ -130,7 +130,7 @@ package starlogo.search
         // those of the last search.
         private function readInput(input:SearchInput):void
         {
-            table.acceptList(input.agents);
+            table.setList(input.agents);
             if (Agent.haveSwept)
             {
                 _motions.begin(isAnySweeping(input.agents));
@@ -146,7 +146,7 @@ package starlogo.search
             var limits:TreeLimits = narrowPhase.treeLimits;
             // no tree is deeper. If the triangles decide, the depth does not count
             var deepest:int = 1 << 28;
-            var depth:int = limits.exact ? 0 : limits.maxDepth;
+            var depth:int = limits.isExact ? 0 : limits.maxDepth;
             if (depth > deepest)
             {
                 depth = deepest;

@@ -188,7 +188,7 @@ package starlogo.search
         {
             var speed:Number = motion[a] - motion[b];
             _axisMotion.offset = at[a] - at[b] - speed;
-            _axisMotion.travel = speed;
+            _axisMotion.speed = speed;
             _axisMotion.halfExtents = half[a] + half[b];
             return _interval.narrow(_axisMotion);
         }

@@ -100,13 +100,13 @@ package starlogo.solid
             _shape.project(_axis, _ofShape);
             var radius:Number = _quickDistance * _axis.length;
             var origin:Number = _axis.x * _shape.x + _axis.y * _shape.y + _axis.z * _shape.z;
-            var travel:Number = _axis.x * _motion.x + _axis.y * _motion.y + _axis.z * _motion.z;
+            var speed:Number = _axis.x * _motion.x + _axis.y * _motion.y + _axis.z * _motion.z;
             axes[at] = _axis.x;
             axes[int(at + 1)] = _axis.y;
             axes[int(at + 2)] = _axis.z;
             axes[int(at + 3)] = origin + _ofShape.min - radius;
             axes[int(at + 4)] = origin + _ofShape.max + radius;
-            axes[int(at + 5)] = travel;
+            axes[int(at + 5)] = speed;
             _end = at + PER_AXIS;
         }
 

@@ -59,13 +59,13 @@ package starlogo.solid
          *
          * @param depth how many levels of the tree are visited
          * @param structure in b's space
-         * @param exact whether triangles decide in place of the depth, if the tree has triangles
+         * @param isExact whether triangles decide in place of the depth, if the tree has triangles
          * @return this
          */
-        public function setTo(tree:ModelTree, placementA:Placement, depth:int, structure:BoundingStructure, placementB:Placement, exact:Boolean):TreeQuery
+        public function setTo(tree:ModelTree, placementA:Placement, depth:int, structure:BoundingStructure, placementB:Placement, isExact:Boolean):TreeQuery
         {
             _tree = tree;
-            _isExact = exact && tree.hasTriangles;
+            _isExact = isExact && tree.hasTriangles;
             _depth = depth;
             _structure = structure;
             this.placementA = placementA;

@@ -255,9 +255,9 @@ package starlogo.solid
         }
 
         private function treesOverlap(a:ModelTree, placementA:Placement, depthA:int, b:ModelTree, placementB:Placement, depthB:int,
-                exact:Boolean):Boolean
+                isExact:Boolean):Boolean
         {
-            return _trees.setTo(a, placementA, depthA, b, placementB, depthB, exact).areTouching();
+            return _trees.setTo(a, placementA, depthA, b, placementB, depthB, isExact).areTouching();
         }
 
         private function structureOverlaps(a:ModelTree, placementA:Placement, depth:int, structure:BoundingStructure, placementB:Placement):Boolean

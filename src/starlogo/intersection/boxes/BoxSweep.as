@@ -98,7 +98,7 @@ package starlogo.intersection.boxes
         // Sets the pair's time to when the boxes first touch, if they do.
         private function writeTime(areTouching:Boolean, pair:BoxPair):void
         {
-            pair.time = areTouching ? Math.min(_times.touch, _times.last) : RelativeMotion.NEVER;
+            pair.time = areTouching ? Math.min(_times.timeOfImpact, _times.latest) : RelativeMotion.NEVER;
         }
 
         // Narrows the interval by the faces of both. Returns whether anything is left.
@@ -129,11 +129,11 @@ package starlogo.intersection.boxes
         }
 
         // Narrows the interval by an axis, if it is longer than rounding. Returns whether anything is left. @param size at least the length of the axis
-        private function narrow(pair:BoxPair, offset:Number, travel:Number, halfExtents:Number, size:Number):Boolean
+        private function narrow(pair:BoxPair, offset:Number, speed:Number, halfExtents:Number, size:Number):Boolean
         {
             var axis:AxisMotion = _axis;
             axis.offset = offset;
-            axis.travel = travel;
+            axis.speed = speed;
             axis.halfExtents = halfExtents;
             axis.tolerance = pair.tolerance * size;
             return !(size > SHORTEST) || _times.narrow(axis);

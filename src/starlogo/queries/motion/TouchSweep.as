@@ -57,14 +57,14 @@ package starlogo.queries.motion
          * Finds the rows of a body that stop its motion, each as if the others were not there.
          *
          * @param body has begun, and has the motion and the rows near its way
-         * @param wanted how many of the first ones are wanted, or Collector.ALL
+         * @param maxCount how many of the first ones count, or Collector.ALL
          * @param hits receives how the body touches each row
          * @param first receives the answer for the first row, or the free end of the motion
-         * @return the wanted rows, with their times as keys
+         * @return these rows, with their times as keys
          */
-        public function findTouches(body:MovingBody, wanted:int, hits:Hits, first:MotionResult):Collector
+        public function findTouches(body:MovingBody, maxCount:int, hits:Hits, first:MotionResult):Collector
         {
-            var collector:Collector = _seen.beginSearch(wanted, Infinity, null, null);
+            var collector:Collector = _seen.beginSearch(maxCount, Infinity, null, null);
             _start.from.copyFrom(body.from);
             _start.pushes.clear();
             if (addTouches(body, _start, collector, hits, first))
@@ -73,7 +73,7 @@ package starlogo.queries.motion
                 _sweep.startMotion(body, body.rows, body.from, body.motion, _start);
                 if (!_start.from.equals(body.from))
                 {
-                    collector = _seen.beginSearch(wanted, Infinity, null, null);
+                    collector = _seen.beginSearch(maxCount, Infinity, null, null);
                     addTouches(body, _start, collector, hits, first);
                 }
             }

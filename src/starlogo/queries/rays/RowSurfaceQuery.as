@@ -80,7 +80,7 @@ package starlogo.queries.rays
             if (shape.tree != null)
             {
                 var limits:TreeLimits = _seen.narrowPhase.treeLimits;
-                return _trees.findAll(shape.tree, limits.depthOf(body), limits.exact, line, out);
+                return _trees.findAll(shape.tree, limits.depthOf(body), limits.isExact, line, out);
             }
             if (SpanFinder.find(line, shape.structure, _seen.narrowPhase.convexSpans, _span))
             {

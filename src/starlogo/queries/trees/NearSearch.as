@@ -69,7 +69,7 @@ package starlogo.queries.trees
         public function find(cone:Cone = null):Collector
         {
             var collector:Collector = _collector;
-            var asks:Boolean = collector.wanted < Collector.ALL && collector.filter.accepts != null;
+            var asks:Boolean = collector.maxCount < Collector.ALL && collector.filter.accepts != null;
             var asker:int = collector.filter.askerRow;
             var waiting:int = asker < 0 ? push(RowTree.ROOT, 0) : pushBeside(_tree.leafOf(asker));
             while (waiting > 0 && collector.limit >= 0)

@@ -168,7 +168,7 @@ package starlogo.search.pairs
         {
             var shape:ModelShape = a.shape;
             var depth:int = shape.tree == null ? 1 : _limits.depthOf(a);
-            _query.setTo(gridOf(b), shape.tree, shape.structure, a.placement, depth, _limits.exact);
+            _query.setTo(gridOf(b), shape.tree, shape.structure, a.placement, depth, _limits.isExact);
             return _query;
         }
     }

@@ -1,4 +1,4 @@
-// This folder reads the agents of a list into rows. Read this file first, then ListedAgents. acceptList() finds the rows to read, readChanges() reads
+// This folder reads the agents of a list into rows. Read this file first, then ListedAgents. setList() finds the rows to read, readChanges() reads
 // them.
 // This file is long because all that writes the columns of a row is in it.
 package starlogo.search.table
@@ -91,10 +91,10 @@ package starlogo.search.table
             makeRoom();
         }
 
-        /** Reads a list of agents, with the place and the shape that each of them has now. @throws Error as <code>acceptList()</code> does */
+        /** Reads a list of agents, with the place and the shape that each of them has now. @throws Error as <code>setList()</code> does */
         public function read(agents:Vector.<Agent>):void
         {
-            acceptList(agents);
+            setList(agents);
             readChanges();
         }
 
@@ -106,11 +106,11 @@ package starlogo.search.table
          *     listed are then unchanged
          * @throws RangeError if a structure is out of the world. All rows that are listed are then unchanged
          */
-        public function acceptList(agents:Vector.<Agent>):void
+        public function setList(agents:Vector.<Agent>):void
         {
             _choice.forgetReplaced();
             leftOrReordered.count = 0;
-            var isSame:Boolean = list.isAccepted && agents.length == list.rows.count;
+            var isSame:Boolean = list.isCommitted && agents.length == list.rows.count;
             if (isSame)
             {
                 isSame = tryFindChanged(agents, list.rows);
@@ -127,7 +127,7 @@ package starlogo.search.table
             if (!isSame)
             {
                 list.findLeftOrReordered(leftOrReordered);
-                list.accept();
+                list.commitProposed();
                 followList();
             }
             forgetOtherModels();

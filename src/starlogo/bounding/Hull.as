@@ -201,7 +201,7 @@ package starlogo.bounding
         {
             if (_halfSpaces.length == 0)
             {
-                HalfSpaces.write(points, topology, _halfSpaces);
+                HalfSpaces.find(points, topology, _halfSpaces);
             }
             return _halfSpaces;
         }

@@ -63,7 +63,7 @@ package starlogo.collision
             if (table.contactKinds != 0)
             {
                 // before the touches, because a game's own contactOf may throw. Then no touch has changed
-                _contacts.begin(system, pairs);
+                _contacts.setTo(system, pairs);
                 findContacts(tracker);
             }
             var starting:IntList = null;

@@ -27,7 +27,7 @@ package starlogo.convex
         public var marginTouchTime:Number = RelativeMotion.NEVER;
 
         /** Begins with the first step. */
-        public function begin():void
+        public function reset():void
         {
             count = 0;
             marginTouchTime = RelativeMotion.NEVER;

@@ -48,7 +48,7 @@ package starlogo.convex
         // Begins at the motion's earliest time, or when balls around the two first meet if that is later.
         private function begin(cores:CorePair, motion:RelativeMotion):void
         {
-            _step.begin();
+            _step.reset();
             motion.time = 0;
             cores.setMotion(motion);
             cores.limitToTouching();

@@ -118,7 +118,7 @@ package starlogo.ground
         /** Finds the passage over a square until the latest time. Returns whether there is one. */
         public function findPassage(level:int, column:int, row:int, out:SquarePassage):Boolean
         {
-            out.begin(search.motion.latest);
+            out.reset(search.motion.latest);
             narrowToSquare(level, column, row, out);
             return out.earliest <= out.latest;
         }
@@ -126,7 +126,7 @@ package starlogo.ground
         /** Finds the passage over a cell until the time that was the latest when the search began. */
         public function findLongestPassage(column:int, row:int, out:SquarePassage):void
         {
-            out.begin(_latest);
+            out.reset(_latest);
             narrowToSquare(0, column, row, out);
         }
 

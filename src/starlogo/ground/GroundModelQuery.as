@@ -93,7 +93,7 @@ package starlogo.ground
             var kernel:TriangleKernel = _pairs.pieces.kernel;
             // begins where the model is, because the model is moved to the beginning
             var sweep:RelativeMotion = _pairs.search.motion;
-            _touch.begin(motion.latest);
+            _touch.reset(motion.latest);
             _pairs.pieces.moveTo(motion, 0);
             _pairs.begin(motion, 0);
             while (_touch.time > 0 && _pairs.next())

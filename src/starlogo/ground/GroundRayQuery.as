@@ -38,7 +38,7 @@ package starlogo.ground
          */
         public function find(grid:HeightGrid, ray:Ray, out:RayEntry):Boolean
         {
-            out.begin(ray);
+            out.setToStart(ray);
             if (beginsInside(grid, ray))
             {
                 return true;

@@ -35,7 +35,7 @@ package starlogo.ground
         {
             _path.begin(search);
             stop();
-            _passage.begin(search.motion.latest);
+            _passage.reset(search.motion.latest);
             _firstLevel = _path.firstLevel();
             addSquares(_firstLevel, 0, 0, int.MAX_VALUE);
         }

@@ -51,7 +51,7 @@ package starlogo.ground
          * @param shape the shape that is tested, if it is in the box; null for none
          * @param boxesLeft how many boxes come after this one and those inside of it
          */
-        public function begin(box:GroundBox, shape:ConvexShape, boxesLeft:int):void
+        public function setTo(box:GroundBox, shape:ConvexShape, boxesLeft:int):void
         {
             _next = 0;
             // fewer boxes are left: all inside of the box whose triangles are kept have been

@@ -84,7 +84,7 @@ package starlogo.ground
         {
             while (pieces.next())
             {
-                _triangles.begin(pieces.box, pieces.shapeInBox, pieces.nodesLeft);
+                _triangles.setTo(pieces.box, pieces.shapeInBox, pieces.nodesLeft);
                 if (!pieces.isDivisible || !_triangles.next())
                 {
                     return true;

@@ -18,7 +18,7 @@ package starlogo.ground
         public var max:Number = 0;
 
         /** Becomes the whole motion until its latest time. The heights are left. */
-        public function begin(latest:Number):void
+        public function reset(latest:Number):void
         {
             earliest = 0;
             this.latest = latest;

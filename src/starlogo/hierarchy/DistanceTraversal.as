@@ -48,7 +48,7 @@ package starlogo.hierarchy
         {
             var relative:Placement = trees.pose.placement;
             _radii = trees.a.radius + trees.b.radius * relative.size;
-            _pair.axes.readAxes(relative, 1);
+            _pair.axes.setAxes(relative, 1);
             out.copyFrom(find(trees, kernel).points);
         }
 
@@ -62,7 +62,7 @@ package starlogo.hierarchy
         {
             var pair:BoxPair = _pair;
             var axes:BoxAxes = pair.axes;
-            trees.readPair(a, b, pair);
+            trees.setPair(a, b, pair);
             var distance:Number = pair.offsetX < 0 ? -pair.offsetX : pair.offsetX;
             distance -= pair.aHalfX + axes.abs00 * pair.bHalfX + axes.abs01 * pair.bHalfY + axes.abs02 * pair.bHalfZ;
             distance = distance > 0 ? distance : 0;

@@ -63,7 +63,7 @@ package starlogo.hierarchy
             var result:int = APART;
             var visits:int = 0;
             var top:int = 2;
-            pair.axes.readAxes(trees.pose.placement, 1, Tolerances.ROUNDING);
+            pair.axes.setAxes(trees.pose.placement, 1, Tolerances.ROUNDING);
             stack[0] = 0;
             stack[1] = 0;
             while (top > 0 && result != OVERLAPPING)
@@ -72,7 +72,7 @@ package starlogo.hierarchy
                 var a:int = stack[top];
                 var b:int = stack[top + 1];
                 visits++;
-                trees.readPair(a, b, pair);
+                trees.setPair(a, b, pair);
                 pair.aHalfX += tolerance;
                 pair.aHalfY += tolerance;
                 pair.aHalfZ += tolerance;

@@ -27,7 +27,7 @@ package starlogo.hierarchy
          *
          * @param out receives the half-extents of both, and the vector from the middle of a's node to that of b's
          */
-        public function readPair(nodeA:int, nodeB:int, out:BoxPair):void
+        public function setPair(nodeA:int, nodeB:int, out:BoxPair):void
         {
             var relative:Placement = pose.placement;
             var boxes:Vector.<Number> = b.boxes;

@@ -76,33 +76,33 @@ package starlogo.queries
         /** See AgentMotions.castShape. */
         public function castShape(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            return cast(currentBody().readStructure(structure).aim(dx, dy, dz), filter, hit);
+            return cast(currentBody().setToStructure(structure).aim(dx, dy, dz), filter, hit);
         }
 
         /** See AgentMotions.castShapeAll. */
         public function castShapeAll(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter,
                 out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
-            return castAll(currentBody().readStructure(structure).aim(dx, dy, dz), filter, out);
+            return castAll(currentBody().setToStructure(structure).aim(dx, dy, dz), filter, out);
         }
 
         /** See AgentMotions.castAgent. */
         public function castAgent(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            return cast(currentBody().readCastAgent(agent).aim(dx, dy, dz), filter, hit);
+            return cast(currentBody().setToCastAgent(agent).aim(dx, dy, dz), filter, hit);
         }
 
         /** See AgentMotions.castAgentAll. */
         public function castAgentAll(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
-            return castAll(currentBody().readCastAgent(agent).aim(dx, dy, dz), filter, out);
+            return castAll(currentBody().setToCastAgent(agent).aim(dx, dy, dz), filter, out);
         }
 
         /** See AgentMotions.moveUntilTouch. */
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact):Number
         {
             _seen.requireMovable(agent, "moveUntilTouch");
-            var body:MovingBody = currentBody().readAgent(agent).aim(dx, dy, dz);
+            var body:MovingBody = currentBody().setToAgent(agent).aim(dx, dy, dz);
             findStops(body, filter, 1, _first);
             if (_first.isStopped)
             {
@@ -118,7 +118,7 @@ package starlogo.queries
                 contact.time = _first.time;
                 if (_first.isStopped)
                 {
-                    contact.read(_first.contact);
+                    contact.setFromPoint(_first.contact);
                     contact.approachSpeed = Math.max(0, -_first.contact.along(body.motion));
                 }
             }
@@ -202,7 +202,7 @@ package starlogo.queries
         private function moveSliding(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, limits:SlideLimits):Number
         {
             _seen.requireMovable(agent, "slide");
-            var body:MovingBody = currentBody().readAgent(agent).aim(dx, dy, dz);
+            var body:MovingBody = currentBody().setToAgent(agent).aim(dx, dy, dz);
             body.collectRowsWithin(body.motion.length, 0, 0, filter);
             _slider.slide(body, body.rows, body.from, body.motion, limits, _slid);
             _recovery.restoreClearance(body, _slid.place);
@@ -220,7 +220,7 @@ package starlogo.queries
 
         private function cast(body:MovingBody, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            return findStops(body, filter, 1, _first) == 0 ? null : write(0, hit || new ShapeHit());
+            return findStops(body, filter, 1, _first) == 0 ? null : fillHit(0, hit || new ShapeHit());
         }
 
         private function castAll(body:MovingBody, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
@@ -229,7 +229,7 @@ package starlogo.queries
             _spare.resize(hits, findStops(body, filter, Collector.ALL, _first));
             for (var i:int = 0; i < hits.length; i++)
             {
-                write(i, hits[i]);
+                fillHit(i, hits[i]);
             }
             return hits;
         }
@@ -243,7 +243,7 @@ package starlogo.queries
         }
 
         // Writes how the body touches a row of the answer.
-        private function write(index:int, hit:ShapeHit):ShapeHit
+        private function fillHit(index:int, hit:ShapeHit):ShapeHit
         {
             var body:Body = _hits.bodyOf(index);
             var contact:ContactPoint = _hits.contactOf(index);
@@ -256,7 +256,7 @@ package starlogo.queries
             {
                 contact.triangle = _seen.narrowPhase.treeTests.findNearestTriangle(body, contact);
             }
-            _hits.write(index, hit);
+            _hits.fillHit(index, hit);
             hit.time = _hits.keyOf(index);
             return hit;
         }

@@ -81,7 +81,7 @@ package starlogo.queries
         /** See AgentQueries.overlapping. */
         public function overlapping(structure:BoundingStructure, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
         {
-            return find(null, _structureBody.read(structure), Collector.ALL, filter).endWithList(out);
+            return find(null, _structureBody.setTo(structure), Collector.ALL, filter).endWithList(out);
         }
 
         /**
@@ -112,7 +112,7 @@ package starlogo.queries
         {
             requirePoint(point);
             _point.center.setTo(point.x, point.y, point.z);
-            var distance:Number = measure(_seen.bodyOf(agent), _structureBody.read(_point), out, null);
+            var distance:Number = measure(_seen.bodyOf(agent), _structureBody.setTo(_point), out, null);
             if (distance == 0)
             {
                 // without the rounding of that point, which stands in the game's point if that is out too
@@ -156,7 +156,7 @@ package starlogo.queries
             {
                 return collector;
             }
-            _search.beginAround(_seen.treeOfExtents(), body);
+            _search.setAround(_seen.treeOfExtents(), body);
             for (var row:int = collector.nextCandidate(_search); row >= 0; row = collector.nextCandidate(_search))
             {
                 if (_seen.narrowPhase.areTouching(body, table.bodyOf(row)))

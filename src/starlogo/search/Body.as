@@ -61,7 +61,7 @@ package starlogo.search
         private var _spares:Vector.<BoundingStructure> = null;
 
         /** Becomes the body of an agent as it is now, except for the rank. While the model is loading, the shape is null, and only the place counts. */
-        public function readAgent(agent:Agent, shape:ModelShape):void
+        public function setToAgent(agent:Agent, shape:ModelShape):void
         {
             placement.x = agent.placement.x;
             placement.y = agent.placement.y;

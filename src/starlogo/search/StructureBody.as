@@ -32,7 +32,7 @@ package starlogo.search
          * @throws ArgumentError if the structure is null, or not a sphere, box, capsule or hull
          * @throws RangeError if <code>at</code> is null and the structure is not in the world
          */
-        public function read(structure:BoundingStructure, at:Placement = null):Body
+        public function setTo(structure:BoundingStructure, at:Placement = null):Body
         {
             ModelShape.requireStructure(structure);
             var shape:ModelShape = shapeOfKind(structure.kind);

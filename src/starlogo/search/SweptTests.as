@@ -177,7 +177,7 @@ package starlogo.search
         private function overlapOnMotions(a:int, b:int, level:BinLevel):Boolean
         {
             var standing:Extents = _table.extents;
-            _interval.begin(1);
+            _interval.reset(1);
             _axisMotion.tolerance = level.slack;
             return narrow(standing.x, standing.halfX, _motions.ways.x, a, b) && narrow(standing.y, standing.halfY, _motions.ways.y, a, b)
                 && narrow(standing.z, standing.halfZ, _motions.ways.z, a, b);

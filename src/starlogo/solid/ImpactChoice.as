@@ -28,7 +28,7 @@ package starlogo.solid
         private var _squareness:Number = -Infinity;
 
         /** Begins. Touches up to a time count. */
-        public function begin(latest:Number):void
+        public function reset(latest:Number):void
         {
             time = _chosenTime = RelativeMotion.NEVER;
             _squareness = -Infinity;

@@ -38,7 +38,7 @@ package starlogo.solid
          */
         public function find(model:ModelTree, depth:int, isExact:Boolean, ray:Ray, out:RayEntry):Boolean
         {
-            out.begin(ray);
+            out.setToStart(ray);
             if (beginsInside(model, ray))
             {
                 return true;

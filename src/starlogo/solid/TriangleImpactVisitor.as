@@ -70,7 +70,7 @@ package starlogo.solid
         {
             limit = motion.latest;
             begin(model, structure, pose, motion);
-            _choice.begin(limit);
+            _choice.reset(limit);
             _found = -1;
             _search.visitMet(_mesh.tree, BoxTree.EXACT, this);
             motion.time = _choice.time;

@@ -77,7 +77,7 @@ package starlogo.solid
             _meshB = query.b.mesh;
             _motion.copyVector(motion);
             _motion.latest = motion.latest;
-            _choice.begin(motion.latest);
+            _choice.reset(motion.latest);
             _firstPlaced = NONE;
             _tolerance = query.triangleTolerance;
             _quickDistance = query.quickDistance(motion);

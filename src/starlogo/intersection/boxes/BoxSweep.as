@@ -57,7 +57,7 @@ package starlogo.intersection.boxes
         /** Sets the pair's time to the first at which the boxes touch. It is NEVER if it is after the latest time. */
         public function findTime(pair:BoxPair):void
         {
-            _times.begin(pair.latest);
+            _times.reset(pair.latest);
             writeTime(narrowByFaces(pair) && narrowByEdges(pair), pair);
         }
 
@@ -67,7 +67,7 @@ package starlogo.intersection.boxes
          */
         public function findTimeOfFaces(pair:BoxPair):void
         {
-            _times.begin(pair.latest);
+            _times.reset(pair.latest);
             writeTime(narrowByFaces(pair), pair);
         }
 

@@ -23,7 +23,7 @@ package starlogo.intersection.boxes
         private var _earliest:Number = 0;
 
         /** Begins with no axis tried. */
-        public function begin(latest:Number):void
+        public function reset(latest:Number):void
         {
             _earliest = timeOfImpact = 0;
             this.latest = latest;

@@ -142,7 +142,7 @@ package starlogo.intersection.ray
          */
         public function writeEntry(corners:Vector.<Number>, crossing:TriangleCrossing, triangle:int, out:RayEntry):void
         {
-            out.begin(_ray);
+            out.setToStart(_ray);
             out.distance = crossing.distance;
             out.triangle = triangle;
             _plane.setTriangle(corners, 0);

@@ -83,7 +83,7 @@ package starlogo.queries.motion
          * @return this body, as from all methods that make it another one
          * @throws ArgumentError if the agent is null, has no place, or its model is unknown or lacks data that is needed
          */
-        public function readAgent(agent:Agent, turn:Number = 0):MovingBody
+        public function setToAgent(agent:Agent, turn:Number = 0):MovingBody
         {
             _seen.requirePlaced(agent);
             this.agent = agent;
@@ -106,17 +106,17 @@ package starlogo.queries.motion
          * Becomes the body of an agent that is cast. A sphere, box, capsule or hull becomes the body of a structure, so that an agent and the same
          * structure meet the same, to the last bit.
          */
-        public function readCastAgent(agent:Agent):MovingBody
+        public function setToCastAgent(agent:Agent):MovingBody
         {
-            readAgent(agent);
-            return hasShape && whole.form < ModelShape.TREE ? copyBody(_structureBody.read(whole.shape.structure, whole.placement)) : this;
+            setToAgent(agent);
+            return hasShape && whole.form < ModelShape.TREE ? copyBody(_structureBody.setTo(whole.shape.structure, whole.placement)) : this;
         }
 
-        /** Becomes the body of a structure in the world. See <code>StructureBody.read()</code>. */
-        public function readStructure(structure:BoundingStructure):MovingBody
+        /** Becomes the body of a structure in the world. See <code>StructureBody.setTo()</code>. */
+        public function setToStructure(structure:BoundingStructure):MovingBody
         {
             agent = null;
-            return copyBody(_structureBody.read(structure));
+            return copyBody(_structureBody.setTo(structure));
         }
 
         /** Sets the motion that is wanted. Returns this body. Throws a RangeError that names the first of the three that is not in the world. */
@@ -150,7 +150,7 @@ package starlogo.queries.motion
             rows.count = 0;
             if (hasShape)
             {
-                _search.beginAround(_seen.treeOfExtents(), moveTo(from));
+                _search.setAround(_seen.treeOfExtents(), moveTo(from));
                 _search.moveAlong(motion.x, motion.y, motion.z, 1);
                 collector.endWithRows(_search, rows);
             }
@@ -170,7 +170,7 @@ package starlogo.queries.motion
             rows.count = 0;
             if (hasShape)
             {
-                _search.beginAround(_seen.treeOfExtents(), moveTo(from));
+                _search.setAround(_seen.treeOfExtents(), moveTo(from));
                 _search.widen(range, up, down);
                 collector.endWithRows(_search, rows);
             }

@@ -98,7 +98,7 @@ package starlogo.queries.motion
          */
         public function project(planes:ContactList, without:int = -1):void
         {
-            _halfSpaces.begin();
+            _halfSpaces.clear();
             for (var i:int = 0; i < planes.count; i++)
             {
                 if (i != without)

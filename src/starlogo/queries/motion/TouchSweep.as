@@ -88,7 +88,7 @@ package starlogo.queries.motion
         private function addTouches(body:MovingBody, start:MotionState, collector:Collector, hits:Hits, first:MotionResult):Boolean
         {
             var mayPush:Boolean = false;
-            hits.begin();
+            hits.clear();
             first.row = -1;
             first.time = 1;
             first.hasPlanes = false;

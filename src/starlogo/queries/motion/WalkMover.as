@@ -73,7 +73,7 @@ package starlogo.queries.motion
         private function begin(link:PlatformLink, walk:Walk):void
         {
             var platform:int = _platforms.find(link, walk);
-            walk.body.readAgent(link.agent, walk.carryTurn);
+            walk.body.setToAgent(link.agent, walk.carryTurn);
             walk.place.copyFrom(walk.body.from);
             walk.closeDepth = CLOSE_DEPTH * walk.body.extent;
             collectRows(walk, 0);

@@ -43,7 +43,7 @@ package starlogo.queries.rays
         }
 
         /** Begins without hits. */
-        public function begin():void
+        public function clear():void
         {
             _hits.count = 0;
         }
@@ -136,7 +136,7 @@ package starlogo.queries.rays
         }
 
         /** Writes a hit of the answer, all but its distance or time. */
-        public function write(index:int, hit:CastHit):void
+        public function fillHit(index:int, hit:CastHit):void
         {
             var from:ContactPoint = contactOf(index);
             hit.agent = _seen.table.list.agentsByRow[rowOf(index)];
@@ -148,7 +148,7 @@ package starlogo.queries.rays
             hit.normal.y = from.normalY;
             hit.normal.z = from.normalZ;
             hit.triangle = from.triangle;
-            _triangle.write(bodyOf(index), hit);
+            _triangle.fillTriangle(bodyOf(index), hit);
         }
     }
 }

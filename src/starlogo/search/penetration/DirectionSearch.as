@@ -59,7 +59,7 @@ package starlogo.search.penetration
         public function findAlong(guess:ContactPoint, out:ContactPoint):void
         {
             _tried.setDirection(guess.normalX, guess.normalY, guess.normalZ);
-            _parted.begin(guess.depth + _pair.tolerance);
+            _parted.setTo(guess.depth + _pair.tolerance);
             goOut(IMPROVED_DEPTH * _pair.extent, _parted);
             refine(_parted, out);
         }
@@ -73,7 +73,7 @@ package starlogo.search.penetration
         public function shorten(free:Displacement, out:ContactPoint):void
         {
             _tried.setDirection(free.x, free.y, free.z);
-            _parted.begin(free.distance);
+            _parted.setTo(free.distance);
             refine(_parted, out);
         }
 
@@ -104,7 +104,7 @@ package starlogo.search.penetration
                 return false;
             }
             _tried.setDirection(parting.normalX, parting.normalY, parting.normalZ);
-            out.begin(cosine * contact.depth + _pair.tolerance);
+            out.setTo(cosine * contact.depth + _pair.tolerance);
             return !areTouchingAtOuter(out);
         }
 
@@ -161,7 +161,7 @@ package starlogo.search.penetration
         {
             var probe:Number = _pair.probeDistance;
             _tried.setDirection(out.normalX, out.normalY, out.normalZ);
-            between.begin(out.depth + probe);
+            between.setTo(out.depth + probe);
             if (goOut(probe, between))
             {
                 _tried.distance = out.depth - probe;

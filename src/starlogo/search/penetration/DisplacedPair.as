@@ -61,7 +61,7 @@ package starlogo.search.penetration
         }
 
         /** Begins where the motion of the first body relative to the second is at its time. The motion ends where the first body is. */
-        public function begin(a:Body, b:Body, motion:RelativeMotion):void
+        public function setTo(a:Body, b:Body, motion:RelativeMotion):void
         {
             var time:Number = motion.time;
             second = b;
@@ -97,7 +97,7 @@ package starlogo.search.penetration
          * Finds the contact of two bodies that do not touch where the pair has begun. Only a first body that moves may have been stopped just before
          * the touch, because of rounding.
          *
-         * @param motion as in begin
+         * @param motion as in setTo
          * @param out a contact near here; receives the depth 0 if they do not touch. Then its normal points against the motion, unless the two touch
          *     if the first one moves a little against the given normal
          * @return whether they do not touch

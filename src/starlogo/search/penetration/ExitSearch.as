@@ -60,7 +60,7 @@ package starlogo.search.penetration
          */
         public function find(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            _pair.begin(a, b, motion);
+            _pair.setTo(a, b, motion);
             if (!_pair.findGrazing(motion, out))
             {
                 findExit(motion, out);
@@ -73,7 +73,7 @@ package starlogo.search.penetration
         {
             _first.copyFrom(out);
             out.depth = Infinity;
-            _pushOut.begin();
+            _pushOut.clearBlocks();
             var isPushed:Boolean = _pushOut.find(_first, Infinity, out);
             if (DisplacedPair.isComing(motion) && out.depth > DirectionSearch.IMPROVED_DEPTH * _pair.extent)
             {

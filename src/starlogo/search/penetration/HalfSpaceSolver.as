@@ -37,7 +37,7 @@ package starlogo.search.penetration
         private var _tried:Vector3D = new Vector3D();
 
         /** Begins without half-spaces. */
-        public function begin():void
+        public function clear():void
         {
             count = 0;
         }

@@ -156,7 +156,7 @@ package starlogo.search.penetration
             var x:Number = _shortest * _free.x;
             var y:Number = _shortest * _free.y;
             var z:Number = _shortest * _free.z;
-            _planes.begin();
+            _planes.clear();
             _target.setToNone();
             for (var i:int = 0; i < MAX_PLANES && _target.length < _shortest; i++)
             {

@@ -21,10 +21,10 @@ package starlogo.search.penetration
         // surfaces touch.
         private static const SLACK:Number = 0.001;
 
-        // The most searches between two calls of begin().
+        // The most searches between two calls of clearBlocks().
         private static const MAX_SEARCHES:int = 2;
 
-        /** Where the pushes end that do not free the body, in all searches since <code>begin()</code>: x and y of each. Read only. */
+        /** Where the pushes end that do not free the body, in all searches since <code>clearBlocks()</code>: x and y of each. Read only. */
         public var blockedPlaces:Vector.<Number> = new Vector.<Number>(2 * MAX_CONTACTS * MAX_SEARCHES, true);
 
         /** The end of the numbers of <code>blockedPlaces</code>. Read only. */
@@ -63,7 +63,7 @@ package starlogo.search.penetration
         }
 
         /** Begins with a pair. Forgets the places of the last one. */
-        public function begin():void
+        public function clearBlocks():void
         {
             blockedEnd = 0;
             hasBlock = false;
@@ -80,7 +80,7 @@ package starlogo.search.penetration
         public function find(first:ContactPoint, most:Number, out:ContactPoint):Boolean
         {
             var count:int = 1;
-            _contacts.begin();
+            _contacts.clear();
             _push.setToNone();
             _pair.putBack();
             add(first);

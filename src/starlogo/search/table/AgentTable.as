@@ -258,7 +258,7 @@ package starlogo.search.table
                 return bodyOf(row);
             }
             var ofWorld:WorldAgent = agent as WorldAgent;
-            spare.readAgent(agent, ofWorld == null ? _choice.shapeOf(agent) : ofWorld.requireSurface());
+            spare.setToAgent(agent, ofWorld == null ? _choice.shapeOf(agent) : ofWorld.requireSurface());
             spare.rank = list.rankOf(agent, row);
             return spare;
         }
@@ -460,7 +460,7 @@ package starlogo.search.table
             }
             var agent:Agent = list.agentsByRow[row];
             var body:Body = _bodies[row];
-            body.readAgent(agent, shape);
+            body.setToAgent(agent, shape);
             body.rank = list.ranks[row];
             readExtents(row, body);
             _bodyRevisions[row] = agent.bodyRevision;

@@ -27,7 +27,7 @@ package starlogo.queries.motion
         {
             var body:MovingBody = new MovingBody(null);
             var core:BodyCore = new BodyCore();
-            body.readStructure(structure);
+            body.setToStructure(structure);
             core.begin(body, new IntList(), new Vector3D(), new Vector3D(0, 0, -1));
             return core.isFlat;
         }

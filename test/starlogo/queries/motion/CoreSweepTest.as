@@ -46,7 +46,7 @@ package starlogo.queries.motion
                     agents.push(thing);
                 }
                 seen.update(agents);
-                body.readAgent(agents[0]);
+                body.setToAgent(agents[0]);
                 from.setTo(agents[0].x, agents[0].y, agents[0].z);
                 motion.setTo(random.between(-9, 9), random.between(-9, 9), random.between(-9, 9));
                 body.aim(motion.x, motion.y, motion.z);

@@ -1,12 +1,11 @@
 // This folder moves a body among the rows of a table. A MovingBody is what moves. Three classes say where its motions end: TouchSweep in the touch of a
 // row, for casts and moveUntilTouch; Slider a clearance before the touch, or farther on along what the body meets (RemainingMotion); WalkMover makes a walk of
 // slides and straight motions, with PlatformCarry before it and Foothold where it stands. Read this file first, then
-// BodyCore, CoreSweep.startMotion(), TouchSweep, Slider and WalkMover.go().
-// Core: the body, but smaller by a slop (BodyCore). Only what the core meets stops the body, so the body may touch what it stands on or runs along.
-// Shallow overlap: one that can come from rounding in the game. A motion begins with pushes out of those (OverlapRecovery), a walk with pushes out of
-// deep ones too.
-// Plane: it stands for a row that the body overlaps deeply or without a way out, or has met on a slide. The motion must not cross it.
-// Obstacles: the rows that can stop a motion. Rows with a plane for an overlap are none, nor one-way rows that the body passes.
+// ShrunkBody, ShrunkSweep.startMotion(), TouchSweep, Slider and WalkMover.go().
+// Shrunk body: the body, but smaller by a slop (ShrunkBody). Only what the shrunk body meets stops the body, so the body may touch what it stands on
+// or runs along. Shallow overlap: one that can come from rounding in the game. A motion begins with pushes out of those (OverlapRecovery), a walk
+// with pushes out of deep ones too. Plane: it stands for a row that the body overlaps deeply or without a way out, or has met on a slide. The motion
+// must not cross it. Obstacles: the rows that can stop a motion. Rows with a plane for an overlap are none, nor one-way rows that the body passes.
 package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
@@ -239,10 +238,10 @@ package starlogo.queries.motion
         /** Whether a contact with a row is so shallow that rounding in the game can be the cause. */
         public function isShallow(row:int, contact:ContactPoint):Boolean
         {
-            return contact.depth <= BodyCore.SHALLOW * extentWith(bodyOf(row));
+            return contact.depth <= ShrunkBody.SHALLOW * extentWith(bodyOf(row));
         }
 
-        /** Whether the body goes on through a row that its core touches at a place: the row is one-way, and the body does not rest on it. */
+        /** Whether the body goes on through a row that the shrunk body touches at a place: the row is one-way, and the body does not rest on it. */
         public function passesOneWayAt(row:int, place:Vector3D):Boolean
         {
             if (!isOneWay(row))

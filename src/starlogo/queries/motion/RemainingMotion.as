@@ -91,8 +91,8 @@ package starlogo.queries.motion
         }
 
         /**
-         * The motion that crosses no plane and is nearest to the desired one becomes the remaining motion. If this is hardly any motion, or a fall that is not steep
-         * enough, none is left.
+         * The motion that crosses no plane and is nearest to the desired one becomes the remaining motion. If this is hardly any motion, or a fall
+         * that is not steep enough, none is left.
          *
          * @param without the index of a plane that does not count; -1 for none
          */

@@ -91,11 +91,11 @@ package starlogo.convex
         public function timeOfEntry(shape:ConvexShape, quickDistance:Number, motion:RelativeMotion):Number
         {
             shape.project(normal, _ofShape);
-            var place:Number = normal.x * shape.x + normal.y * shape.y + normal.z * shape.z;
+            var projection:Number = normal.x * shape.x + normal.y * shape.y + normal.z * shape.z;
             var speed:Number = normal.x * motion.x + normal.y * motion.y + normal.z * motion.z;
             // how far in front of the plane all of the shape is, and how far behind
-            var above:Number = place - max + _ofShape.min - quickDistance;
-            var below:Number = -(place - min + _ofShape.max + quickDistance);
+            var above:Number = projection - max + _ofShape.min - quickDistance;
+            var below:Number = -(projection - min + _ofShape.max + quickDistance);
             return above > 0 ? (speed < 0 ? above / -speed : RelativeMotion.NEVER)
                 : below > 0 ? (speed > 0 ? below / speed : RelativeMotion.NEVER) : 0;
         }
@@ -106,7 +106,7 @@ package starlogo.convex
          *
          * @param motion its vector and its latest time; nothing else of it counts
          */
-        public function keepsApart(shape:ConvexShape, motion:RelativeMotion):Boolean
+        public function areApart(shape:ConvexShape, motion:RelativeMotion):Boolean
         {
             var size:Number = shape.extent + Math.abs(shape.x) + Math.abs(shape.y) + Math.abs(shape.z) + Math.abs(offset)
                 + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z);

@@ -79,7 +79,7 @@ package starlogo.ground
             var kernel:TriangleKernel = _pairs.pieces.kernel;
             while (_pairs.nextTriangle())
             {
-                if (!kernel.plane.keepsApart(kernel.shape, RelativeMotion.NONE) && kernel.areTouching())
+                if (!kernel.plane.areApart(kernel.shape, RelativeMotion.NONE) && kernel.areTouching())
                 {
                     return true;
                 }
@@ -98,7 +98,7 @@ package starlogo.ground
             _pairs.begin(motion, 0);
             while (_touch.time > 0 && _pairs.next())
             {
-                if (kernel.plane.keepsApart(kernel.shape, sweep))
+                if (kernel.plane.areApart(kernel.shape, sweep))
                 {
                     continue;
                 }

@@ -167,7 +167,7 @@ package starlogo.ground
         // Finds the shortest way of the current piece away from the current triangle, into the ground or out of it. Returns whether the two touch.
         private function findOverlap():Boolean
         {
-            if (_kernel.plane.keepsApart(_kernel.shape, RelativeMotion.NONE))
+            if (_kernel.plane.areApart(_kernel.shape, RelativeMotion.NONE))
             {
                 return false;
             }

@@ -79,11 +79,11 @@ package starlogo.ground
                 var uy:Number = p[int(to + 1)] - p[1];
                 var uz:Number = p[int(to + 2)] - p[2];
                 // NaN for an edge of no length
-                var share:Number = (x * ux + y * uy + z * uz) / (ux * ux + uy * uy + uz * uz);
-                share = share > 0 ? (share < 1 ? share : 1) : 0;
-                out.x += share * ux;
-                out.y += share * uy;
-                out.z += share * uz;
+                var fraction:Number = (x * ux + y * uy + z * uz) / (ux * ux + uy * uy + uz * uz);
+                fraction = fraction > 0 ? (fraction < 1 ? fraction : 1) : 0;
+                out.x += fraction * ux;
+                out.y += fraction * uy;
+                out.z += fraction * uz;
             }
         }
     }

@@ -291,19 +291,19 @@ package starlogo.hierarchy
          * Gives a node two children. They have no boxes yet.
          *
          * @param axis the axis along which it is split
-         * @param middle the slot of the right child's first item
+         * @param splitIndex the slot of the right child's first item
          * @param isLeafOrBelow whether the node is a leaf, or below one
          * @return the left child
          */
-        public function divide(node:int, axis:int, middle:int, isLeafOrBelow:Boolean):int
+        public function divide(node:int, axis:int, splitIndex:int, isLeafOrBelow:Boolean):int
         {
             var level:int = levelOf(node);
             var child:int = _count;
             left[node] = child;
             endsUpToDepth[node] = isLeafOrBelow ? MAX_DEPTH : level;
             splits[node] = level << 2 | axis;
-            addNode(first[node], middle, level + 1);
-            addNode(middle, end[node], level + 1);
+            addNode(first[node], splitIndex, level + 1);
+            addNode(splitIndex, end[node], level + 1);
             return child;
         }
 

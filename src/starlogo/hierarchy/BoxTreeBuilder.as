@@ -177,8 +177,8 @@ package starlogo.hierarchy
             {
                 return true;
             }
-            var middle:int = _items.middle;
-            if (middle > _tree.first[node] && middle < _tree.end[node])
+            var splitIndex:int = _items.splitIndex;
+            if (splitIndex > _tree.first[node] && splitIndex < _tree.end[node])
             {
                 makeChildren(node);
                 return false;
@@ -206,7 +206,7 @@ package starlogo.hierarchy
         // Makes the children of a node, whose items are divided.
         private function makeChildren(node:int):void
         {
-            var child:int = _tree.divide(node, _items.axis, _items.middle, _areLeavesOrBelow[_waiting.length - 1]);
+            var child:int = _tree.divide(node, _items.axis, _items.splitIndex, _areLeavesOrBelow[_waiting.length - 1]);
             _tree.enclose(child, _items.leftExtents);
             _tree.enclose(child + 1, _items.rightExtents);
         }

@@ -106,7 +106,7 @@ package starlogo.queries
             findStops(body, filter, 1, _first);
             if (_first.isStopped)
             {
-                _sweep.goIntoTouch(body, _first);
+                _sweep.moveIntoTouch(body, _first);
             }
             // before the contact is written, because an agent that would leave the world throws an error
             if (dx != 0 || dy != 0 || dz != 0)

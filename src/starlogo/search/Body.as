@@ -110,14 +110,14 @@ package starlogo.search
         /**
          * Makes the body smaller about the middle of its extents.
          *
-         * @param part the part of the size that is taken off, from 0 to 1
+         * @param fraction the part of the size that is taken off, from 0 to 1
          */
-        public function shrink(part:Number):void
+        public function shrink(fraction:Number):void
         {
-            var factor:Number = 1 - part;
-            placement.x += part * offsetX;
-            placement.y += part * offsetY;
-            placement.z += part * offsetZ;
+            var factor:Number = 1 - fraction;
+            placement.x += fraction * offsetX;
+            placement.y += fraction * offsetY;
+            placement.z += fraction * offsetZ;
             placement.size *= factor;
             offsetX *= factor;
             offsetY *= factor;
@@ -257,7 +257,7 @@ package starlogo.search
         // Finds the extents of the shape, turned and scaled as the placement says.
         private function findExtents():void
         {
-            shape.structure.boxAroundInto(placement, sExtents);
+            shape.structure.findPlacedBox(placement, sExtents);
             offsetX = sExtents[0];
             offsetY = sExtents[1];
             offsetZ = sExtents[2];

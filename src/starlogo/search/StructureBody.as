@@ -37,7 +37,7 @@ package starlogo.search
             ModelShape.requireStructure(structure);
             var shape:ModelShape = shapeOfKind(structure.kind);
             var inWorld:BoundingStructure = at == null ? structure : structure.place(at, shape.structure);
-            inWorld.boxAroundInto(UPRIGHT, _extents);
+            inWorld.findPlacedBox(UPRIGHT, _extents);
             if (at == null)
             {
                 requireInWorld("half of a structure's length", _extents[3], _extents[4], _extents[5]);

@@ -64,8 +64,8 @@ package starlogo.solid
                 var y:Number = points[4] - points[1];
                 var z:Number = points[5] - points[2];
                 var squared:Number = x * x + y * y + z * z;
-                var share:Number = squared > 0 ? (x * motion.x + y * motion.y + z * motion.z) / squared : 0;
-                addAxis(motion.x - share * x, motion.y - share * y, motion.z - share * z);
+                var fraction:Number = squared > 0 ? (x * motion.x + y * motion.y + z * motion.z) / squared : 0;
+                addAxis(motion.x - fraction * x, motion.y - fraction * y, motion.z - fraction * z);
             }
             if (shape.areEdgesPerpendicular)
             {
@@ -116,7 +116,7 @@ package starlogo.solid
          * @param corners nine numbers of the triangle
          * @param motion has the latest time: they stay apart until then. Nothing else of it counts
          */
-        public function keepApart(corners:Vector.<Number>, motion:RelativeMotion):Boolean
+        public function areApart(corners:Vector.<Number>, motion:RelativeMotion):Boolean
         {
             if (_end == 0)
             {

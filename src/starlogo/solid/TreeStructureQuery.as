@@ -144,7 +144,7 @@ package starlogo.solid
         {
             var structure:BoundingStructure = pose.place(_structure);
             // The origin of its points is inside of it. If it is round, a ball around that origin is inside too.
-            structure.shapeInto(_shape);
+            structure.setShape(_shape);
             _point.setTo(_shape.x, _shape.y, _shape.z);
             if (!_tree.isInside(_point, _shape.radius))
             {

@@ -113,7 +113,7 @@ package starlogo.solid
                 }
                 _mesh.readTriangle(i, _corners);
                 _triangleMotion.latest = limit;
-                if (!isStill && _separatingAxes.keepApart(_corners, _triangleMotion))
+                if (!isStill && _separatingAxes.areApart(_corners, _triangleMotion))
                 {
                     continue;
                 }

@@ -139,8 +139,8 @@ package starlogo.fitting.hull
                 var x:Number = crosses[int(3 * i)];
                 var y:Number = crosses[int(3 * i + 1)];
                 var z:Number = crosses[int(3 * i + 2)];
-                var share:Number = (normalX * x + normalY * y + normalZ * z) / determinant;
-                var lasts:Number = share > Tolerances.UNIT_ROUNDING ? (upX * x + upY * y + upZ * z) / determinant / share : Infinity;
+                var fraction:Number = (normalX * x + normalY * y + normalZ * z) / determinant;
+                var lasts:Number = fraction > Tolerances.UNIT_ROUNDING ? (upX * x + upY * y + upZ * z) / determinant / fraction : Infinity;
                 if (lasts < least)
                 {
                     least = lasts;

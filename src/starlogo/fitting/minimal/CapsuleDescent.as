@@ -170,19 +170,19 @@ package starlogo.fitting.minimal
         // The smallest squared distance of an active point. It is increased if too many points are active.
         private function activeFrom():Number
         {
-            var share:Number = ACTIVE;
+            var fraction:Number = ACTIVE;
             do
             {
-                var least:Number = radius * (1 - share);
+                var least:Number = radius * (1 - fraction);
                 least *= least;
                 var count:int = 0;
                 for (var i:int = 0; i < _squares.length; i++)
                 {
                     count += _squares[i] >= least ? 1 : 0;
                 }
-                share /= 2;
+                fraction /= 2;
             }
-            while (count > MAX_ACTIVE && share > 1e-4);
+            while (count > MAX_ACTIVE && fraction > 1e-4);
             return least;
         }
 

@@ -2,10 +2,11 @@
 // row, for casts and moveUntilTouch; Slider a clearance before the touch, or farther on along what the body meets (RemainingMotion); WalkMover makes a walk of
 // slides and straight motions, with PlatformCarry before it and Foothold where it stands. Read this file first, then
 // ShrunkBody, ShrunkSweep.startMotion(), TouchSweep, Slider and WalkMover.go().
-// Shrunk body: the body, but smaller by a slop (ShrunkBody). Only what the shrunk body meets stops the body, so the body may touch what it stands on
-// or runs along. Shallow overlap: one that can come from rounding in the game. A motion begins with pushes out of those (OverlapRecovery), a walk
-// with pushes out of deep ones too. Plane: it stands for a row that the body overlaps deeply or without a way out, or has met on a slide. The motion
-// must not cross it. Obstacles: the rows that can stop a motion. Rows with a plane for an overlap are none, nor one-way rows that the body passes.
+// Shrunk body: the body, but smaller by a slop (ShrunkBody). Only what it meets stops the body, so the body may touch what it stands on or runs along.
+// Shallow overlap: one that can come from rounding in the game. A motion begins with pushes out of those (OverlapRecovery), a walk with pushes out of
+// deep ones too.
+// Plane: it stands for a row that the body overlaps deeply or without a way out, or has met on a slide. The motion must not cross it.
+// Obstacles: the rows that can stop a motion. Rows with a plane for an overlap are none, nor one-way rows that the body passes.
 package starlogo.queries.motion
 {
     import flash.geom.Vector3D;

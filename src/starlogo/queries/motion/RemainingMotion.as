@@ -9,7 +9,7 @@ package starlogo.queries.motion
      * The motion that remains of a slide. It is turned so that it crosses none of the planes that the slide has met (Fauerby, "Improved collision detection
      * and response", 2003). Fauerby keeps two planes. Here all count that the Slider does not remove.
      *
-     * <p>Without planes it would be the desired motion. <code>climb()</code> and <code>level()</code> change the desired motion, and
+     * <p>Without planes it would be the desired motion. <code>liftOverPlane()</code> and <code>flatten()</code> change the desired motion, and
      * <code>project()</code> turns it out of the planes.</p>
      *
      * @private
@@ -78,13 +78,13 @@ package starlogo.queries.motion
         }
 
         /** Makes the desired motion level. */
-        public function level():void
+        public function flatten():void
         {
             _desired.z = 0;
         }
 
         /** Makes the desired motion so steep that it does not cross a plane. Its way on the ground plane stays. */
-        public function climb(plane:ContactPoint):void
+        public function liftOverPlane(plane:ContactPoint):void
         {
             var rise:Number = -(plane.normalX * _desired.x + plane.normalY * _desired.y) / plane.normalZ;
             _desired.z = Math.max(rise, _desired.z);

@@ -90,7 +90,7 @@ package starlogo.queries.motion
          * @param motion the whole motion
          * @param out receives the answer
          */
-        public function goStraight(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, out:MotionResult):void
+        public function moveStraight(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, out:MotionResult):void
         {
             _sweep.findStop(body, rows, from, motion, _state, out);
             var time:Number = 1;
@@ -124,7 +124,7 @@ package starlogo.queries.motion
             }
             else if (limits.hasWalls)
             {
-                remaining.climb(contact);
+                remaining.liftOverPlane(contact);
             }
         }
 
@@ -136,7 +136,7 @@ package starlogo.queries.motion
             {
                 contact.setNormal(contact.normalX, contact.normalY, 0);
                 contact.normalise();
-                remaining.level();
+                remaining.flatten();
             }
         }
 

@@ -114,7 +114,7 @@ package starlogo.queries.motion
         }
 
         // Finds whether and when a row stops the body from a start, as if there were no others. Another state receives how the motion starts there with the
-        // row alone, which may push the body farther. Rounding may hide the touch at its place: see goIntoTouch.
+        // row alone, which may push the body farther. Rounding may hide the touch at its place: see moveIntoTouch.
         private function findTouch(body:MovingBody, row:int, start:MotionState, alone:MotionState, out:MotionResult):void
         {
             _rowAlone.count = 0;
@@ -140,7 +140,7 @@ package starlogo.queries.motion
          *
          * @param touch an answer for this body, which a row stops. Its place changes
          */
-        public function goIntoTouch(body:MovingBody, touch:MotionResult):void
+        public function moveIntoTouch(body:MovingBody, touch:MotionResult):void
         {
             if (touch.time == 0)
             {

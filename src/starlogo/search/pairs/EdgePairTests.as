@@ -110,7 +110,7 @@ package starlogo.search.pairs
             var outwards:Vector3D = OUTWARDS[deepest];
             _supportSearch.find(a, outwards, _farthest);
             var own:Number = along(deepest, _farthest.x, _farthest.y, _farthest.z);
-            var toEdge:Number = placeOf(b, deepest) - own;
+            var toEdge:Number = coordinateOf(b, deepest) - own;
             // corners that count as equally far are not quite, and the point is their mean
             var toEnd:Number = toEdge + _penetrations[deepest];
             out.distance = -_penetrations[deepest];
@@ -185,20 +185,20 @@ package starlogo.search.pairs
         {
             for (var edge:int = 0; edge < 6; edge++)
             {
-                var place:Number = placeOf(edges, edge);
+                var coordinate:Number = coordinateOf(edges, edge);
                 var radius:Number = Math.abs(along(edge, body.halfX, body.halfY, body.halfZ));
-                var beyond:Number = radius + (along(edge, body.x, body.y, body.z) - place);
+                var beyond:Number = radius + (along(edge, body.x, body.y, body.z) - coordinate);
                 out[edge] = beyond;
                 if (body.form == ModelShape.TREE && (beyond >= -tolerance || beyond - along(edge, motion.x, motion.y, motion.z) >= -tolerance))
                 {
                     _supportSearch.find(body, OUTWARDS[edge], _farthest);
-                    out[edge] = _farthest.support - place;
+                    out[edge] = _farthest.support - coordinate;
                 }
             }
         }
 
         // The place of an edge in the direction out of the world.
-        private static function placeOf(edges:Body, edge:int):Number
+        private static function coordinateOf(edges:Body, edge:int):Number
         {
             // the first number is 1 or -1: whether the direction is the axis or against it
             return along(edge, 1, 1, 1) * edges.shape.edges[edge];
@@ -225,7 +225,7 @@ package starlogo.search.pairs
         private static function moveToMiddle(edge:int, penetration:Number, edges:Body, out:ContactPoint):void
         {
             var outwards:Vector3D = OUTWARDS[edge];
-            var offset:Number = placeOf(edges, edge) + penetration / 2 - along(edge, out.x, out.y, out.z);
+            var offset:Number = coordinateOf(edges, edge) + penetration / 2 - along(edge, out.x, out.y, out.z);
             if (isFinite(offset))
             {
                 out.x += offset * outwards.x;

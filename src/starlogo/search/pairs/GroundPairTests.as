@@ -107,7 +107,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function separate(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            _exitSearch.find(a, b, motion, out);
+            _exitSearch.findExit(a, b, motion, out);
         }
 
         /**

@@ -59,7 +59,7 @@ package starlogo.search.pairs
             out.support = -Infinity;
             if (body.shape.tree == null)
             {
-                body.shape.structure.shapeInto(_shape);
+                body.shape.structure.setShape(_shape);
                 findOfShape(_shape, _direction, Tolerances.SEPARATION * body.maxHalf / at.size, out);
             }
             else

@@ -119,7 +119,7 @@ package starlogo.search.pairs
         {
             // the contact's object may have been that of a contact with the ground
             out.forgetDeepest();
-            _exitSearch.find(a, b, motion, out);
+            _exitSearch.findExit(a, b, motion, out);
         }
 
         /** The covers are the structures around the trees. @inheritDoc */

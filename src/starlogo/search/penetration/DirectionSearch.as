@@ -60,7 +60,7 @@ package starlogo.search.penetration
         {
             _tried.setDirection(guess.normalX, guess.normalY, guess.normalZ);
             _parted.setTo(guess.depth + _pair.tolerance);
-            goOut(IMPROVED_DEPTH * _pair.extent, _parted);
+            growOuter(IMPROVED_DEPTH * _pair.extent, _parted);
             refine(_parted, out);
         }
 
@@ -110,7 +110,7 @@ package starlogo.search.penetration
 
         // Increases the outer distance by a step until the two do not touch there. Each step is twice as long as the one before. Returns whether they were
         // free at the first outer distance.
-        private function goOut(step:Number, out:PartingDistances):Boolean
+        private function growOuter(step:Number, out:PartingDistances):Boolean
         {
             while (areTouchingAtOuter(out) && out.outer < FARTHEST)
             {
@@ -162,7 +162,7 @@ package starlogo.search.penetration
             var probe:Number = _pair.probeDistance;
             _tried.setDirection(out.normalX, out.normalY, out.normalZ);
             between.setTo(out.depth + probe);
-            if (goOut(probe, between))
+            if (growOuter(probe, between))
             {
                 _tried.distance = out.depth - probe;
                 if (_tried.distance <= 0 || _pair.touchesAt(_tried))

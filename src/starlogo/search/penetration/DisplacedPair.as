@@ -88,7 +88,7 @@ package starlogo.search.penetration
          * A way out past several sides counts only if the first body is free this much farther along it too. Otherwise it ends in a gap between parts
          * of the second body. A way out that is not longer is short enough.
          */
-        public function get room():Number
+        public function get clearAhead():Number
         {
             return ROOM * extent;
         }

@@ -77,7 +77,7 @@ package starlogo.search.penetration
          * @param out receives the normal and the depth if there is such a push
          * @return whether there is one
          */
-        public function find(first:ContactPoint, most:Number, out:ContactPoint):Boolean
+        public function findPush(first:ContactPoint, most:Number, out:ContactPoint):Boolean
         {
             var count:int = 1;
             _contacts.clear();
@@ -86,9 +86,9 @@ package starlogo.search.penetration
             add(first);
             while (_push.length <= most && _push.length < Infinity && count <= MAX_CONTACTS)
             {
-                if (!goToBlocked(_tried))
+                if (!isPushBlocked(_tried))
                 {
-                    takePush(_tried, first, out);
+                    writePush(_tried, first, out);
                     return true;
                 }
                 addBlock(_tried);
@@ -129,7 +129,7 @@ package starlogo.search.penetration
 
         // Tries the push: at its end, and a little farther. If the two touch at one of these places, it leaves the body there.
         // Returns whether they touch, at the last displacement that it has tried.
-        private function goToBlocked(out:Displacement):Boolean
+        private function isPushBlocked(out:Displacement):Boolean
         {
             // beyond its end, a push out of several contacts may lead into one of them again
             var isOfSeveral:Boolean = _push.planeCount > 1;
@@ -144,12 +144,12 @@ package starlogo.search.penetration
             {
                 return true;
             }
-            out.distance = _push.length + _pair.room;
+            out.distance = _push.length + _pair.clearAhead;
             return isOfSeveral && _pair.touchesAt(out);
         }
 
         // Takes the push, whose direction is free. If the two are free before its end, the depth is refined.
-        private function takePush(free:Displacement, first:ContactPoint, out:ContactPoint):void
+        private function writePush(free:Displacement, first:ContactPoint, out:ContactPoint):void
         {
             out.setNormal(free.x, free.y, free.z);
             out.depth = _push.length;

@@ -73,9 +73,9 @@ package starlogo.hierarchy
                 var b:int = stack[top + 1];
                 visits++;
                 trees.setPair(a, b, pair);
-                pair.aHalfX += tolerance;
-                pair.aHalfY += tolerance;
-                pair.aHalfZ += tolerance;
+                pair.halfXA += tolerance;
+                pair.halfYA += tolerance;
+                pair.halfZA += tolerance;
                 var aEnds:Boolean = endsA[a] >= depthA;
                 var bEnds:Boolean = endsB[b] >= depthB;
                 var doBoxesDecide:Boolean = aEnds && bEnds && kernel == null;
@@ -137,11 +137,11 @@ package starlogo.hierarchy
             var x:Number = pair.offsetX;
             var y:Number = pair.offsetY;
             var z:Number = pair.offsetZ;
-            var halfX:Number = pair.aHalfX;
-            var halfY:Number = pair.aHalfY;
-            var halfZ:Number = pair.aHalfZ;
+            var halfX:Number = pair.halfXA;
+            var halfY:Number = pair.halfYA;
+            var halfZ:Number = pair.halfZA;
             include "../intersection/squaredToBox.inc";
-            var least:Number = Math.min(pair.bHalfX, pair.bHalfY, pair.bHalfZ);
+            var least:Number = Math.min(pair.halfXB, pair.halfYB, pair.halfZB);
             return squaredDistance <= least * least;
         }
 

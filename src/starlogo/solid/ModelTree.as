@@ -20,7 +20,7 @@
 // what is inside        | ModelTree.isInside()     | TreeContainmentQuery   | ModelTree.isInside()
 // 
 // ImpactQuery, which TreeQuery extends, puts together when two first touch: standing tests at both ends, impacts of surfaces between. Of several triangles
-// that are touched first, the ImpactChoice chooses one. The package solid.interior knows what is inside of a surface.
+// that are touched first, a FirstImpact says which one counts. The package solid.interior knows what is inside of a surface.
 
 package starlogo.solid
 {

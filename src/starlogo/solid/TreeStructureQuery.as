@@ -76,7 +76,7 @@ package starlogo.solid
         /** Finds the number of the triangle that is nearest to the structure, as the model counts them; -1 if triangles do not decide. */
         public function findNearestTriangle():int
         {
-            pose.relate(placementA, placementB);
+            pose.setBetween(placementA, placementB);
             var slot:int = _isExact ? _triangleDistance.find(_tree, _structure, pose, _measured) : -1;
             return slot < 0 ? -1 : _tree.boxTree.items[slot];
         }

@@ -74,7 +74,7 @@ package starlogo.search
                     assertEquals("has a motion", wasListed, !_motions.haveJumped[row]);
                     if (wasListed)
                     {
-                        assertEquals("where the motion begins", agent.x - seen[agent.id], _motions.ways.x[row]);
+                        assertEquals("where the motion begins", agent.x - seen[agent.id], _motions.displacements.x[row]);
                         still += seen[agent.id] == agent.x ? 1 : 0;
                     }
                 }

@@ -222,15 +222,15 @@ package starlogo.queries.motion
         /**
          * Finds a contact of the whole body with a row that it touches when it stands at a place.
          *
-         * @param separates whether the contact must separate the two. The ground can be floor and wall at once, and a contact with one does not lead away
+         * @param isSeparating whether the contact must separate the two. The ground can be floor and wall at once, and a contact with one does not lead away
          *     from the other. Otherwise a shallow contact may be that of two of their parts
          */
-        public function findContact(row:int, place:Vector3D, separates:Boolean, out:ContactPoint):void
+        public function findContact(row:int, place:Vector3D, isSeparating:Boolean, out:ContactPoint):void
         {
             var other:Body = bodyOf(row);
             var tests:PairTests = narrowPhase.pairTestsFor(whole, other);
             tests.findContactOfParts(moveTo(place), other, RelativeMotion.NONE, out);
-            if (separates || !isShallow(row, out))
+            if (isSeparating || !isShallow(row, out))
             {
                 tests.separate(whole, other, RelativeMotion.NONE, out);
             }

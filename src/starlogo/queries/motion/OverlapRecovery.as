@@ -120,9 +120,9 @@ package starlogo.queries.motion
             for (var i:int = 0; freeInTurn < rows.count; i++)
             {
                 var row:int = rows.values[int(i % rows.count)];
-                var separates:Boolean = i >= FIRST_SEPARATING_ROUND * rows.count;
+                var isSeparating:Boolean = i >= FIRST_SEPARATING_ROUND * rows.count;
                 freeInTurn++;
-                if (clearsTouches ? findPushOff(shrunk, row, place, separates, last, _contact) : findPushOut(shrunk, row, place, separates, last, _contact))
+                if (clearsTouches ? findPushOff(shrunk, row, place, isSeparating, last, _contact) : findPushOut(shrunk, row, place, isSeparating, last, _contact))
                 {
                     if (i >= MAX_ROUNDS * rows.count || !(_contact.depth < TOO_DEEP) || leadsBack(_contact, last))
                     {
@@ -169,8 +169,8 @@ package starlogo.queries.motion
         {
             var shrunk:ShrunkBody = state.shrunk;
             shrunk.body.findContact(row, state.start, alsoShallow, _contact);
-            var counts:Boolean = alsoShallow || !shrunk.body.isShallow(row, _contact);
-            if (!counts || shrunk.narrow(row, state.start) || !shrunk.bodyOverlaps(row, state.start))
+            var isCounted:Boolean = alsoShallow || !shrunk.body.isShallow(row, _contact);
+            if (!isCounted || shrunk.narrow(row, state.start) || !shrunk.bodyOverlaps(row, state.start))
             {
                 return false;
             }
@@ -181,20 +181,20 @@ package starlogo.queries.motion
 
         // Finds the push out of a row that the shrunk body overlaps: along the contact's normal by its depth. Returns whether
         // the shrunk body overlaps the row.
-        private static function findPushOut(shrunk:ShrunkBody, row:int, place:Vector3D, separates:Boolean, last:ContactPoint, out:ContactPoint):Boolean
+        private static function findPushOut(shrunk:ShrunkBody, row:int, place:Vector3D, isSeparating:Boolean, last:ContactPoint, out:ContactPoint):Boolean
         {
             if (!shrunk.shrunkTouches(row, place))
             {
                 return false;
             }
-            findContactOfPush(shrunk.body, row, place, separates, last, out);
+            findContactOfPush(shrunk.body, row, place, isSeparating, last, out);
             out.depth = shrunk.body.isShallow(row, out) ? out.depth + shrunk.clearance : TOO_DEEP;
             return true;
         }
 
         // Finds the push off a row that the body touches: along the contact's normal by its depth. Returns whether there is one: not if the body overlaps the
         // row deeply, or passes it.
-        private function findPushOff(shrunk:ShrunkBody, row:int, place:Vector3D, separates:Boolean, last:ContactPoint, out:ContactPoint):Boolean
+        private function findPushOff(shrunk:ShrunkBody, row:int, place:Vector3D, isSeparating:Boolean, last:ContactPoint, out:ContactPoint):Boolean
         {
             var body:MovingBody = shrunk.body;
             // mostly it is known faster that the shrunk body touches the row than how deep the overlap is
@@ -202,7 +202,7 @@ package starlogo.queries.motion
             {
                 return false;
             }
-            findContactOfPush(body, row, _touching, separates, last, out);
+            findContactOfPush(body, row, _touching, isSeparating, last, out);
             var most:Number = SLOPS_OF_TOUCH * shrunk.slop;
             if (out.depth > most && !body.isShallow(row, out))
             {
@@ -214,10 +214,10 @@ package starlogo.queries.motion
         }
 
         // Finds the contact with a row that the body touches at a place. It does not lead back against the last push if another contact does not.
-        private static function findContactOfPush(body:MovingBody, row:int, place:Vector3D, separates:Boolean, last:ContactPoint, out:ContactPoint):void
+        private static function findContactOfPush(body:MovingBody, row:int, place:Vector3D, isSeparating:Boolean, last:ContactPoint, out:ContactPoint):void
         {
-            body.findContact(row, place, separates, out);
-            if (!separates && leadsBack(out, last))
+            body.findContact(row, place, isSeparating, out);
+            if (!isSeparating && leadsBack(out, last))
             {
                 body.findContact(row, place, true, out);
             }

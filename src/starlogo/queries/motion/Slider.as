@@ -26,7 +26,7 @@ package starlogo.queries.motion
         // The state of the motion, what remains of it, and what stops it first without one of the planes.
         private var _state:MotionState = new MotionState();
         private var _remaining:RemainingMotion = new RemainingMotion();
-        private var _without:Impact = new Impact();
+        private var _impactWithoutPlane:Impact = new Impact();
 
         /**
          * Computes a motion that slides along what it meets.
@@ -173,8 +173,8 @@ package starlogo.queries.motion
         // Whether a motion from this corner is stopped in it.
         private function meetsInCorner(state:MotionState, place:Vector3D, motion:Vector3D):Boolean
         {
-            return _sweep.findFirstImpact(state.shrunk, state.obstacles, place, motion, false, _without) && isInCorner(state.shrunk, _without, motion)
-                && !state.shrunk.body.passesOneWay(_without.row, _without.contact);
+            return _sweep.findFirstImpact(state.shrunk, state.obstacles, place, motion, false, _impactWithoutPlane) && isInCorner(state.shrunk, _impactWithoutPlane, motion)
+                && !state.shrunk.body.passesOneWay(_impactWithoutPlane.row, _impactWithoutPlane.contact);
         }
 
         // Whether what a motion meets first is met in the corner where it begins.

@@ -134,7 +134,7 @@ package starlogo.queries.trees
          * Calls <code>accepts</code> for the rows whose keys are smaller than a bound, in the order of the keys, until enough are admitted. Rows
          * that are found later must have no smaller keys.
          */
-        public function askBelow(bound:Number):void
+        public function testBelow(bound:Number):void
         {
             var end:int = bound < Infinity ? bringForward(bound) : _rows.count;
             if (end == _admitted)
@@ -213,7 +213,7 @@ package starlogo.queries.trees
             }
             else
             {
-                askBelow(Infinity);
+                testBelow(Infinity);
             }
             return _rows.count;
         }

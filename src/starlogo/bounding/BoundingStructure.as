@@ -305,7 +305,7 @@ package starlogo.bounding
         }
 
         /**
-         * Sets all numbers of the structure, in the order of <code>numbers()</code>. They are not checked; <code>clone()</code> checks them.
+         * Sets all numbers of the structure, in the order of <code>toNumbers()</code>. They are not checked; <code>clone()</code> checks them.
          *
          * @private
          */

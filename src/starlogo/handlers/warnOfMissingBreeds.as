@@ -2,13 +2,15 @@ package starlogo.handlers
 {
     import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
-    import starlogo.data.areSimilar;
     import starlogo.data.warn;
+    import starlogo.engine;
+
+    use namespace engine;
 
     /**
      * Warns if a breed that new handlers name is probably misspelled: no agent has it, and agents have a breed of a similar name, or its name is
-     * their shape's. Agents of the breed may still come, so nothing is refused. The ES module has its own version, the same as that of
-     * <code>warnOfBreeds()</code>.
+     * their shape's. Agents of the breed may still come, so nothing is refused. Of many such breeds only the first are looked at. The ES module
+     * has its own version, the same as that of <code>warnOfBreeds()</code>.
      *
      * @param names the breeds that the frame's new handlers name
      * @param agents the frame's agents, not yet checked: one may be null
@@ -20,42 +22,62 @@ package starlogo.handlers
         {
             return;
         }
-        var breeds:Vector.<String> = new Vector.<String>();
+        var isThere:Vector.<Boolean> = new Vector.<Boolean>(Breeds.NAMES.count);
         for each (var agent:Agent in agents)
         {
-            if (agent != null && breeds.indexOf(agent.breed) < 0)
+            isThere[agent == null ? Breeds.ANY : agent.breedNumber] = true;
+        }
+        for (var number:int = 0; number <= Breeds.ANY; number++)
+        {
+            isThere[number] = true;
+        }
+        var missing:Vector.<String> = new Vector.<String>();
+        for (var i:int = 0; i < names.length && missing.length < MAX_HINTS; i++)
+        {
+            if (!isThere[Breeds.NAMES.numberOf(names[i])] && missing.indexOf(names[i]) < 0)
             {
-                breeds.push(agent.breed);
+                missing.push(names[i]);
             }
         }
-        breeds.push(Breeds.TERRAIN, Breeds.EDGE);
-        for each (var name:String in names)
+        for each (var name:String in missing)
         {
-            if (breeds.indexOf(name) >= 0)
-            {
-                continue;
-            }
-            var hint:String = "";
-            for each (agent in agents)
-            {
-                if (agent != null && agent.shape == name)
-                {
-                    hint = ", which is the shape of " + agent + ": new Agent(\"" + name + "\", \"BREED\") gives it a breed";
-                    break;
-                }
-            }
-            for each (var breed:String in breeds)
-            {
-                if (areSimilar(name, breed))
-                {
-                    hint = "; is " + (breed == Breeds.TERRAIN ? "Collision.TERRAIN" : breed == Breeds.EDGE ? "Collision.EDGE" : "\"" + breed + "\"") + " meant?";
-                    break;
-                }
-            }
-            if (hint != "")
+            var hint:String = hintOfBreed(name, isThere) || hintOfShape(name, agents);
+            if (hint != null)
             {
                 warn("no agent is of the breed \"" + name + "\"" + hint);
             }
         }
     }
+}
+
+import starlogo.agents.Agent;
+import starlogo.agents.Breeds;
+import starlogo.data.areSimilar;
+
+// The most breeds that a call looks at.
+const MAX_HINTS:int = 20;
+
+function hintOfBreed(name:String, isThere:Vector.<Boolean>):String
+{
+    for (var number:int = 0; number < isThere.length; number++)
+    {
+        var breed:String = Breeds.NAMES.nameOf(number);
+        if (isThere[number] && areSimilar(name, breed))
+        {
+            return "; is " + (breed == Breeds.TERRAIN ? "Collision.TERRAIN" : breed == Breeds.EDGE ? "Collision.EDGE" : "\"" + breed + "\"") + " meant?";
+        }
+    }
+    return null;
+}
+
+function hintOfShape(name:String, agents:Vector.<Agent>):String
+{
+    for each (var agent:Agent in agents)
+    {
+        if (agent != null && agent.shape == name)
+        {
+            return ", which is the shape of " + agent + ": new Agent(\"" + name + "\", \"BREED\") gives it a breed";
+        }
+    }
+    return null;
 }

@@ -141,7 +141,8 @@ package starlogo.hierarchy
             var halfY:Number = pair.halfYA;
             var halfZ:Number = pair.halfZA;
             include "../intersection/squaredToBox.inc";
-            var least:Number = Math.min(pair.halfXB, pair.halfYB, pair.halfZB);
+            var least:Number = pair.halfXB < pair.halfYB ? pair.halfXB : pair.halfYB;
+            least = pair.halfZB < least ? pair.halfZB : least;
             return squaredDistance <= least * least;
         }
 

@@ -9,6 +9,9 @@ const $LONG_SILENCE = 300;
 /** So many frames in turn with new agents alone are no accident. */
 const $MANY_FRAMES = 30;
 
+/** The most breeds of a call that are compared with all others. */
+const $MOST_HINTS = 20;
+
 /** The breeds of what is no agent: how code names them, and the Collision's setting that each needs. */
 const $WORLD_BREEDS = /* @__PURE__ */ new Map([
 	["*terrain", { name: "Collision.TERRAIN", setting: "terrain" }],
@@ -73,10 +76,10 @@ export function $warnOfBreeds(names, agents) {
 	if (unchecked.length === 0) return;
 	const breeds = new Set(agents.map((agent) => agent?.breed).filter((breed) => typeof breed === "string" && !/^\*/.test(breed)));
 	if (breeds.size === 0) return;
-	for (const name of new Set(unchecked)) {
-		$checkedBreeds.set(name, breeds.has(name) ? Infinity : Breeds$NAMES.count);
-		if (!breeds.has(name)) $warnOfBreed(name, breeds, agents);
-	}
+	for (const name of unchecked) $checkedBreeds.set(name, breeds.has(name) ? Infinity : Breeds$NAMES.count);
+	// a few: each is compared with all breeds and agents
+	const missing = new Set(unchecked.filter((name) => !breeds.has(name)));
+	for (const name of [...missing].slice(0, $MOST_HINTS)) $warnOfBreed(name, breeds, agents);
 }
 
 /** Warns of a breed that no agent has: a similar one may be meant, or it is a shape. */

@@ -356,6 +356,7 @@ package starlogo.terrain
             assertThrows(RangeError, "NaN", _terrain.raiseMound, NaN, 0, 4, 1);
             assertThrows(RangeError, "(9, 0)", _terrain.raiseMound, 9, 0, 4, 1);
             assertThrows(RangeError, "1000000011", _terrain.raiseMound, 0, 0, 4, 1e9);
+            assertThrows(RangeError, "(-0.9, -0.9)", new Terrain(5, 5).raiseMound, -0.9, -0.9, 1, 3);
             assertThrows(RangeError, "(5, 0)", _terrain.raiseWall, 5, 0, 1);
             assertThrows(RangeError, "NaN", _terrain.raiseWall, 0, NaN, 1);
             assertThrows(RangeError, "NaN", _terrain.raiseWall, 0, 0, NaN);

@@ -38,7 +38,7 @@ package starlogo.ground
          */
         public function find(grid:HeightGrid, ray:Ray, out:RayEntry):Boolean
         {
-            out.begin(ray);
+            out.setToStart(ray);
             if (beginsInside(grid, ray))
             {
                 return true;
@@ -108,7 +108,7 @@ package starlogo.ground
             _search.motion.latest = Math.min(ray.to, FARTHEST);
             var whole:HeightBounds = grid.pyramid.whole;
             // the cell's width, and twice as much because walls are cut a cell's width above and below
-            _largestRadius = 3 * grid.cellWidth + whole.greatest - whole.least;
+            _largestRadius = 3 * grid.cellWidth + whole.max - whole.min;
             _sheared.setTo(ray, _largestRadius);
         }
     }

@@ -206,7 +206,7 @@ package starlogo.ground
         // Finds the box around a structure of the model.
         private function findBoxAround(structure:BoundingStructure, out:GroundBox):void
         {
-            structure.boxAroundInto(_placement, _middleAndHalves);
+            structure.findPlacedBox(_placement, _middleAndHalves);
             out.x = _middleAndHalves[0] + _placement.x;
             out.y = _middleAndHalves[1] + _placement.y;
             out.z = _middleAndHalves[2] + _placement.z;

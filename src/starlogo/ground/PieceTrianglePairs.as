@@ -75,7 +75,7 @@ package starlogo.ground
         /** From now on, triangles count behind whose planes a piece reaches at least this deep. */
         public function narrowToDepth(depth:Number):void
         {
-            _triangles.leastDepth = depth;
+            _triangles.minDepth = depth;
         }
 
         /** Goes on to the next triangle near the piece, or near the next piece that has one. Returns false if there is none. */
@@ -96,7 +96,7 @@ package starlogo.ground
         {
             while (pieces.next())
             {
-                _triangles.begin(pieces.box, pieces.shapeInBox, pieces.nodesLeft);
+                _triangles.setTo(pieces.box, pieces.shapeInBox, pieces.nodesLeft);
                 if (!pieces.isDivisible || !_triangles.next())
                 {
                     return true;

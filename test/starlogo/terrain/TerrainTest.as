@@ -409,7 +409,7 @@ package starlogo.terrain
             for (var i:int = 0; i < 30; i++)
             {
                 var height:Number = terrain.heightAt(x + random.pick([-1, 1, random.between(-1, 1)]) * reachX, y + random.pick([-1, 1, random.between(-1, 1)]) * reachY);
-                assertFalse(height + " is out of bounds", height < range.least || height > range.greatest);
+                assertFalse(height + " is out of bounds", height < range.min || height > range.max);
             }
         }
 
@@ -436,8 +436,8 @@ package starlogo.terrain
                     riseY = Math.max(riseY, row == firstRow ? 0 : Math.abs(height - terrain.getHeight(column, row - 1)));
                 }
             }
-            assertEquals(least, bounds.least);
-            assertEquals(greatest, bounds.greatest);
+            assertEquals(least, bounds.min);
+            assertEquals(greatest, bounds.max);
             assertEquals(riseX, bounds.riseX);
             assertEquals(riseY, bounds.riseY);
             assertEquals(hasHole, bounds.hasHole);

@@ -131,7 +131,8 @@ package starlogo.hierarchy
             alongX = alongX < 0 ? -alongX : alongX;
             alongY = alongY < 0 ? -alongY : alongY;
             alongZ = alongZ < 0 ? -alongZ : alongZ;
-            var distance:Number = pair.offsetX * toX + pair.offsetY * toY + pair.offsetZ * toZ - alongX * pair.halfXB - alongY * pair.halfYB - alongZ * pair.halfZB;
+            var distance:Number = pair.offsetX * toX + pair.offsetY * toY + pair.offsetZ * toZ
+                - alongX * pair.halfXB - alongY * pair.halfYB - alongZ * pair.halfZB;
             toX = toX < 0 ? -toX : toX;
             toY = toY < 0 ? -toY : toY;
             toZ = toZ < 0 ? -toZ : toZ;

@@ -164,7 +164,8 @@ package starlogo.libraries.cooked
             var end:int = _tree.end[node];
             var splitIndex:int = first + (code - 1) / 6;
             var division:int = (code - 1) % 6;
-            var isWrong:Boolean = division < BELOW ? _tree.levelOf(node) >= _maxDepth : BoxTreeBuilder.isHalvedOnLevel(_tree.levelOf(node)) && splitIndex != (first + end) >> 1;
+            var isWrong:Boolean = division < BELOW ? _tree.levelOf(node) >= _maxDepth
+                : BoxTreeBuilder.isHalvedOnLevel(_tree.levelOf(node)) && splitIndex != (first + end) >> 1;
             if (isWrong || splitIndex <= first || splitIndex >= end)
             {
                 return false;

@@ -122,7 +122,8 @@ package starlogo.queries.motion
                 var row:int = rows.values[int(i % rows.count)];
                 var isSeparating:Boolean = i >= FIRST_SEPARATING_ROUND * rows.count;
                 freeInTurn++;
-                if (clearsTouches ? findPushOff(shrunk, row, place, isSeparating, last, _contact) : findPushOut(shrunk, row, place, isSeparating, last, _contact))
+                if (clearsTouches ? findPushOff(shrunk, row, place, isSeparating, last, _contact)
+                        : findPushOut(shrunk, row, place, isSeparating, last, _contact))
                 {
                     if (i >= MAX_ROUNDS * rows.count || !(_contact.depth < TOO_DEEP) || leadsBack(_contact, last))
                     {
@@ -198,7 +199,8 @@ package starlogo.queries.motion
         {
             var body:MovingBody = shrunk.body;
             // mostly it is known faster that the shrunk body touches the row than how deep the overlap is
-            if (!findTouchingPlace(shrunk, row, place, _touching) || body.passesOneWayAt(row, _touching) || (!shrunk.isFlat && shrunk.shrunkTouches(row, place)))
+            if (!findTouchingPlace(shrunk, row, place, _touching) || body.passesOneWayAt(row, _touching)
+                    || (!shrunk.isFlat && shrunk.shrunkTouches(row, place)))
             {
                 return false;
             }

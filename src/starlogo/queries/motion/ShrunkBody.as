@@ -11,8 +11,8 @@ package starlogo.queries.motion
     use namespace engine;
 
     /**
-     * The shrunk body on one motion, and the tolerances of this motion. The shrunk body is the body, made smaller by a slop about the middle of its
-     * extents. So it does not touch what the body only touches.
+     * A body on one motion, made smaller by a slop about the middle of its extents, and the tolerances of this motion. So it does not touch what the
+     * whole body only touches.
      *
      * <p>docs/mover.md derives the quantities.</p>
      *

@@ -173,7 +173,8 @@ package starlogo.queries.motion
         // Whether a motion from this corner is stopped in it.
         private function meetsInCorner(state:MotionState, place:Vector3D, motion:Vector3D):Boolean
         {
-            return _sweep.findFirstImpact(state.shrunk, state.obstacles, place, motion, false, _impactWithoutPlane) && isInCorner(state.shrunk, _impactWithoutPlane, motion)
+            return _sweep.findFirstImpact(state.shrunk, state.obstacles, place, motion, false, _impactWithoutPlane)
+                && isInCorner(state.shrunk, _impactWithoutPlane, motion)
                 && !state.shrunk.body.passesOneWay(_impactWithoutPlane.row, _impactWithoutPlane.contact);
         }
 

@@ -33,6 +33,9 @@ package starlogo.convex
         // How far the last shape's core extends along the normal, relative to the shape's origin.
         private var _ofShape:Interval = new Interval();
 
+        // How far from the plane the last shape's core may be if it touches the triangle, with all that is rounded.
+        private var _quickDistance:Number = 0;
+
         /** Whether the triangle is flat. */
         public function get isFlat():Boolean
         {
@@ -90,12 +93,19 @@ package starlogo.convex
          */
         public function timeOfEntry(shape:ConvexShape, quickDistance:Number, motion:RelativeMotion):Number
         {
+            _quickDistance = quickDistance;
+            return timeToPlane(shape, motion);
+        }
+
+        // As timeOfEntry(), with the distance that was set: V8 makes an object of a Number that is passed.
+        private function timeToPlane(shape:ConvexShape, motion:RelativeMotion):Number
+        {
             shape.project(normal, _ofShape);
             var projection:Number = normal.x * shape.x + normal.y * shape.y + normal.z * shape.z;
             var speed:Number = normal.x * motion.x + normal.y * motion.y + normal.z * motion.z;
             // how far in front of the plane all of the shape is, and how far behind
-            var above:Number = projection - max + _ofShape.min - quickDistance;
-            var below:Number = -(projection - min + _ofShape.max + quickDistance);
+            var above:Number = projection - max + _ofShape.min - _quickDistance;
+            var below:Number = -(projection - min + _ofShape.max + _quickDistance);
             return above > 0 ? (speed < 0 ? above / -speed : RelativeMotion.NEVER)
                 : below > 0 ? (speed > 0 ? below / speed : RelativeMotion.NEVER) : 0;
         }
@@ -110,7 +120,8 @@ package starlogo.convex
         {
             var size:Number = shape.extent + Math.abs(shape.x) + Math.abs(shape.y) + Math.abs(shape.z) + Math.abs(offset)
                 + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z);
-            return timeOfEntry(shape, (shape.radius + shape.margin) * Tolerances.OUTER + Tolerances.EXTENTS * size, motion) > motion.latest;
+            _quickDistance = (shape.radius + shape.margin) * Tolerances.OUTER + Tolerances.EXTENTS * size;
+            return timeToPlane(shape, motion) > motion.latest;
         }
 
         /**

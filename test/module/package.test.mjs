@@ -903,7 +903,7 @@ test("while a game is developed, walks that stop before what has a handler with 
 });
 
 test("while a game is developed, handlers that are not there to be removed, and the world's breeds without their mark, are warned of, once", () => {
-	const program = (module) => `import { Agent, AgentFilter, BinCollider, Collision } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
+	const program = (module) => `import { Agent, AgentFilter, BinCollider, Collision, Terrain } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
 		const said = [];
 		console.warn = (text) => said.push(text);
 		const collision = new Collision(new BinCollider());
@@ -911,6 +911,11 @@ test("while a game is developed, handlers that are not there to be removed, and 
 		collision.onCollision("wolves", "sheep", eat);
 		collision.onCollisionEnd("wolves", "terrain", eat);
 		collision.update([new Agent("sphere", "wolves"), new Agent("sphere", "sheep")]);
+		// a right game whose ground is made of agents too
+		const right = new Collision(new BinCollider());
+		right.onCollision("wolves", Collision.TERRAIN, eat);
+		right.terrain = new Terrain(3, 3);
+		right.update([new Agent("sphere", "wolves"), new Agent("sphere", "terrain")]);
 		const removed = [["wolfs", "sheep", eat], ["wolves", "sheep", eat.bind(null)], ["wolves", "sheep", eat], ["wolves", "sheep", eat]].map((each) => collision.removeHandler(...each));
 		try {
 			const nobody = new AgentFilter();

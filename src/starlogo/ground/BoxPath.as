@@ -135,12 +135,6 @@ package starlogo.ground
         {
             narrowAlong(alongX, column, level, passage);
             narrowAlong(alongY, row, level, passage);
-            findHeights(passage);
-        }
-
-        // Finds the heights between which the box is in a passage.
-        private function findHeights(passage:SquarePassage):void
-        {
             var start:Number = search.box.z + passage.earliest * search.motion.z;
             var end:Number = search.box.z + passage.latest * search.motion.z;
             // a triangle beside the box must be nearer in height to be near enough

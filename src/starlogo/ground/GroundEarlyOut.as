@@ -39,7 +39,7 @@ package starlogo.ground
          */
         public function decide(grid:HeightGrid, extents:GroundBox, form:int):int
         {
-            // neither trees, whose nodes may extend beyond their extents, nor structures of other kinds
+            // Forms above HULL are ModelShape's: trees, whose nodes may extend beyond their extents, and structures of other kinds.
             if (form > BoundingStructure.HULL)
             {
                 return UNKNOWN;
@@ -65,8 +65,7 @@ package starlogo.ground
             // agents that are this close may touch, because of rounding
             var slack:Number = Tolerances.ROUNDING * (Math.abs(grid.x) + Math.abs(grid.y) + (grid.columns + grid.rows) * grid.cellWidth
                     + Math.abs(whole.min) + Math.abs(whole.max));
-            // a whole grid has the same bound along both axes
-            var slope:Number = grid.isBlocky ? Infinity : whole.riseX / grid.cellWidth;
+            var slope:Number = grid.isBlocky ? Infinity : Math.max(whole.riseX, whole.riseY) / grid.cellWidth;
             // The height that the steepest slope of all reaches. For a sphere it is its radius times the root of 1 + 2 s², at most 1 + s².
             var height:Number = isSphere ? inner + inner * slope * slope : extents.halfZ + slope * (extents.halfX + extents.halfY);
             // an agent whose lowest height is in the ground under its middle is not far

@@ -4,7 +4,7 @@ package starlogo.ground
     import starlogo.convex.ContactPoint;
 
     /**
-     * What is known about the ways out of the ground for the deepest point of a contact (<code>ContactPoint.writeDeepestPoint()</code>). Contacts are in
+     * What is known about the exits from the ground of the deepest point of a contact (<code>ContactPoint.writeDeepestPoint()</code>). Contacts are in
      * the world.
      *
      * @private

@@ -13,7 +13,7 @@ package starlogo.ground
 
     /**
      * Tests a placed model against the ground: whether the two overlap, when and how they first touch, and how far they are apart. The model is
-     * a structure or a tree. The normals of contacts point out of the ground. <code>penetration</code> says how deep the model is.
+     * a structure or a tree. The normals of contacts point out of the ground.
      *
      * <p>A connected piece that does not touch the ground's surface is wholly under the ground or wholly outside of it, so one point decides.
      * So each convex piece is tested against the triangles of the surface near it, and a point of it against the height of the ground.</p>
@@ -25,11 +25,10 @@ package starlogo.ground
     public final class GroundModelQuery extends ImpactQuery
     {
         private var _pairs:PieceTrianglePairs = new PieceTrianglePairs();
+        private var _penetration:GroundPenetrationQuery = new GroundPenetrationQuery(_pairs);
 
-        /** Finds how deep the model is in the ground, and how far up it has to be lifted. */
-        public var penetration:GroundPenetrationQuery = new GroundPenetrationQuery(_pairs);
-
-        // Chooses the first touch.
+        // The motion until the first touch so far. It begins where the model is, because the model is moved to the beginning.
+        private var _sweep:RelativeMotion = new RelativeMotion();
         private var _firstImpact:FirstImpact = new FirstImpact();
 
         // For the upper bound of a distance: the box around the model, a point of the ground, and the same point as the corners of a triangle.
@@ -44,12 +43,11 @@ package starlogo.ground
          * @param tree the model's tree; null if a structure represents it
          * @param structure the structure, or the one around the tree, in the model's space
          * @param placement where the model stands
-         * @param depth how many levels of the tree are visited
-         * @param isExact whether triangles decide in place of depths, if the tree has triangles
+         * @param depth how many levels of the tree are visited; BoxTree.EXACT if its triangles decide
          */
-        public function setTo(grid:HeightGrid, tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int, isExact:Boolean):void
+        public function setTo(grid:HeightGrid, tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int):void
         {
-            _pairs.setTo(grid, tree, structure, placement, depth, isExact);
+            _pairs.setTo(grid, tree, structure, placement, depth);
         }
 
         /** @inheritDoc */
@@ -91,11 +89,13 @@ package starlogo.ground
         override public function findImpactOfSurfaces(motion:RelativeMotion, out:ContactPoint):void
         {
             var kernel:TriangleKernel = _pairs.pieces.kernel;
-            // begins where the model is, because the model is moved to the beginning
-            var sweep:RelativeMotion = _pairs.search.motion;
+            var sweep:RelativeMotion = _sweep;
+            sweep.copyVector(motion);
+            sweep.earliest = motion.earliest;
+            sweep.latest = motion.latest;
             _firstImpact.reset(motion.latest);
             _pairs.pieces.moveTo(motion, 0);
-            _pairs.begin(motion, 0);
+            _pairs.begin(sweep, 0);
             while (_firstImpact.time > 0 && _pairs.next())
             {
                 if (kernel.plane.areApart(kernel.shape, sweep))
@@ -142,7 +142,19 @@ package starlogo.ground
                 }
             }
             _pairs.pieces.moveTo(motion, time);
-            penetration.findContact(out);
+            _penetration.findContact(out);
+        }
+
+        /** Whether a piece of the model overlaps the surface by more than a depth, or a point of it is as deep under the ground. */
+        public function isDeeper(depth:Number):Boolean
+        {
+            return _penetration.isDeeper(depth);
+        }
+
+        /** Finds the contact that lifts the model from its lowest place above all ground under it. */
+        public function findLift(out:ContactPoint):void
+        {
+            _penetration.findLift(out);
         }
 
         /**
@@ -161,7 +173,7 @@ package starlogo.ground
             {
                 if (kernel.findCloser(_pairs.triangle.corners, out))
                 {
-                    _pairs.search.maxDistance = out.distance;
+                    _pairs.narrowToDistance(out.distance);
                 }
             }
             if (areTouching)

@@ -11,12 +11,10 @@ package starlogo.ground
      * Finds how deep a standing model is in the ground, and how far up it has to be lifted. GroundModelQuery sets the model.
      *
      * <p>What is behind the plane of a triangle may be outside of the ground, because the plane goes on where the ground is lower. So the depth behind a
-     * triangle counts if bounds of the heights around prove that no way out is much shorter. If no depth is proven, the triangle counts that a piece
+     * triangle counts if bounds of the heights around prove that no exit is much shorter. If no depth is proven, the triangle counts that a piece
      * overlaps most.</p>
-     *
-     * @private
      */
-    public final class GroundPenetrationQuery
+    internal final class GroundPenetrationQuery
     {
         // A depth is proven if no exit is shorter than this fraction of it. The fraction is larger than the one that ExitSearch requires, so a proven depth
         // needs no search for other ways out. Larger: more contacts need one.
@@ -84,7 +82,7 @@ package starlogo.ground
                 var isApart:Boolean = true;
                 while (_pairs.nextTriangle())
                 {
-                    if (findOverlap())
+                    if (findOverlap(_tried))
                     {
                         if (_tried.depth > depth)
                         {
@@ -102,7 +100,7 @@ package starlogo.ground
             return false;
         }
 
-        // Finds the contact with the triangle that the model is deepest behind. Only triangles count that the way out from a piece's deepest point passes
+        // Finds the contact with the triangle that the model is deepest behind. Only triangles count that the exit from a piece's deepest point passes
         // through, and only depths that are proven. Returns whether there is one.
         private function findDeepestBehind(out:ContactPoint):Boolean
         {
@@ -114,7 +112,7 @@ package starlogo.ground
             {
                 _kernel.plane.findBehind(_kernel.shape, RelativeMotion.NONE, _tried);
                 // deeper by more than rounding
-                if (_tried.depth >= out.depth + _pairs.triangle.margin && isThrough(_pairs.triangle.corners, _tried))
+                if (_tried.depth >= out.depth + Touching.marginOfSurface(_pairs.triangle.radius) && isThrough(_pairs.triangle.corners, _tried))
                 {
                     _pairs.moveToWorld(_tried);
                     if (isDepthProven(_tried))
@@ -123,7 +121,7 @@ package starlogo.ground
                         out.copyFrom(_tried);
                         out.isDeepestOfA = true;
                         out.exitBound = MIN_RATIO_PROVEN * out.depth;
-                        _pairs.search.minDepth = out.depth;
+                        _pairs.narrowToDepth(out.depth);
                     }
                 }
             }
@@ -145,7 +143,7 @@ package starlogo.ground
                 var behind:Number = _tried.depth;
                 // no overlap is deeper than the piece is behind the plane
                 var isLess:Boolean = mostOverlap > 0 && behind < mostOverlap - rounding;
-                if (!isLess && findOverlap())
+                if (!isLess && findOverlap(_tried))
                 {
                     var overlap:Number = _tried.depth;
                     _kernel.plane.leadOutside(_kernel.shape, RelativeMotion.NONE, _tried);
@@ -165,17 +163,17 @@ package starlogo.ground
         }
 
         // Finds the shortest way of the current piece away from the current triangle, into the ground or out of it. Returns whether the two touch.
-        private function findOverlap():Boolean
+        private function findOverlap(out:ContactPoint):Boolean
         {
             if (_kernel.plane.areApart(_kernel.shape, RelativeMotion.NONE))
             {
                 return false;
             }
-            _kernel.findContact(RelativeMotion.NONE, _tried);
-            return _tried.depth > 0 || _kernel.areTouching();
+            _kernel.findContact(RelativeMotion.NONE, out);
+            return out.depth > 0 || _kernel.areTouching();
         }
 
-        // Whether the way out of a contact behind a triangle's plane passes through the triangle, seen along its normal. False if the triangle is flat.
+        // Whether the exit of a contact behind a triangle's plane passes through the triangle, seen along its normal. False if the triangle is flat.
         private static function isThrough(corners:Vector.<Number>, contact:ContactPoint):Boolean
         {
             var from:int = 6;
@@ -211,7 +209,7 @@ package starlogo.ground
         private function roundingHere():Number
         {
             var origin:Placement = _pairs.search.origin;
-            return ROUNDED_TERMS * _pairs.triangle.margin + 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
+            return ROUNDED_TERMS * Touching.marginOfSurface(_pairs.triangle.radius) + 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
         }
 
         // Whether each exit from the ground is at least about as long as a contact in the world is deep, because the piece's deepest point has to get out.

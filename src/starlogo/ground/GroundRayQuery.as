@@ -27,7 +27,7 @@ package starlogo.ground
         private var _first:TriangleCrossing = new TriangleCrossing();
 
         // An upper bound of the radius of a triangle between the least and the greatest height.
-        private var _largest:Number = 0;
+        private var _largestRadius:Number = 0;
 
         /**
          * Finds where a ray first meets the ground.
@@ -83,7 +83,7 @@ package starlogo.ground
             {
                 return false;
             }
-            _sheared.setRadius(Math.min(_triangle.radius, _largest));
+            _sheared.setRadius(Math.min(_triangle.radius, _largestRadius));
             return true;
         }
 
@@ -107,8 +107,9 @@ package starlogo.ground
             // only now, so that the distance does not depend on where the ray ends
             _search.motion.latest = Math.min(ray.to, FARTHEST);
             var whole:HeightBounds = grid.pyramid.whole;
-            _largest = 3 * grid.cellWidth + whole.max - whole.min;
-            _sheared.setTo(ray, _largest);
+            // the cell's width, and twice as much because walls are cut a cell's width above and below
+            _largestRadius = 3 * grid.cellWidth + whole.max - whole.min;
+            _sheared.setTo(ray, _largestRadius);
         }
     }
 }

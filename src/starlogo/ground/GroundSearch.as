@@ -36,8 +36,5 @@ package starlogo.ground
 
         /** A limit: how far from the standing box a triangle still counts. Tall walls are cut beyond it. */
         public var maxDistance:Number = 0;
-
-        /** A limit of KeptTriangles alone: triangles count behind whose planes the box reaches at least this deep. */
-        public var minDepth:Number = 0;
     }
 }

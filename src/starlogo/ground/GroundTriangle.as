@@ -26,8 +26,7 @@ package starlogo.ground
         public var min:Vector3D = new Vector3D();
         public var max:Vector3D = new Vector3D();
 
-        /** The margin of its surface (see Touching) and its plane. Only KeptTriangles sets them. */
-        public var margin:Number = 0;
+        /** Its plane. Only KeptTriangles sets it. */
         public var plane:TrianglePlane = new TrianglePlane();
     }
 }

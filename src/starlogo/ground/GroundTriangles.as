@@ -16,6 +16,9 @@ package starlogo.ground
      */
     public final class GroundTriangles
     {
+        /** Whether the box of the search comes to few cells. Read only. */
+        public var comesToFewCells:Boolean = false;
+
         private var _path:BoxPath = new BoxPath();
 
         // Of the current square: how the box passes over it, its heights, and if it is a cell, its triangles.
@@ -27,23 +30,15 @@ package starlogo.ground
         private var _squares:Vector.<int> = new Vector.<int>();
         private var _squaresEnd:int = 0;
 
-        // The level of the first squares.
-        private var _firstLevel:int = 0;
-
         /** Begins a search, which is kept until it ends. */
         public function begin(search:GroundSearch):void
         {
             _path.begin(search);
             stop();
             _passage.reset(search.motion.latest);
-            _firstLevel = _path.firstLevel();
-            addSquares(_firstLevel, 0, 0, int.MAX_VALUE);
-        }
-
-        /** Whether the box of the search comes to few cells. */
-        public function get comesToFewCells():Boolean
-        {
-            return _firstLevel == 0;
+            var firstLevel:int = _path.firstLevel();
+            comesToFewCells = firstLevel == 0;
+            addSquares(firstLevel, 0, 0, int.MAX_VALUE);
         }
 
         /** How much nearer to the box a triangle of the search may be than its numbers say, because of rounding and its margin. */

@@ -13,7 +13,7 @@ package starlogo.ground
         /** The greatest height; -Infinity if there is none. */
         public var max:Number = -Infinity;
 
-        /** The most by which two heights differ that are neighbours along x. Of squares above level 0, and of a whole grid, it is the same along y. */
+        /** The most by which two heights differ that are neighbours along x. */
         public var riseX:Number = 0;
 
         /** The same along y. */

@@ -2,7 +2,7 @@
 // HeightPyramid bounds of them. Three parts build on these:
 // - GroundTriangles finds the triangles near the box of a GroundSearch: square by square (BoxPath), then those of each cell (CellTriangles).
 // - GroundModelQuery tests a model. PieceTrianglePairs are its convex pieces (ModelPieces), each with the triangles near it (KeptTriangles).
-// GroundPenetrationQuery finds how deep the model is, GroundExits how long its way out is at least.
+// GroundPenetrationQuery finds how deep the model is, GroundExits a lower bound of the lengths of its exits.
 // - GroundRayQuery tests a ray, and GroundEarlyOut decides about most agents by the heights alone.
 // Read this file first, then GroundSearch, GroundTriangles and GroundModelQuery.
 package starlogo.ground
@@ -32,7 +32,7 @@ package starlogo.ground
         public var x:Number;
         public var y:Number;
 
-        /** Whether the surface is upright blocks; otherwise it is slopes. Read only. */
+        /** Whether the surface is upright blocks; otherwise it is slopes. */
         public var isBlocky:Boolean = false;
 
         /** The heights, row by row. Read only. */
@@ -83,12 +83,6 @@ package starlogo.ground
             pyramid.update(column, row, column + columns - 1, row + rows - 1);
         }
 
-        /** Makes the surface blocks or slopes. */
-        public function setBlocky(value:Boolean):void
-        {
-            isBlocky = value;
-        }
-
         /** Makes all heights 0, without holes. */
         public function reset():void
         {
@@ -104,13 +98,7 @@ package starlogo.ground
             pyramid.update(0, 0, columns - 1, rows - 1);
         }
 
-        /** Whether a frame needs the ground as it is. While one does, it must not change. */
-        public function get isHeld():Boolean
-        {
-            return _holders > 0;
-        }
-
-        /** Notes that one more frame needs the ground as it is. */
+        /** Notes that one more frame needs the ground as it is. Then it must not change. */
         public function hold():void
         {
             _holders++;
@@ -122,10 +110,14 @@ package starlogo.ground
             _holders--;
         }
 
-        /** Returns a copy that no frame holds. An earlier copy is used again. */
-        public function copy():HeightGrid
+        /** Returns this grid, or a copy if a frame holds it: what may change. An earlier copy is used again. */
+        public function writable():HeightGrid
         {
-            if (_spare == null || _spare.isHeld)
+            if (_holders == 0)
+            {
+                return this;
+            }
+            if (_spare == null || _spare._holders > 0)
             {
                 _spare = new HeightGrid(columns, rows, cellWidth, x, y);
                 _spare._spare = this;
@@ -157,17 +149,13 @@ package starlogo.ground
             return HeightBytes.read(bytes, this);
         }
 
-        /** Whether a place is between the first height and the last, or at most this far outside along x and y. */
-        public function isWithin(atX:Number, atY:Number, beyond:Number):Boolean
+        /**
+         * Whether a point is between the sides of the outermost blocks, or else between those of the outermost cells of slopes, as seen from above;
+         * over a hole too.
+         */
+        public function isWithin(point:GroundPoint, areBlocks:Boolean):Boolean
         {
-            return atX >= x - beyond && atY >= y - beyond && atX <= x + (columns - 1) * cellWidth + beyond && atY <= y + (rows - 1) * cellWidth + beyond;
-        }
-
-        // Whether a point is between the sides of the outermost cells, as seen from above; over a hole too. It takes a record, because V8 would make
-        // objects of the Numbers.
-        private function isInOutline(point:GroundPoint):Boolean
-        {
-            var beyond:Number = border;
+            var beyond:Number = areBlocks ? cellWidth / 2 : 0;
             return point.x >= x - beyond && point.y >= y - beyond && point.x <= x + (columns - 1) * cellWidth + beyond && point.y <= y + (rows - 1) * cellWidth + beyond;
         }
 
@@ -228,7 +216,7 @@ package starlogo.ground
         /** Finds the height at a point's x and y, and on slopes its triangle. */
         public function findHeight(point:GroundPoint):void
         {
-            if (!isInOutline(point))
+            if (!isWithin(point, isBlocky))
             {
                 point.height = NaN;
             }

@@ -17,9 +17,9 @@ package starlogo.ground
         // Larger: finding them takes longer.
         private static const MAX_SQUARES:int = 16;
 
-        // How many numbers a square has: the least height, the greatest height, the greatest difference of two heights that are neighbours along x or y, and 1 if a
-        // cell there is a hole, or 0.
-        private static const NUMBERS:int = 4;
+        // How many numbers a square has: the least height, the greatest height, the greatest difference of two heights that are neighbours along x, the same
+        // along y, and 1 if a cell there is a hole, or 0.
+        private static const NUMBERS:int = 5;
 
         /** The number of the last level. Level 0 is the cells, whose heights need no bounds. */
         public var lastLevel:int = 0;
@@ -88,7 +88,7 @@ package starlogo.ground
             var stride:int = countSquares(_grid.columns, level);
             var low:Number = Infinity;
             var high:Number = -Infinity;
-            var rise:Number = 0;
+            out.riseX = out.riseY = 0;
             out.hasHole = false;
             for (var row:int = firstRow; row <= lastRow; row++)
             {
@@ -97,13 +97,13 @@ package starlogo.ground
                     var at:int = _begins[level] + NUMBERS * (row * stride + column);
                     low = Math.min(low, _bounds[at]);
                     high = Math.max(high, _bounds[int(at + 1)]);
-                    rise = Math.max(rise, _bounds[int(at + 2)]);
-                    out.hasHole ||= _bounds[int(at + 3)] > 0;
+                    out.riseX = Math.max(out.riseX, _bounds[int(at + 2)]);
+                    out.riseY = Math.max(out.riseY, _bounds[int(at + 3)]);
+                    out.hasHole ||= _bounds[int(at + 4)] > 0;
                 }
             }
             out.min = low;
             out.max = high;
-            out.riseX = out.riseY = rise;
         }
 
         // Finds bounds of a range of heights, all of which are read.
@@ -203,8 +203,9 @@ package starlogo.ground
             var at:int = _begins[level] + NUMBERS * (row * countSquares(_grid.columns, level) + column);
             _bounds[at] = _range.min;
             _bounds[int(at + 1)] = _range.max;
-            _bounds[int(at + 2)] = Math.max(_range.riseX, _range.riseY);
-            _bounds[int(at + 3)] = int(_range.hasHole);
+            _bounds[int(at + 2)] = _range.riseX;
+            _bounds[int(at + 3)] = _range.riseY;
+            _bounds[int(at + 4)] = int(_range.hasHole);
         }
     }
 }

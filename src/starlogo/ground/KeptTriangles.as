@@ -3,7 +3,6 @@ package starlogo.ground
     import flash.geom.Vector3D;
     import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
-    import starlogo.geometry.Touching;
 
     /**
      * The triangles of the ground near the boxes of a model. Those near a box that comes to few cells are found once, and kept for the boxes inside of
@@ -13,6 +12,9 @@ package starlogo.ground
     {
         /** The triangle that <code>next()</code> has found. Read only. */
         public var triangle:GroundTriangle = null;
+
+        /** A limit: triangles count behind whose planes the box reaches at least this deep. */
+        public var minDepth:Number = 0;
 
         private var _search:GroundSearch;
         private var _source:GroundTriangles = new GroundTriangles();
@@ -24,8 +26,8 @@ package starlogo.ground
         private var _next:int = 0;
         private var _areKept:Boolean = false;
 
-        // How many boxes were left when the triangles that are kept were looked for.
-        private var _boxesLeft:int = 0;
+        // How many nodes were left when the triangles that are kept were looked for.
+        private var _nodesLeft:int = 0;
 
         // The least and the greatest corner of the box with all of its motion.
         private var _min:Vector3D = new Vector3D();
@@ -49,16 +51,16 @@ package starlogo.ground
          * Begins with a box.
          *
          * @param shape the shape that is tested, if it is in the box; null for none
-         * @param boxesLeft how many boxes come after this one and those inside of it
+         * @param nodesLeft how many nodes come after this box and those inside of it
          */
-        public function setTo(box:GroundBox, shape:ConvexShape, boxesLeft:int):void
+        public function setTo(box:GroundBox, shape:ConvexShape, nodesLeft:int):void
         {
             _next = 0;
-            // fewer boxes are left: all inside of the box whose triangles are kept have been
-            if (!_areKept || boxesLeft < _boxesLeft)
+            // fewer nodes are left: all inside of the box whose triangles are kept have been
+            if (!_areKept || nodesLeft < _nodesLeft)
             {
                 _count = 0;
-                _boxesLeft = boxesLeft;
+                _nodesLeft = nodesLeft;
                 _search.box.copyFrom(box);
                 _search.shape = shape;
                 _source.begin(_search);
@@ -83,7 +85,7 @@ package starlogo.ground
         public function next():Boolean
         {
             var far:Number = _search.maxDistance;
-            var front:Number = far - _search.minDepth + _source.slack;
+            var front:Number = far - minDepth + _source.slack;
             while (_next < _count || findMore())
             {
                 var near:GroundTriangle = _found[_next];
@@ -113,7 +115,7 @@ package starlogo.ground
             return min.z - max.z > far || min.x - max.x > far || min.y - max.y > far;
         }
 
-        // Finds one more triangle, and sets what only tests of the model need: its margin and its plane. Returns false if there is none.
+        // Finds one more triangle, and sets what only tests of the model need: its plane. Returns false if there is none.
         private function findMore():Boolean
         {
             if (!_areKept)
@@ -129,7 +131,6 @@ package starlogo.ground
             {
                 return false;
             }
-            found.margin = Touching.marginOfSurface(found.radius);
             found.plane.setTriangle(found.corners, 0);
             _count++;
             return true;

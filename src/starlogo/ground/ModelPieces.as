@@ -31,7 +31,7 @@ package starlogo.ground
         public var kernel:TriangleKernel = new TriangleKernel();
 
         /** The margin of the kernel's shape, with the margins of the model's place and surface. Read only. */
-        public var margin:Number = 0;
+        public var shapeMargin:Number = 0;
 
         /** The box around the current piece; if that is a triangle, around its node. Relative to the origin. Read only. */
         public var box:GroundBox = new GroundBox();
@@ -41,6 +41,9 @@ package starlogo.ground
 
         /** Whether the current piece is a node above the smallest pieces. Read only. */
         public var isDivisible:Boolean = false;
+
+        /** How many nodes come after the current piece and the pieces inside of it. Read only. */
+        public var nodesLeft:int = 0;
 
         /** A point of the current piece; the middle of the box of a divisible one. Read only. */
         public var point:Vector3D = new Vector3D();
@@ -53,30 +56,29 @@ package starlogo.ground
 
         // The model's placement, relative to the origin, and the margin for its place and surface.
         private var _placement:Placement = new Placement();
-        private var _margin:Number = 0;
+        private var _modelMargin:Number = 0;
 
         // What comes next: a range of the tree's triangles, then nodes from the last one on. Behind these is the current node.
         private var _nextTriangle:int = 0;
         private var _trianglesEnd:int = 0;
         private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
         private var _nodes:Vector.<int> = new Vector.<int>();
-        private var _nodeCount:int = 0;
 
         // The middle and the half lengths of a box, relative to the model's place.
         private var _middleAndHalves:Vector.<Number> = new Vector.<Number>(6, true);
 
         /** Sets the model, as <code>GroundModelQuery.setTo()</code> takes it. The origin is the place of the placement. */
-        public function setTo(tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int, isExact:Boolean):void
+        public function setTo(tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int):void
         {
             _tree = tree;
             _structure = structure;
-            _depth = isTree && isExact && tree.hasTriangles ? BoxTree.EXACT : depth;
+            _depth = depth;
             // Touching.marginOfPlace(), twice: as if another agent stood at the place of the touch. It is written out because V8 makes objects for
             // Numbers that are passed.
-            _margin = 2 * Tolerances.PLACES * (Math.abs(placement.x) + Math.abs(placement.y) + Math.abs(placement.z));
+            _modelMargin = 2 * Tolerances.PLACES * (Math.abs(placement.x) + Math.abs(placement.y) + Math.abs(placement.z));
             if (_depth == BoxTree.EXACT)
             {
-                _margin += Touching.marginOfSurface(tree.boxTree.radius * placement.size);
+                _modelMargin += Touching.marginOfSurface(tree.boxTree.radius * placement.size);
             }
             _placement.copyFrom(placement);
             moveTo(RelativeMotion.NONE, 0);
@@ -101,13 +103,7 @@ package starlogo.ground
         {
             _nextTriangle = _trianglesEnd = 0;
             _nodes[0] = isTree ? 0 : WHOLE;
-            _nodeCount = 1;
-        }
-
-        /** How many nodes come after the current piece and the pieces inside of it. Read only. */
-        public function get nodesLeft():int
-        {
-            return _nodeCount;
+            nodesLeft = 1;
         }
 
         /** Goes on to the next piece. Returns false if there is none. */
@@ -122,12 +118,12 @@ package starlogo.ground
                 shapeInBox = null;
                 return true;
             }
-            if (_nodeCount == 0)
+            if (nodesLeft == 0)
             {
                 return false;
             }
-            _nodeCount--;
-            enter(_nodes[_nodeCount]);
+            nodesLeft--;
+            enter(_nodes[nodesLeft]);
             return true;
         }
 
@@ -135,7 +131,7 @@ package starlogo.ground
         public function divide():void
         {
             var tree:BoxTree = _tree.boxTree;
-            var node:int = _nodes[_nodeCount];
+            var node:int = _nodes[nodesLeft];
             var left:int = tree.left[node];
             if (left == 0)
             {
@@ -144,9 +140,9 @@ package starlogo.ground
                 return;
             }
             var isLeftLower:Boolean = heightOf(left) < heightOf(left + 1);
-            _nodes[_nodeCount] = isLeftLower ? left + 1 : left;
-            _nodes[int(_nodeCount + 1)] = isLeftLower ? left : left + 1;
-            _nodeCount += 2;
+            _nodes[nodesLeft] = isLeftLower ? left + 1 : left;
+            _nodes[int(nodesLeft + 1)] = isLeftLower ? left : left + 1;
+            nodesLeft += 2;
         }
 
         // How high the middle of a node is, as a multiple of the model's size.
@@ -200,8 +196,8 @@ package starlogo.ground
         {
             var shape:ConvexShape = kernel.shape;
             isDivisible = false;
-            shape.margin += _margin;
-            margin = shape.margin;
+            shape.margin += _modelMargin;
+            shapeMargin = shape.margin;
             point.x = shape.x;
             point.y = shape.y;
             point.z = shape.z;
@@ -214,9 +210,9 @@ package starlogo.ground
             out.x = _middleAndHalves[0] + _placement.x;
             out.y = _middleAndHalves[1] + _placement.y;
             out.z = _middleAndHalves[2] + _placement.z;
-            out.halfX = _middleAndHalves[3] + _margin;
-            out.halfY = _middleAndHalves[4] + _margin;
-            out.halfZ = _middleAndHalves[5] + _margin;
+            out.halfX = _middleAndHalves[3] + _modelMargin;
+            out.halfY = _middleAndHalves[4] + _modelMargin;
+            out.halfZ = _middleAndHalves[5] + _modelMargin;
         }
     }
 }

@@ -6,6 +6,7 @@ package starlogo.ground
     import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.Touching;
     import starlogo.solid.ModelTree;
 
     /**
@@ -22,25 +23,25 @@ package starlogo.ground
 
         /**
          * The search for the triangles near the current piece. Its origin is the place that the model was set to: pieces, triangles and contacts are
-         * relative to it. After <code>begin()</code>, its limits may be narrowed.
+         * relative to it. Read only.
          */
         public var search:GroundSearch = new GroundSearch();
 
         private var _triangles:KeptTriangles = new KeptTriangles(search);
 
-        // A point of the current piece, relative to the origin, the ground under it, and the ground's normal there.
-        private var _point:Vector3D = new Vector3D();
+        // The ground under a point of the current piece, its normal there, and the piece's lowest point along this normal, relative to the origin.
         private var _under:GroundPoint = new GroundPoint();
         private var _normal:Vector3D = new Vector3D();
+        private var _point:Vector3D = new Vector3D();
 
         /** Sets the model and the ground, as <code>GroundModelQuery.setTo()</code> takes them. */
-        public function setTo(grid:HeightGrid, tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int, isExact:Boolean):void
+        public function setTo(grid:HeightGrid, tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int):void
         {
             search.grid = grid;
             search.origin.x = placement.x;
             search.origin.y = placement.y;
             search.origin.z = placement.z;
-            pieces.setTo(tree, structure, placement, depth, isExact);
+            pieces.setTo(tree, structure, placement, depth);
         }
 
         /** The current triangle of the ground. */
@@ -52,18 +53,29 @@ package starlogo.ground
         /**
          * Begins.
          *
-         * @param motion of the pieces from where they are: triangles count that they may meet until its latest time. The motion is copied
+         * @param motion of the pieces from where they are: triangles count that they may meet until its latest time. It is kept, and the caller may
+         *     make its latest time earlier
          * @param maxDistance triangles count that are at most this far away; 0 if the pieces move
          */
         public function begin(motion:RelativeMotion, maxDistance:Number):void
         {
             _triangles.stop();
             pieces.begin();
-            search.motion.copyVector(motion);
-            search.motion.earliest = motion.earliest;
-            search.motion.latest = motion.latest;
-            search.maxDistance = maxDistance;
-            search.minDepth = 0;
+            search.motion = motion;
+            narrowToDistance(maxDistance);
+            narrowToDepth(0);
+        }
+
+        /** From now on, triangles count that are at most this far away. */
+        public function narrowToDistance(distance:Number):void
+        {
+            search.maxDistance = distance;
+        }
+
+        /** From now on, triangles count behind whose planes a piece reaches at least this deep. */
+        public function narrowToDepth(depth:Number):void
+        {
+            _triangles.minDepth = depth;
         }
 
         /** Goes on to the next triangle near the piece, or near the next piece that has one. Returns false if there is none. */
@@ -97,7 +109,7 @@ package starlogo.ground
         /** Whether a point of the current piece is at least this deep under the ground. */
         public function hasPointUnder(depth:Number):Boolean
         {
-            return isUnder(pieces.point, depth);
+            return isUnder(pieces.point, depth, _under);
         }
 
         /**
@@ -106,7 +118,7 @@ package starlogo.ground
          */
         public function reachesUnder():Boolean
         {
-            if (hasPointUnder(0))
+            if (isUnder(pieces.point, 0, _under))
             {
                 return true;
             }
@@ -120,15 +132,16 @@ package starlogo.ground
             _point.x = shape.x + shape.points[at] - shape.radius * _normal.x;
             _point.y = shape.y + shape.points[int(at + 1)] - shape.radius * _normal.y;
             _point.z = shape.z + shape.points[int(at + 2)] - shape.radius * _normal.z;
-            return isUnder(_point, 0);
+            return isUnder(_point, 0, _under);
         }
 
-        private function isUnder(point:Vector3D, depth:Number):Boolean
+        // Finds the ground under a point. Returns whether the point is at least so deep under it.
+        private function isUnder(point:Vector3D, depth:Number, outGround:GroundPoint):Boolean
         {
-            _under.x = point.x + search.origin.x;
-            _under.y = point.y + search.origin.y;
-            search.grid.findHeight(_under);
-            return _under.height - depth >= point.z + search.origin.z;
+            outGround.x = point.x + search.origin.x;
+            outGround.y = point.y + search.origin.y;
+            search.grid.findHeight(outGround);
+            return outGround.height - depth >= point.z + search.origin.z;
         }
 
         /** Goes on to the next triangle near the piece. Returns false if there is none. */
@@ -139,7 +152,7 @@ package starlogo.ground
                 return false;
             }
             var near:GroundTriangle = _triangles.triangle;
-            pieces.kernel.shape.margin = pieces.margin + near.margin;
+            pieces.kernel.shape.margin = pieces.shapeMargin + Touching.marginOfSurface(near.radius);
             pieces.kernel.setTriangle(near.corners, near.plane);
             return true;
         }

@@ -2,6 +2,7 @@ package starlogo.handlers
 {
     import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
+    import starlogo.data.areSimilar;
     import starlogo.data.warn;
     import starlogo.engine;
 
@@ -31,8 +32,9 @@ package starlogo.handlers
         {
             isThere[number] = true;
         }
+        // a few, because each is compared with all breeds and agents
         var missing:Vector.<String> = new Vector.<String>();
-        for (var i:int = 0; i < names.length && missing.length < MAX_HINTS; i++)
+        for (var i:int = 0; i < names.length && missing.length < 20; i++)
         {
             if (!isThere[Breeds.NAMES.numberOf(names[i])] && missing.indexOf(names[i]) < 0)
             {
@@ -41,43 +43,28 @@ package starlogo.handlers
         }
         for each (var name:String in missing)
         {
-            var hint:String = hintOfBreed(name, isThere) || hintOfShape(name, agents);
-            if (hint != null)
+            var hint:String = "";
+            for each (agent in agents)
+            {
+                if (agent != null && agent.shape == name)
+                {
+                    hint = ", which is the shape of " + agent + ": new Agent(\"" + name + "\", \"BREED\") gives it a breed";
+                    break;
+                }
+            }
+            for (number = 0; number < isThere.length; number++)
+            {
+                var breed:String = Breeds.NAMES.nameOf(number);
+                if (isThere[number] && areSimilar(name, breed))
+                {
+                    hint = "; is " + (breed == Breeds.TERRAIN ? "Collision.TERRAIN" : breed == Breeds.EDGE ? "Collision.EDGE" : "\"" + breed + "\"") + " meant?";
+                    break;
+                }
+            }
+            if (hint != "")
             {
                 warn("no agent is of the breed \"" + name + "\"" + hint);
             }
         }
     }
-}
-
-import starlogo.agents.Agent;
-import starlogo.agents.Breeds;
-import starlogo.data.areSimilar;
-
-// The most breeds that a call looks at.
-const MAX_HINTS:int = 20;
-
-function hintOfBreed(name:String, isThere:Vector.<Boolean>):String
-{
-    for (var number:int = 0; number < isThere.length; number++)
-    {
-        var breed:String = Breeds.NAMES.nameOf(number);
-        if (isThere[number] && areSimilar(name, breed))
-        {
-            return "; is " + (breed == Breeds.TERRAIN ? "Collision.TERRAIN" : breed == Breeds.EDGE ? "Collision.EDGE" : "\"" + breed + "\"") + " meant?";
-        }
-    }
-    return null;
-}
-
-function hintOfShape(name:String, agents:Vector.<Agent>):String
-{
-    for each (var agent:Agent in agents)
-    {
-        if (agent != null && agent.shape == name)
-        {
-            return ", which is the shape of " + agent + ": new Agent(\"" + name + "\", \"BREED\") gives it a breed";
-        }
-    }
-    return null;
 }

@@ -57,11 +57,12 @@ package starlogo.search
         public function beginChange():HeightGrid
         {
             revision++;
-            if (surface.grid.isHeld)
+            var grid:HeightGrid = surface.grid.writable();
+            if (grid != surface.grid)
             {
-                takeGrid(surface.grid.copy());
+                takeGrid(grid);
             }
-            return surface.grid;
+            return grid;
         }
 
         /** Gets other heights of the same cells. A frame that holds the present ones keeps them. */

@@ -113,7 +113,7 @@ package starlogo.terrain
         {
             if (value != grid.isBlocky)
             {
-                worldAgent.beginChange().setBlocky(value);
+                worldAgent.beginChange().isBlocky = value;
             }
         }
 
@@ -257,7 +257,10 @@ package starlogo.terrain
             var radius:Number = Math.max(Number.MIN_VALUE, width / 2 / ground.cellWidth);
             var middleColumn:Number = (x - ground.x) / ground.cellWidth;
             var middleRow:Number = (y - ground.y) / ground.cellWidth;
-            if (!(width > 0 && ground.isWithin(x, y, (width + cellWidth) / 2)))
+            // how far the middle is outside of the blocks
+            var outsideX:Number = Math.max(0, -0.5 - middleColumn, middleColumn - columns + 0.5);
+            var outsideY:Number = Math.max(0, -0.5 - middleRow, middleRow - rows + 0.5);
+            if (!(width > 0 && outsideX * outsideX + outsideY * outsideY <= radius * radius))
             {
                 throw new RangeError("a mound of width " + width + " at (" + x + ", " + y + ") is not within the terrain");
             }
@@ -358,7 +361,9 @@ package starlogo.terrain
         {
             requireInWorld(what + "'s place", x, y, 0);
             var before:Number = areBlocks ? 0.5 : 0;
-            if (!grid.isWithin(x, y, before * cellWidth))
+            _point.x = x;
+            _point.y = y;
+            if (!grid.isWithin(_point, areBlocks))
             {
                 throw new RangeError(what + " at (" + x + ", " + y + ") is outside of the terrain");
             }
@@ -390,12 +395,8 @@ package starlogo.terrain
                     var at:int = 4 * (row * picture.width + column);
                     var color:uint = data == null ? picture.getPixel(column, row) : data[at] << 16 | data[at + 1] << 8 | data[at + 2];
                     var sum:int = (color >> 16 & 255) + (color >> 8 & 255) + (color & 255);
-                    greys.push(white / 765 * sum);
-                    if (sum == 765)
-                    {
-                        // without the rounding of the division
-                        greys[int(greys.length - 1)] = white;
-                    }
+                    // white without the rounding of the division
+                    greys.push(sum == 765 ? white : white / 765 * sum);
                 }
             }
             return greys;

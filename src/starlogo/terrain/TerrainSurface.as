@@ -62,7 +62,8 @@ package starlogo.terrain
             var lastRow:int = clamp(Math.floor((maxY - grid.y) / grid.cellWidth), -1, grid.rows - 1);
             // A box from a quarter of a cell behind the first height to a quarter before the last one. So it passes over the blocks of these
             // heights and over the cells between them, and over no other.
-            // Without a cell its half lengths are negative: it passes over none.
+            // With one column its half length is -0.25 cells. So it passes over exactly this column of blocks, and over no slopes. With none it is
+            // -0.75, and it passes over nothing.
             var box:GroundBox = _search.box;
             box.x = grid.x + (firstColumn + lastColumn) / 2 * grid.cellWidth;
             box.y = grid.y + (firstRow + lastRow) / 2 * grid.cellWidth;

@@ -116,7 +116,7 @@ package starlogo.ground
             _extents.halfX = _numbers[3];
             _extents.halfY = _numbers[4];
             _extents.halfZ = _numbers[5];
-            _query.setTo(terrain.grid, null, structure, _placement, 1, false);
+            _query.setTo(terrain.grid, null, structure, _placement, 1);
             return _earlyOut.decide(terrain.grid, _extents, structure.kind);
         }
 

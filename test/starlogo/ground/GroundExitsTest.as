@@ -53,7 +53,7 @@ package starlogo.ground
         public function atABorderOfColumnsThereIsAWayOutOfNoLength():void
         {
             var grid:HeightGrid = new HeightGrid(SIDE, SIDE, WIDTH, -2, -2);
-            grid.setBlocky(true);
+            grid.isBlocky = true;
             var heights:Vector.<Number> = new Vector.<Number>();
             for (var i:int = 0; i < SIDE * SIDE; i++)
             {
@@ -82,7 +82,7 @@ package starlogo.ground
         private function randomGrid():HeightGrid
         {
             var grid:HeightGrid = new HeightGrid(SIDE, SIDE, WIDTH, -2, -2);
-            grid.setBlocky(_random.chance());
+            grid.isBlocky = _random.chance();
             var high:Number = _random.pick([0.02, 0.3, 3]);
             var heights:Vector.<Number> = new Vector.<Number>();
             for (var i:int = 0; i < SIDE * SIDE; i++)

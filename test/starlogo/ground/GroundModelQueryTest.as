@@ -14,6 +14,7 @@ package starlogo.ground
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.terrain.Terrain;
     import support.Complaints;
@@ -182,7 +183,7 @@ package starlogo.ground
                 _placement.z = 10;
                 for each (var isExact:Boolean in [false, true])
                 {
-                    _query.setTo(_terrain.grid, library.treeOf("bars"), library.root("bars").bounds, _placement, 5, isExact);
+                    _query.setTo(_terrain.grid, library.treeOf("bars"), library.root("bars").bounds, _placement, isExact ? BoxTree.EXACT : 5);
                     _query.findContact(RelativeMotion.NONE, _out);
                     assertClose(8, _out.depth, 1e-9, lengths + " " + isExact);
                 }
@@ -230,7 +231,7 @@ package starlogo.ground
 
         private function setQuery():void
         {
-            _query.setTo(_terrain.grid, null, _structure, _placement, 1, false);
+            _query.setTo(_terrain.grid, null, _structure, _placement, 1);
         }
     }
 }

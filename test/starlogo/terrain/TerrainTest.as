@@ -356,6 +356,7 @@ package starlogo.terrain
             assertThrows(RangeError, "NaN", _terrain.raiseMound, NaN, 0, 4, 1);
             assertThrows(RangeError, "(9, 0)", _terrain.raiseMound, 9, 0, 4, 1);
             assertThrows(RangeError, "1000000011", _terrain.raiseMound, 0, 0, 4, 1e9);
+            assertThrows(RangeError, "(-0.9, -0.9)", new Terrain(5, 5).raiseMound, -0.9, -0.9, 1, 3);
             assertThrows(RangeError, "(5, 0)", _terrain.raiseWall, 5, 0, 1);
             assertThrows(RangeError, "NaN", _terrain.raiseWall, 0, NaN, 1);
             assertThrows(RangeError, "NaN", _terrain.raiseWall, 0, 0, NaN);
@@ -416,7 +417,8 @@ package starlogo.terrain
         {
             var least:Number = Infinity;
             var greatest:Number = -Infinity;
-            var difference:Number = 0;
+            var riseX:Number = 0;
+            var riseY:Number = 0;
             var hasHole:Boolean = false;
             var end:int = Math.min(terrain.columns, first + size + 1);
             var endRow:int = Math.min(terrain.rows, firstRow + size + 1);
@@ -430,13 +432,14 @@ package starlogo.terrain
                     hasHole ||= terrain.isHole(column, row);
                     least = Math.min(least, height);
                     greatest = Math.max(greatest, height);
-                    difference = Math.max(difference, column == first ? 0 : Math.abs(height - terrain.getHeight(column - 1, row)));
-                    difference = Math.max(difference, row == firstRow ? 0 : Math.abs(height - terrain.getHeight(column, row - 1)));
+                    riseX = Math.max(riseX, column == first ? 0 : Math.abs(height - terrain.getHeight(column - 1, row)));
+                    riseY = Math.max(riseY, row == firstRow ? 0 : Math.abs(height - terrain.getHeight(column, row - 1)));
                 }
             }
             assertEquals(least, bounds.min);
             assertEquals(greatest, bounds.max);
-            assertEquals(difference, bounds.riseX);
+            assertEquals(riseX, bounds.riseX);
+            assertEquals(riseY, bounds.riseY);
             assertEquals(hasHole, bounds.hasHole);
         }
     }

@@ -72,7 +72,7 @@ function $warnOfMissing(frames, missing, agents) {
  * of the breed may still come. So nothing is refused, and a breed is looked for again when there are new names.
  */
 export function $warnOfBreeds(names, agents) {
-	const unchecked = (names ?? []).filter((name) => !($checkedBreeds.get(name) >= Breeds$NAMES.count));
+	const unchecked = (names ?? []).filter((name) => !/^\*/.test(name) && !($checkedBreeds.get(name) >= Breeds$NAMES.count));
 	if (unchecked.length === 0) return;
 	const breeds = new Set(agents.map((agent) => agent?.breed).filter((breed) => typeof breed === "string" && !/^\*/.test(breed)));
 	if (breeds.size === 0) return;

@@ -10,6 +10,7 @@ package starlogo.search.pairs
     import starlogo.ground.GroundModelQuery;
     import starlogo.ground.GroundRayQuery;
     import starlogo.ground.HeightGrid;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayCrossings;
     import starlogo.intersection.ray.RayEntry;
@@ -77,7 +78,7 @@ package starlogo.search.pairs
         /** Whether a piece of a body is deeper in the ground than this, in patches. */
         public function isDeeper(a:Body, b:Body, depth:Number):Boolean
         {
-            return queryOf(a, b).penetration.isDeeper(depth);
+            return queryOf(a, b).isDeeper(depth);
         }
 
         /** @inheritDoc */
@@ -117,7 +118,7 @@ package starlogo.search.pairs
          */
         override public function findContactOfCovers(a:Body, b:Body, out:ContactPoint):void
         {
-            queryOf(a, b).penetration.findLift(out);
+            queryOf(a, b).findLift(out);
         }
 
         /** A point of the body that is under the ground shows a touch. @inheritDoc */
@@ -167,8 +168,8 @@ package starlogo.search.pairs
         private function queryOf(a:Body, b:Body):GroundModelQuery
         {
             var shape:ModelShape = a.shape;
-            var depth:int = shape.tree == null ? 1 : _limits.depthOf(a);
-            _query.setTo(gridOf(b), shape.tree, shape.structure, a.placement, depth, _limits.isExact);
+            var depth:int = shape.tree == null ? 1 : _limits.isExact && shape.tree.hasTriangles ? BoxTree.EXACT : _limits.depthOf(a);
+            _query.setTo(gridOf(b), shape.tree, shape.structure, a.placement, depth);
             return _query;
         }
     }

@@ -6,7 +6,7 @@ package starlogo
     import starlogo.libraries.BoundingStructuresLibrary;
     import starlogo.libraries.FitStore;
     import starlogo.libraries.HierarchiesLibrary;
-    import starlogo.libraries.ModelPreparation;
+    import starlogo.libraries.ModelResults;
     import starlogo.libraries.ModelTable;
     import starlogo.models.Model;
     import starlogo.models.ModelReceiver;
@@ -154,11 +154,11 @@ package starlogo
         public function receive(model:Model):Steps
         {
             requireGiven("model", model);
-            var preparation:ModelPreparation = preparing(model, fitStore);
-            return preparation.call(function():void
+            var results:ModelResults = preparing(model, fitStore);
+            return results.call(function():void
                 {
                     // a result that was not computed is set to null too, because the entry's old result belongs to another model
-                    models.entryToWrite(model.name).replace(model, preparation.structures, preparation.modelTree);
+                    models.entryToWrite(model.name).replace(model, results.structures, results.tree);
                 });
         }
 
@@ -179,9 +179,9 @@ package starlogo
         {
             requireGiven("model", model);
             ModelData.requireUpAxis(model.name, upAxis);
-            var preparation:ModelPreparation = preparing(model, null);
-            finish(preparation);
-            return preparation.toCooked(CookedFile.keyOfLoad(upAxis, model.data.scaling, usesTransforms));
+            var results:ModelResults = preparing(model, null);
+            finish(results);
+            return results.toCooked(CookedFile.keyOfLoad(upAxis, model.data.scaling, usesTransforms));
         }
 
         /** @inheritDoc */
@@ -273,9 +273,9 @@ package starlogo
         }
 
         /** @private The work that finds the results that the flags ask for. None of its steps is done yet. @param store null for none */
-        engine function preparing(model:Model, store:FitStore):ModelPreparation
+        engine function preparing(model:Model, store:FitStore):ModelResults
         {
-            return new ModelPreparation(model, loadTightestFit ? _boundingStructures : null, loadHierarchies ? _hierarchies : null, store);
+            return new ModelResults(model, loadTightestFit ? _boundingStructures : null, loadHierarchies ? _hierarchies : null, store);
         }
     }
 }

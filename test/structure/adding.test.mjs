@@ -90,11 +90,11 @@ test('every question stands in the files of docs/adding.md, "A question"', () =>
 	assert.deepEqual(left, [], `write the questions in these files too: ${left.join(', ')}`);
 });
 
-test('a model whose constructor passes WITHOUT_DATA to Model gets its data next', () => {
+test('every model of a file passes what a ModelBuilder builds to Model', () => {
 	const models = sourcesBelow('src/starlogo').filter((file) => /\bclass \w+ extends Model\b/.test(codeOf(read(file))));
 	const built = models.filter((file) => read(file).includes('ModelBuilder'));
 	assert.deepEqual(built.map(simpleName).sort(), ['Away3dModel', 'ColladaModel', 'CookedModel', 'GltfModel', 'ObjModel', 'StlModel']);
-	for (const file of built) assert.match(read(file), /\bsuper\(name, WITHOUT_DATA\);\s+keep\(/, file);
+	for (const file of built) assert.match(read(file), /\bsuper\(name, null, null, null, .*\.build\(\)\);/, file);
 });
 
 test('every format stands in the files of docs/adding.md, "A format"', () => {

@@ -3,11 +3,8 @@
 package starlogo.away3d
 {
     import flash.geom.Vector3D;
-    import starlogo.engine;
     import starlogo.models.Model;
     import starlogo.models.building.ModelBuilder;
-
-    use namespace engine;
 
     /**
      * A model made from Away3D's own objects or geometry. A point (x, y, z) of Away3D, with y up, becomes (x, z, y) in the engine.
@@ -35,8 +32,7 @@ package starlogo.away3d
          */
         public function Away3dModel(name:String, object:Object)
         {
-            super(name, WITHOUT_DATA);
-            keep((object as ModelBuilder || ModelBuilder.reading(new SourceReader(name, object))).build());
+            super(name, null, null, null, (object as ModelBuilder || ModelBuilder.reading(new SourceReader(name, object))).build());
         }
 
         /**

@@ -54,8 +54,8 @@ package starlogo.libraries
             }
         }
 
-        /** @private Whether a hull is wanted too, and can be kept. */
-        engine function get wantsHull():Boolean
+        /** @private Whether a hull is wanted, and can be stored. */
+        engine function get storesHull():Boolean
         {
             return _texts[CookedFile.HULL] != null;
         }

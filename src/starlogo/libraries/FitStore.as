@@ -80,10 +80,10 @@ package starlogo.libraries
          */
         public function read(model:Model, settings:FitSettings):ByteArray
         {
-            var geometry:Fingerprint = geometryOf(model);
+            var geometryKey:Fingerprint = geometryKeyOf(model);
             requireGiven("the settings", settings);
-            var bytes:ByteArray = readAsUsed(geometry, settings);
-            return isEntryOf(geometry, bytes) ? bytes : null;
+            var bytes:ByteArray = readAsUsed(geometryKey, settings);
+            return isEntryOf(geometryKey, bytes) ? bytes : null;
         }
 
         /**
@@ -99,8 +99,8 @@ package starlogo.libraries
         {
             requireGiven("the bytes", bytes);
             requireGiven("the settings", settings);
-            var geometry:Fingerprint = geometryOf(model);
-            return isEntryOf(geometry, bytes) && keep(geometry, settings, bytes);
+            var geometryKey:Fingerprint = geometryKeyOf(model);
+            return isEntryOf(geometryKey, bytes) && keep(geometryKey, settings, bytes);
         }
 
         /** Removes all entries. */
@@ -114,13 +114,13 @@ package starlogo.libraries
         }
 
         /**
-         * The file kept for a geometry, whose entry is then the one used last. None of its steps is done yet. It is not whole if there is none.
+         * The file kept for a geometry key, whose entry is then the one used last. None of its steps is done yet. It is not complete if there is none.
          *
          * @private
          */
-        engine function fileOf(geometry:Fingerprint, settings:FitSettings):CookedFile
+        engine function fileOf(geometryKey:Fingerprint, settings:FitSettings):CookedFile
         {
-            return new CookedFile(readAsUsed(geometry, settings));
+            return new CookedFile(readAsUsed(geometryKey, settings));
         }
 
         /**
@@ -137,17 +137,17 @@ package starlogo.libraries
         }
 
         /**
-         * Keeps the file of a geometry. It removes the least recently used entries until there is room. A storage that refuses the file has
+         * Keeps the file of a geometry key. It removes the least recently used entries until there is room. A storage that refuses the file has
          * less room than the store was told. It has room for the entries that are there, and perhaps for smaller ones than this.
          *
-         * @param geometry the fingerprint of the model's vertices and triangles
+         * @param geometryKey the fingerprint of the model's vertices and triangles
          * @return whether it is stored
          *
          * @private
          */
-        engine function keep(geometry:Fingerprint, settings:FitSettings, bytes:ByteArray):Boolean
+        engine function keep(geometryKey:Fingerprint, settings:FitSettings, bytes:ByteArray):Boolean
         {
-            var name:String = nameOf(geometry, settings);
+            var name:String = nameOf(geometryKey, settings);
             var lines:Array = linesBut(name);
             var isStored:Boolean = false;
             while (!isStored && bytes.length <= _room)
@@ -168,9 +168,9 @@ package starlogo.libraries
         }
 
         // Makes an entry the most recently used one. Returns a copy of its bytes; null if there is none.
-        private function readAsUsed(geometry:Fingerprint, settings:FitSettings):ByteArray
+        private function readAsUsed(geometryKey:Fingerprint, settings:FitSettings):ByteArray
         {
-            var name:String = nameOf(geometry, settings);
+            var name:String = nameOf(geometryKey, settings);
             var bytes:ByteArray = bytesOf(name);
             if (bytes != null)
             {
@@ -190,7 +190,7 @@ package starlogo.libraries
             return bytes;
         }
 
-        private static function isEntryOf(geometry:Fingerprint, bytes:ByteArray):Boolean
+        private static function isEntryOf(geometryKey:Fingerprint, bytes:ByteArray):Boolean
         {
             var file:CookedFile = new CookedFile(bytes);
             finish(file);
@@ -198,16 +198,16 @@ package starlogo.libraries
             {
                 bytes.position = 0;
             }
-            return file.isOf(geometry);
+            return file.isOf(geometryKey);
         }
 
         // The fingerprint of a model's vertices and triangles.
-        private static function geometryOf(model:Model):Fingerprint
+        private static function geometryKeyOf(model:Model):Fingerprint
         {
             requireGiven("the model", model);
-            var geometry:Fingerprint = new Fingerprint();
-            finish(geometry.addingLists(model.vertices, model.triangles));
-            return geometry;
+            var geometryKey:Fingerprint = new Fingerprint();
+            finish(geometryKey.addingLists(model.vertices, model.triangles));
+            return geometryKey;
         }
 
         // The list without one name. Damaged lines are left out.
@@ -238,9 +238,9 @@ package starlogo.libraries
             return name + " " + bytes.length + "\n";
         }
 
-        private static function nameOf(geometry:Fingerprint, settings:FitSettings):String
+        private static function nameOf(geometryKey:Fingerprint, settings:FitSettings):String
         {
-            return geometry.toString() + settings;
+            return geometryKey.toString() + settings;
         }
 
         private static function nameIn(line:String):String

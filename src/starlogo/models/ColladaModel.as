@@ -1,13 +1,10 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
-    import starlogo.engine;
     import starlogo.models.building.ModelBuilder;
     import starlogo.models.collada.ColladaDocument;
     import starlogo.models.collada.ColladaReader;
     import starlogo.models.files.FileText;
-
-    use namespace engine;
 
     /**
      * A model from a COLLADA document, version 1.4 or 1.5.
@@ -47,8 +44,7 @@ package starlogo.models
          */
         public function ColladaModel(name:String, text:String, upAxis:Object = null, scaling:String = Model.FOOTPRINT)
         {
-            super(name, WITHOUT_DATA);
-            keep(ModelBuilder.reading(new ColladaReader(new ColladaDocument(name, text), upAxis, scaling)).build());
+            super(name, null, null, null, ModelBuilder.reading(new ColladaReader(new ColladaDocument(name, text), upAxis, scaling)).build());
         }
 
         /**

@@ -1,11 +1,8 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
-    import starlogo.engine;
     import starlogo.models.building.ModelBuilder;
     import starlogo.models.cooked.CookedReader;
-
-    use namespace engine;
 
     /**
      * A model from a cooked file. <code>GreatLand.cook()</code>, <code>./antw cook</code> or <code>starlogo-cook</code> makes the file
@@ -24,8 +21,7 @@ package starlogo.models
          */
         public function CookedModel(name:String, bytes:ByteArray)
         {
-            super(name, WITHOUT_DATA);
-            keep(ModelBuilder.reading(new CookedReader(name, bytes)).build());
+            super(name, null, null, null, ModelBuilder.reading(new CookedReader(name, bytes)).build());
         }
 
         /**

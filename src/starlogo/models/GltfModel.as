@@ -1,12 +1,9 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
-    import starlogo.engine;
     import starlogo.models.building.ModelBuilder;
     import starlogo.models.gltf.GltfFile;
     import starlogo.models.gltf.GltfReader;
-
-    use namespace engine;
 
     /**
      * A model from a glTF 2.0 file, binary (.glb) or JSON (.gltf).
@@ -34,8 +31,7 @@ package starlogo.models
          */
         public function GltfModel(name:String, bytes:ByteArray, upAxis:Object = null, scaling:String = Model.FOOTPRINT, buffers:Object = null)
         {
-            super(name, WITHOUT_DATA);
-            keep(ModelBuilder.reading(new GltfReader(GltfFile.read(name, bytes, buffers), upAxis, scaling)).build());
+            super(name, null, null, null, ModelBuilder.reading(new GltfReader(GltfFile.read(name, bytes, buffers), upAxis, scaling)).build());
         }
 
         /**

@@ -58,13 +58,6 @@ package starlogo.models
          */
         engine static const SCALINGS:Vector.<String> = new <String>[FOOTPRINT, VOLUME, AS_GIVEN];
 
-        /**
-         * Stands for the vertices of a model that is made without data: <code>keep()</code> comes next.
-         *
-         * @private
-         */
-        engine static const WITHOUT_DATA:Vector.<Number> = new Vector.<Number>(0, true);
-
         private var _data:ModelData;
 
         // The functions that are called after each pose; and the vertices of the next pose until they are checked, null before the first.
@@ -79,25 +72,14 @@ package starlogo.models
          * @param triangles three vertex indices for each triangle (0 is the first vertex); null or empty if only vertices are known; is not
          * changed
          * @param scaling <code>FOOTPRINT</code>, <code>VOLUME</code> or <code>AS_GIVEN</code>
+         * @param data for the engine alone: what a ModelBuilder has built, in place of the other arguments
          * @throws ModelError if the name is empty, if there is no vertex, if a coordinate is missing, not finite or so large that the
          * model's extent is not finite, if an index names no vertex, or if the scaling is unknown
          * @throws ArgumentError in JavaScript, if an index is no integer from 0 to 4294967295. In a Vector all indices are such integers
          */
-        public function Model(name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null, scaling:String = FOOTPRINT)
+        public function Model(name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null, scaling:String = FOOTPRINT, data:ModelData = null)
         {
-            _data = vertices == WITHOUT_DATA ? null : ModelBuilder.dataOf(name, vertices, triangles, scaling);
-        }
-
-        /**
-         * Gives data to a model that was made with <code>WITHOUT_DATA</code>. Call it once.
-         *
-         * @param data what <code>ModelBuilder.build()</code> returns
-         *
-         * @private
-         */
-        engine final function keep(data:ModelData):void
-        {
-            _data = data;
+            _data = data || ModelBuilder.dataOf(name, vertices, triangles, scaling);
         }
 
         /** The model's place and scale in its source, for a renderer that draws the source. Shared with the model. */

@@ -71,7 +71,7 @@ package starlogo.models
         public function verticesAt(animation:int, time:Number):Vector.<Number>
         {
             var found:FileAnimation = animationOf(animation);
-            if (time - time != 0)
+            if (!isFinite(time))
             {
                 throw new RangeError("the time must be a finite number, not " + time);
             }

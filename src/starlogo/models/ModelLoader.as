@@ -167,8 +167,6 @@ package starlogo.models
                 });
         }
 
-        // The default is written out below, because compilers may come to this class before they know the constants of Model.
-
         /**
          * Loads a model from a file. A failure is sent as an ErrorEvent.
          *
@@ -179,6 +177,7 @@ package starlogo.models
          */
         public function load(name:String, url:String, upAxis:Object = "z", scaling:String = "footprint"):void
         {
+            // the default of scaling is written out, because compilers may come to this class before they know the constants of Model
             add(name, upAxis, scaling).fetch(url, usesTransforms, _manifest);
         }
 

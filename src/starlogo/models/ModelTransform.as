@@ -135,7 +135,7 @@ package starlogo.models
 
         private static function isFinitePoint(point:Vector3D):Boolean
         {
-            return point.x - point.x + point.y - point.y + point.z - point.z == 0;
+            return isFinite(point.x) && isFinite(point.y) && isFinite(point.z);
         }
 
         private static function isScale(factors:Vector3D):Boolean

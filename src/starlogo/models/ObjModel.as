@@ -1,12 +1,9 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
-    import starlogo.engine;
     import starlogo.models.building.ModelBuilder;
     import starlogo.models.files.FileText;
     import starlogo.models.obj.ObjReader;
-
-    use namespace engine;
 
     /**
      * A model from Wavefront OBJ text.
@@ -36,8 +33,7 @@ package starlogo.models
          */
         public function ObjModel(name:String, text:String, upAxis:Object = "z", scaling:String = Model.FOOTPRINT)
         {
-            super(name, WITHOUT_DATA);
-            keep(ModelBuilder.reading(new ObjReader(name, text, upAxis, scaling)).build());
+            super(name, null, null, null, ModelBuilder.reading(new ObjReader(name, text, upAxis, scaling)).build());
         }
 
         /**

@@ -105,19 +105,25 @@ package starlogo.models
             return new <Number>[m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10], _offset[0], _offset[1], _offset[2], _unit];
         }
 
-        /** @private The frame with these numbers. Null if one is not finite, or the unit is not positive. */
+        /** @private The frame with these numbers. */
         engine static function ofNumbers(n:Vector.<Number>):SourceFrame
         {
             var frame:SourceFrame = new SourceFrame();
             frame._matrix = new AffineTransform(new <Number>[n[0], n[1], n[2], 0, n[3], n[4], n[5], 0, n[6], n[7], n[8], 0]);
             frame._offset = n.slice(9, 12);
             frame._unit = n[12];
-            var differences:Number = 0;
-            for each (var number:Number in n)
+            return frame;
+        }
+
+        /** @private Whether all numbers are finite, and the unit is positive. */
+        engine function get isRight():Boolean
+        {
+            var areFinite:Boolean = true;
+            for each (var number:Number in numbers)
             {
-                differences += number - number;
+                areFinite &&= isFinite(number);
             }
-            return differences == 0 && frame._unit > 0 ? frame : null;
+            return areFinite && _unit > 0;
         }
 
         /**

@@ -1,12 +1,9 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
-    import starlogo.engine;
     import starlogo.models.building.ModelBuilder;
     import starlogo.models.files.ModelFile;
     import starlogo.models.stl.StlReader;
-
-    use namespace engine;
 
     /**
      * A model from an STL file, the format of 3D printing, as binary or as text.
@@ -20,16 +17,11 @@ package starlogo.models
         /**
          * Use <code>fromBytes()</code> instead.
          *
-         * @param name what agents call the shape, not empty
-         * @param bytes the whole file; its position and endianness may change
-         * @param upAxis the axis that points up in the file: "x", "y" or "z"; or a ModelTransform
-         * @param scaling as for <code>Model</code>
-         * @throws ModelError as <code>fromBytes()</code>
+         * @copy #fromBytes()
          */
         public function StlModel(name:String, bytes:ByteArray, upAxis:Object = "z", scaling:String = Model.FOOTPRINT)
         {
-            super(name, WITHOUT_DATA);
-            keep(ModelBuilder.reading(new StlReader(new ModelFile(name, bytes), upAxis, scaling)).build());
+            super(name, null, null, null, ModelBuilder.reading(new StlReader(new ModelFile(name, bytes), upAxis, scaling)).build());
         }
 
         /**

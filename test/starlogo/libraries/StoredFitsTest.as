@@ -552,13 +552,13 @@ package starlogo.libraries
         private function isTaken(model:Model, cooked:ByteArray, structures:Boolean):Boolean
         {
             var read:Model = CookedModel.fromBytes(model.name, cooked);
-            var preparation:ModelPreparation = _greatLand.preparing(read, null);
+            var results:ModelResults = _greatLand.preparing(read, null);
             if (structures)
             {
-                return preparation.structures != null;
+                return results.structures != null;
             }
-            preparation.modelTree.finishBuilding();
-            return preparation.isTreeStored;
+            results.tree.finishBuilding();
+            return results.isTreeStored;
         }
 
         private static function damage(cooked:Vector.<ByteArray>, index:int, random:SeededRandom):ByteArray

@@ -106,6 +106,26 @@ package starlogo.models
         }
 
         [Test(async, timeout="150000")]
+        public function tellsTheProgressOfAnEmptyText():void
+        {
+            var done:Array = [];
+            _loader.budget = 0;
+            _loader.addEventListener(ProgressEvent.PROGRESS, function(event:ProgressEvent):void
+                {
+                    done.push(event.bytesLoaded);
+                });
+            _loader.loadText("empty", "");
+            whenComplete(function():void
+                {
+                    assertEquals(1, _log.length);
+                    for each (var hundredths:Number in done)
+                    {
+                        assertTrue(done.join(), hundredths >= 0 && hundredths <= 100);
+                    }
+                });
+        }
+
+        [Test(async, timeout="150000")]
         public function goesOnAfterAnError():void
         {
             _loader.loadText("broken", "v 1 2");

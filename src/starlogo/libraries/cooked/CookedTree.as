@@ -24,6 +24,7 @@ package starlogo.libraries.cooked
 
         // This is added to the axis of a node that is a leaf of the thesis's tree or below one.
         private static const BELOW:int = 3;
+        private static const DIVISIONS:int = 2 * BELOW;
 
         /** Whether the bytes do not divide the items. Then no step is left. */
         public var isRefused:Boolean = false;
@@ -76,7 +77,7 @@ package starlogo.libraries.cooked
                     VarInt.write(0, out);
                     continue;
                 }
-                VarInt.write(1 + tree.axisOf(node) + (tree.isLeafOrBelow(node) ? BELOW : 0) + 6 * (tree.end[left] - tree.first[left]), out);
+                VarInt.write(1 + tree.axisOf(node) + (tree.isLeafOrBelow(node) ? BELOW : 0) + DIVISIONS * (tree.end[left] - tree.first[left]), out);
                 waiting.push(left + 1, left);
             }
             return out;
@@ -162,8 +163,8 @@ package starlogo.libraries.cooked
             }
             var first:int = _tree.first[node];
             var end:int = _tree.end[node];
-            var splitIndex:int = first + (code - 1) / 6;
-            var division:int = (code - 1) % 6;
+            var splitIndex:int = first + (code - 1) / DIVISIONS;
+            var division:int = (code - 1) % DIVISIONS;
             var isWrong:Boolean = division < BELOW ? _tree.levelOf(node) >= _maxDepth
                 : BoxTreeBuilder.isHalvedOnLevel(_tree.levelOf(node)) && splitIndex != (first + end) >> 1;
             if (isWrong || splitIndex <= first || splitIndex >= end)

@@ -59,7 +59,7 @@ package starlogo.models.animation
             _areRotations = areRotations;
             for (var i:int = 0; i < times.length; i++)
             {
-                if (times[i] - times[i] != 0 || i > 0 && times[i] < times[i - 1])
+                if (!isFinite(times[i]) || i > 0 && times[i] < times[i - 1])
                 {
                     throw new ModelError(modelName, String(place), "its times must be finite and not go back, but found " + times[i]);
                 }
@@ -100,12 +100,12 @@ package starlogo.models.animation
             {
                 goStraight(result, ofKey(next), share);
             }
-            var differences:Number = 0;
+            var areFinite:Boolean = true;
             for each (var number:Number in result)
             {
-                differences += number - number;
+                areFinite &&= isFinite(number);
             }
-            refuseIf(differences != 0, _modelName, "its numbers at " + time + " seconds are not finite", _place);
+            refuseIf(!areFinite, _modelName, "its numbers at " + time + " seconds are not finite", _place);
             if (_areRotations)
             {
                 normalise(result);

@@ -113,13 +113,7 @@ package starlogo.models.building
         /** The model, always the same one. Steps that are left are done first. */
         public function get model():Model
         {
-            if (_model == null)
-            {
-                var made:Model = new Model(name, Model.WITHOUT_DATA);
-                made.keep(build());
-                _model = made;
-            }
-            return _model;
+            return _model ||= new Model(name, null, null, null, build());
         }
 
         private function checkData():void
@@ -176,7 +170,8 @@ package starlogo.models.building
             return new StepSequence().slices(_data.vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
                     _bounds.add(_data.vertices, first, end);
-                    refuseIf(!_bounds.areFinite, _data.name, _bounds.areFinite ? null : vertexProblem(_data.vertices));
+                    var problem:String = _bounds.areFinite ? null : vertexProblem(_data.vertices);
+                    refuseIf(problem != null, _data.name, problem);
                 });
         }
 

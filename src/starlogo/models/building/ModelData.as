@@ -64,12 +64,14 @@ package starlogo.models.building
          * The data of a file that is not read yet.
          *
          * @param name the model's name
-         * @param upAxis "x", "y", "z" or a ModelTransform
-         * @param scaling as for Model's constructor; null if the file says it
+         * @param upAxis "x", "y", "z" or a ModelTransform; null for ownAxis
+         * @param scaling as for Model's constructor; null if the vertices are not normalised
+         * @param ownAxis the axis that points up by the rules of the format; null if it has no such rule
          * @throws ModelError if the up axis is none of these
          */
-        public static function forFile(name:String, upAxis:Object, scaling:String):ModelData
+        public static function forFile(name:String, upAxis:Object, scaling:String, ownAxis:String = null):ModelData
         {
+            upAxis = upAxis == null ? ownAxis : upAxis;
             requireUpAxis(name, upAxis);
             var data:ModelData = new ModelData(name);
             data.scaling = scaling;

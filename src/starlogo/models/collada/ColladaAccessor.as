@@ -111,7 +111,7 @@ package starlogo.models.collada
         private function columnsOf(stride:Number):Vector.<int>
         {
             var names:Array = [];
-            _accessor.limits.countElements(_accessor.children.length, _accessor);
+            _accessor.limits.spendElements(_accessor.children.length, _accessor);
             for each (var param:ColladaElement in _accessor.childrenNamed("param"))
             {
                 names.push(param.attribute("name"));
@@ -128,7 +128,7 @@ package starlogo.models.collada
 
         private function readingPoints(all:Array, columns:Vector.<int>):Steps
         {
-            array.limits.countNumbers(3 * count, _accessor);
+            array.limits.spendNumbers(3 * count, _accessor);
             firstPoint = _points.length / 3;
             return new StepSequence().slices(count, POINTS_PER_STEP, function(first:int, end:int):void
                 {

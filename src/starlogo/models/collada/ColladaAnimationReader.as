@@ -66,13 +66,14 @@ package starlogo.models.collada
             while (pending.length > 0)
             {
                 var element:ColladaElement = pending.pop();
-                element.limits.countElements(1 + element.children.length, element);
+                element.limits.spendElements(1 + element.children.length, element);
                 for each (var channel:ColladaElement in element.childrenNamed("channel"))
                 {
-                    read[channel.index] ||= [ColladaChannel.read(channel)];
-                    if (read[channel.index][0] != null)
+                    var isRead:Boolean = channel.index in read;
+                    var found:AnimationChannel = read[channel.index] = isRead ? read[channel.index] : ColladaChannel.read(channel);
+                    if (found != null)
                     {
-                        channels.push(read[channel.index][0]);
+                        channels.push(found);
                     }
                 }
                 for each (var inner:ColladaElement in element.childrenNamed("animation").reverse())

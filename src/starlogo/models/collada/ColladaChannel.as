@@ -80,7 +80,7 @@ package starlogo.models.collada
             var pending:Vector.<ColladaElement> = new <ColladaElement>[around];
             for (var i:int = 0; i < pending.length; i++)
             {
-                channel.limits.countElements(pending[i].children.length, channel);
+                channel.limits.spendElements(pending[i].children.length, channel);
                 for each (var child:ColladaElement in pending[i].children)
                 {
                     if (child.attribute("sid") == sid)

@@ -114,7 +114,7 @@ package starlogo.models.collada
                     return new StepSequence().add(target).call(function():void
                         {
                             morph.refuseIf(target.points.length != points.length, "its target \"" + shortened(targets.words[index]) + "\" has another number of points");
-                            morph.limits.countNumbers(points.length, morph);
+                            morph.limits.spendNumbers(points.length, morph);
                             for (var i:int = 0; i < points.length; i++)
                             {
                                 points[i] += weights[index] * (target.points[i] - base[i]);

@@ -213,7 +213,7 @@ package starlogo.models.collada
         private function countedText():String
         {
             var all:String = text;
-            limits.countNumbers(all.length / 2, this);
+            limits.spendNumbers(all.length / 2, this);
             return all;
         }
 
@@ -238,7 +238,7 @@ package starlogo.models.collada
         public function toNumber(word:String):Number
         {
             var number:Number = TextWords.toNumber(word);
-            if (number - number != 0)
+            if (!isFinite(number))
             {
                 throw error("expected finite numbers, but found \"" + shortened(word) + "\"");
             }
@@ -250,7 +250,7 @@ package starlogo.models.collada
          *
          * @param what what it must be, for the error
          */
-        public function toWholeNumber(word:String, least:int, most:int, what:String):int
+        public function toInteger(word:String, least:int, most:int, what:String):int
         {
             var value:Number = Decimal.of(word);
             var whole:int = int(value);

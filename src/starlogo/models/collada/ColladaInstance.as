@@ -85,7 +85,7 @@ package starlogo.models.collada
         private function addLabels(data:ModelData, firstTriangle:int):void
         {
             var node:ColladaElement = _element.name != "geometry" && _element.parent != null ? _element.parent : _element;
-            _element.limits.countElements(mesh.symbols.length, _element);
+            _element.limits.spendElements(mesh.symbols.length, _element);
             data.meshes.beginRun(data.meshes.addLabel(nameOf(node) || nameOf(mesh.geometry)), firstTriangle);
             for (var i:int = 0; i < mesh.symbols.length; i++)
             {

@@ -123,7 +123,7 @@ package starlogo.models.collada
             return new StepSequence().add(_triangulator.addingEach(sizes.length, function(index:int):Steps
                     {
                         var first:int = next;
-                        var count:int = vcount.toWholeNumber(sizes[index], 0, corners - first, "the number of a polygon's corners");
+                        var count:int = vcount.toInteger(sizes[index], 0, corners - first, "the number of a polygon's corners");
                         next += count;
                         return count > 2 ? _triangulator.addPolygon(readCorners(indices, first * _stride, count)) : null;
                     })).call(function():void
@@ -199,7 +199,7 @@ package starlogo.models.collada
         // Reads a corner, whose indices begin at the given one. Returns its point.
         private function readCorner(indices:Array, at:int):uint
         {
-            return _positions.firstPoint + _element.toWholeNumber(indices[int(at + _offset)], 0, _positions.count - 1, "a position's index");
+            return _positions.firstPoint + _element.toInteger(indices[int(at + _offset)], 0, _positions.count - 1, "a position's index");
         }
     }
 }

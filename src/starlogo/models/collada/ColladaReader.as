@@ -37,7 +37,7 @@ package starlogo.models.collada
          */
         public function ColladaReader(document:ColladaDocument, upAxis:Object, scaling:String, moved:Object = null)
         {
-            _data = ModelData.forFile(document.limits.modelName, upAxis == null ? "z" : upAxis, scaling);
+            _data = ModelData.forFile(document.limits.modelName, upAxis, scaling, "y");
             var scene:ColladaScene;
             add(document).begin(function():Steps
                 {

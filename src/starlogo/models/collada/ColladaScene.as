@@ -106,7 +106,7 @@ package starlogo.models.collada
         {
             _place = new ColladaPlace(node, _place, _placeCount++);
             node.refuseIf(_place.depth > MAX_DEPTH, "its nodes are nested more than " + MAX_DEPTH + " deep");
-            node.limits.countElements(COUNT_PER_PLACING * (1 + node.children.length), node);
+            node.limits.spendElements(COUNT_PER_PLACING * (1 + node.children.length), node);
             (_places[node.index] ||= []).push(_place);
         }
 
@@ -152,7 +152,7 @@ package starlogo.models.collada
             var target:ColladaElement = element.target("url", ["controller"]);
             while (target.name == "controller")
             {
-                element.limits.countElements(COUNT_PER_PLACING, element);
+                element.limits.spendElements(COUNT_PER_PLACING, element);
                 var deformer:ColladaElement = target.child("skin") || target.requiredChild("morph");
                 target = deformer.target("source", ["geometry", "controller"]);
                 element.refuseIf(deformers.length == MAX_CONTROLLERS, "more than " + MAX_CONTROLLERS +

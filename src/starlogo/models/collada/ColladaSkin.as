@@ -59,7 +59,7 @@ package starlogo.models.collada
         public function paletteOf(scene:ColladaScene, place:ColladaPlace, instance:ColladaElement):Vector.<AffineTransform>
         {
             var nodes:Vector.<ColladaElement> = _nodes[instance.index] ||= jointsOf(instance);
-            element.limits.countNumbers(nodes.length, element);
+            element.limits.spendNumbers(nodes.length, element);
             var palette:Vector.<AffineTransform> = new Vector.<AffineTransform>();
             for (var i:int = 0; i < nodes.length; i++)
             {
@@ -74,7 +74,7 @@ package starlogo.models.collada
         {
             var count:int = _influences.starts.length - 1;
             element.refuseIf(points.length != 3 * count, "it has weights for " + count + " points, but its geometry has " + points.length / 3);
-            element.limits.countNumbers(2 * _influences.joints.length, element);
+            element.limits.spendNumbers(2 * _influences.joints.length, element);
             return new StepSequence().slices(count, POINTS_PER_STEP, function(first:int, end:int):void
                 {
                     element.refuseIf(!_influences.move(points, palette, first, end), "it moves points too far: their coordinates are not finite numbers");
@@ -114,8 +114,8 @@ package starlogo.models.collada
                 {
                     for (var i:int = first; i < end; i++)
                     {
-                        var joint:int = weighted.toWholeNumber(indices[i * stride + jointOffset], -1, _inverses.length - 1, "a joint's index");
-                        var weight:int = weighted.toWholeNumber(indices[i * stride + weightOffset], 0, weights.words.length - 1, "a weight's index");
+                        var joint:int = weighted.toInteger(indices[i * stride + jointOffset], -1, _inverses.length - 1, "a joint's index");
+                        var weight:int = weighted.toInteger(indices[i * stride + weightOffset], 0, weights.words.length - 1, "a weight's index");
                         _influences.joints.push(joint < 0 ? _inverses.length : joint);
                         _influences.weights.push(weights.array.toNumber(weights.words[weight]));
                     }
@@ -132,7 +132,7 @@ package starlogo.models.collada
                 {
                     for (var i:int = first; i < end; i++)
                     {
-                        sum += element.toWholeNumber(counts[i], 0, influenceCount, "the number of a point's joints");
+                        sum += element.toInteger(counts[i], 0, influenceCount, "the number of a point's joints");
                         _influences.starts.push(sum);
                     }
                 }).call(function():void
@@ -164,7 +164,7 @@ package starlogo.models.collada
             while (pending.length > 0)
             {
                 var node:ColladaElement = pending.pop();
-                instance.limits.countNumbers(1 + node.children.length, instance);
+                instance.limits.spendNumbers(1 + node.children.length, instance);
                 nodes[keyOf(node.attribute("sid"))] ||= node;
                 for each (var child:ColladaElement in node.childrenNamed("node").reverse())
                 {

@@ -35,9 +35,7 @@ package starlogo.models.collada
         /** The root element, when no step is left; null if there is none. */
         public var root:ColladaElement = null;
 
-        /** What the document may have and cost. Read only. */
-        public var limits:FileLimits;
-
+        private var _limits:FileLimits;
         private var _text:String;
         private var _at:int = 0;
         private var _elementCount:int = 0;
@@ -52,7 +50,7 @@ package starlogo.models.collada
          */
         public function XmlReader(text:String, limits:FileLimits)
         {
-            this.limits = limits;
+            _limits = limits;
             _text = text;
         }
 
@@ -129,7 +127,7 @@ package starlogo.models.collada
             var quote:int = TextWords.indexOfEither(_text, QUOTE, APOSTROPHE, _at, end);
             var name:String = _text.substring(_at, quote).split(NAME_END, 1)[0];
             refuseIf(name == "" || root != null && _open == null);
-            limits.countElements(1, this);
+            _limits.spendElements(1, this);
             var attributes:Object = {};
             _at += name.length;
             for (var count:int = 0; quote < end && count < MAX_ATTRIBUTES; count++)
@@ -144,7 +142,7 @@ package starlogo.models.collada
             }
             refuseIf(quote < end, "an element has more than " + MAX_ATTRIBUTES + " attributes");
             refuseIf(!TAG_END.test(_text.substring(_at, end)));
-            var element:ColladaElement = new ColladaElement(limits, _elementCount++, localName(name), _open, attributes);
+            var element:ColladaElement = new ColladaElement(_limits, _elementCount++, localName(name), _open, attributes);
             root ||= element;
             if (_text.charAt(end - 1) != "/")
             {
@@ -175,7 +173,7 @@ package starlogo.models.collada
         {
             if (isWrong)
             {
-                throw new ModelError(limits.modelName, String(this), problem);
+                throw new ModelError(_limits.modelName, String(this), problem);
             }
         }
 

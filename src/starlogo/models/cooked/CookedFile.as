@@ -62,7 +62,7 @@ package starlogo.models.cooked
         private var _bytes:ByteArray = newBytes();
 
         // whether the file is complete and unchanged; false until all steps are done
-        private var _isWhole:Boolean = false;
+        private var _isComplete:Boolean = false;
 
         /** @param bytes a possible cooked file; it is copied; only its position and byte order change; null for no file */
         public function CookedFile(bytes:ByteArray)
@@ -155,7 +155,7 @@ package starlogo.models.cooked
         /** Whether the file is complete and has this model key: see MODEL. */
         public function isOf(modelKey:Fingerprint):Boolean
         {
-            return _isWhole && hasSettings(MODEL, modelKey);
+            return _isComplete && hasSettings(MODEL, modelKey);
         }
 
         /**
@@ -167,7 +167,7 @@ package starlogo.models.cooked
          */
         public function section(index:int, settings:Fingerprint):ByteArray
         {
-            var length:int = _isWhole ? lengthOf(index) : 0;
+            var length:int = _isComplete ? lengthOf(index) : 0;
             if (length == 0 || settings != null && !hasSettings(index, settings))
             {
                 return null;
@@ -203,7 +203,7 @@ package starlogo.models.cooked
                 var length:int = lengthOf(i);
                 rest = length < 0 ? NaN : rest - length;
             }
-            _isWhole = isSealed && rest >= 0 && rest < Fingerprint.LENGTH;
+            _isComplete = isSealed && rest >= 0 && rest < Fingerprint.LENGTH;
         }
 
         // Whether a file has the length that it says.

@@ -34,9 +34,6 @@ package starlogo.models.cooked
         /** The encoding of the model's own coordinates as doubles of 64 bits. */
         internal static const DOUBLE:int = 10;
 
-        // how many numbers a SourceFrame has
-        private static const SOURCE_LENGTH:int = 13;
-
         private static const VERTICES_PER_STEP:int = 1500;
         private static const CORNERS_PER_STEP:int = 4500;
         private static const LABELS_PER_STEP:int = 1500;
@@ -110,7 +107,7 @@ package starlogo.models.cooked
             {
                 _data.source = readSource();
                 _data.isNormalised = true;
-                refuseIf(_data.source == null, _data.name, "the cooked file does not have the model's place in its source");
+                refuseIf(!_data.source.isRight, _data.name, "the cooked file does not have the model's place in its source");
             }
             // Each number takes at least one byte. A declared count is not trusted: memory is reserved only for data that is present.
             refuseIf(_bytes.bytesAvailable < 3 * (vertexCount + triangleCount), _data.name, "the cooked file has fewer bytes than it says");
@@ -178,7 +175,7 @@ package starlogo.models.cooked
 
         private function readSource():SourceFrame
         {
-            var numbers:Vector.<Number> = new Vector.<Number>(SOURCE_LENGTH);
+            var numbers:Vector.<Number> = _data.source.numbers;
             for (var i:int = 0; i < numbers.length; i++)
             {
                 numbers[i] = _bytes.readDouble();

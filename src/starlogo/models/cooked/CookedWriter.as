@@ -6,7 +6,6 @@ package starlogo.models.cooked
     import starlogo.engine;
     import starlogo.models.Model;
     import starlogo.models.ModelTransform;
-    import starlogo.models.SourceFrame;
     import starlogo.models.building.ModelBuilder;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.TriangleLabels;
@@ -39,7 +38,7 @@ package starlogo.models.cooked
                     return writeAs(model, encoding, points, transform);
                 }
             }
-            refuseIf(SourceFrame.ofNumbers(model.source.numbers) == null, model.name, "its place in its source is not finite numbers, so it can't be cooked");
+            refuseIf(!model.source.isRight, model.name, "its place in its source is not finite numbers, so it can't be cooked");
             return writeAs(model, CookedReader.DOUBLE, model.vertices, null);
         }
 

@@ -79,28 +79,28 @@ package starlogo.models.files
         }
 
         /** Counts numbers that are read. They count as often as they are used. @throws ModelError if these are too many */
-        public function countNumbers(more:Number, place:Object):void
+        public function spendNumbers(more:Number, place:Object):void
         {
             _numbers += more;
             require(_numbers, FREE_NUMBERS, NUMBERS_PER_BYTE, MOST_NUMBERS, "numbers, each counted as often as it is used", place);
         }
 
         /** Counts numbers that a file declares without data, so they are 0. @throws ModelError if these are too many */
-        public function countZeros(more:Number, place:Object):void
+        public function spendZeros(more:Number, place:Object):void
         {
             _zeros += more;
             require(_zeros, 0, ZEROS_PER_BYTE, Infinity, "numbers without data", place);
         }
 
         /** Counts elements, values, nodes, transforms and instances, as often as they are placed. @throws ModelError if these are too many */
-        public function countElements(more:Number, place:Object):void
+        public function spendElements(more:Number, place:Object):void
         {
             _elements += more;
             require(_elements, FREE_ELEMENTS, ELEMENTS_PER_BYTE, MOST_ELEMENTS, "elements, values, nodes, transforms and instances, each counted as often as it is placed", place);
         }
 
         /** Counts tests of corners. */
-        public function countCornerTests(more:int):void
+        public function spendCornerTests(more:int):void
         {
             cornerTestsLeft -= more;
         }

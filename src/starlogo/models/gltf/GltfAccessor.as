@@ -54,15 +54,15 @@ package starlogo.models.gltf
             json.refuseIf(!SIZES.hasOwnProperty(componentType), "expected 5120 to 5123, 5125 or 5126, but found " + componentType, "componentType");
             _divisor = isNormalised && LARGEST[componentType] > 0 ? LARGEST[componentType] : 0;
             var view:int = json.reference("bufferView", "bufferViews");
-            var offset:int = json.whole("byteOffset", int.MAX_VALUE, 0);
+            var offset:int = json.integer("byteOffset", int.MAX_VALUE, 0);
             if (view < 0)
             {
-                file.limits.countZeros(Number(count) * width, json.place);
+                file.limits.spendZeros(Number(count) * width, json.place);
             }
             else
             {
                 addRows(file, view, offset);
-                file.limits.countNumbers(Number(count) * width, json.place);
+                file.limits.spendNumbers(Number(count) * width, json.place);
             }
             numbers = new Vector.<Number>(count * width);
         }
@@ -70,8 +70,8 @@ package starlogo.models.gltf
         /** The accessor that is an entry of the file. */
         public static function of(file:GltfFile, json:GltfJson):GltfAccessor
         {
-            var accessor:GltfAccessor = new GltfAccessor(file, json, json.requiredWhole("count", int.MAX_VALUE), WIDTHS[json.value.type],
-                    json.requiredWhole("componentType", int.MAX_VALUE), json.value.normalized === true);
+            var accessor:GltfAccessor = new GltfAccessor(file, json, json.requiredInteger("count", int.MAX_VALUE), WIDTHS[json.value.type],
+                    json.requiredInteger("componentType", int.MAX_VALUE), json.value.normalized === true);
             var sparse:GltfJson = json.object("sparse");
             if (sparse != null)
             {
@@ -97,7 +97,7 @@ package starlogo.models.gltf
         {
             var size:int = SIZES[_componentType] * _width;
             var entry:GltfJson = file.json.fileEntry("bufferViews", view);
-            var stride:int = entry.whole("byteStride", 252, size);
+            var stride:int = entry.integer("byteStride", 252, size);
             entry.refuseIf(stride < size, "expected at least " + size + ", but found " + stride, "byteStride");
             // data that end early are refused before the numbers get their memory
             file.openView(view, offset, count == 0 ? 0 : Number(count - 1) * stride + size, json);
@@ -148,12 +148,12 @@ package starlogo.models.gltf
         // Adds the steps that replace some elements.
         private function addSparse(file:GltfFile, sparse:GltfJson):void
         {
-            var some:int = sparse.requiredWhole("count", count);
+            var some:int = sparse.requiredInteger("count", count);
             var indices:GltfJson = sparse.object("indices");
             var values:GltfJson = sparse.object("values");
             sparse.refuseIf(indices == null || values == null, "expected indices and values");
             sparse.refuseIf(!indices.has("bufferView") || !values.has("bufferView"), "expected indices and values in bufferViews");
-            var at:GltfAccessor = new GltfAccessor(file, indices, some, 1, indices.requiredWhole("componentType", int.MAX_VALUE), false);
+            var at:GltfAccessor = new GltfAccessor(file, indices, some, 1, indices.requiredInteger("componentType", int.MAX_VALUE), false);
             var by:GltfAccessor = new GltfAccessor(file, values, some, _width, _componentType, _divisor > 0);
             add(at).add(by).slices(some, NUMBERS_PER_STEP / _width, function(first:int, end:int):void
                 {

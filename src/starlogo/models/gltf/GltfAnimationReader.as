@@ -26,14 +26,15 @@ package starlogo.models.gltf
         public static function allIn(file:GltfFile, upAxis:Object):Vector.<FileAnimation>
         {
             var animations:Vector.<FileAnimation> = new Vector.<FileAnimation>();
+            var newReader:Function = function(moved:Object):ModelReader
+            {
+                file.limits.restart();
+                return new GltfReader(file, upAxis, null, moved);
+            };
             for (var i:int = 0; i < file.json.count("animations"); i++)
             {
                 var animation:GltfJson = file.json.element("animations", i);
-                animations.push(new FileAnimation(animation.text("name") || "", channelsOf(file, animation), function(moved:Object):ModelReader
-                        {
-                            file.limits.restart();
-                            return new GltfReader(file, upAxis, null, moved);
-                        }));
+                animations.push(new FileAnimation(animation.text("name") || "", channelsOf(file, animation), newReader));
             }
             return animations;
         }
@@ -52,7 +53,7 @@ package starlogo.models.gltf
                 if (node >= 0 && TYPES.hasOwnProperty(path))
                 {
                     target.refuseIf(file.json.fileEntry("nodes", node).has("matrix") && path != "weights", "a node with a matrix can't be animated");
-                    var sampler:int = channel.requiredWhole("sampler", animation.count("samplers") - 1);
+                    var sampler:int = channel.requiredInteger("sampler", animation.count("samplers") - 1);
                     var keys:KeyFrames = keysOf(file, animation.element("samplers", sampler), path);
                     channels.push(new AnimationChannel(GltfScene.targetOf(node, path), keys, new Vector.<Number>(keys.width)));
                 }
@@ -73,7 +74,7 @@ package starlogo.models.gltf
             var wanted:Number = Number(times.count) * (interpolation == CUBIC ? 3 : 1);
             values.json.refuseIf(times.count == 0 || values.count < wanted || values.count % wanted != 0 || path != "weights" && values.count != wanted,
                     "it has " + values.count + " elements for " + times.count + " keys");
-            file.limits.countNumbers(times.count, sampler.place);
+            file.limits.spendNumbers(times.count, sampler.place);
             finish(times);
             finish(values);
             var isRotation:Boolean = path == "rotation";

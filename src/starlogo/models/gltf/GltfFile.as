@@ -144,8 +144,8 @@ package starlogo.models.gltf
             var view:GltfJson = json.fileEntry("bufferViews", index);
             var buffer:int = view.reference("buffer", "buffers");
             view.refuseIf(buffer < 0, "it names no buffer");
-            var start:int = view.whole("byteOffset", int.MAX_VALUE, 0);
-            var size:int = view.requiredWhole("byteLength", int.MAX_VALUE);
+            var start:int = view.integer("byteOffset", int.MAX_VALUE, 0);
+            var size:int = view.requiredInteger("byteLength", int.MAX_VALUE);
             user.refuseIf(offset + length > size, "it needs " + (offset + length) + " bytes of " + view.place + ", which has " + size);
             if (_buffers[buffer] == null)
             {
@@ -250,7 +250,7 @@ package starlogo.models.gltf
             var buffer:GltfJson = json.fileEntry("buffers", index);
             _buffers.push(null);
             // keep() reads the length; here a wrong one is refused before the buffer is fetched or decoded
-            buffer.requiredWhole("byteLength", FileLimits.MOST_BYTES);
+            buffer.requiredInteger("byteLength", FileLimits.MOST_BYTES);
             var uri:* = buffer.value.uri;
             buffer.refuseIf(uri !== undefined && !(uri is String), "expected an address", "uri");
             if (uri === undefined)
@@ -287,7 +287,7 @@ package starlogo.models.gltf
         private function keep(index:int, bytes:ByteArray):void
         {
             var buffer:GltfJson = json.fileEntry("buffers", index);
-            var wanted:int = buffer.requiredWhole("byteLength", FileLimits.MOST_BYTES);
+            var wanted:int = buffer.requiredInteger("byteLength", FileLimits.MOST_BYTES);
             buffer.refuseIf(bytes.length < wanted, "it should have " + wanted + " bytes, but has " + bytes.length);
             bytes.endian = Endian.LITTLE_ENDIAN;
             _buffers[index] = bytes;

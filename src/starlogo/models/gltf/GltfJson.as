@@ -119,7 +119,7 @@ package starlogo.models.gltf
         private function checkedIndex(index:*, key:String, list:String):int
         {
             var most:int = _root.count(list);
-            if (!isWhole(index, most - 1))
+            if (!isInteger(index, most - 1))
             {
                 throw error("expected the number of one of " + most + " " + list + ", but found " + shown(index), key);
             }
@@ -127,16 +127,16 @@ package starlogo.models.gltf
         }
 
         /** An integer property from 0 to a maximum; the preset value if there is none. */
-        public function whole(key:String, most:int, preset:int):int
+        public function integer(key:String, most:int, preset:int):int
         {
-            return has(key) ? requiredWhole(key, most) : preset;
+            return has(key) ? requiredInteger(key, most) : preset;
         }
 
         /** An integer property from 0 to a maximum. @throws ModelError if there is none */
-        public function requiredWhole(key:String, most:int):int
+        public function requiredInteger(key:String, most:int):int
         {
             var found:* = value[key];
-            refuseIf(!isWhole(found, most), "expected an integer from 0 to " + most + ", but found " + shown(found), key);
+            refuseIf(!isInteger(found, most), "expected an integer from 0 to " + most + ", but found " + shown(found), key);
             return found;
         }
 
@@ -153,7 +153,7 @@ package starlogo.models.gltf
             for (var i:int = 0; i < found.length; i++)
             {
                 var number:* = found[i];
-                refuseIf(!(number is Number) || number - number != 0, "expected a finite number, but found " + shown(number), key + "[" + i + "]");
+                refuseIf(!(number is Number && isFinite(number)), "expected a finite number, but found " + shown(number), key + "[" + i + "]");
                 all.push(number);
             }
             return all;
@@ -176,7 +176,7 @@ package starlogo.models.gltf
             return value is Object && !(value is Array || value is String || value is Number || value is Boolean);
         }
 
-        private static function isWhole(value:*, most:int):Boolean
+        private static function isInteger(value:*, most:int):Boolean
         {
             return value is Number && value >= 0 && value <= most && int(value) == value;
         }

@@ -32,7 +32,7 @@ package starlogo.models.gltf
          */
         public function GltfReader(file:GltfFile, upAxis:Object, scaling:String, moved:Object = null)
         {
-            _data = ModelData.forFile(file.limits.modelName, upAxis == null ? "y" : upAxis, scaling);
+            _data = ModelData.forFile(file.limits.modelName, upAxis, scaling, "y");
             _file = file;
             add(file).begin(function():Steps
                 {
@@ -68,7 +68,7 @@ package starlogo.models.gltf
             var placed:Object = {};
             _data.readShare = index / _scene.nodes.length;
             // each primitive may have a target for each weight
-            _file.limits.countElements((1 + _scene.weightsOf(nodeIndex).length) * (1 + mesh.count("primitives")), mesh.place);
+            _file.limits.spendElements((1 + _scene.weightsOf(nodeIndex).length) * (1 + mesh.count("primitives")), mesh.place);
             return new StepSequence().beginEach(mesh.count("primitives"), function(primitive:int):Steps
                 {
                     return readingPrimitive(nodeIndex, name, mesh.element("primitives", primitive), placed);

@@ -45,7 +45,7 @@ package starlogo.models.gltf
         /** The mode of a primitive. Points and lines have a mode below TRIANGLES. */
         internal static function modeOf(primitive:GltfJson):int
         {
-            return primitive.whole("mode", FAN, TRIANGLES);
+            return primitive.integer("mode", FAN, TRIANGLES);
         }
 
         // Adds some triangles. Triangle n of a list has the corners 3n, 3n+1 and 3n+2. Triangle n of a fan has the corners n+1, n+2 and 0. In a

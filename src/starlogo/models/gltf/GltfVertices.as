@@ -63,7 +63,7 @@ package starlogo.models.gltf
                         _palette = scene.paletteOf(skin);
                     });
                 var read:GltfSkinWeights = file.skinWeights(attributes, count, skin);
-                file.limits.countNumbers(read.mostInfluences, attributes.place);
+                file.limits.spendNumbers(read.mostInfluences, attributes.place);
                 add(read).slices(count, SKINNED_PER_STEP, function(first:int, end:int):void
                     {
                         read.influences.move(_points, _palette, first, end);
@@ -88,7 +88,7 @@ package starlogo.models.gltf
                 if (index >= 0 && weights[i] != 0)
                 {
                     addTarget(file.accessor(index, "VEC3"), weights[i]);
-                    file.limits.countNumbers(3 * Number(count), primitive.place);
+                    file.limits.spendNumbers(3 * Number(count), primitive.place);
                 }
             }
         }

@@ -199,7 +199,7 @@ package starlogo.models.gltf
         private function put(value:*):void
         {
             var around:Object = _open.length == 0 ? null : _open[_open.length - 1];
-            _limits.countElements(ELEMENTS_PER_VALUE, this);
+            _limits.spendElements(ELEMENTS_PER_VALUE, this);
             if (around == null)
             {
                 root = value;

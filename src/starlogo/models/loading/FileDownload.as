@@ -33,20 +33,17 @@ package starlogo.models.loading
 
         private var _url:String;
         private var _loader:URLLoader;
-        private var _take:Function;
 
         /**
          * Starts to fetch a file.
          *
          * @param url the file's address
          * @param loader fetches it
-         * @param take <code>function(bytes:ByteArray, problem:String):void</code>, which <code>deliver()</code> calls; null for none
          */
-        public function FileDownload(url:String, loader:URLLoader, take:Function = null)
+        public function FileDownload(url:String, loader:URLLoader)
         {
             _url = url;
             _loader = loader;
-            _take = take;
             _loader.dataFormat = URLLoaderDataFormat.BINARY;
             for each (var type:String in EVENTS)
             {
@@ -60,12 +57,6 @@ package starlogo.models.loading
             {
                 fail(error.message);
             }
-        }
-
-        /** Calls the function that takes the file. */
-        public function deliver():void
-        {
-            _take(bytes, problem);
         }
 
         /** Stops fetching. */

@@ -32,33 +32,35 @@ package starlogo.models.loading
         private static const VERTEX:RegExp = /[\n\r][ \t]*v[ \t]+[\-+.\d]/;
         private static const EXTENSION:RegExp = /^[^?#]*\.(obj|dae|gltf|stl)([?#]|$)/i;
 
-        /** Whether a file has a binary form. */
-        public static function isBinary(file:ModelFile):Boolean
+        /** The format of a file. A text is decoded to find it. */
+        public static function of(file:ModelFile):String
         {
-            return file.bytes != null && ofBytes(file.bytes) != null;
+            return (file.bytes == null ? null : ofBytes(file.bytes)) || ofText(file.textOf(), file.url);
         }
 
         /**
          * The reader of a file.
          *
          * @param file the file
-         * @param upAxis the axis that points up, if the file does not say it; or a ModelTransform
+         * @param format what <code>of()</code> returns for it
+         * @param upAxis the axis that points up, if the format has no rule for it; or a ModelTransform
          * @param scaling as for Model's constructor
          * @param fetch gives the other files that a glTF file names: see GltfFile
          */
-        public static function newReader(file:ModelFile, upAxis:Object, scaling:String, fetch:Function):ModelReader
+        public static function newReader(file:ModelFile, format:String, upAxis:Object, scaling:String, fetch:Function):ModelReader
         {
+            var transform:ModelTransform = upAxis as ModelTransform;
             ModelData.requireUpAxis(file.name, upAxis);
-            switch (isBinary(file) ? ofBytes(file.bytes) : ofText(file.textOf(), file.url))
+            switch (format)
             {
                 case COOKED:
                     return new CookedReader(file.name, file.bytes);
                 case STL:
                     return new StlReader(file, upAxis, scaling);
                 case COLLADA:
-                    return new ColladaReader(new ColladaDocument(file.name, file.textOf()), upAxis as ModelTransform, scaling);
+                    return new ColladaReader(new ColladaDocument(file.name, file.textOf()), transform, scaling);
                 case GLTF:
-                    return new GltfReader(new GltfFile(file, fetch), upAxis as ModelTransform, scaling);
+                    return new GltfReader(new GltfFile(file, fetch), transform, scaling);
                 default:
                     return new ObjReader(file.name, file.textOf(), upAxis, scaling);
             }

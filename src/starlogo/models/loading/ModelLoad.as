@@ -62,6 +62,9 @@ package starlogo.models.loading
         // The downloads that the next step waits for: the file and its transform file, or its cooked file; or other files that its reader asks for.
         private var _downloads:Vector.<FileDownload> = new Vector.<FileDownload>();
 
+        // Each gives the maker a file that it has asked for. They are called before its next step.
+        private var _deliveries:Vector.<Function> = new Vector.<Function>();
+
         // what reads the file, or makes the model instead; null before the file has come, and after the model is made
         private var _maker:ModelMaker = null;
 
@@ -124,16 +127,14 @@ package starlogo.models.loading
         /** Adds the steps that read a file. */
         public function addReading(file:ModelFile):void
         {
+            var format:String;
             call(function():void
                 {
-                    if (!ModelFormat.isBinary(file))
-                    {
-                        // decodes it, in a step of its own
-                        file.textOf();
-                    }
+                    // may decode it, in a step of its own
+                    format = ModelFormat.of(file);
                 }).call(function():void
                 {
-                    addMaking(ModelBuilder.reading(ModelFormat.newReader(file, _upAxis, _scaling, fetchBeside)));
+                    addMaking(ModelBuilder.reading(ModelFormat.newReader(file, format, _upAxis, _scaling, fetchBeside)));
                 });
         }
 
@@ -234,7 +235,11 @@ package starlogo.models.loading
         {
             if (FileAddress.hasFolder(_url))
             {
-                _downloads.push(new FileDownload(FileAddress.folderOf(_url) + uri, _newLoader(), take));
+                var file:FileDownload = download(FileAddress.folderOf(_url) + uri);
+                _deliveries.push(function():void
+                    {
+                        take(file.bytes, file.problem);
+                    });
             }
             else
             {
@@ -244,11 +249,11 @@ package starlogo.models.loading
 
         private function stepMaker():Boolean
         {
-            for each (var file:FileDownload in _downloads)
-            {
-                file.deliver();
-            }
             _downloads.length = 0;
+            while (_deliveries.length > 0)
+            {
+                _deliveries.shift()();
+            }
             return _maker.step();
         }
 

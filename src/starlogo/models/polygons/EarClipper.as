@@ -55,7 +55,7 @@ package starlogo.models.polygons
                     outside = countOutside(before, _node, after);
                     isCut = outside == _count - 3;
                 }
-                limits.countCornerTests(1 + outside);
+                limits.spendCornerTests(1 + outside);
                 if (isCut)
                 {
                     if (area > 0)
@@ -82,21 +82,30 @@ package starlogo.models.polygons
         private function countOutside(before:int, tip:int, after:int):int
         {
             var xs:Vector.<Number> = _rings.x;
-            var ys:Vector.<Number> = _rings.y;
+            var minX:Number = Math.min(xs[before], xs[tip], xs[after]);
+            var maxX:Number = Math.max(xs[before], xs[tip], xs[after]);
             var count:int = 0;
             for (var node:int = _rings.next[after]; node != before; node = _rings.next[node])
             {
-                var x:Number = xs[node];
-                var y:Number = ys[node];
-                var isAtEnd:Boolean = x == xs[before] && y == ys[before] || x == xs[after] && y == ys[after];
-                var isAtTip:Boolean = x == xs[tip] && y == ys[tip];
-                if (!isAtEnd && (isAtTip ? _rings.goesInto(node, before, tip, after) : _rings.isInside(node, before, tip, after)))
+                // most corners are beside the triangle
+                if (xs[node] >= minX && xs[node] <= maxX && isInWay(node, before, tip, after))
                 {
                     return count;
                 }
                 count++;
             }
             return count;
+        }
+
+        private function isInWay(node:int, before:int, tip:int, after:int):Boolean
+        {
+            var isAtEnd:Boolean = isAt(node, before) || isAt(node, after);
+            return !isAtEnd && (isAt(node, tip) ? _rings.goesInto(node, before, tip, after) : _rings.isInside(node, before, tip, after));
+        }
+
+        private function isAt(node:int, other:int):Boolean
+        {
+            return _rings.x[node] == _rings.x[other] && _rings.y[node] == _rings.y[other];
         }
     }
 }

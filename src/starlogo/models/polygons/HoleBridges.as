@@ -71,7 +71,7 @@ package starlogo.models.polygons
                 return;
             }
             // the search goes around the outline three times
-            _rings.limits.countCornerTests(3 * _rings.countFrom(_outline));
+            _rings.limits.spendCornerTests(3 * _rings.countFrom(_outline));
             var corner:int = visibleCorner(hole);
             // without one, the hole is not inside the outline
             if (corner >= 0)

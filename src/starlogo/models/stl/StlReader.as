@@ -119,7 +119,7 @@ package starlogo.models.stl
                     var x:Number = bytes.readFloat();
                     var y:Number = bytes.readFloat();
                     var z:Number = bytes.readFloat();
-                    if (x - x + y - y + z - z != 0)
+                    if (!isFinite(x + y + z)) // floats have no sum that is too large
                     {
                         throw new ModelError(_data.name, "triangle " + i, "expected three finite numbers for a vertex, but found " + x + ", " + y + ", " + z);
                     }

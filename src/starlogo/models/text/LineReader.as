@@ -84,7 +84,7 @@ package starlogo.models.text
                     }
                 }
             }
-            return hasMore ? (_start + (_end - _start) * _next / _lines.length) / _text.length : 1;
+            return hasMore ? (_start + (_end - _start) * _next / _lines.length) / Math.max(1, _text.length) : 1;
         }
 
         /**
@@ -101,7 +101,7 @@ package starlogo.models.text
             for (var i:int = 0; i < 3; i++)
             {
                 var number:Number = TextWords.toNumber(words[int(first + i)] || "");
-                if (number - number != 0)
+                if (!isFinite(number))
                 {
                     throw new ModelError(_name, place, "expected a vertex, three finite numbers, but found \"" + shortened(words.slice(first - 1).join(" ")) + "\"");
                 }

@@ -66,7 +66,7 @@ package starlogo.models.gltf
         public function namesTheValueThatIsTooMany():void
         {
             var limits:FileLimits = new FileLimits("a", 0);
-            limits.countElements(49999, "");
+            limits.spendElements(49999, "");
             Failures.assertFails("character 8", "more than 50000 elements", finish, new JsonReader("[0,0,0,0,0,0,0]", limits));
         }
 

@@ -34,7 +34,8 @@ package starlogo.models.loading
         // A ModelBuilder has the progress 0.9 when the file is read.
         private static function checkProgress(bytes:ByteArray, text:String):void
         {
-            var reader:ModelReader = ModelFormat.newReader(new ModelFile("a", bytes, text), "z", "footprint", null);
+            var file:ModelFile = new ModelFile("a", bytes, text);
+            var reader:ModelReader = ModelFormat.newReader(file, ModelFormat.of(file), "z", "footprint", null);
             var builder:ModelBuilder = ModelBuilder.reading(reader);
             var progress:Array = [builder.progress];
             var isLeft:Boolean = true;

@@ -24,13 +24,13 @@ package starlogo.libraries
      *
      * @private
      */
-    public final class ModelPreparation extends StepSequence
+    public final class ModelResults extends StepSequence
     {
         /** The structures. Null if none are wanted, or if they are not there yet. */
         public var structures:ModelStructures = null;
 
         /** The tree of the hierarchy; null if none is wanted. It may have no nodes yet when this work has no step left. */
-        public var modelTree:ModelTree = null;
+        public var tree:ModelTree = null;
 
         private var _model:Model;
         private var _settings:FitSettings;
@@ -45,11 +45,11 @@ package starlogo.libraries
          * @param hierarchiesLibrary wants a hierarchy; null if none is wanted. Its settings count as they are now
          * @param store null for none
          */
-        public function ModelPreparation(model:Model, structuresLibrary:BoundingStructuresLibrary, hierarchiesLibrary:HierarchiesLibrary, store:FitStore)
+        public function ModelResults(model:Model, structuresLibrary:BoundingStructuresLibrary, hierarchiesLibrary:HierarchiesLibrary, store:FitStore)
         {
             _model = model;
             _settings = new FitSettings(structuresLibrary, hierarchiesLibrary);
-            modelTree = hierarchiesLibrary == null ? null : hierarchiesLibrary.newTree(model.vertices, model.triangles);
+            tree = hierarchiesLibrary == null ? null : hierarchiesLibrary.newTree(model.vertices, model.triangles);
             if (model.data.cooked != null)
             {
                 takeFrom(model.data.cooked);
@@ -74,10 +74,10 @@ package starlogo.libraries
          */
         public function toCooked(modelKey:Fingerprint):ByteArray
         {
-            if (modelTree != null)
+            if (tree != null)
             {
-                modelTree.finishBuilding();
-                modelTree.prepareExact();
+                tree.finishBuilding();
+                tree.prepareExact();
             }
             return bytesOfResults(modelKey, CookedWriter.write(_model));
         }
@@ -85,27 +85,27 @@ package starlogo.libraries
         // Whether all results that are wanted are there, or stored.
         private function get isComplete():Boolean
         {
-            return (_structuresBuilder == null || structures != null) && (modelTree == null || isTreeStored)
-                && (!_settings.wantsSurface || _model.triangles == null || modelTree.surface != null);
+            return (_structuresBuilder == null || structures != null) && (tree == null || isTreeStored)
+                && (!_settings.wantsSurface || _model.triangles == null || tree.surface != null);
         }
 
         // The work that takes results from a store, computes what it does not have, and stores all.
         private function readingAndStoring(store:FitStore):Steps
         {
-            var geometry:Fingerprint = new Fingerprint();
+            var geometryKey:Fingerprint = new Fingerprint();
             var stored:CookedFile;
-            return new StepSequence().add(geometry.addingLists(_model.vertices, _model.triangles)).begin(function():Steps
+            return new StepSequence().add(geometryKey.addingLists(_model.vertices, _model.triangles)).begin(function():Steps
                 {
-                    return stored = store.fileOf(geometry, _settings);
+                    return stored = store.fileOf(geometryKey, _settings);
                 }).begin(function():Steps
                 {
-                    if (stored.isOf(geometry))
+                    if (stored.isOf(geometryKey))
                     {
                         takeFrom(stored);
                     }
-                    return isComplete || !store.hasRoomFor(_model, modelTree != null) ? computing() : computing().call(function():void
+                    return isComplete || !store.hasRoomFor(_model, tree != null) ? computing() : computing().call(function():void
                         {
-                            store.keep(geometry, _settings, bytesOfResults(geometry, null));
+                            store.keep(geometryKey, _settings, bytesOfResults(geometryKey, null));
                         });
                 });
         }
@@ -121,9 +121,9 @@ package starlogo.libraries
                         structures = _structuresBuilder.structures;
                     });
             }
-            if (modelTree != null && (_settings.wantsSurface || !isTreeStored))
+            if (tree != null && (_settings.wantsSurface || !isTreeStored))
             {
-                work.add(modelTree.building);
+                work.add(tree.building);
             }
             return work;
         }
@@ -141,14 +141,14 @@ package starlogo.libraries
             var division:ByteArray = _settings.sectionOf(file, CookedFile.HIERARCHY);
             if (division != null && _cookedTree == null)
             {
-                _cookedTree = new CookedTree(division, modelTree.boxTree, _settings.maxDepth);
-                modelTree.restoreFirst(_cookedTree);
+                _cookedTree = new CookedTree(division, tree.boxTree, _settings.maxDepth);
+                tree.restoreFirst(_cookedTree);
             }
             var surface:ByteArray = division == null || _model.triangles == null ? null : _settings.sectionOf(file, CookedFile.SURFACE);
             var topology:SurfaceTopology = surface == null ? null : SurfaceTopology.read(surface, _model.triangles.length / 3);
             if (topology != null)
             {
-                modelTree.restoreSurface(topology);
+                tree.restoreSurface(topology);
             }
         }
 
@@ -158,7 +158,7 @@ package starlogo.libraries
             var found:Vector.<BoundingStructure> = CookedStructures.read(_settings.sectionOf(file, CookedFile.STRUCTURES), BoundingStructure.BOX, size);
             var hulls:Vector.<BoundingStructure> = CookedStructures.read(_settings.sectionOf(file, CookedFile.HULL), BoundingStructure.HULL, size);
             var hull:BoundingStructure = hulls == null ? null : hulls[BoundingStructure.HULL] || hulls[BoundingStructure.SPHERE];
-            return found == null || hulls == null && _settings.wantsHull ? null : new ModelStructures(found, hull, _settings.showsAll);
+            return found == null || hulls == null && _settings.storesHull ? null : new ModelStructures(found, hull, _settings.showsAll);
         }
 
         // The bytes of a file with the results. It has the surface if that is prepared. @param model the bytes of the model; null for none
@@ -171,15 +171,15 @@ package starlogo.libraries
                 sections[CookedFile.STRUCTURES] = CookedStructures.write(structures.smallest);
                 sections[CookedFile.HULL] = structures.hullOrSphere == null ? null : CookedStructures.write(new <BoundingStructure>[structures.hullOrSphere]);
             }
-            if (modelTree != null)
+            if (tree != null)
             {
                 // its division may have come from a cooked model
-                modelTree.finishBuilding();
-                sections[CookedFile.HIERARCHY] = CookedTree.write(modelTree.boxTree);
-                if (modelTree.isExactPrepared)
+                tree.finishBuilding();
+                sections[CookedFile.HIERARCHY] = CookedTree.write(tree.boxTree);
+                if (tree.isExactPrepared)
                 {
                     sections[CookedFile.SURFACE] = CookedFile.newBytes();
-                    modelTree.surface.writeTo(sections[CookedFile.SURFACE]);
+                    tree.surface.writeTo(sections[CookedFile.SURFACE]);
                 }
             }
             return CookedFile.write(_settings.fingerprintsWith(modelKey), sections);

@@ -187,7 +187,7 @@ package starlogo.search.pairs
             {
                 var place:Number = placeOf(edges, edge);
                 var radius:Number = Math.abs(along(edge, body.halfX, body.halfY, body.halfZ));
-                var beyond:Number = radius + (along(edge, body.x, body.y, body.z) - place);
+                var beyond:Number = radius + (along(edge, body.middleX, body.middleY, body.middleZ) - place);
                 out[edge] = beyond;
                 if (body.form == ModelShape.TREE && (beyond >= -tolerance || beyond - along(edge, motion.x, motion.y, motion.z) >= -tolerance))
                 {

@@ -31,8 +31,10 @@ package starlogo.handlers
         {
             isThere[number] = true;
         }
+        // the most breeds that a call looks at
+        var maxHints:int = 20;
         var missing:Vector.<String> = new Vector.<String>();
-        for (var i:int = 0; i < names.length && missing.length < MAX_HINTS; i++)
+        for (var i:int = 0; i < names.length && missing.length < maxHints; i++)
         {
             if (!isThere[Breeds.NAMES.numberOf(names[i])] && missing.indexOf(names[i]) < 0)
             {
@@ -41,43 +43,11 @@ package starlogo.handlers
         }
         for each (var name:String in missing)
         {
-            var hint:String = hintOfBreed(name, isThere) || hintOfShape(name, agents);
+            var hint:String = hintOfBreed(name, isThere, agents);
             if (hint != null)
             {
                 warn("no agent is of the breed \"" + name + "\"" + hint);
             }
         }
     }
-}
-
-import starlogo.agents.Agent;
-import starlogo.agents.Breeds;
-import starlogo.data.areSimilar;
-
-// The most breeds that a call looks at.
-const MAX_HINTS:int = 20;
-
-function hintOfBreed(name:String, isThere:Vector.<Boolean>):String
-{
-    for (var number:int = 0; number < isThere.length; number++)
-    {
-        var breed:String = Breeds.NAMES.nameOf(number);
-        if (isThere[number] && areSimilar(name, breed))
-        {
-            return "; is " + (breed == Breeds.TERRAIN ? "Collision.TERRAIN" : breed == Breeds.EDGE ? "Collision.EDGE" : "\"" + breed + "\"") + " meant?";
-        }
-    }
-    return null;
-}
-
-function hintOfShape(name:String, agents:Vector.<Agent>):String
-{
-    for each (var agent:Agent in agents)
-    {
-        if (agent != null && agent.shape == name)
-        {
-            return ", which is the shape of " + agent + ": new Agent(\"" + name + "\", \"BREED\") gives it a breed";
-        }
-    }
-    return null;
 }

@@ -81,7 +81,7 @@ package starlogo.search
                 return;
             }
             _input.copyMembers(rows, _table, _worldCandidates);
-            var others:Vector.<int> = _worldCandidates.numbers;
+            var others:Vector.<int> = _worldCandidates.values;
             var count:int = _input.interests.keepOfInterest(_table.breeds, worldRow, others, _worldCandidates.count);
             addTouching(worldRow, others, count, BinLevel.ANY_GAP);
         }

@@ -97,9 +97,9 @@ package starlogo.search
             narrowPhase.counts.clear();
             // A search prepares the cells only if it is like the one before, because the next is then probably like it too. So the third of three like
             // searches is the first that begins with the pairs of the last one.
-            var prepares:Boolean = areConditionsSame(input) && areFew(readCount, input);
+            var isPrepared:Boolean = areConditionsSame(input) && areFew(readCount, input);
             keepConditions(input);
-            var beginsWithLast:Boolean = prepares && _isPrepared;
+            var beginsWithLast:Boolean = isPrepared && _isPrepared;
             // if the search throws, the next one is of all rows, because the table has been read
             _isPrepared = false;
             var canUpdate:Boolean = false;
@@ -114,9 +114,9 @@ package starlogo.search
             }
             else
             {
-                findOfAll(input, prepares);
+                findOfAll(input, isPrepared);
             }
-            _isPrepared = prepares;
+            _isPrepared = isPrepared;
             return _pairs;
         }
 
@@ -131,7 +131,7 @@ package starlogo.search
         // those of the last search.
         private function readInput(input:SearchInput):void
         {
-            table.acceptList(input.agents);
+            table.setList(input.agents);
             if (Agent.haveSwept)
             {
                 _motions.read(isAnySweeping(input.agents));
@@ -157,7 +157,7 @@ package starlogo.search
         private function settingsOf(input:SearchInput):int
         {
             // no tree is deeper than 2^28. If the triangles decide, the depth does not count
-            var depth:int = narrowPhase.treeLimits.exact ? 0 : Math.min(narrowPhase.treeLimits.maxDepth, 1 << 28);
+            var depth:int = narrowPhase.treeLimits.isExact ? 0 : Math.min(narrowPhase.treeLimits.maxDepth, 1 << 28);
             return depth << 2 | int(input.admitted != null) << 1 | int(_motions.isSwept);
         }
 
@@ -175,7 +175,7 @@ package starlogo.search
         }
 
         // Finds the pairs of all members, and prepares the cells if the next search may begin with these pairs.
-        private function findOfAll(input:SearchInput, prepares:Boolean):void
+        private function findOfAll(input:SearchInput, isPrepared:Boolean):void
         {
             var members:IntList = input.allMembers(table, _members);
             _motions.findExtents(table.list.rows);
@@ -184,7 +184,7 @@ package starlogo.search
             _tests.testWithWorldAgent(ListedAgents.GROUND_ROW, members);
             _tests.testWithWorldAgent(ListedAgents.EDGES_ROW, members);
             _order.putInOrder(_pairs);
-            if (prepares)
+            if (isPrepared)
             {
                 _changedRows.begin(members);
             }

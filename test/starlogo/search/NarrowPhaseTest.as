@@ -18,7 +18,7 @@ package starlogo.search
     public class NarrowPhaseTest
     {
         private var _tests:NarrowPhase = new NarrowPhase(new TightestFitChoice(landOf(BuiltInModel.cube())));
-        private var _body:Body = new StructureBody().read(new Sphere(new Vector3D(), 1));
+        private var _body:Body = new StructureBody().setTo(new Sphere(new Vector3D(), 1));
 
         [Test]
         public function theGroundIsNoFirstBody():void
@@ -35,7 +35,7 @@ package starlogo.search
         private function checkOrder(agent:WorldAgent):void
         {
             var world:Body = new Body();
-            world.readAgent(agent, agent.surface);
+            world.setToAgent(agent, agent.surface);
             assertThrows(IllegalOperationError, /second body/, _tests.pairTestsFor, world, _body);
             assertTrue(_tests.pairTestsFor(_body, world) != null);
             assertThrows(IllegalOperationError, /second body/, _tests.findClosest, world, world, false, new ClosestPoints());

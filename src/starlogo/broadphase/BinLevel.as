@@ -22,6 +22,9 @@ package starlogo.broadphase
 
         private static const SLACK:Number = 1 / (1 << 18);
 
+        /** In place of a level: its slack is infinite, so no extents are too far apart. */
+        public static const ANY_GAP:BinLevel = new BinLevel(Infinity);
+
         // The mask of a level without buckets.
         private static const NO_BUCKETS:int = 0;
 

@@ -16,8 +16,8 @@ package starlogo.broadphase
         // So many times may each member move to another bucket, on average, before the numbers of buckets may be wrong.
         private static const MAX_MOVES:int = 4;
 
-        // The rows that are found near a row.
-        private var _near:Vector.<int> = new Vector.<int>();
+        // The rows of the buckets near a row. Some may come more than once. keepNear() moves those that it keeps to the beginning.
+        private var _candidates:Vector.<int> = new Vector.<int>();
 
         private var _levels:Vector.<BinLevel>;
         private var _extents:Extents = null;
@@ -26,8 +26,8 @@ package starlogo.broadphase
         private var _count:int = 0;
         private var _entriesLeft:int = 0;
 
-        // The rows that were found near a row.
-        private var _found:IntSet = new IntSet();
+        // The rows that keepNear() has kept, and the row that they are near.
+        private var _kept:IntSet = new IntSet();
 
         // By bucket: the first row of its list, or NONE.
         private var _heads:Vector.<int> = new Vector.<int>();
@@ -155,9 +155,9 @@ package starlogo.broadphase
         /**
          * Finds the members near a member, as <code>Bins.findPairs()</code> does, level by level, and passes them to the sink.
          *
-         * @param asked all rows for which this is called. A row of these is left out if it is less than the member, because the pair is found from there
+         * @param changed all rows for which this is called. A row of these is left out if it is less than the member, because the pair is found from there
          */
-        public function findNear(row:int, asked:IntSet, sink:PairSink):void
+        public function findNear(row:int, changed:IntSet, sink:PairSink):void
         {
             var own:BinLevel = _levels[_extents.level[row]];
             for (var i:int = 1; i < _levels.length; i++)
@@ -167,10 +167,10 @@ package starlogo.broadphase
                 {
                     var coarser:BinLevel = own.width > level.width ? own : level;
                     var found:int = findOfLevel(row, level, own.width / 2 + level.width / 2 + coarser.slack);
-                    found = keepNear(row, found, coarser.slack, asked);
+                    found = keepNear(row, found, coarser.slack, changed);
                     if (found > 0)
                     {
-                        sink.onCandidates(row, _near, found, coarser);
+                        sink.onCandidates(row, _candidates, found, coarser);
                     }
                 }
             }
@@ -227,19 +227,19 @@ package starlogo.broadphase
             }
         }
 
-        // Adds the rows of a bucket to _near. Returns their number with the ones before.
+        // Adds the rows of a bucket to _candidates. Returns their number with the ones before.
         private function collectBucket(bucket:int, found:int):int
         {
             for (var row:int = _heads[bucket]; row != NONE; row = _next[row])
             {
-                _near[found] = row;
+                _candidates[found] = row;
                 found++;
             }
             return found;
         }
 
         // Keeps the rows that make a pair with a member: whose circles overlap its own, and whose pair is not found from them. Each is kept once.
-        private function keepNear(row:int, count:int, slack:Number, asked:IntSet):int
+        private function keepNear(row:int, count:int, slack:Number, changed:IntSet):int
         {
             var xs:Vector.<Number> = _extents.x;
             var ys:Vector.<Number> = _extents.y;
@@ -248,18 +248,18 @@ package starlogo.broadphase
             var y:Number = ys[row];
             var ownRadius:Number = radii[row] + slack;
             var kept:int = 0;
-            _found.clear(_buckets.length);
-            _found.add(row);
+            _kept.clear(_buckets.length);
+            _kept.add(row);
             for (var i:int = 0; i < count; i++)
             {
-                var other:int = _near[i];
+                var other:int = _candidates[i];
                 var distanceX:Number = xs[other] - x;
                 var distanceY:Number = ys[other] - y;
                 var touchingDistance:Number = ownRadius + radii[other];
-                if (distanceX * distanceX + distanceY * distanceY <= touchingDistance * touchingDistance && (other > row || !asked.has(other))
-                        && _found.add(other))
+                if (distanceX * distanceX + distanceY * distanceY <= touchingDistance * touchingDistance && (other > row || !changed.has(other))
+                        && _kept.add(other))
                 {
-                    _near[kept] = other;
+                    _candidates[kept] = other;
                     kept++;
                 }
             }

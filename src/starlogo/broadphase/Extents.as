@@ -21,7 +21,7 @@ package starlogo.broadphase
         public var halfZ:Vector.<Number> = new Vector.<Number>();
 
         /** How far the middle is from the place that it was computed from. That place is rounded too, and may be farther from the origin. */
-        public var offset:Vector.<Number> = new Vector.<Number>();
+        public var distanceFromPlace:Vector.<Number> = new Vector.<Number>();
 
         /** The index of the row's level, from 1 on; 0 if it is not known yet. */
         public var level:Vector.<int> = new Vector.<int>();
@@ -33,7 +33,7 @@ package starlogo.broadphase
         override public function grow(length:int):void
         {
             super.grow(length);
-            radius.length = halfX.length = halfY.length = halfZ.length = offset.length = level.length = length;
+            radius.length = halfX.length = halfY.length = halfZ.length = distanceFromPlace.length = level.length = length;
         }
 
         /**
@@ -73,7 +73,7 @@ package starlogo.broadphase
             var middleX:Number = x[row];
             var middleY:Number = y[row];
             var middleZ:Number = z[row];
-            var fromPlace:Number = offset[row];
+            var fromPlace:Number = distanceFromPlace[row];
             var distanceSquared:Number = Math.max(middleX * middleX + middleY * middleY + middleZ * middleZ, fromPlace * fromPlace);
             var least:Number = Math.max(2 * half, Math.sqrt(distanceSquared) / BinLevel.MAX_DISTANCE);
             if (!isFinestFor(least, level[row]))

@@ -3,7 +3,7 @@ package starlogo.broadphase
     import flash.errors.IllegalOperationError;
 
     /**
-     * Receives the pairs that Bins find. It is a class and not an interface, because a call through an interface takes 1.5 times as long.
+     * Receives pairs of rows that are near each other. It is a class and not an interface, because a call through an interface takes 1.5 times as long.
      *
      * @private
      */

@@ -120,12 +120,13 @@ package starlogo.collision
             var by:CollisionSearch = search;
             if (isOwned && _phase != SEARCHING)
             {
-                // A game's own call must not change where the next frame's motions begin. In a search for a frame, a BaseCollider around this collider calls
+                // The next frame's motions begin where the last frame saw the agents, so a game's own call must not change that. In a search for a frame
+                // it is no call of the game's: a BaseCollider around this collider makes it
                 _extraSearch ||= new CollisionSearch(narrowPhase);
                 by = _extraSearch;
             }
             var found:Vector.<Agent> = out || new Vector.<Agent>();
-            _input.setTo(agents, interests || BreedInterests.ALL, null, null, null);
+            _input.begin(agents, interests || BreedInterests.ALL, null, null, null);
             var pairs:FoundPairs = find(by, _input);
             if (_phase != HANDLING)
             {

@@ -199,7 +199,7 @@ package starlogo.collision
          */
         public function onCollision(breed:String, otherBreed:String, handler:Function):void
         {
-            _handlers.add(CollisionHandler.COLLISION, breed, otherBreed, handler);
+            _handlers.add(breed, otherBreed, handler, CollisionHandler.COLLISION);
         }
 
         /**
@@ -215,7 +215,7 @@ package starlogo.collision
          */
         public function onCollisionStart(breed:String, otherBreed:String, handler:Function):void
         {
-            _handlers.add(CollisionHandler.START, breed, otherBreed, handler);
+            _handlers.add(breed, otherBreed, handler, CollisionHandler.START);
         }
 
         /**
@@ -233,7 +233,7 @@ package starlogo.collision
          */
         public function onCollisionEnd(breed:String, otherBreed:String, handler:Function):void
         {
-            _handlers.add(CollisionHandler.END, breed, otherBreed, handler);
+            _handlers.add(breed, otherBreed, handler, CollisionHandler.END);
         }
 
         /**
@@ -249,7 +249,7 @@ package starlogo.collision
          */
         public function removeHandler(breed:String, otherBreed:String, handler:Function, kind:String = null):Boolean
         {
-            return _handlers.remove(breed, otherBreed, handler, kind);
+            return _handlers.remove(breed, otherBreed, handler, CollisionHandler.kindsNamed(kind));
         }
 
         /**
@@ -296,7 +296,6 @@ package starlogo.collision
                 _frameSystem = null;
                 system.enterPhase(Collider.IDLE);
             }
-            _statistics.handlerCalls = _calls.count;
             _statistics.frameMs = getTimer() - start;
             system.onFrame(_statistics);
             if (_handlerErrors.length > 0)
@@ -374,7 +373,7 @@ package starlogo.collision
         {
             var tracker:TouchTracker = _lastFrame.tracker;
             _handlers.begin(agents);
-            _input.setTo(agents, _handlers.interests, ground, edges, filter);
+            _input.begin(agents, _handlers.interests, ground, edges, filter);
             // The filter may have called reset(), which forgets the frames before this one. The touches of this frame do not count then
             var lastFrame:LastFrame = _lastFrame;
             lastFrame.hasFailed = true;
@@ -384,7 +383,7 @@ package starlogo.collision
             lastFrame.agents = copyAgents(_input.agents, lastFrame.agents);
             lastFrame.search = searched == null ? null : searched.search;
             system.enterPhase(Collider.HANDLING);
-            _calls.make(pairs, system, _handlers, tracker, agents, _handlerErrors);
+            _statistics.handlerCalls = _calls.make(pairs, system, _handlers, tracker, agents, _handlerErrors);
             lastFrame.hasFailed = false;
         }
 

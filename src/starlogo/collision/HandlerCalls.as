@@ -22,9 +22,6 @@ package starlogo.collision
         // In place of the index of the next handler: the calls of a pair or touch have not begun.
         private static const NOT_BEGUN:int = -1;
 
-        /** The number of handlers called. */
-        public var count:int = 0;
-
         private var _contacts:FrameContacts = new FrameContacts();
         private var _pairs:FoundPairs = null;
         private var _table:HandlerTable = null;
@@ -42,6 +39,9 @@ package starlogo.collision
         // Whether a handler runs.
         private var _isCalling:Boolean;
 
+        // The number of handlers called.
+        private var _count:int = 0;
+
         /**
          * Makes the calls of a frame. Call <code>end()</code> afterwards.
          *
@@ -51,14 +51,15 @@ package starlogo.collision
          * @param tracker knows the touching pairs of breeds that have handlers for starts or ends
          * @param agents the game's own list, which handlers may change
          * @param errors receives the errors that handlers throw
+         * @return the number of handlers called
          */
         public function make(pairs:FoundPairs, system:BaseCollider, table:HandlerTable, tracker:TouchTracker, agents:Vector.<Agent>,
-                errors:Vector.<Error>):void
+                errors:Vector.<Error>):int
         {
             _pairs = pairs;
             _table = table;
             _gameList.begin(agents);
-            count = 0;
+            _count = 0;
             var isTracked:Boolean = tracker.touches.count > 0 || table.tracksTouches;
             if (table.contactKinds != 0)
             {
@@ -73,6 +74,7 @@ package starlogo.collision
                 starting = tracker.begin(pairs, table);
             }
             callAll((table.kinds & CollisionHandler.COLLISION) == 0 ? starting : null, errors);
+            return _count;
         }
 
         /** Ends the calls of a frame, also if <code>make()</code> has thrown an error or was not called. */
@@ -234,7 +236,7 @@ package starlogo.collision
             var contact:Contact = handler.takesContact && pair != NO_PAIR ? _contacts.contactFor(pair, isSecondCollider) : null;
             // a local, so that the handler is not called as a method of its CollisionHandler
             var toCall:Function = handler.callback;
-            count++;
+            _count++;
             _isCalling = true;
             if (handler.takesContact)
             {

@@ -21,6 +21,12 @@ package starlogo.data
         public function clear(length:int):void
         {
             mark++;
+            makeRoom(length);
+        }
+
+        /** Lets numbers be added that are less than a length. */
+        public function makeRoom(length:int):void
+        {
             if (marks.length < length)
             {
                 // grows by an eighth, because a vector that grows a little each time is copied each time

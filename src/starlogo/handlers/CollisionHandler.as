@@ -21,6 +21,9 @@ package starlogo.handlers
         /** A kind of handlers: called in the first frame after a touch. */
         public static const END:int = 4;
 
+        // The names of the kinds, as games give them: in the order of the bits.
+        private static const KIND_NAMES:Array = ["start", "collision", "end"];
+
         /** START, COLLISION or END. */
         public var kind:int;
 
@@ -42,7 +45,7 @@ package starlogo.handlers
         /** Whether it was removed, perhaps by another handler. A removed handler is not called. */
         public var isRemoved:Boolean = false;
 
-        public function CollisionHandler(kind:int, breed:String, otherBreed:String, callback:Function, serial:int)
+        public function CollisionHandler(breed:String, otherBreed:String, callback:Function, kind:int, serial:int)
         {
             this.kind = kind;
             this.callback = callback;
@@ -50,6 +53,17 @@ package starlogo.handlers
             colliderBreed = Breeds.NAMES.numberOf(breed);
             collideeBreed = Breeds.NAMES.numberOf(otherBreed);
             takesContact = mayTakeContact(callback);
+        }
+
+        /** The kind with a name; all kinds for null. @throws ArgumentError if there is no such kind */
+        public static function kindsNamed(name:String):int
+        {
+            var index:int = KIND_NAMES.indexOf(name);
+            if (name != null && index < 0)
+            {
+                throw new ArgumentError("kind must be \"collision\", \"start\", \"end\" or null, not \"" + name + "\"");
+            }
+            return name == null ? START | COLLISION | END : 1 << index;
         }
 
         /** Whether its calls need a contact. At the end of a touch there is none. */

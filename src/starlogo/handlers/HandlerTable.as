@@ -30,11 +30,6 @@ package starlogo.handlers
         /** The kinds of the handlers that take the contact of a touch. */
         public var contactKinds:int = 0;
 
-        // The names of the kinds, as games give them: in the order of the bits.
-        private static const KIND_NAMES:Array = ["start", "collision", "end"];
-
-        private static const ALL_KINDS:int = CollisionHandler.START | CollisionHandler.COLLISION | CollisionHandler.END;
-
         // What the game has added: a list for each two breeds.
         private var _lists:Vector.<HandlerList> = new Vector.<HandlerList>();
 
@@ -64,11 +59,11 @@ package starlogo.handlers
          *
          * @throws ArgumentError as Collision.onCollision does
          */
-        public function add(kind:int, breed:String, otherBreed:String, callback:Function):void
+        public function add(breed:String, otherBreed:String, callback:Function, kind:int):void
         {
             requireArguments(breed, otherBreed, callback);
             requireParameters(breed, otherBreed, callback, kind);
-            var handler:CollisionHandler = new CollisionHandler(kind, breed, otherBreed, callback, _changes);
+            var handler:CollisionHandler = new CollisionHandler(breed, otherBreed, callback, kind, _changes);
             if (Breeds.isOfWorld(handler.colliderBreed) && Breeds.isOfWorld(handler.collideeBreed))
             {
                 throw new ArgumentError("TERRAIN and EDGE do not collide with each other");
@@ -77,17 +72,12 @@ package starlogo.handlers
             _changes++;
         }
 
-        /** See Collision.removeHandler. */
-        public function remove(breed:String, otherBreed:String, callback:Function, kind:String):Boolean
+        /** Removes a handler of some kinds, a sum: see Collision.removeHandler. */
+        public function remove(breed:String, otherBreed:String, callback:Function, kinds:int):Boolean
         {
             requireArguments(breed, otherBreed, callback);
-            var index:int = KIND_NAMES.indexOf(kind);
-            if (kind != null && index < 0)
-            {
-                throw new ArgumentError("kind must be \"collision\", \"start\", \"end\" or null, not \"" + kind + "\"");
-            }
             var list:HandlerList = listFor(Breeds.NAMES.knownNumberOf(breed), Breeds.NAMES.knownNumberOf(otherBreed));
-            var isRemoved:Boolean = list != null && list.remove(callback, kind == null ? ALL_KINDS : 1 << index);
+            var isRemoved:Boolean = list != null && list.remove(callback, kinds);
             _changes += isRemoved ? 1 : 0;
             return isRemoved;
         }

@@ -35,7 +35,7 @@ package starlogo.handlers
         // The indices of the touches that ended in this frame, in the order in which they began.
         private var _ended:SortableIntList = new SortableIntList();
 
-        /** @param touches those of the frames before, which have no numbers here */
+        /** @param touches those of the frames before. Which pairs they belong to is not known here */
         public function TouchTracker(touches:TouchTable)
         {
             this.touches = touches;

@@ -2,7 +2,6 @@ package starlogo.handlers
 {
     import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
-    import starlogo.data.areSimilar;
     import starlogo.data.warn;
     import starlogo.engine;
 
@@ -33,8 +32,9 @@ package starlogo.handlers
             isThere[number] = true;
         }
         // a few, because each is compared with all breeds and agents
+        var maxHints:int = 20;
         var missing:Vector.<String> = new Vector.<String>();
-        for (var i:int = 0; i < names.length && missing.length < 20; i++)
+        for (var i:int = 0; i < names.length && missing.length < maxHints; i++)
         {
             if (!isThere[Breeds.NAMES.numberOf(names[i])] && missing.indexOf(names[i]) < 0)
             {
@@ -43,25 +43,8 @@ package starlogo.handlers
         }
         for each (var name:String in missing)
         {
-            var hint:String = "";
-            for each (agent in agents)
-            {
-                if (agent != null && agent.shape == name)
-                {
-                    hint = ", which is the shape of " + agent + ": new Agent(\"" + name + "\", \"BREED\") gives it a breed";
-                    break;
-                }
-            }
-            for (number = 0; number < isThere.length; number++)
-            {
-                var breed:String = Breeds.NAMES.nameOf(number);
-                if (isThere[number] && areSimilar(name, breed))
-                {
-                    hint = "; is " + (breed == Breeds.TERRAIN ? "Collision.TERRAIN" : breed == Breeds.EDGE ? "Collision.EDGE" : "\"" + breed + "\"") + " meant?";
-                    break;
-                }
-            }
-            if (hint != "")
+            var hint:String = hintOfBreed(name, isThere, agents);
+            if (hint != null)
             {
                 warn("no agent is of the breed \"" + name + "\"" + hint);
             }

@@ -197,7 +197,7 @@ package starlogo.queries
             }
             else
             {
-                out.setTo(body.x, body.y, body.z);
+                out.setTo(body.middleX, body.middleY, body.middleZ);
             }
         }
 

@@ -35,7 +35,7 @@ package starlogo.search
         /** The shape's place, rotation and size in the world. */
         public var placement:Placement = new Placement();
 
-        /** The agent's rank: see ListedAgents.rankOf. It is 0 if the body belongs to no agent. The rank of the ground or the edges is not kept. */
+        /** The agent's rank (ListedAgents.rankOf); 0 without an agent. That of the ground or the edges may be of an earlier list: no test reads it. */
         public var rank:int = 0;
 
         /** The agent's own limit for the levels of its tree, or 0. */
@@ -170,19 +170,19 @@ package starlogo.search
         }
 
         /** The middle of the extents. */
-        public function get x():Number
+        public function get middleX():Number
         {
             return placement.x + offsetX;
         }
 
-        /** @copy #x */
-        public function get y():Number
+        /** @copy #middleX */
+        public function get middleY():Number
         {
             return placement.y + offsetY;
         }
 
-        /** @copy #x */
-        public function get z():Number
+        /** @copy #middleX */
+        public function get middleZ():Number
         {
             return placement.z + offsetZ;
         }
@@ -223,7 +223,7 @@ package starlogo.search
         }
 
         /** How far the middle of the extents is from the place. */
-        public function get offset():Number
+        public function get distanceFromPlace():Number
         {
             return Math.sqrt(offsetX * offsetX + offsetY * offsetY + offsetZ * offsetZ);
         }

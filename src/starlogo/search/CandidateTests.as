@@ -47,12 +47,11 @@ package starlogo.search
         /**
          * Begins a search.
          *
-         * @param isSwept whether an agent sweeps. Then the extents of the motions are known
          * @param out receives the pairs, row by row. They are not in order then
          */
-        public function begin(input:SearchInput, isSwept:Boolean, out:FoundPairs):void
+        public function begin(input:SearchInput, out:FoundPairs):void
         {
-            out.begin(isSwept);
+            out.begin(_sweptTests.isSwept);
             _input = input;
             _out = out;
         }
@@ -81,10 +80,10 @@ package starlogo.search
             {
                 return;
             }
-            _input.listMembers(rows, _table, _worldCandidates);
+            _input.copyMembers(rows, _table, _worldCandidates);
             var others:Vector.<int> = _worldCandidates.values;
             var count:int = _input.interests.keepOfInterest(_table.breeds, worldRow, others, _worldCandidates.count);
-            addTouching(worldRow, others, count, SweptTests.NO_EXTENTS);
+            addTouching(worldRow, others, count, BinLevel.ANY_GAP);
         }
 
         // Adds the pairs of a row with those candidates that touch it.

@@ -56,7 +56,7 @@ package starlogo.search
          */
         public function begin(members:IntList):void
         {
-            _cells.begin(_motions.isSwept ? _motions.extents : _table.extents, members, _table.list.rowCapacity);
+            _cells.begin(_motions.searchExtents, members, _table.list.rowCapacity);
         }
 
         /** Finds the rows that have changed. The table has read the agents, the ground and the edges. */
@@ -68,10 +68,7 @@ package starlogo.search
             _cells.makeRoom(length);
             addAll(_table.changed);
             addAll(_table.leftOrReordered);
-            if (_motions.isSwept)
-            {
-                addAll(_motions.previouslyChanged);
-            }
+            addAll(_motions.previouslyChanged);
             if (input.admitted != null)
             {
                 addFiltered(input);
@@ -90,10 +87,7 @@ package starlogo.search
          */
         public function moveToCells(input:SearchInput):Boolean
         {
-            if (_motions.isSwept)
-            {
-                _motions.findExtents(rows);
-            }
+            _motions.findExtents(rows);
             for (var i:int = 0; i < rows.count; i++)
             {
                 var row:int = rows.values[i];

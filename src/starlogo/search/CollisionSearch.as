@@ -31,7 +31,7 @@ package starlogo.search
         // Changed rows are few if there are at least this many rows for each of them.
         private static const ROWS_PER_CHANGE:int = 8;
 
-        // The same for searches that are faster, because all shapes are spheres, or only some breeds have handlers.
+        // The same if a search of all rows is fast, because all shapes are spheres, or only some breeds have handlers.
         private static const ROWS_PER_CHANGE_IF_FAST:int = 20;
 
         /** The agents of the last search. */
@@ -97,7 +97,8 @@ package starlogo.search
             narrowPhase.counts.clear();
             // A search prepares the cells only if it is like the one before, because the next is then probably like it too. So the third of three like
             // searches is the first that begins with the pairs of the last one.
-            var isPrepared:Boolean = noteConditions(input) && areFewRead(input);
+            var isPrepared:Boolean = areConditionsSame(input) && areFew(readCount, input);
+            keepConditions(input);
             var beginsWithLast:Boolean = isPrepared && _isPrepared;
             // if the search throws, the next one is of all rows, because the table has been read
             _isPrepared = false;
@@ -123,7 +124,7 @@ package starlogo.search
         public function forgetSearch():void
         {
             _isPrepared = false;
-            _motions.begin(false);
+            _motions.isSwept = false;
         }
 
         // Reads the input into the table. The motions are read before the table reads the places, because they begin at
@@ -133,42 +134,37 @@ package starlogo.search
             table.setList(input.agents);
             if (Agent.haveSwept)
             {
-                _motions.begin(isAnySweeping(input.agents));
-                _motions.readChanges();
+                _motions.read(isAnySweeping(input.agents));
             }
             table.readChanges();
             table.readWorld(input.ground, input.edges);
         }
 
-        // Notes what the pairs of a search depend on, besides agents, ground and edges. Returns whether it is the same as for the last one.
-        private function noteConditions(input:SearchInput):Boolean
+        // Whether the pairs of a search depend on the same as those of the last one, besides agents, ground and edges.
+        private function areConditionsSame(input:SearchInput):Boolean
         {
-            var limits:TreeLimits = narrowPhase.treeLimits;
-            // no tree is deeper. If the triangles decide, the depth does not count
-            var deepest:int = 1 << 28;
-            var depth:int = limits.isExact ? 0 : limits.maxDepth;
-            if (depth > deepest)
-            {
-                depth = deepest;
-            }
-            var isFiltered:Boolean = input.admitted != null;
-            var settings:int = depth << 2 | int(isFiltered) << 1 | int(_motions.isSwept);
-            var areSame:Boolean = input.interests === _interests && input.interests.pairCount == _interestCount && settings == _settings;
-            _interests = input.interests;
-            _interestCount = input.interests.pairCount;
-            _settings = settings;
-            return areSame;
+            return input.interests === _interests && input.interests.pairCount == _interestCount && settingsOf(input) == _settings;
         }
 
-        // Whether few rows were read again.
-        private function areFewRead(input:SearchInput):Boolean
+        private function keepConditions(input:SearchInput):void
         {
-            var readCount:int = table.changed.count + table.leftOrReordered.count;
-            if (_motions.isSwept)
-            {
-                readCount += _motions.previouslyChanged.count;
-            }
-            return areFew(readCount, input);
+            _interests = input.interests;
+            _interestCount = input.interests.pairCount;
+            _settings = settingsOf(input);
+        }
+
+        // The settings of a search as one number: how deep trees are tested, whether there is a filter, and whether an agent sweeps.
+        private function settingsOf(input:SearchInput):int
+        {
+            // no tree is deeper than 2^28. If the triangles decide, the depth does not count
+            var depth:int = narrowPhase.treeLimits.isExact ? 0 : Math.min(narrowPhase.treeLimits.maxDepth, 1 << 28);
+            return depth << 2 | int(input.admitted != null) << 1 | int(_motions.isSwept);
+        }
+
+        // How many rows were read again.
+        private function get readCount():int
+        {
+            return table.changed.count + table.leftOrReordered.count + _motions.previouslyChanged.count;
         }
 
         // Whether so few rows have changed that a search of these is faster than a search of all.
@@ -181,13 +177,10 @@ package starlogo.search
         // Finds the pairs of all members, and prepares the cells if the next search may begin with these pairs.
         private function findOfAll(input:SearchInput, isPrepared:Boolean):void
         {
-            var members:IntList = input.findMembers(table, _members);
-            if (_motions.isSwept)
-            {
-                _motions.findExtents(table.list.rows);
-            }
-            _tests.begin(input, _motions.isSwept, _pairs);
-            _bins.findPairs(_motions.isSwept ? _motions.extents : table.extents, members, _tests);
+            var members:IntList = input.allMembers(table, _members);
+            _motions.findExtents(table.list.rows);
+            _tests.begin(input, _pairs);
+            _bins.findPairs(_motions.searchExtents, members, _tests);
             _tests.testWithWorldAgent(ListedAgents.GROUND_ROW, members);
             _tests.testWithWorldAgent(ListedAgents.EDGES_ROW, members);
             _order.putInOrder(_pairs);
@@ -199,10 +192,10 @@ package starlogo.search
         }
 
         // Finds the pairs of the changed rows, and puts them between those of the last search. The pairs and their order are the same as in a search of
-        // all members: a test gives the same answer in either order of the two, because the row that has changed comes first here.
+        // all members. Here the row that has changed comes first, but a test gives the same answer in either order of the two.
         private function findOfChanged(input:SearchInput):void
         {
-            _tests.begin(input, _motions.isSwept, _pairsOfChanged);
+            _tests.begin(input, _pairsOfChanged);
             _changedRows.findPairs(_tests);
             _tests.testWithWorldAgent(ListedAgents.GROUND_ROW, _changedRows.rowsToTestWith(ListedAgents.GROUND_ROW));
             _tests.testWithWorldAgent(ListedAgents.EDGES_ROW, _changedRows.rowsToTestWith(ListedAgents.EDGES_ROW));

@@ -100,7 +100,7 @@ package starlogo.search
         {
             if (a.isOfWorld || b.isOfWorld)
             {
-                return a.isOfWorld;
+                return a.isOfWorld && !b.isOfWorld;
             }
             var isTree:Boolean = a.form == ModelShape.TREE;
             if (isTree != (b.form == ModelShape.TREE))

@@ -26,14 +26,14 @@ package starlogo.search
         /** By row: whether the agent has come without a motion: it is new, has jumped, or has the shape of another model. */
         internal var haveJumped:Vector.<Boolean> = new Vector.<Boolean>();
 
-        /** By row: the extents of the whole motion, if an agent of the search sweeps. Read only. */
-        internal var extents:Extents = new Extents();
-
-        /** The rows whose motions the search before has read. */
+        /** The rows whose motions the search before has read, if an agent of this search sweeps: their pairs belong to those motions. Read only. */
         internal var previouslyChanged:IntList = new IntList();
 
         // The rows whose motions this search has read.
         private var _changed:IntList = new IntList();
+
+        // By row: the extents of the whole motion, if an agent of the search sweeps.
+        private var _extents:Extents = new Extents();
 
         // By row: whether the agent sweeps, and has not come without a motion. The ground and the edges of the world do neither.
         private var _sweeps:Vector.<Boolean> = new Vector.<Boolean>();
@@ -46,24 +46,21 @@ package starlogo.search
             _table = table;
         }
 
-        /** Begins a search in which an agent sweeps, or none does. Before an agent has ever swept, no search needs to. */
-        public function begin(isSwept:Boolean):void
-        {
-            this.isSwept = isSwept;
-        }
-
         /**
          * Reads the motions of the rows that have changed. Call it in each search once an agent has swept, after the table has found the rows, and
          * before it reads their places.
+         *
+         * @param isSwept whether an agent of the search sweeps
          */
-        public function readChanges():void
+        public function read(isSwept:Boolean):void
         {
+            this.isSwept = isSwept;
             var length:int = _table.list.rowCapacity;
             if (length > _sweeps.length)
             {
                 _sweeps.length = haveJumped.length = length;
                 displacements.grow(length);
-                extents.grow(length);
+                _extents.grow(length);
             }
             var before:IntList = previouslyChanged;
             previouslyChanged = _changed;
@@ -80,7 +77,7 @@ package starlogo.search
             {
                 row = _changed.values[i];
                 var agent:Agent = _table.list.agentsByRow[row];
-                haveJumped[row] = !_table.isMotionStart(row, agent);
+                haveJumped[row] = !_table.isMotionStart(row);
                 if (!haveJumped[row])
                 {
                     var at:Placement = agent.placement;
@@ -88,6 +85,16 @@ package starlogo.search
                     setMotion(row, at.x - from.x[row], at.y - from.y[row], at.z - from.z[row]);
                 }
             }
+            if (!isSwept)
+            {
+                previouslyChanged.count = 0;
+            }
+        }
+
+        /** The extents of the rows in the search: of their motions if an agent sweeps, or else where the rows are. */
+        public function get searchExtents():Extents
+        {
+            return isSwept ? _extents : _table.extents;
         }
 
         private function setMotion(row:int, x:Number, y:Number, z:Number):void
@@ -98,13 +105,13 @@ package starlogo.search
         }
 
         /**
-         * Finds the extents of the motions of rows, and which rows sweep. The table has just been read.
+         * If an agent of the search sweeps: finds the extents of the motions of rows, and which rows sweep. The table has just been read.
          *
          * @param rows the rows; those without a shape are left out, because they are members of no search
          */
         public function findExtents(rows:IntList):void
         {
-            for (var i:int = 0; i < rows.count; i++)
+            for (var i:int = 0; isSwept && i < rows.count; i++)
             {
                 var row:int = rows.values[i];
                 if (_table.shapes[row] != null)
@@ -119,7 +126,7 @@ package starlogo.search
         private function findExtentsOf(row:int):void
         {
             var standing:Extents = _table.extents;
-            var swept:Extents = extents;
+            var swept:Extents = _extents;
             var motionX:Number = displacements.x[row];
             var motionY:Number = displacements.y[row];
             var motionZ:Number = displacements.z[row];
@@ -132,7 +139,7 @@ package starlogo.search
             swept.halfY[row] = halfY;
             swept.halfZ[row] = standing.halfZ[row] + Math.abs(motionZ) / 2;
             swept.radius[row] = Math.sqrt(halfX * halfX + halfY * halfY);
-            swept.offset[row] = standing.offset[row];
+            swept.distanceFromPlace[row] = standing.distanceFromPlace[row];
             swept.assignLevel(row);
         }
 

@@ -40,7 +40,7 @@ package starlogo.search
         private var _answers:Vector.<Boolean> = new Vector.<Boolean>();
 
         /**
-         * Sets all.
+         * Begins a search: takes its input, and asks the filter.
          *
          * @param agents the list of agents
          * @param interests the pairs of breeds that count
@@ -49,7 +49,7 @@ package starlogo.search
          * @param filter is asked which agents take part; null if all do
          * @throws Error what the filter throws
          */
-        public function setTo(agents:Vector.<Agent>, interests:BreedInterests, ground:WorldAgent, edges:WorldAgent, filter:AgentPredicate):void
+        public function begin(agents:Vector.<Agent>, interests:BreedInterests, ground:WorldAgent, edges:WorldAgent, filter:AgentPredicate):void
         {
             this.agents = agents;
             this.interests = interests;
@@ -68,19 +68,19 @@ package starlogo.search
          * @param spare receives them if some rows are no members
          * @return the members: all rows, or spare
          */
-        public function findMembers(table:AgentTable, spare:IntList):IntList
+        public function allMembers(table:AgentTable, spare:IntList):IntList
         {
             var rows:IntList = table.list.rows;
             if (table.loadingCount == 0 && admitted == null && interests.isNamed(Breeds.ANY))
             {
                 return rows;
             }
-            listMembers(rows, table, spare);
+            copyMembers(rows, table, spare);
             return spare;
         }
 
-        /** Lists the members among some rows of a table. @param out receives them */
-        public function listMembers(rows:IntList, table:AgentTable, out:IntList):void
+        /** Copies the members among some rows of a table. @param out receives them */
+        public function copyMembers(rows:IntList, table:AgentTable, out:IntList):void
         {
             out.count = 0;
             for (var i:int = 0; i < rows.count; i++)

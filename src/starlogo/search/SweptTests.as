@@ -19,9 +19,6 @@ package starlogo.search
      */
     internal final class SweptTests
     {
-        /** In place of a level: its slack is infinite, so the extents of a row rule no pair out. */
-        internal static const NO_EXTENTS:BinLevel = new BinLevel(Infinity);
-
         private var _table:AgentTable;
         private var _narrowPhase:NarrowPhase;
         private var _motions:RowMotions;
@@ -58,7 +55,7 @@ package starlogo.search
          *
          * @param others the rows to test
          * @param count the number of these
-         * @param level has the slack of the rows' extents; NO_EXTENTS for the ground and the edges. It is no Number, because V8 would make an object
+         * @param level has the slack of the rows' extents; BinLevel.ANY_GAP for the ground and the edges. It is no Number, because V8 would make an object
          *     for each row
          * @param times receives the times of the touches
          * @return the number of rows that it keeps

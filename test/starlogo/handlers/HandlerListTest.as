@@ -80,7 +80,7 @@ package starlogo.handlers
 
         private function add(kind:int, handler:Function):void
         {
-            var added:CollisionHandler = new CollisionHandler(kind, "bears", "trees", handler, _order++);
+            var added:CollisionHandler = new CollisionHandler("bears", "trees", handler, kind, _order++);
             _handlers.add(added);
             _expected.push(added);
         }

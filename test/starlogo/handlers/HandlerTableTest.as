@@ -84,7 +84,7 @@ package starlogo.handlers
 
         private function add(breed:String, other:String, kind:int, callback:Function):void
         {
-            _table.add(kind, breed, other, callback);
+            _table.add(breed, other, callback, kind);
             _present.push({kind: kind, breed: breed, other: other, callback: callback});
             _isChanged = true;
         }
@@ -95,7 +95,7 @@ package starlogo.handlers
                 {
                     return one.kind == kind && one.breed == breed && one.other == other && one.callback == callback;
                 });
-            assertEquals(wanted.length > 0, _table.remove(breed, other, callback, NAMES[kind]));
+            assertEquals(wanted.length > 0, _table.remove(breed, other, callback, kind));
             if (wanted.length > 0)
             {
                 _present.splice(_present.indexOf(wanted[0]), 1);

@@ -30,9 +30,9 @@ package starlogo.handlers
                 _agents.push(new Agent("cube", i % 3 == 0 ? "sheep" : "wolves"));
                 _found.list.agentsByRow.push(_agents[i]);
             }
-            _handlers.add(CollisionHandler.START, "*", "*", function(a:Agent, b:Agent):void
+            _handlers.add("*", "*", function(a:Agent, b:Agent):void
                 {
-                });
+                }, CollisionHandler.START);
             _handlers.begin(Vector.<Agent>(_agents));
         }
 

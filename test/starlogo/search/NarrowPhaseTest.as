@@ -4,6 +4,7 @@ package starlogo.search
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertTrue;
     import starlogo.bounding.Sphere;
+    import starlogo.convex.ClosestPoints;
     import starlogo.engine;
     import starlogo.models.BuiltInModel;
     import starlogo.terrain.Terrain;
@@ -37,6 +38,7 @@ package starlogo.search
             world.setToAgent(agent, agent.surface);
             assertThrows(IllegalOperationError, /second body/, _tests.pairTestsFor, world, _body);
             assertTrue(_tests.pairTestsFor(_body, world) != null);
+            assertThrows(IllegalOperationError, /second body/, _tests.findClosest, world, world, false, new ClosestPoints());
             assertTrue("in either order", _tests.areTouching(world, _body) == _tests.areTouching(_body, world));
         }
     }

@@ -65,7 +65,7 @@ package starlogo.search
                     continue;
                 }
                 _table.setList(listed);
-                _motions.readChanges();
+                _motions.read(true);
                 _table.readChanges();
                 for each (agent in listed)
                 {

@@ -34,7 +34,7 @@ package starlogo.collision.snapshots
             for (var i:int = 0; i < list.length; i++)
             {
                 var row:int = table.list.rows.values[i];
-                bytes.writeBoolean(keepsMotions && table.shapes[row] != null && table.isMotionStart(row, list[i])
+                bytes.writeBoolean(keepsMotions && table.shapes[row] != null && table.isMotionStart(row)
                         && table.shapes[row].modelName == list[i].shape);
                 bytes.writeDouble(places.x[row]);
                 bytes.writeDouble(places.y[row]);

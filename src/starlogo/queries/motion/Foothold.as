@@ -56,7 +56,7 @@ package starlogo.queries.motion
         private static function isTooHigh(walk:Walk, contact:ContactPoint, place:Vector3D):Boolean
         {
             var body:Body = walk.body.whole;
-            var bottom:Number = body.z - body.halfZ - body.placement.z;
+            var bottom:Number = body.middleZ - body.halfZ - body.placement.z;
             return contact.z > Math.min(walk.legStart.z, place.z) + bottom + walk.options.stepHeight + walk.closeDepth;
         }
 

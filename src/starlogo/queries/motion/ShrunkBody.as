@@ -160,9 +160,9 @@ package starlogo.queries.motion
             var x:Number = motion.x / 2;
             var y:Number = motion.y / 2;
             var z:Number = motion.z / 2;
-            return Math.abs(moved.x - x - other.x) <= moved.halfX + other.halfX + Math.abs(x) + slop
-                && Math.abs(moved.y - y - other.y) <= moved.halfY + other.halfY + Math.abs(y) + slop
-                && Math.abs(moved.z - z - other.z) <= moved.halfZ + other.halfZ + Math.abs(z) + slop;
+            return Math.abs(moved.middleX - x - other.middleX) <= moved.halfX + other.halfX + Math.abs(x) + slop
+                && Math.abs(moved.middleY - y - other.middleY) <= moved.halfY + other.halfY + Math.abs(y) + slop
+                && Math.abs(moved.middleZ - z - other.middleZ) <= moved.halfZ + other.halfZ + Math.abs(z) + slop;
         }
 
         /** Whether the whole body touches a row when it stands at a place. It compares their extents first. */

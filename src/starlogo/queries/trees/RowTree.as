@@ -277,7 +277,7 @@ package starlogo.queries.trees
                 halfX = _sizes.halfX[row];
                 halfY = _sizes.halfY[row];
                 halfZ = _sizes.halfZ[row];
-                var slack:Number = slackOf(x, y, z, halfX + halfY + halfZ, _sizes.offset[row]);
+                var slack:Number = slackOf(x, y, z, halfX + halfY + halfZ, _sizes.distanceFromPlace[row]);
                 halfX += slack;
                 halfY += slack;
                 halfZ += slack;

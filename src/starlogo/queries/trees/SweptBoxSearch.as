@@ -67,7 +67,7 @@ package starlogo.queries.trees
          */
         public function setAround(tree:RowTree, body:Body):void
         {
-            setTo(tree, body.x, body.y, body.z, body.halfX, body.halfY, body.halfZ, body.offset);
+            setTo(tree, body.middleX, body.middleY, body.middleZ, body.halfX, body.halfY, body.halfZ, body.distanceFromPlace);
             if (body.isOfWorld)
             {
                 widen(4 * Agent.LARGEST_COORDINATE);

@@ -94,7 +94,7 @@ package starlogo.search.pairs
         override public function findContactOfParts(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             var deepest:int = findDeepest(a, b, motion, _penetrations);
-            writeContact(deepest, _penetrations, a, b, motion, out);
+            writeContact(a, b, motion, deepest, _penetrations, out);
         }
 
         /** @inheritDoc */
@@ -143,7 +143,7 @@ package starlogo.search.pairs
         }
 
         // Writes the contact of a body with the edges. It gets what findDeepest finds.
-        private function writeContact(deepest:int, penetrations:Vector.<Number>, a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        private function writeContact(a:Body, b:Body, motion:RelativeMotion, deepest:int, penetrations:Vector.<Number>, out:ContactPoint):void
         {
             var left:Number = 1 - motion.time;
             _supportSearch.find(a, OUTWARDS[deepest], _farthest);
@@ -187,7 +187,7 @@ package starlogo.search.pairs
             {
                 var coordinate:Number = coordinateOf(edges, edge);
                 var radius:Number = Math.abs(along(edge, body.halfX, body.halfY, body.halfZ));
-                var beyond:Number = radius + (along(edge, body.x, body.y, body.z) - coordinate);
+                var beyond:Number = radius + (along(edge, body.middleX, body.middleY, body.middleZ) - coordinate);
                 out[edge] = beyond;
                 if (body.form == ModelShape.TREE && (beyond >= -tolerance || beyond - along(edge, motion.x, motion.y, motion.z) >= -tolerance))
                 {

@@ -154,9 +154,9 @@ package starlogo.search.pairs
         // Whether a body touches the ground where a motion begins that ends where it stands.
         private function touchesAtBeginning(a:Body, b:Body, motion:RelativeMotion):Boolean
         {
-            _extents.x = a.x + motion.startX;
-            _extents.y = a.y + motion.startY;
-            _extents.z = a.z + motion.startZ;
+            _extents.x = a.middleX + motion.startX;
+            _extents.y = a.middleY + motion.startY;
+            _extents.z = a.middleZ + motion.startZ;
             _extents.halfX = a.halfX;
             _extents.halfY = a.halfY;
             _extents.halfZ = a.halfZ;

@@ -133,9 +133,9 @@ package starlogo.search.pairs
         private static function readSphere(body:Body, out:Sphere):void
         {
             var center:Vector3D = out.center;
-            center.x = body.x;
-            center.y = body.y;
-            center.z = body.z;
+            center.x = body.middleX;
+            center.y = body.middleY;
+            center.z = body.middleZ;
             out.radius = body.halfX;
         }
 
@@ -159,9 +159,9 @@ package starlogo.search.pairs
             var placeB:Placement = b.placement;
             var marginA:Number = Tolerances.PLACES * (Math.abs(placeA.x) + Math.abs(placeA.y) + Math.abs(placeA.z));
             var marginB:Number = Tolerances.PLACES * (Math.abs(placeB.x) + Math.abs(placeB.y) + Math.abs(placeB.z));
-            out.x = a.x - b.x;
-            out.y = a.y - b.y;
-            out.z = a.z - b.z;
+            out.x = a.middleX - b.middleX;
+            out.y = a.middleY - b.middleY;
+            out.z = a.middleZ - b.middleZ;
             out.radiusA = (a.halfX + b.halfX) * Tolerances.TOUCHING + (marginA + marginB);
         }
 

@@ -130,8 +130,9 @@ package starlogo.search.penetration
             }
             _tried.distance = between.inner;
             _pair.displace(_tried);
-            var length:Number = between.inner - between.outer;
-            _back.endAfter(length * _tried.x, length * _tried.y, length * _tried.z);
+            // the first body is at the inner distance, so its motion from the outer one is against the direction
+            var back:Number = between.inner - between.outer;
+            _back.endAfter(back * _tried.x, back * _tried.y, back * _tried.z);
             _pair.findImpactOfSurfaces(_back, parting);
             if (_back.time == RelativeMotion.NEVER)
             {
@@ -140,7 +141,7 @@ package starlogo.search.penetration
             }
             var time:Number = Math.min(_back.time, 1);
             out.setNormal(_tried.x, _tried.y, _tried.z);
-            out.depth = between.outer + time * length;
+            out.depth = between.outer + time * back;
         }
 
         private function halve(out:PartingDistances):void

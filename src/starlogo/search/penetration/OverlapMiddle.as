@@ -40,9 +40,9 @@ package starlogo.search.penetration
             {
                 return;
             }
-            out.x = Math.max(Math.min(out.x, body.x + body.halfX), body.x - body.halfX);
-            out.y = Math.max(Math.min(out.y, body.y + body.halfY), body.y - body.halfY);
-            out.z = Math.max(Math.min(out.z, body.z + body.halfZ), body.z - body.halfZ);
+            out.x = Math.max(Math.min(out.x, body.middleX + body.halfX), body.middleX - body.halfX);
+            out.y = Math.max(Math.min(out.y, body.middleY + body.halfY), body.middleY - body.halfY);
+            out.z = Math.max(Math.min(out.z, body.middleZ + body.halfZ), body.middleZ - body.halfZ);
         }
 
         // The length of a body along a normal. For bodies other than spheres it is the length of their extents.

@@ -70,7 +70,8 @@ package starlogo.search.table
         // Chooses the shapes of the agents. It may have other tables too.
         private var _choice:BaseShapeChoice;
 
-        // By row: the agent's revision when the last search saw it. Without a jump since, its next motion begins at its place. NO_START if none does.
+        // By row: the agent's next motion begins at its place if the agent has not jumped since this revision. The last search saw it there. NO_START
+        // stands for no motion.
         private var _startRevisions:Vector.<int> = new Vector.<int>();
 
         // By row: the way from the agent's place to the middle of its extents.
@@ -122,7 +123,7 @@ package starlogo.search.table
                 // always finds them, because the proposed rows are those of the agents
                 tryFindChanged(agents, list.proposed);
             }
-            findShapes(_reshaped, _newShapes);
+            findShapes();
             // nothing below throws
             if (!isSame)
             {
@@ -137,7 +138,7 @@ package starlogo.search.table
         public function readChanges():void
         {
             readPlaces();
-            loadingCount = takeShapes(_reshaped, _newShapes);
+            takeShapes();
         }
 
         /**
@@ -178,10 +179,10 @@ package starlogo.search.table
             }
         }
 
-        /** Whether a motion of an agent may begin at its place: the last search has seen the agent there, and it has not jumped since. */
-        public function isMotionStart(row:int, agent:Agent):Boolean
+        /** Whether a motion of a row's agent may begin at its place: the last search has seen the agent there, and it has not jumped since. */
+        public function isMotionStart(row:int):Boolean
         {
-            return agent.jumpRevision <= _startRevisions[row];
+            return list.agentsByRow[row].jumpRevision <= _startRevisions[row];
         }
 
         /** Lets no motion of any agent begin at its place, as if the last search had not seen it. */
@@ -298,7 +299,7 @@ package starlogo.search.table
                 {
                     return false;
                 }
-                // isBodyCurrent() as a loop
+                // isBodyCurrent(), written out for the loop
                 var shape:ModelShape = shapesSeen[row];
                 var isShapeVoid:Boolean = shape == null || shape.isVoid;
                 if (agent.revision != seen[row] || isShapeVoid)
@@ -351,16 +352,16 @@ package starlogo.search.table
             }
         }
 
-        // Finds the shapes of rows. All shapes are found before any row changes, because an error must change no row.
-        private function findShapes(reshaped:IntList, out:Vector.<ModelShape>):void
+        // Finds the new shapes of rows. All shapes are found before any row changes, because an error must change no row.
+        private function findShapes():void
         {
-            if (reshaped.count > out.length)
+            if (_reshaped.count > _newShapes.length)
             {
-                out.length = reshaped.count;
+                _newShapes.length = _reshaped.count;
             }
-            for (var i:int = 0; i < reshaped.count; i++)
+            for (var i:int = 0; i < _reshaped.count; i++)
             {
-                out[i] = _choice.shapeOf(list.agentsByRow[reshaped.values[i]]);
+                _newShapes[i] = _choice.shapeOf(list.agentsByRow[_reshaped.values[i]]);
             }
         }
 
@@ -416,7 +417,7 @@ package starlogo.search.table
             extents.halfY[row] = body.halfY;
             extents.halfZ[row] = body.halfZ;
             extents.radius[row] = body.radius;
-            extents.offset[row] = body.offset;
+            extents.distanceFromPlace[row] = body.distanceFromPlace;
             moveExtents(row);
             // the ground and the edges of the world are in no bins
             if (row >= ListedAgents.FIRST_LISTED)
@@ -432,22 +433,20 @@ package starlogo.search.table
             extents.z[row] = places.z[row] + _offsets.z[row];
         }
 
-        // Gives rows the shapes that findShapes has found, and reads their bodies. Returns the number of rows whose models are loading. These
-        // are read again in every search.
-        private function takeShapes(reshaped:IntList, found:Vector.<ModelShape>):int
+        // Gives rows the shapes that findShapes has found, and reads their bodies. Rows whose models are loading are read again in every search.
+        private function takeShapes():void
         {
-            var loading:int = 0;
-            for (var i:int = 0; i < reshaped.count; i++)
+            loadingCount = 0;
+            for (var i:int = 0; i < _reshaped.count; i++)
             {
-                takeShape(reshaped.values[i], found[i]);
-                if (found[i] == null)
+                takeShape(_reshaped.values[i], _newShapes[i]);
+                if (_newShapes[i] == null)
                 {
-                    loading++;
+                    loadingCount++;
                 }
                 // a shape of a model that is replaced later would stay in memory
-                found[i] = null;
+                _newShapes[i] = null;
             }
-            return loading;
         }
 
         // Gives a row its shape, and reads the body with it, and the extents of the body. The shape is null while the model is loading.

@@ -220,7 +220,8 @@ package starlogo.search.table
         {
             var before:int = agentsByRow.length;
             // grows by an eighth, because a vector that grows by one element is copied each time
-            agentsByRow.length = ranks.length = _inProposed.marks.length = before + 1 + (before >> 3);
+            agentsByRow.length = ranks.length = before + 1 + (before >> 3);
+            _inProposed.makeRoom(agentsByRow.length);
             for (var row:int = agentsByRow.length - 1; row >= before; row--)
             {
                 _free.add(row);

@@ -79,14 +79,14 @@ package starlogo.search.table
             var revision:int = agent.revision;
             _table.setLastPlace(row, 2, 0, 0, true);
             assertEquals("the agent is as it was", revision, agent.revision);
-            assertTrue(_table.isMotionStart(row, agent));
+            assertTrue(_table.isMotionStart(row));
             _table.setList(_agents);
             assertEquals("rows to read", 1, _table.changed.count);
             assertEquals(2, _table.places.x[row]);
             _table.readChanges();
             assertEquals(5, _table.places.x[row]);
             _table.setLastPlace(row, 5, 0, 0, false);
-            assertTrue(!_table.isMotionStart(row, agent));
+            assertTrue(!_table.isMotionStart(row));
         }
 
         [Test]

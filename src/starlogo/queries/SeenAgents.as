@@ -99,11 +99,15 @@ package starlogo.queries
 
         public function set terrain(value:Terrain):void
         {
-            if (_source.collisionOfGround != null)
+            var collision:Collision = _source.collisionOfGround;
+            if (collision == null)
             {
-                _source.collisionOfGround.terrain = value;
+                _terrain = value;
             }
-            _terrain = value;
+            else
+            {
+                collision.terrain = value;
+            }
         }
 
         /**
@@ -199,14 +203,14 @@ package starlogo.queries
         /** @private The row of an agent; -1 if it is not in the list. */
         engine function rowOf(agent:Agent):int
         {
-            requireAgent(agent);
+            requireGiven("agent", agent);
             return table.list.rowOf(agent);
         }
 
         /** @private Throws an ArgumentError if an agent is null, or has no place because it is the ground's or the edges'. */
         engine function requirePlaced(agent:Agent):void
         {
-            requireAgent(agent);
+            requireGiven("agent", agent);
             if (agent.isOfWorld)
             {
                 throw new ArgumentError(agent + " has no place, and does not move: it stands for the ground or the edges of the world");
@@ -228,7 +232,7 @@ package starlogo.queries
          */
         engine function bodyOf(agent:Agent, spare:Body = null):Body
         {
-            requireAgent(agent);
+            requireGiven("agent", agent);
             return table.currentBodyOf(agent, spare || _spare);
         }
 
@@ -288,14 +292,6 @@ package starlogo.queries
             if (nesting > 0)
             {
                 throw new IllegalOperationError(what + " must not be called from a filter's accepts");
-            }
-        }
-
-        private static function requireAgent(agent:Agent):void
-        {
-            if (agent == null)
-            {
-                throw new ArgumentError("an agent is needed, not null");
             }
         }
     }

@@ -26,9 +26,6 @@ package starlogo.queries.motion
     {
         private static const MOST_ROUNDS:int = 30;
 
-        // The depth of a push out of an overlap that is not shallow. No push leads out of it.
-        private static const TOO_DEEP:Number = Infinity;
-
         // From this round on contacts have to separate. Contacts of parts of a body may point sideways, round after round.
         private static const FIRST_SEPARATING_ROUND:int = 2;
 
@@ -109,8 +106,9 @@ package starlogo.queries.motion
             return sum;
         }
 
-        // Pushes a body off the rows that it touches, or else out of those that its core overlaps a little: from one row after the other, round and round, until
-        // all are free of pushes. Returns whether this succeeds. If not, the body is where it was, and there are no pushes.
+        // Pushes a body off the rows that it touches, or else out of those that its core overlaps. Each push is a clearance longer than the depth of its
+        // contact. They lead from one row after the other, round and round, until none is needed. Returns whether this succeeds. It does not if an overlap
+        // is not shallow. Then the body is where it was, and there are no pushes.
         private function pushFree(core:BodyCore, rows:IntList, place:Vector3D, clearsTouches:Boolean, pushes:ContactList):Boolean
         {
             var last:ContactPoint = null;
@@ -124,13 +122,13 @@ package starlogo.queries.motion
                 freeInTurn++;
                 if (clearsTouches ? findPushOff(core, row, place, separates, last, _contact) : findPushOut(core, row, place, separates, last, _contact))
                 {
-                    if (i >= MOST_ROUNDS * rows.count || !(_contact.depth < TOO_DEEP) || leadsBack(_contact, last))
+                    if (i >= MOST_ROUNDS * rows.count || !clearsTouches && !core.moving.isShallow(row, _contact) || leadsBack(_contact, last))
                     {
                         place.copyFrom(_before);
                         pushes.clear();
                         return false;
                     }
-                    _contact.movePoint(place, _contact.depth);
+                    _contact.movePoint(place, _contact.depth + core.clearance);
                     last = pushes.contacts[pushes.add(_contact, row)];
                     freeInTurn = 0;
                 }
@@ -179,8 +177,7 @@ package starlogo.queries.motion
             return true;
         }
 
-        // Finds the push out of a row that the core overlaps: along the contact's normal by its depth. Returns whether
-        // the core overlaps the row.
+        // Finds the contact for a push out of a row, if the core overlaps it. Returns whether it does.
         private static function findPushOut(core:BodyCore, row:int, place:Vector3D, separates:Boolean, last:ContactPoint, out:ContactPoint):Boolean
         {
             if (!core.coreTouches(row, place))
@@ -188,12 +185,11 @@ package starlogo.queries.motion
                 return false;
             }
             findContactOfPush(core.moving, row, place, separates, last, out);
-            out.depth = core.moving.isShallow(row, out) ? out.depth + core.clearance : TOO_DEEP;
             return true;
         }
 
-        // Finds the push off a row that the body touches: along the contact's normal by its depth. Returns whether there is one: not if the body overlaps the
-        // row deeply, or passes it.
+        // Finds the contact for a push off a row, if the body touches it. It is so deep at the body's place. Returns whether there is one: not if the body
+        // overlaps the row deeply, or passes it.
         private function findPushOff(core:BodyCore, row:int, place:Vector3D, separates:Boolean, last:ContactPoint, out:ContactPoint):Boolean
         {
             var body:MovingBody = core.moving;
@@ -209,7 +205,7 @@ package starlogo.queries.motion
                 return false;
             }
             var beside:Number = out.normalX * (place.x - _touching.x) + out.normalY * (place.y - _touching.y) + out.normalZ * (place.z - _touching.z);
-            out.depth = Math.min(out.depth, most) + core.clearance - beside;
+            out.depth = Math.min(out.depth, most) - beside;
             return true;
         }
 

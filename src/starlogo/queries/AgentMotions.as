@@ -4,7 +4,8 @@
 // 3. Slider: each way of a walk is a slide, or goes straight up or down
 // 4. CoreSweep: how such a way starts (startMotion), what stops it first (findFirstObstacle), and when (findTouchTime)
 // 5. BodyCore: what stops it is what its core meets, and not what the body only touches
-// moveUntilTouch and the casts: MoveQueries, TouchSweep, CoreSweep.findStop. The head of MovingBody has the words of all these.
+// moveUntilTouch and the casts: MoveQueries, TouchSweep, CoreSweep.findStop. Slides end a clearance before a touch, these in the touch.
+// The head of MovingBody has the words of all these.
 package starlogo.queries
 {
     import starlogo.agents.Agent;

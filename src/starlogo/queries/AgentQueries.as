@@ -41,7 +41,7 @@ package starlogo.queries
      *
      * <p>An agent's breed, and everything that a filter's <code>accepts</code> reads, is read during the question.</p>
      *
-     * <p>The first question after an update builds a tree of the places, or of the extents. docs/measurements.md has times.
+     * <p>The first question after an update builds a tree of the places, or of the extents. Times are in docs/measurements.md.
      * The time of a question grows with the logarithm of the number of agents, and with the length of its answer. Questions skip
      * agents of breeds that do not count. The tree learns the breeds after questions have tested about as many such agents as it has, and learns
      * them anew after an agent has got another breed.</p>
@@ -281,7 +281,7 @@ package starlogo.queries
          * not in the list, it is seen where it is now. If both are seen where they are now, <code>distance(b, a)</code> is the same number.</p>
          *
          * <p>The distance is exact, except for rounding errors: 1e-12 of the agents' sizes, and the precision of Numbers at the coordinates. It
-         * allocates nothing. docs/measurements.md has times.</p>
+         * allocates nothing. Times are in docs/measurements.md.</p>
          *
          * @param a the first agent
          * @param b the second agent

@@ -68,7 +68,7 @@ package starlogo.queries
          * it meets the agent at every smaller depth too, at the same distance or nearer.</p>
          *
          * <p>In exact mode a model's triangles have to be prepared for rays. This happens when the first ray meets the extents of an agent with
-         * the model, or when the model is added if GreatLand.prepareExact is set. docs/measurements.md has times.</p>
+         * the model, or when the model is added if GreatLand.prepareExact is set. Times are in docs/measurements.md.</p>
          *
          * @param origin where the ray begins, in the world
          * @param direction of any length but 0

@@ -191,7 +191,7 @@ package starlogo.intersection
             sweep.setStructure(structure, new Placement());
             sweep.setTriangle(corners);
             motion.time = RelativeMotion.NEVER;
-            if (!sweep.plane.keepsApart(sweep.shape, motion))
+            if (!sweep.plane.areApart(sweep.shape, motion))
             {
                 sweep.findTime(motion);
             }

@@ -66,7 +66,7 @@ package starlogo.intersection.boxes
          *
          * @param slack is added to the absolute values
          */
-        public function readAxes(rotation:Placement, length:Number, slack:Number = 0):void
+        public function setAxes(rotation:Placement, length:Number, slack:Number = 0):void
         {
             this.length = length;
             m00 = rotation.r00 * length;

@@ -23,10 +23,10 @@ package starlogo.queries.motion
         private static const CLOSE_DEPTH:Number = 1e-6;
 
         // The least way down of a fall with the slide after it. A shorter one is undone. A part of the extent.
-        private static const LEAST_FALL:Number = 1e-8;
+        private static const MIN_FALL:Number = 1e-8;
 
         // The most pushes out of what the agent overlaps where a walk begins.
-        private static const MOST_PUSHES:int = 8;
+        private static const MAX_PUSHES:int = 8;
 
         private var _slider:Slider = new Slider();
         private var _recovery:OverlapRecovery = new OverlapRecovery();
@@ -37,9 +37,9 @@ package starlogo.queries.motion
         private var _motion:Vector3D = new Vector3D();
         private var _limits:SlideLimits = new SlideLimits();
 
-        // How the last slide ended, and the last way straight up or down. goUpright() writes only _upright. A method that begins with "stand" writes both.
+        // How the last slide ended, and the last way straight up or down. moveVertically() writes only _vertical. A method that begins with "stand" writes both.
         private var _slid:SlideResult = new SlideResult();
-        private var _upright:MotionResult = new MotionResult();
+        private var _vertical:MotionResult = new MotionResult();
 
         // Where a fall has come.
         private var _fallen:Vector3D = new Vector3D();
@@ -63,7 +63,7 @@ package starlogo.queries.motion
         public function go(link:PlatformLink, walk:Walk):Boolean
         {
             begin(link, walk);
-            var stands:Boolean = goLegs(walk, recover(walk)) || fall(walk);
+            var stands:Boolean = walkLegs(walk, recover(walk)) || fall(walk);
             _recovery.restoreClearance(walk.body, walk.place);
             return stands;
         }
@@ -72,7 +72,7 @@ package starlogo.queries.motion
         private function begin(link:PlatformLink, walk:Walk):void
         {
             var platform:int = _platforms.find(link, walk);
-            walk.body.readAgent(link.agent, walk.carryTurn);
+            walk.body.setToAgent(link.agent, walk.carryTurn);
             walk.place.copyFrom(walk.body.from);
             walk.closeDepth = CLOSE_DEPTH * walk.body.extent;
             collectRows(walk, 0);
@@ -96,8 +96,8 @@ package starlogo.queries.motion
         {
             walk.legStart.copyFrom(walk.place);
             walk.footing.pushed = 0;
-            goUpright(walk, walk.place, -walk.closeDepth);
-            if (!_upright.hasPlanes)
+            moveVertically(walk, walk.place, -walk.closeDepth);
+            if (!_vertical.hasPlanes)
             {
                 return standAtEnd(walk);
             }
@@ -131,11 +131,11 @@ package starlogo.queries.motion
                 walk.place.copyFrom(_slid.place);
                 pushes++;
             }
-            while (pushes < MOST_PUSHES && left > 0 && _recovery.measureOverlaps(walk.body, walk.place, walk.deepest) > 0);
+            while (pushes < MAX_PUSHES && left > 0 && _recovery.measureOverlaps(walk.body, walk.place, walk.deepest) > 0);
         }
 
         // Goes all legs: along the ground if the agent stands, else straight on through the air. Returns whether it stands at the end.
-        private function goLegs(walk:Walk, beginsStanding:Boolean):Boolean
+        private function walkLegs(walk:Walk, beginsStanding:Boolean):Boolean
         {
             var stands:Boolean = beginsStanding;
             var startX:Number = walk.legStart.x;
@@ -151,7 +151,7 @@ package starlogo.queries.motion
                 }
                 if (stands)
                 {
-                    stands = goOnGround(walk);
+                    stands = walkOnGround(walk);
                 }
                 else
                 {
@@ -168,7 +168,7 @@ package starlogo.queries.motion
 
         // Goes a leg along the ground, and up or down with it. If a wall stops the agent there, it tries to step up. Otherwise it steps down to the ground.
         // Returns whether it stands then.
-        private function goOnGround(walk:Walk):Boolean
+        private function walkOnGround(walk:Walk):Boolean
         {
             if (walk.legLength == 0)
             {
@@ -205,21 +205,21 @@ package starlogo.queries.motion
         // Tries a leg again a step higher, and goes down again. Returns whether the agent comes farther than without the step, and stands.
         private function stepUp(walk:Walk):Boolean
         {
-            goUpright(walk, walk.legStart, walk.options.stepHeight);
-            var height:Number = _upright.place.z - walk.legStart.z;
+            moveVertically(walk, walk.legStart, walk.options.stepHeight);
+            var height:Number = _vertical.place.z - walk.legStart.z;
             if (height <= walk.closeDepth)
             {
                 return false;
             }
-            slideAlong(walk, _upright.place, 0, walk.walkableZ);
+            slideAlong(walk, _vertical.place, 0, walk.walkableZ);
             if (!isFarther(walk, _slid.place))
             {
                 return false;
             }
             var depth:Number = height + walk.options.snap + walk.closeDepth;
             var top:Number = _slid.place.z;
-            goUpright(walk, _slid.place, -depth);
-            return standAtEnd(walk) || (_upright.isStopped && slideOff(walk, depth - (top - _upright.place.z)));
+            moveVertically(walk, _slid.place, -depth);
+            return standAtEnd(walk) || (_vertical.isStopped && slideOff(walk, depth - (top - _vertical.place.z)));
         }
 
         // Whether a place is farther along the leg than where the walk is.
@@ -233,7 +233,7 @@ package starlogo.queries.motion
         // whether the agent comes farther than without the step, but no farther from where the leg began than the leg is long, and stands.
         private function slideOff(walk:Walk, depth:Number):Boolean
         {
-            slideDown(walk, _upright.place, depth, walk.legLength);
+            slideDown(walk, _vertical.place, depth, walk.legLength);
             var dx:Number = _slid.place.x - walk.legStart.x;
             var dy:Number = _slid.place.y - walk.legStart.y;
             return dx * dx + dy * dy <= walk.legLength * walk.legLength && isFarther(walk, _slid.place)
@@ -259,10 +259,10 @@ package starlogo.queries.motion
                 {
                     return false;
                 }
-                goUpright(walk, _fallen, -depth);
-                left -= _upright.time * depth;
-                isStopped = _upright.isStopped;
-                _fallen.copyFrom(_upright.place);
+                moveVertically(walk, _fallen, -depth);
+                left -= _vertical.time * depth;
+                isStopped = _vertical.isStopped;
+                _fallen.copyFrom(_vertical.place);
             }
             if (!isStopped)
             {
@@ -270,12 +270,12 @@ package starlogo.queries.motion
                 walk.place.copyFrom(_fallen);
                 return standBelow(walk, walk.place, walk.closeDepth);
             }
-            if (standOn(walk, _upright.contact, _upright.row, _fallen))
+            if (standOn(walk, _vertical.contact, _vertical.row, _fallen))
             {
                 return true;
             }
             slideDown(walk, _fallen, Math.min(left, depthAfterFall(walk)), widthAfterFall(walk));
-            if (!(walk.place.z - _slid.place.z < LEAST_FALL * walk.body.extent))
+            if (!(walk.place.z - _slid.place.z < MIN_FALL * walk.body.extent))
             {
                 walk.place.copyFrom(_slid.place);
             }
@@ -298,7 +298,7 @@ package starlogo.queries.motion
         // is. Returns whether it stands.
         private function standBelow(walk:Walk, place:Vector3D, depth:Number):Boolean
         {
-            goUpright(walk, place, -depth);
+            moveVertically(walk, place, -depth);
             return standAtEnd(walk);
         }
 
@@ -306,10 +306,10 @@ package starlogo.queries.motion
         // Returns whether it stands.
         private function standAtEnd(walk:Walk):Boolean
         {
-            var place:Vector3D = _upright.place;
-            if (!_upright.isStopped || standOn(walk, _upright.contact, _upright.row, place))
+            var place:Vector3D = _vertical.place;
+            if (!_vertical.isStopped || standOn(walk, _vertical.contact, _vertical.row, place))
             {
-                return _upright.isStopped;
+                return _vertical.isStopped;
             }
             slideDown(walk, place, walk.closeDepth, walk.body.extent);
             return _slid.hasFloor && standOn(walk, _slid.floor, _slid.floorRow, place);
@@ -328,10 +328,10 @@ package starlogo.queries.motion
         }
 
         // Goes straight up, or down if dz is less than 0, until something is in the way.
-        private function goUpright(walk:Walk, from:Vector3D, dz:Number):void
+        private function moveVertically(walk:Walk, from:Vector3D, dz:Number):void
         {
             _motion.setTo(0, 0, dz);
-            _slider.goStraight(walk.body, walk.body.rows, from, _motion, _upright);
+            _slider.moveStraight(walk.body, walk.body.rows, from, _motion, _vertical);
         }
 
         // Slides along the way of a leg, and up or down.

@@ -37,7 +37,8 @@ package starlogo.queries.motion
         private var _motion:Vector3D = new Vector3D();
         private var _limits:SlideLimits = new SlideLimits();
 
-        // How the last slide ended, and the last way straight up or down. moveVertically() writes only _vertical. A method that begins with "stand" writes both.
+        // How the last slide ended, and the last way straight up or down. moveVertically() writes only _vertical, slideAlong() and slideDown() only _slid,
+        // and a method that begins with "stand" both.
         private var _slid:SlideResult = new SlideResult();
         private var _vertical:MotionResult = new MotionResult();
 

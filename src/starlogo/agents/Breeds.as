@@ -16,11 +16,11 @@ package starlogo.agents
         /** The name that stands for any breed of agents. */
         public static const ANY_BREED:String = "*";
 
-        /** The number of the name that stands for any breed of agents. Lower numbers are of the world, higher ones of agents. */
-        public static const ANY:int = 2;
-
         /** The numbers of the names of breeds. The first names are reserved. */
         public static const NAMES:NameNumbers = new NameNumbers(new <String>[TERRAIN, EDGE, ANY_BREED]);
+
+        /** The number of the name that stands for any breed of agents. Lower numbers are of the world, higher ones of agents. */
+        public static const ANY:int = NAMES.knownNumberOf(ANY_BREED);
 
         /** How often agents have got other breeds. What is computed from the breeds of agents holds until it is another number. Read only. */
         public static var changes:int = 0;

@@ -2,7 +2,7 @@ package starlogo.agents
 {
     import starlogo.data.textOf;
     import starlogo.engine;
-    import starlogo.geometry.Placement;
+    import starlogo.geometry.requireInWorld;
 
     use namespace engine;
 
@@ -32,9 +32,9 @@ package starlogo.agents
         /** Throws a RangeError if a place is not finite, or beyond LARGEST_COORDINATE. */
         public static function requirePlace(agent:Agent, x:Number, y:Number, z:Number):void
         {
-            requireCoordinate(agent, "x", x);
-            requireCoordinate(agent, "y", y);
-            requireCoordinate(agent, "z", z);
+            requireInWorld("x", x, 0, 0, agent);
+            requireInWorld("y", y, 0, 0, agent);
+            requireInWorld("z", z, 0, 0, agent);
         }
 
         /** Throws a RangeError if an angle is not finite. */
@@ -65,16 +65,6 @@ package starlogo.agents
             {
                 var range:String = value > 0 && value < Infinity ? "between " + Agent.SMALLEST_SIZE + " and " + Agent.LARGEST_SIZE : "a positive, finite number";
                 throw new RangeError(agent + ": size must be " + range + ", not " + value);
-            }
-        }
-
-        private static function requireCoordinate(agent:Agent, trait:String, value:Number):void
-        {
-            requireFinite(agent, trait, value);
-            if (!(value <= Placement.LARGEST_COORDINATE && value >= -Placement.LARGEST_COORDINATE))
-            {
-                throw new RangeError(agent + ": " + trait + " must be between " + -Placement.LARGEST_COORDINATE + " and " + Placement.LARGEST_COORDINATE
-                        + ", not " + value);
             }
         }
 

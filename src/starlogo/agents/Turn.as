@@ -42,8 +42,9 @@ package starlogo.agents
         // The numbers of the last quaternion. Null before the first one.
         private var _quaternion:Vector.<Number> = null;
 
-        // Whether the rotation has to be computed from the angles, or if a quaternion has turned the agent, the angles from the rotation.
-        private var _isStale:Boolean = false;
+        // Whether the rotation has to be computed from the angles, or the angles from the rotation. At most one of the two has to be.
+        private var _isRotationStale:Boolean = false;
+        private var _areAnglesStale:Boolean = false;
 
         /** @param placement gets the rotation: the agent's place in the world */
         public function Turn(placement:Placement)
@@ -63,7 +64,8 @@ package starlogo.agents
             this.pitch = pitch + 0;
             this.roll = roll + 0;
             _turnedBy = BY_ANGLES;
-            _isStale = true;
+            _isRotationStale = true;
+            _areAnglesStale = false;
             return true;
         }
 
@@ -87,7 +89,7 @@ package starlogo.agents
             {
                 _placement.copyRotation(sTurned);
                 _turnedBy = BY_QUATERNION;
-                _isStale = true;
+                _areAnglesStale = true;
             }
             else if (_turnedBy == BY_ANGLES)
             {
@@ -119,10 +121,10 @@ package starlogo.agents
         /** Makes the rotation of the placement right. */
         public function updateRotation():void
         {
-            if (_isStale && _turnedBy == BY_ANGLES)
+            if (_isRotationStale)
             {
                 _placement.setRotation(heading, pitch, roll);
-                _isStale = false;
+                _isRotationStale = false;
             }
         }
 
@@ -131,13 +133,13 @@ package starlogo.agents
          */
         public function updateAngles():Turn
         {
-            if (_isStale && _turnedBy == BY_QUATERNION)
+            if (_areAnglesStale)
             {
                 _placement.readAngles(sAngles);
                 heading = sAngles.z;
                 pitch = sAngles.y;
                 roll = sAngles.x;
-                _isStale = false;
+                _areAnglesStale = false;
             }
             return this;
         }
@@ -188,7 +190,7 @@ package starlogo.agents
             {
                 // the angles happen to make the same rotation
                 _turnedBy = BY_QUATERNION;
-                _isStale = true;
+                _areAnglesStale = true;
             }
         }
     }

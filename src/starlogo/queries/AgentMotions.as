@@ -4,7 +4,8 @@
 // 3. Slider: each way of a walk is a slide, or goes straight up or down
 // 4. ShrunkSweep: how such a way starts (startMotion), what stops it first (findFirstObstacle), and when (findTouchTime)
 // 5. ShrunkBody: what stops it is what the shrunk body meets, and not what the body only touches
-// moveUntilTouch and the casts: MoveQueries, TouchSweep, ShrunkSweep.findStop. The head of MovingBody has the words of all these.
+// moveUntilTouch and the casts: MoveQueries, TouchSweep, ShrunkSweep.findStop. Slides end a clearance before a touch, these in the touch.
+// The head of MovingBody has the words of all these.
 package starlogo.queries
 {
     import starlogo.agents.Agent;

@@ -19,7 +19,7 @@ package starlogo.queries
         private var _seen:SeenAgents;
 
         // The search of a question.
-        private var _searches:PerQuestion;
+        private var _searches:PerQuery;
 
         // The cone of inCone, which calls accepts only after the search.
         private var _cone:Cone = new Cone();
@@ -34,7 +34,7 @@ package starlogo.queries
         {
             requireGiven("seen", seen);
             _seen = seen;
-            _searches = new PerQuestion(seen, NearSearch);
+            _searches = new PerQuery(seen, NearSearch);
         }
 
         /**

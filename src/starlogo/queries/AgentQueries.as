@@ -2,7 +2,7 @@
 // - near to inCone: AgentPlaces finds places within a distance (NearSearch), or in a cone (Cone)
 // - touching to overlapping: TouchQueries finds the rows whose bodies touch a body that stands (SweptBoxSearch, NarrowPhase)
 // - distance, distanceToPoint: TouchQueries measures between two bodies (NarrowPhase)
-// - cast, castAll, canSee: AgentRays finds the rows that a ray meets (SweptBoxSearch, RowRayQuery)
+// - cast, castAll, canSee: AgentRays finds the rows that a ray meets (SweptBoxSearch, RowRayTest)
 // - castShape to slide: MoveQueries finds how far a body can go (TouchSweep, Slider)
 // - walk: MoveQueries finds where a character comes to stand (WalkMover)
 // AgentPlaces, AgentRays and AgentMotions have the same questions for games that load only these. AgentMotions has those of the last two lines.
@@ -41,7 +41,7 @@ package starlogo.queries
      *
      * <p>An agent's breed, and everything that a filter's <code>accepts</code> reads, is read during the question.</p>
      *
-     * <p>An update takes a few tenths of a microsecond per agent. The first question after it builds a tree of the places, or of the extents.
+     * <p>The first question after an update builds a tree of the places, or of the extents. Times are in docs/measurements.md.
      * The time of a question grows with the logarithm of the number of agents, and with the length of its answer. Questions skip
      * agents of breeds that do not count. The tree learns the breeds after questions have tested about as many such agents as it has, and learns
      * them anew after an agent has got another breed.</p>
@@ -281,8 +281,7 @@ package starlogo.queries
          * not in the list, it is seen where it is now. If both are seen where they are now, <code>distance(b, a)</code> is the same number.</p>
          *
          * <p>The distance is exact, except for rounding errors: 1e-12 of the agents' sizes, and the precision of Numbers at the coordinates. It
-         * takes 0.1 to 1 microsecond for structures, about 10 microseconds for trees at depth 5, and hundreds of microseconds in exact mode. It
-         * allocates nothing.</p>
+         * allocates nothing. Times are in docs/measurements.md.</p>
          *
          * @param a the first agent
          * @param b the second agent

@@ -10,8 +10,8 @@ package starlogo.queries
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayEntry;
     import starlogo.queries.rays.Hits;
-    import starlogo.queries.rays.RowRayQuery;
-    import starlogo.queries.rays.RowSurfaceQuery;
+    import starlogo.queries.rays.RowRayTest;
+    import starlogo.queries.rays.RowSurfaceTest;
     import starlogo.queries.rays.SpareHits;
     import starlogo.queries.trees.Collector;
     import starlogo.queries.trees.SweptBoxSearch;
@@ -26,13 +26,13 @@ package starlogo.queries
     {
         private var _seen:SeenAgents;
         private var _search:SweptBoxSearch = new SweptBoxSearch();
-        private var _rowRays:RowRayQuery;
-        private var _rowSurfaces:RowSurfaceQuery;
+        private var _rowRays:RowRayTest;
+        private var _rowSurfaces:RowSurfaceTest;
         private var _ray:Ray = new Ray();
         private var _entry:RayEntry = new RayEntry();
 
         // How the ray of a question meets rows.
-        private var _hits:PerQuestion;
+        private var _hits:PerQuery;
 
         private var _spare:SpareHits = new SpareHits(RayHit);
 
@@ -50,9 +50,9 @@ package starlogo.queries
         {
             requireGiven("seen", seen);
             _seen = seen;
-            _rowRays = new RowRayQuery(seen);
-            _rowSurfaces = new RowSurfaceQuery(seen);
-            _hits = new PerQuestion(seen, Hits);
+            _rowRays = new RowRayTest(seen);
+            _rowSurfaces = new RowSurfaceTest(seen);
+            _hits = new PerQuery(seen, Hits);
         }
 
         /**
@@ -68,8 +68,7 @@ package starlogo.queries
          * it meets the agent at every smaller depth too, at the same distance or nearer.</p>
          *
          * <p>In exact mode a model's triangles have to be prepared for rays. This happens when the first ray meets the extents of an agent with
-         * the model, or when the model is added if GreatLand.prepareExact is set. It takes a fifth of a second for 400,000 triangles, and 38
-         * bytes for each.</p>
+         * the model, or when the model is added if GreatLand.prepareExact is set. Times are in docs/measurements.md.</p>
          *
          * @param origin where the ray begins, in the world
          * @param direction of any length but 0

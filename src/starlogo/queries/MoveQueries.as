@@ -55,8 +55,8 @@ package starlogo.queries
         private var _spare:SpareHits = new SpareHits(ShapeHit);
 
         // The body of a question, and the walk of a question.
-        private var _bodies:PerQuestion;
-        private var _walks:PerQuestion;
+        private var _bodies:PerQuery;
+        private var _walks:PerQuery;
 
         // How a motion ends at the first row that stops it, and how a slide ends.
         private var _first:MotionResult = new MotionResult();
@@ -68,9 +68,9 @@ package starlogo.queries
             _seen = seen;
             _sweep = new TouchSweep(seen);
             _hits = new Hits(seen);
-            _bodies = new PerQuestion(seen, MovingBody);
+            _bodies = new PerQuery(seen, MovingBody);
             _walkMover = new WalkMover(seen);
-            _walks = new PerQuestion(seen, Walk);
+            _walks = new PerQuery(seen, Walk);
         }
 
         /** See AgentMotions.castShape. */

@@ -1,10 +1,9 @@
-// This room answers questions about agents in space: what is near, what touches, what a ray meets, how far something can go. A class for each
-// kind of questions (AgentPlaces, TouchQueries, AgentRays, MoveQueries) searches the trees of a SeenAgents, tests what it finds, and gives
-// it to a Collector. AgentQueries has all questions, and passes them on: its head is a list of
-// them. LevelShapes, with LevelChoice and LevelCollider, gives agents shapes without a GreatLand. The folder trees/ has the trees, their searches, and the
-// Collector, which has an answer while it is searched for, with its RowFilter; rays/ how a ray meets a row, and the hits of rays and casts; motion/ how a
-// body moves among rows. A filter's accepts may ask while a question is under way: PerQuestion says what that one has afterwards. Read this file first,
-// then AgentRays for a ray, or AgentMotions for a motion or a walk.
+// This room answers questions about agents in space. A class for each kind of questions (AgentPlaces, TouchQueries, AgentRays, MoveQueries) searches the
+// trees of a SeenAgents, tests what it finds, and gives it to a Collector. The head of AgentQueries lists all questions.
+// - trees/: the trees of places and extents, their searches, the Collector and its RowFilter; motion/: how a body moves among rows
+// - rays/: how a ray meets a row, and the hits of rays and casts
+// - LevelShapes, LevelChoice, LevelCollider: shapes without a GreatLand
+// Read this file first, then AgentRays for a ray, or AgentMotions for a motion or a walk.
 package starlogo.queries
 {
     import flash.errors.IllegalOperationError;
@@ -50,7 +49,7 @@ package starlogo.queries
 
         /**
          * @private How many questions under way are calling a filter's <code>accepts</code>. It may ask questions itself, nested one deeper than the
-         * question that calls it, but not change the agents. What a question needs after these calls is PerQuestion. Read only.
+         * question that calls it, but not change the agents. What a question needs after these calls is PerQuery. Read only.
          */
         engine var nesting:int = 0;
 
@@ -70,7 +69,7 @@ package starlogo.queries
         private var _spare:Body = new Body();
 
         // What collects the rows of a question.
-        private var _collectors:PerQuestion;
+        private var _collectors:PerQuery;
 
         /**
          * Begins without agents, as an AgentQueries does.
@@ -87,7 +86,7 @@ package starlogo.queries
             }
             narrowPhase = _source.findNarrowPhase();
             table = new AgentTable(narrowPhase.choice);
-            _collectors = new PerQuestion(this, Collector);
+            _collectors = new PerQuery(this, Collector);
         }
 
         /** The ground that rays, walks and the like meet. See AgentQueries. It may be null. */
@@ -99,11 +98,15 @@ package starlogo.queries
 
         public function set terrain(value:Terrain):void
         {
-            if (_source.collisionOfGround != null)
+            var collision:Collision = _source.collisionOfGround;
+            if (collision == null)
             {
-                _source.collisionOfGround.terrain = value;
+                _terrain = value;
             }
-            _terrain = value;
+            else
+            {
+                collision.terrain = value;
+            }
         }
 
         /**
@@ -199,14 +202,14 @@ package starlogo.queries
         /** @private The row of an agent; -1 if it is not in the list. */
         engine function rowOf(agent:Agent):int
         {
-            requireAgent(agent);
+            requireGiven("agent", agent);
             return table.list.rowOf(agent);
         }
 
         /** @private Throws an ArgumentError if an agent is null, or has no place because it is the ground's or the edges'. */
         engine function requirePlaced(agent:Agent):void
         {
-            requireAgent(agent);
+            requireGiven("agent", agent);
             if (agent.isOfWorld)
             {
                 throw new ArgumentError(agent + " has no place, and does not move: it stands for the ground or the edges of the world");
@@ -228,7 +231,7 @@ package starlogo.queries
          */
         engine function bodyOf(agent:Agent, spare:Body = null):Body
         {
-            requireAgent(agent);
+            requireGiven("agent", agent);
             return table.currentBodyOf(agent, spare || _spare);
         }
 
@@ -288,14 +291,6 @@ package starlogo.queries
             if (nesting > 0)
             {
                 throw new IllegalOperationError(what + " must not be called from a filter's accepts");
-            }
-        }
-
-        private static function requireAgent(agent:Agent):void
-        {
-            if (agent == null)
-            {
-                throw new ArgumentError("an agent is needed, not null");
             }
         }
     }

@@ -1,6 +1,7 @@
 package starlogo.queries
 {
     import flash.geom.Vector3D;
+    import starlogo.data.requireGiven;
     import starlogo.geometry.requireInWorld;
 
     /**
@@ -10,10 +11,7 @@ package starlogo.queries
      */
     public function requirePoint(point:Vector3D):void
     {
-        if (point == null)
-        {
-            throw new ArgumentError("a point is needed, not null");
-        }
+        requireGiven("point", point);
         requireInWorld("a point", point.x, point.y, point.z);
     }
 }

@@ -5,7 +5,7 @@ package starlogo.queries.motion
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayEntry;
     import starlogo.queries.SeenAgents;
-    import starlogo.queries.rays.RowRayQuery;
+    import starlogo.queries.rays.RowRayTest;
     import starlogo.search.Body;
 
     /**
@@ -21,7 +21,7 @@ package starlogo.queries.motion
 
         private static const DOWN:Vector3D = new Vector3D(0, 0, -1);
 
-        private var _rowRays:RowRayQuery;
+        private var _rowRays:RowRayTest;
 
         // The ray at an edge: where it begins, and what it meets.
         private var _origin:Vector3D = new Vector3D();
@@ -31,7 +31,7 @@ package starlogo.queries.motion
         /** @param seen has the rows */
         public function Foothold(seen:SeenAgents)
         {
-            _rowRays = new RowRayQuery(seen);
+            _rowRays = new RowRayTest(seen);
         }
 
         /**

@@ -1,7 +1,4 @@
-// This folder moves a body among the rows of a table. A MovingBody is what moves. Three classes say where its motions end: TouchSweep in the touch of a
-// row, for casts and moveUntilTouch; Slider a clearance before the touch, or farther on along what the body meets (RemainingMotion); WalkMover makes a walk of
-// slides and straight motions, with PlatformCarry before it and Foothold where it stands. Read this file first, then
-// ShrunkBody, ShrunkSweep.startMotion(), TouchSweep, Slider and WalkMover.go().
+// This folder moves a MovingBody among the rows of a table. The head of AgentMotions says in which order to read it. Its words:
 // Shrunk body: the body, but smaller by a slop (ShrunkBody). Only what it meets stops the body, so the body may touch what it stands on or runs along.
 // Shallow overlap: one that can come from rounding in the game. A motion begins with pushes out of those (OverlapRecovery), a walk with pushes out of
 // deep ones too.

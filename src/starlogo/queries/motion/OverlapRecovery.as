@@ -26,9 +26,6 @@ package starlogo.queries.motion
     {
         private static const MAX_ROUNDS:int = 30;
 
-        // The depth of a push out of an overlap that is not shallow. No push leads out of it.
-        private static const TOO_DEEP:Number = Infinity;
-
         // From this round on contacts have to separate. Contacts of parts of a body may point sideways, round after round.
         private static const FIRST_SEPARATING_ROUND:int = 2;
 
@@ -109,8 +106,9 @@ package starlogo.queries.motion
             return sum;
         }
 
-        // Pushes a body off the rows that it touches, or else out of those that the shrunk body overlaps a little: from one row after the other,
-        // round and round, until all are free of pushes. Returns whether this succeeds. If not, the body is where it was, and there are no pushes.
+        // Pushes a body off the rows that it touches, or else out of those that the shrunk body overlaps. Each push is a clearance longer than the depth of its
+        // contact. They lead from one row after the other, round and round, until none is needed. Returns whether this succeeds. It does not if an overlap
+        // is not shallow. Then the body is where it was, and there are no pushes.
         private function pushFree(shrunk:ShrunkBody, rows:IntList, place:Vector3D, clearsTouches:Boolean, pushes:ContactList):Boolean
         {
             var last:ContactPoint = null;
@@ -125,13 +123,13 @@ package starlogo.queries.motion
                 if (clearsTouches ? findPushOff(shrunk, row, place, isSeparating, last, _contact)
                         : findPushOut(shrunk, row, place, isSeparating, last, _contact))
                 {
-                    if (i >= MAX_ROUNDS * rows.count || !(_contact.depth < TOO_DEEP) || leadsBack(_contact, last))
+                    if (i >= MAX_ROUNDS * rows.count || !clearsTouches && !shrunk.body.isShallow(row, _contact) || leadsBack(_contact, last))
                     {
                         place.copyFrom(_before);
                         pushes.clear();
                         return false;
                     }
-                    _contact.movePoint(place, _contact.depth);
+                    _contact.movePoint(place, _contact.depth + shrunk.clearance);
                     last = pushes.contacts[pushes.add(_contact, row)];
                     freeInTurn = 0;
                 }
@@ -180,8 +178,7 @@ package starlogo.queries.motion
             return true;
         }
 
-        // Finds the push out of a row that the shrunk body overlaps: along the contact's normal by its depth. Returns whether
-        // the shrunk body overlaps the row.
+        // Finds the contact for a push out of a row, if the shrunk body overlaps it. Returns whether it does.
         private static function findPushOut(shrunk:ShrunkBody, row:int, place:Vector3D, isSeparating:Boolean, last:ContactPoint, out:ContactPoint):Boolean
         {
             if (!shrunk.shrunkTouches(row, place))
@@ -189,12 +186,11 @@ package starlogo.queries.motion
                 return false;
             }
             findContactOfPush(shrunk.body, row, place, isSeparating, last, out);
-            out.depth = shrunk.body.isShallow(row, out) ? out.depth + shrunk.clearance : TOO_DEEP;
             return true;
         }
 
-        // Finds the push off a row that the body touches: along the contact's normal by its depth. Returns whether there is one: not if the body overlaps the
-        // row deeply, or passes it.
+        // Finds the contact for a push off a row, if the body touches it. It is so deep at the body's place. Returns whether there is one: not if the body
+        // overlaps the row deeply, or passes it.
         private function findPushOff(shrunk:ShrunkBody, row:int, place:Vector3D, isSeparating:Boolean, last:ContactPoint, out:ContactPoint):Boolean
         {
             var body:MovingBody = shrunk.body;
@@ -211,7 +207,7 @@ package starlogo.queries.motion
                 return false;
             }
             var beside:Number = out.normalX * (place.x - _touching.x) + out.normalY * (place.y - _touching.y) + out.normalZ * (place.z - _touching.z);
-            out.depth = Math.min(out.depth, most) + shrunk.clearance - beside;
+            out.depth = Math.min(out.depth, most) - beside;
             return true;
         }
 

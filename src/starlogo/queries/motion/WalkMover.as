@@ -37,9 +37,9 @@ package starlogo.queries.motion
         private var _motion:Vector3D = new Vector3D();
         private var _limits:SlideLimits = new SlideLimits();
 
-        // How steps end: a slide, a slide that is only tried, and a way straight up or down.
+        // How the last slide ended, and the last way straight up or down. moveVertically() writes only _vertical, slideAlong() and slideDown() only _slid,
+        // and a method that begins with "stand" both.
         private var _slid:SlideResult = new SlideResult();
-        private var _tried:SlideResult = new SlideResult();
         private var _vertical:MotionResult = new MotionResult();
 
         // Where a fall has come.
@@ -97,10 +97,10 @@ package starlogo.queries.motion
         {
             walk.legStart.copyFrom(walk.place);
             walk.footing.pushed = 0;
-            moveVertically(walk, walk.place, -walk.closeDepth, _vertical);
+            moveVertically(walk, walk.place, -walk.closeDepth);
             if (!_vertical.hasPlanes)
             {
-                return standAtEnd(walk, _vertical);
+                return standAtEnd(walk);
             }
             pushOut(walk);
             var x:Number = walk.place.x - walk.legStart.x;
@@ -157,7 +157,7 @@ package starlogo.queries.motion
                 else
                 {
                     // in the air all surfaces are walls, except of level floors
-                    slideAlong(walk, walk.legStart, 0, SlideLimits.LEVEL_Z, _slid);
+                    slideAlong(walk, walk.legStart, 0, SlideLimits.LEVEL_Z);
                     endLeg(walk);
                 }
             }
@@ -180,12 +180,14 @@ package starlogo.queries.motion
             // the slide begins along the ground below the agent
             var normal:Vector3D = walk.floorNormal;
             var rise:Number = -(normal.x * walk.legMotion.x + normal.y * walk.legMotion.y) / normal.z;
-            slideAlong(walk, walk.place, rise, walk.walkableZ, _slid);
-            if (_slid.wallRow >= 0 && stepUp(walk, _slid.place))
+            var wallBefore:int = walk.wallRow;
+            slideAlong(walk, walk.place, rise, walk.walkableZ);
+            endLeg(walk);
+            if (_slid.wallRow >= 0 && stepUp(walk))
             {
+                walk.wallRow = wallBefore;
                 return true;
             }
-            endLeg(walk);
             // the ground may have led up only for a part of the leg: on a ramp, and over the edge of a step
             var height:Number = Math.max(0, walk.place.z - walk.legStart.z);
             return standBelow(walk, walk.place, height + walk.options.snap + walk.closeDepth);
@@ -201,42 +203,42 @@ package starlogo.queries.motion
             }
         }
 
-        // Tries a leg again a step higher, and goes down again. Returns whether the agent comes farther than to a place without the step, and stands.
-        private function stepUp(walk:Walk, plain:Vector3D):Boolean
+        // Tries a leg again a step higher, and goes down again. Returns whether the agent comes farther than without the step, and stands.
+        private function stepUp(walk:Walk):Boolean
         {
-            moveVertically(walk, walk.legStart, walk.options.stepHeight, _vertical);
+            moveVertically(walk, walk.legStart, walk.options.stepHeight);
             var height:Number = _vertical.place.z - walk.legStart.z;
             if (height <= walk.closeDepth)
             {
                 return false;
             }
-            slideAlong(walk, _vertical.place, 0, walk.walkableZ, _tried);
-            if (!isFarther(walk, _tried.place, plain))
+            slideAlong(walk, _vertical.place, 0, walk.walkableZ);
+            if (!isFarther(walk, _slid.place))
             {
                 return false;
             }
             var depth:Number = height + walk.options.snap + walk.closeDepth;
-            var top:Number = _tried.place.z;
-            moveVertically(walk, _tried.place, -depth, _vertical);
-            return standAtEnd(walk, _vertical) || (_vertical.isStopped && slideOff(walk, _vertical.place, depth - (top - _vertical.place.z), plain));
+            var top:Number = _slid.place.z;
+            moveVertically(walk, _slid.place, -depth);
+            return standAtEnd(walk) || (_vertical.isStopped && slideOff(walk, depth - (top - _vertical.place.z)));
         }
 
-        // Whether a place is farther along the leg than another one.
-        private static function isFarther(walk:Walk, place:Vector3D, other:Vector3D):Boolean
+        // Whether a place is farther along the leg than where the walk is.
+        private static function isFarther(walk:Walk, place:Vector3D):Boolean
         {
-            var farther:Number = (place.x - other.x) * walk.legMotion.x + (place.y - other.y) * walk.legMotion.y;
+            var farther:Number = (place.x - walk.place.x) * walk.legMotion.x + (place.y - walk.place.y) * walk.legMotion.y;
             return farther > walk.closeDepth * walk.legLength;
         }
 
-        // Slides down what is too steep to stand on: a round agent that has met the edge of the next step hangs on it. Returns whether the agent comes
-        // farther than to a place without the step, but no farther from where the leg began than the leg is long, and stands.
-        private function slideOff(walk:Walk, from:Vector3D, depth:Number, plain:Vector3D):Boolean
+        // Slides down what is too steep to stand on, from the end of the way down: a round agent that has met the edge of the next step hangs on it. Returns
+        // whether the agent comes farther than without the step, but no farther from where the leg began than the leg is long, and stands.
+        private function slideOff(walk:Walk, depth:Number):Boolean
         {
-            slideDown(walk, from, depth, walk.legLength, _tried);
-            var dx:Number = _tried.place.x - walk.legStart.x;
-            var dy:Number = _tried.place.y - walk.legStart.y;
-            return dx * dx + dy * dy <= walk.legLength * walk.legLength && isFarther(walk, _tried.place, plain)
-                && standBelow(walk, _tried.place, walk.closeDepth);
+            slideDown(walk, _vertical.place, depth, walk.legLength);
+            var dx:Number = _slid.place.x - walk.legStart.x;
+            var dy:Number = _slid.place.y - walk.legStart.y;
+            return dx * dx + dy * dy <= walk.legLength * walk.legLength && isFarther(walk, _slid.place)
+                && standBelow(walk, _slid.place, walk.closeDepth);
         }
 
         // Falls until something stops the agent, and slides down what is too steep. It falls in drops that get longer, because rounding
@@ -258,7 +260,7 @@ package starlogo.queries.motion
                 {
                     return false;
                 }
-                moveVertically(walk, _fallen, -depth, _vertical);
+                moveVertically(walk, _fallen, -depth);
                 left -= _vertical.time * depth;
                 isStopped = _vertical.isStopped;
                 _fallen.copyFrom(_vertical.place);
@@ -273,7 +275,7 @@ package starlogo.queries.motion
             {
                 return true;
             }
-            slideDown(walk, _fallen, Math.min(left, depthAfterFall(walk)), widthAfterFall(walk), _slid);
+            slideDown(walk, _fallen, Math.min(left, depthAfterFall(walk)), widthAfterFall(walk));
             if (!(walk.place.z - _slid.place.z < MIN_FALL * walk.body.extent))
             {
                 walk.place.copyFrom(_slid.place);
@@ -297,21 +299,21 @@ package starlogo.queries.motion
         // is. Returns whether it stands.
         private function standBelow(walk:Walk, place:Vector3D, depth:Number):Boolean
         {
-            moveVertically(walk, place, -depth, _vertical);
-            return standAtEnd(walk, _vertical);
+            moveVertically(walk, place, -depth);
+            return standAtEnd(walk);
         }
 
-        // Lets the agent stand where a way down has ended, on what has stopped it or on what else it touches there. Otherwise the agent stays where it is.
+        // Lets the agent stand where the way down has ended, on what has stopped it or on what else it touches there. Otherwise the agent stays where it is.
         // Returns whether it stands.
-        private function standAtEnd(walk:Walk, down:MotionResult):Boolean
+        private function standAtEnd(walk:Walk):Boolean
         {
-            var stands:Boolean = down.isStopped && standOn(walk, down.contact, down.row, down.place);
-            if (stands || !down.isStopped)
+            var place:Vector3D = _vertical.place;
+            if (!_vertical.isStopped || standOn(walk, _vertical.contact, _vertical.row, place))
             {
-                return stands;
+                return _vertical.isStopped;
             }
-            slideDown(walk, down.place, walk.closeDepth, walk.body.extent, _tried);
-            return _tried.hasFloor && standOn(walk, _tried.floor, _tried.floorRow, down.place);
+            slideDown(walk, place, walk.closeDepth, walk.body.extent);
+            return _slid.hasFloor && standOn(walk, _slid.floor, _slid.floorRow, place);
         }
 
         // Lets the agent stand at a place, on a row that it touches there, if the row carries it.
@@ -327,26 +329,26 @@ package starlogo.queries.motion
         }
 
         // Goes straight up, or down if dz is less than 0, until something is in the way.
-        private function moveVertically(walk:Walk, from:Vector3D, dz:Number, out:MotionResult):void
+        private function moveVertically(walk:Walk, from:Vector3D, dz:Number):void
         {
             _motion.setTo(0, 0, dz);
-            _slider.moveStraight(walk.body, walk.body.rows, from, _motion, out);
+            _slider.moveStraight(walk.body, walk.body.rows, from, _motion, _vertical);
         }
 
         // Slides along the way of a leg, and up or down.
-        private function slideAlong(walk:Walk, from:Vector3D, rise:Number, walkableZ:Number, out:SlideResult):void
+        private function slideAlong(walk:Walk, from:Vector3D, rise:Number, walkableZ:Number):void
         {
             _limits.setWalls(walkableZ, walk.legLength);
             _motion.setTo(walk.legMotion.x, walk.legMotion.y, rise);
-            _slider.slide(walk.body, walk.body.rows, from, _motion, _limits, out);
+            _slider.slide(walk.body, walk.body.rows, from, _motion, _limits, _slid);
         }
 
         // Slides down like a fall, as long as what it slides on is too steep to stand on.
-        private function slideDown(walk:Walk, from:Vector3D, depth:Number, maxHorizontal:Number, out:SlideResult):void
+        private function slideDown(walk:Walk, from:Vector3D, depth:Number, maxHorizontal:Number):void
         {
             _limits.setFall(Math.sqrt(1 - walk.walkableZ * walk.walkableZ) / walk.walkableZ, maxHorizontal);
             _motion.setTo(0, 0, -depth);
-            _slider.slide(walk.body, walk.body.rows, from, _motion, _limits, out);
+            _slider.slide(walk.body, walk.body.rows, from, _motion, _limits, _slid);
         }
     }
 }

@@ -20,7 +20,7 @@ package starlogo.queries.trees
      *
      * <p>Rows that a filter excludes are left out before they are tested. The filter's own function, <code>accepts</code>, is called
      * for rows that pass all tests, in the order of their keys, and no oftener than the answer needs. Motions and casts of shapes call it for all rows
-     * near them. It may ask questions itself. These have Collectors of their own (PerQuestion).</p>
+     * near them. It may ask questions itself. These have Collectors of their own (PerQuery).</p>
      *
      * @private
      */

@@ -27,7 +27,7 @@ package starlogo.queries.rays
      *
      * @private
      */
-    public final class RowRayQuery
+    public final class RowRayTest
     {
         private var _seen:SeenAgents;
         private var _inModel:Ray = new Ray();
@@ -35,7 +35,7 @@ package starlogo.queries.rays
         private var _solid:TreeRayEntryQuery = new TreeRayEntryQuery();
 
         /** @param seen has the rows */
-        public function RowRayQuery(seen:SeenAgents)
+        public function RowRayTest(seen:SeenAgents)
         {
             _seen = seen;
         }
@@ -55,7 +55,12 @@ package starlogo.queries.rays
                 return _seen.narrowPhase.groundTestsOf(body).findRayEntry(body, ray, out);
             }
             bringIntoModel(ray, body.placement, _inModel);
-            return _inModel.isFinite && findHitOfShape(body, _inModel, out) && bringBack(out, _inModel, body.placement, ray);
+            if (!_inModel.isFinite || !findEntryOfShape(body, _inModel, out))
+            {
+                return false;
+            }
+            bringIntoWorld(out, _inModel, body.placement, ray);
+            return out.distance <= ray.to;
         }
 
         // How far the place of a row is along a ray.
@@ -85,8 +90,8 @@ package starlogo.queries.rays
             line.to = (ray.to - ahead + Tolerances.ROUNDING * (ray.to + Math.abs(ahead))) / size;
         }
 
-        /** Moves where a ray enters a shape from the model's space into the world. Returns whether that is not beyond the ray's end. */
-        internal static function bringBack(entry:RayEntry, line:Ray, placement:Placement, ray:Ray):Boolean
+        /** Moves where a ray enters a shape from the model's space into the world. Because of rounding, it may be beyond the ray's end there. */
+        internal static function bringIntoWorld(entry:RayEntry, line:Ray, placement:Placement, ray:Ray):void
         {
             var x:Number = entry.normalX;
             var y:Number = entry.normalY;
@@ -95,10 +100,9 @@ package starlogo.queries.rays
             entry.normalY = placement.r10 * x + placement.r11 * y + placement.r12 * z;
             entry.normalZ = placement.r20 * x + placement.r21 * y + placement.r22 * z;
             entry.distance = entry.distance > line.from ? Math.max(0, entry.distance * placement.size + aheadOf(ray, placement)) : 0;
-            return entry.distance <= ray.to;
         }
 
-        private function findHitOfShape(body:Body, line:Ray, out:RayEntry):Boolean
+        private function findEntryOfShape(body:Body, line:Ray, out:RayEntry):Boolean
         {
             var shape:ModelShape = body.shape;
             if (shape.tree != null)

@@ -15,11 +15,11 @@ package starlogo.queries.rays
     use namespace engine;
 
     /**
-     * Finds all surfaces of a row that a ray crosses, as a collider sees the row. RowRayQuery finds the first, and says how. Walks load only that.
+     * Finds all surfaces of a row that a ray crosses, as a collider sees the row. RowRayTest finds the first, and says how. Walks load only that.
      *
      * @private
      */
-    public final class RowSurfaceQuery
+    public final class RowSurfaceTest
     {
         private var _seen:SeenAgents;
         private var _inModel:Ray = new Ray();
@@ -32,7 +32,7 @@ package starlogo.queries.rays
         private var _entry:RayEntry = new RayEntry();
 
         /** @param seen has the rows */
-        public function RowSurfaceQuery(seen:SeenAgents)
+        public function RowSurfaceTest(seen:SeenAgents)
         {
             _seen = seen;
         }
@@ -57,14 +57,18 @@ package starlogo.queries.rays
             }
             else
             {
-                RowRayQuery.bringIntoModel(ray, body.placement, _inModel);
+                RowRayTest.bringIntoModel(ray, body.placement, _inModel);
                 areTriangles = _inModel.isFinite && addCrossings(body, _inModel, _crossings);
             }
             _surfaces.find(_crossings, areTriangles);
             for (var i:int = 0; i < _surfaces.indices.count; i++)
             {
                 _crossings.readEntry(_surfaces.indices.values[i], _entry);
-                if (isGround ? _entry.distance <= ray.to : RowRayQuery.bringBack(_entry, _inModel, body.placement, ray))
+                if (!isGround)
+                {
+                    RowRayTest.bringIntoWorld(_entry, _inModel, body.placement, ray);
+                }
+                if (_entry.distance <= ray.to)
                 {
                     out.addEntry(row, ray, _entry);
                     isMet = true;

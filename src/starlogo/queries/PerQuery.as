@@ -10,13 +10,13 @@ package starlogo.queries
      *
      * <p><code>accepts</code> is called by Collector.testBelow alone: in NearSearch.find, between nodes, and where a search ends
      * (<code>Collector.end()</code>, and what calls it, for example MovingBody.collectRowsAlong and PlatformCarry.find). After such a call a
-     * question may use its arguments, its locals, and its objects of this kind: a Collector, NearSearch, Hits, MovingBody or Walk. A nested question
+     * question may use its arguments, its locals, and its objects of this kind: a Collector, NearSearch, MovingBody, Walk, or the Hits of a ray. A nested question
      * may have written all other fields of the classes that answer questions: the SweptBoxSearch, the ray, a motion, its result, what a Slider or a
      * WalkMover computes with. A question writes these before it reads them, and ends with them before the next call.</p>
      *
      * @private
      */
-    public final class PerQuestion
+    public final class PerQuery
     {
         private var _seen:SeenAgents;
         private var _type:Class;
@@ -28,7 +28,7 @@ package starlogo.queries
          * @param seen the agents that the questions are about
          * @param type the class of the objects. Its constructor takes these agents
          */
-        public function PerQuestion(seen:SeenAgents, type:Class)
+        public function PerQuery(seen:SeenAgents, type:Class)
         {
             _seen = seen;
             _type = type;

@@ -258,8 +258,8 @@ package starlogo.terrain
             var middleColumn:Number = (x - ground.x) / ground.cellWidth;
             var middleRow:Number = (y - ground.y) / ground.cellWidth;
             // how far the middle is outside of the blocks
-            var outsideX:Number = Math.max(0, -0.5 - middleColumn, middleColumn - columns + 0.5);
-            var outsideY:Number = Math.max(0, -0.5 - middleRow, middleRow - rows + 0.5);
+            var outsideX:Number = Math.max(0, Math.abs(middleColumn - (columns - 1) / 2) - columns / 2);
+            var outsideY:Number = Math.max(0, Math.abs(middleRow - (rows - 1) / 2) - rows / 2);
             if (!(width > 0 && outsideX * outsideX + outsideY * outsideY <= radius * radius))
             {
                 throw new RangeError("a mound of width " + width + " at (" + x + ", " + y + ") is not within the terrain");
@@ -396,7 +396,8 @@ package starlogo.terrain
                     var color:uint = data == null ? picture.getPixel(column, row) : data[at] << 16 | data[at + 1] << 8 | data[at + 2];
                     var sum:int = (color >> 16 & 255) + (color >> 8 & 255) + (color & 255);
                     // white without the rounding of the division
-                    greys.push(sum == 765 ? white : white / 765 * sum);
+                    var grey:Number = sum == 765 ? white : white / 765 * sum;
+                    greys.push(grey);
                 }
             }
             return greys;

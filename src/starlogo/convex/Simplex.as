@@ -40,7 +40,7 @@ package starlogo.convex
         /** Computes all corners again, after the first core has moved, and the nearest point. */
         public function recompute(cores:CorePair):void
         {
-            // A simplex around the origin says nothing about where the cores are nearest once they are apart.
+            // A tetrahedron around the origin says nothing about where the cores are nearest once they are apart.
             var kept:int = count > 3 ? 1 : count;
             begin(cores);
             for (; count < kept; count++)
@@ -88,8 +88,8 @@ package starlogo.convex
                 case 3:
                     SimplexPart.tryTriangle(corners, 0, 1, 2, newest, nearest);
                     break;
-                default:
-                    if (Tetrahedron.find(this, isApart, nearest))
+                case 4:
+                    if (Tetrahedron.find(this, isApart))
                     {
                         return INSIDE;
                     }

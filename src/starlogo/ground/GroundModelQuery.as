@@ -79,7 +79,8 @@ package starlogo.ground
             var kernel:TriangleKernel = _pairs.pieces.kernel;
             while (_pairs.nextTriangle())
             {
-                if (!kernel.plane.keepsApart(kernel.shape, RelativeMotion.NONE) && kernel.areTouching())
+                var near:GroundTriangle = _pairs.triangle;
+                if (!near.plane.keepsApart(kernel.shape, RelativeMotion.NONE) && kernel.areTouching(near.corners))
                 {
                     return true;
                 }
@@ -98,17 +99,18 @@ package starlogo.ground
             _pairs.begin(motion, 0);
             while (_touch.time > 0 && _pairs.next())
             {
-                if (kernel.plane.keepsApart(kernel.shape, sweep))
+                var near:GroundTriangle = _pairs.triangle;
+                if (near.plane.keepsApart(kernel.shape, sweep))
                 {
                     continue;
                 }
-                kernel.findTime(sweep);
-                if (_touch.choose(sweep, kernel.plane) && out != null)
+                kernel.findTime(near.corners, sweep);
+                if (_touch.choose(sweep, near.plane) && out != null)
                 {
                     sweep.time = _touch.time;
-                    kernel.findContact(sweep, out);
-                    kernel.plane.leadOutside(kernel.shape, sweep, out);
-                    kernel.plane.alignContact(kernel.shape, sweep, out);
+                    kernel.findContact(near.corners, sweep, out);
+                    near.plane.leadOutside(kernel.shape, sweep, out);
+                    near.plane.alignContact(kernel.shape, sweep, out);
                 }
                 sweep.latest = _touch.latest;
             }

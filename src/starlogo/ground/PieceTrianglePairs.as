@@ -138,9 +138,7 @@ package starlogo.ground
             {
                 return false;
             }
-            var near:GroundTriangle = _triangles.triangle;
-            pieces.kernel.shape.margin = pieces.margin + near.margin;
-            pieces.kernel.setTriangle(near.corners, near.plane);
+            pieces.kernel.shape.margin = pieces.margin + _triangles.triangle.margin;
             return true;
         }
 

@@ -48,7 +48,7 @@ package starlogo.hierarchy
         {
             var relative:Placement = trees.pose.placement;
             _radii = trees.a.radius + trees.b.radius * relative.size;
-            _pair.axes.readAxes(relative, 1);
+            _pair.axes.readAxes(relative);
             out.copyFrom(find(trees, kernel).points);
         }
 

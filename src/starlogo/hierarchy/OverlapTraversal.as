@@ -63,7 +63,7 @@ package starlogo.hierarchy
             var result:int = APART;
             var visits:int = 0;
             var top:int = 2;
-            pair.axes.readAxes(trees.pose.placement, 1, Tolerances.ROUNDING);
+            pair.axes.readAxes(trees.pose.placement, Tolerances.ROUNDING);
             stack[0] = 0;
             stack[1] = 0;
             while (top > 0 && result != OVERLAPPING)

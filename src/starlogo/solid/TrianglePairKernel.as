@@ -26,8 +26,9 @@ package starlogo.solid
         private var _meshA:TriangleMesh = null;
         private var _meshB:TriangleMesh = null;
 
-        // The corners of a's current triangle.
+        // The corners of a's current triangle and its plane.
         private var _cornersOfA:Vector.<Number> = new Vector.<Number>(9, true);
+        private var _planeOfA:TrianglePlane = new TrianglePlane();
 
         // The placement of b in a's space, and the motion of b, which ends at the first touch so far.
         private var _placement:Placement = null;
@@ -97,7 +98,7 @@ package starlogo.solid
                     if (areExtentsNear(slot))
                     {
                         _counts.triangleTests++;
-                        if (isTouching(slot))
+                        if (!staysOnOneSide(slot) && _kernel.areTouching(_cornersOfA))
                         {
                             return true;
                         }
@@ -126,7 +127,7 @@ package starlogo.solid
                     _counts.triangleTests++;
                     if (findTime(slot))
                     {
-                        if (_choice.choose(_motion, _kernel.plane, _planeOfB))
+                        if (_choice.choose(_motion, _planeOfA, _planeOfB))
                         {
                             best.a = slot;
                             best.b = _firstPlaced + i;
@@ -199,12 +200,6 @@ package starlogo.solid
             _extents[int(to + 1)] = travel > 0 ? high + travel : high;
         }
 
-        // Whether a triangle of a touches b's current triangle.
-        private function isTouching(slot:int):Boolean
-        {
-            return !staysOnOneSide(slot) && _kernel.areTouching();
-        }
-
         // Finds when b's current triangle first touches a triangle of a. Sets the motion's time if that is no later than its latest time, and returns
         // whether it is.
         private function findTime(slot:int):Boolean
@@ -213,16 +208,16 @@ package starlogo.solid
             {
                 return false;
             }
-            _kernel.findTime(_motion);
+            _kernel.findTime(_cornersOfA, _motion);
             return _motion.time <= _motion.latest;
         }
 
-        // Reads a triangle of a for the kernel. Returns whether b's current triangle stays on one side of its plane.
+        // Makes a triangle of a the current one. Returns whether b's current triangle stays on one side of its plane.
         private function staysOnOneSide(slot:int):Boolean
         {
             _meshA.readTriangle(slot, _cornersOfA);
-            _kernel.setTriangle(_cornersOfA);
-            return _kernel.plane.timeOfEntry(_kernel.shape, _quickDistance, _motion) > _motion.latest;
+            _planeOfA.setTriangle(_cornersOfA, 0);
+            return _planeOfA.timeOfEntry(_kernel.shape, _quickDistance, _motion) > _motion.latest;
         }
 
         // Finds the closest points of a triangle of a, and of b's triangle by its index in the node, if they are nearer than those so far.

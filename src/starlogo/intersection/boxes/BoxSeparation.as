@@ -7,7 +7,7 @@ package starlogo.intersection.boxes
      */
     public final class BoxSeparation
     {
-        /** Whether two boxes overlap along the normals of a's faces. The axes have length 1. */
+        /** Whether two boxes overlap along the normals of a's faces. */
         public static function overlapAlongFacesOfA(pair:BoxPair):Boolean
         {
             var axes:BoxAxes = pair.axes;
@@ -33,13 +33,13 @@ package starlogo.intersection.boxes
             var aHalfY:Number = pair.aHalfY;
             var aHalfZ:Number = pair.aHalfZ;
             var projection:Number = x * axes.m00 + y * axes.m10 + z * axes.m20;
-            var radius:Number = axes.length * pair.bHalfX + aHalfX * axes.abs00 + aHalfY * axes.abs10 + aHalfZ * axes.abs20;
+            var radius:Number = pair.bHalfX + aHalfX * axes.abs00 + aHalfY * axes.abs10 + aHalfZ * axes.abs20;
             var overlap:Boolean = projection <= radius && projection >= -radius;
             projection = x * axes.m01 + y * axes.m11 + z * axes.m21;
-            radius = axes.length * pair.bHalfY + aHalfX * axes.abs01 + aHalfY * axes.abs11 + aHalfZ * axes.abs21;
+            radius = pair.bHalfY + aHalfX * axes.abs01 + aHalfY * axes.abs11 + aHalfZ * axes.abs21;
             overlap = overlap && projection <= radius && projection >= -radius;
             projection = x * axes.m02 + y * axes.m12 + z * axes.m22;
-            radius = axes.length * pair.bHalfZ + aHalfX * axes.abs02 + aHalfY * axes.abs12 + aHalfZ * axes.abs22;
+            radius = pair.bHalfZ + aHalfX * axes.abs02 + aHalfY * axes.abs12 + aHalfZ * axes.abs22;
             return overlap && projection <= radius && projection >= -radius;
         }
 

@@ -37,7 +37,7 @@ package starlogo.convex
             count = 0;
         }
 
-        /** Computes all corners again, after the first core has moved, and the nearest point. */
+        /** Computes all corners again, after the first core has moved, and the nearest point. Without corners, only its direction stays. */
         public function recompute(cores:CorePair):void
         {
             // A tetrahedron around the origin says nothing about where the cores are nearest once they are apart.
@@ -47,7 +47,10 @@ package starlogo.convex
             {
                 writeCorner(cores, count);
             }
-            reduce(-1, false);
+            if (kept > 0)
+            {
+                reduce(-1, false);
+            }
         }
 
         /** Adds the difference of two points, given as the indices of their first numbers. Returns false if it is a corner already. */

@@ -9,6 +9,7 @@ package starlogo.solid
     import starlogo.geometry.Placement;
     import starlogo.geometry.placePoints;
     import starlogo.hierarchy.BestPair;
+    import starlogo.hierarchy.PosedTrees;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.intersection.TriangleKernel;
@@ -57,24 +58,26 @@ package starlogo.solid
         /**
          * Finds the contact, in a's space.
          *
-         * @param query the two trees
+         * @param a the first model
+         * @param b the second one
+         * @param trees the trees of both, and the pose of b in a's space
          * @param best has the slots of the triangles
          * @param motion of b, which is where it is at the motion's time; its start must be 0
          * @param out receives the contact, with a normal from a to b
          */
-        public function find(query:TreeTreeQuery, best:BestPair, motion:RelativeMotion, out:ContactPoint):void
+        public function find(a:ModelTree, b:ModelTree, trees:PosedTrees, best:BestPair, motion:RelativeMotion, out:ContactPoint):void
         {
-            var placement:Placement = query.pose.placement;
-            var quickDistance:Number = query.quickDistance(motion);
+            var placement:Placement = trees.pose.placement;
+            var quickDistance:Number = trees.quickDistance(motion);
             var plane:TrianglePlane = _plane;
-            query.a.mesh.readTriangle(best.a, _cornersOfA);
-            query.b.mesh.readTriangle(best.b, _cornersOfB);
+            a.mesh.readTriangle(best.a, _cornersOfA);
+            b.mesh.readTriangle(best.b, _cornersOfB);
             placePoints(placement, _cornersOfB, 0, 9, _cornersOfB);
             _kernel.shape.setTriangle(_cornersOfB, 0);
             _kernel.findContact(_cornersOfA, motion, out);
             Placement.invert(placement, _inB.placement);
             plane.setTriangle(_cornersOfA, 0);
-            if (plane.isHitFromFront(_kernel.shape, quickDistance, motion, out) && !hasTriangleBehind(query.b, _inB, query.triangleTolerance, motion, out))
+            if (plane.isHitFromFront(_kernel.shape, quickDistance, motion, out) && !hasTriangleBehind(b, _inB, trees.triangleTolerance, motion, out))
             {
                 out.setNormal(plane.normal.x, plane.normal.y, plane.normal.z);
                 return;
@@ -82,7 +85,7 @@ package starlogo.solid
             plane.setTriangle(_cornersOfB, 0);
             _kernel.shape.setTriangle(_cornersOfA, 0);
             _reversed.setReversed(motion);
-            if (plane.isHitFromFront(_kernel.shape, quickDistance, _reversed, out) && !hasTriangleBehind(query.a, _inA, query.triangleTolerance, RelativeMotion.NONE, out))
+            if (plane.isHitFromFront(_kernel.shape, quickDistance, _reversed, out) && !hasTriangleBehind(a, _inA, trees.triangleTolerance, RelativeMotion.NONE, out))
             {
                 out.setNormal(-plane.normal.x, -plane.normal.y, -plane.normal.z);
             }

@@ -8,6 +8,7 @@ package starlogo.solid
     import starlogo.geometry.placePoints;
     import starlogo.hierarchy.BestPair;
     import starlogo.hierarchy.NodePairKernel;
+    import starlogo.hierarchy.PosedTrees;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.hierarchy.TriangleMesh;
     import starlogo.intersection.TriangleKernel;
@@ -48,7 +49,7 @@ package starlogo.solid
 
         private var _counts:TreeCounts;
 
-        // The largest distance at which triangles touch, and the largest one at which quick tests let them pass: see TreeTreeQuery.
+        // The largest distance at which triangles touch, and the largest one at which quick tests let them pass: see PosedTrees.
         private var _tolerance:Number = 0;
         private var _quickDistance:Number = 0;
 
@@ -67,21 +68,23 @@ package starlogo.solid
         /**
          * Begins with two trees that have triangles.
          *
-         * @param query its pose is where b is at time 0
+         * @param a the triangles of the first tree
+         * @param b those of the second
+         * @param trees the two; the pose is where b is at time 0
          * @param motion of b in a's space; RelativeMotion.NONE if it stands
          * @return this
          */
-        public function begin(query:TreeTreeQuery, motion:RelativeMotion):NodePairKernel
+        public function begin(a:TriangleMesh, b:TriangleMesh, trees:PosedTrees, motion:RelativeMotion):NodePairKernel
         {
-            _placement = query.pose.placement;
-            _meshA = query.a.mesh;
-            _meshB = query.b.mesh;
+            _placement = trees.pose.placement;
+            _meshA = a;
+            _meshB = b;
             _motion.copyVector(motion);
             _motion.latest = motion.latest;
             _choice.begin(motion.latest);
             _firstPlaced = NONE;
-            _tolerance = query.triangleTolerance;
-            _quickDistance = query.quickDistance(motion);
+            _tolerance = trees.triangleTolerance;
+            _quickDistance = trees.quickDistance(motion);
             return this;
         }
 

@@ -13,7 +13,7 @@ package evaluation
     {
         private static const SEED:uint = 31;
         private static const HITS:Number = 0.4;
-        private static const MOST_TIMES:int = 3;
+        private static const MAX_TIMES:int = 3;
         private static const LONG_MS:Number = 2500;
         private static const LONGEST_MS:Number = 8000;
 
@@ -150,7 +150,7 @@ package evaluation
             }
             var noisy:Vector.<Measurement> = noisyOf(_active);
             _active = withBase(noisy);
-            return noisy.length == 0 || _rounds >= MOST_TIMES * wanted || _spent > LONGEST_MS;
+            return noisy.length == 0 || _rounds >= MAX_TIMES * wanted || _spent > LONGEST_MS;
         }
 
         private function noisyOf(measurements:Vector.<Measurement>):Vector.<Measurement>

@@ -105,7 +105,7 @@ package benchmark
                 {
                     _trees.a = _trees.b = a.boxTree;
                     _trees.depthA = _trees.depthB = DEPTH;
-                    _trees.pose.relate(first[i], second[i]);
+                    _trees.pose.setBetween(first[i], second[i]);
                     var answer:Boolean = traversal.find(_trees, null) == OverlapTraversal.OVERLAPPING;
                     if (answers != null)
                     {

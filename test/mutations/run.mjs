@@ -20,7 +20,7 @@
  *
  * What is there for rounding alone, or for a counter that only long games fill, hardly any test of every day runs: DisplacedPair.findGrazing and its
  * second push against the motion, the shorter depth in DirectionSearch.makeSure, the end of a triangle in the ray that ShearedRay makes longer by its
- * slack, a sheet under the ground in CoreSweep, RowFilter.forget.
+ * slack, a sheet under the ground in ShrunkSweep, RowFilter.forget.
  */
 import { spawnSync } from "node:child_process";
 import { readFileSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs";

@@ -104,13 +104,13 @@ package support
             switch (kind)
             {
                 case "sphere":
-                    new Sphere(vector(n, 0), n[3]).shapeInto(shape);
+                    new Sphere(vector(n, 0), n[3]).setShape(shape);
                     break;
                 case "capsule":
-                    new Capsule(vector(n, 0), vector(n, 3), n[6]).shapeInto(shape);
+                    new Capsule(vector(n, 0), vector(n, 3), n[6]).setShape(shape);
                     break;
                 case "box":
-                    new Box(vector(n, 0), vector(n, 3), vector(n, 6), vector(n, 9), n[12], n[13], n[14]).shapeInto(shape);
+                    new Box(vector(n, 0), vector(n, 3), vector(n, 6), vector(n, 9), n[12], n[13], n[14]).setShape(shape);
                     break;
                 case "triangle":
                     shape.setTriangle(n, 0);

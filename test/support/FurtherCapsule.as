@@ -66,12 +66,12 @@ package support
             capsule.widenForSurfaces();
         }
 
-        override engine function boxAroundInto(placement:Placement, out:Vector.<Number>):void
+        override engine function findPlacedBox(placement:Placement, out:Vector.<Number>):void
         {
-            capsule.boxAroundInto(placement, out);
+            capsule.findPlacedBox(placement, out);
         }
 
-        override engine function shapeInto(out:ConvexShape):void
+        override engine function setShape(out:ConvexShape):void
         {
             _center.setTo((capsule.start.x + capsule.end.x) / 2, (capsule.start.y + capsule.end.y) / 2, (capsule.start.z + capsule.end.z) / 2);
             for (var i:int = 0; i < 6; i += 3)

@@ -59,7 +59,7 @@ package support
                     var capsule:Capsule = Capsule(structure);
                     return "capsule " + [vector(capsule.start), vector(capsule.end), capsule.radius];
                 case BoundingStructure.HULL:
-                    return "hull " + [Hull(structure).numbers(), Hull(structure).faces];
+                    return "hull " + [Hull(structure).toNumbers(), Hull(structure).faces];
                 default:
                     var box:Box = Box(structure);
                     return "box " + [vector(box.center), vector(box.axisX), vector(box.axisY), vector(box.axisZ), box.halfX,

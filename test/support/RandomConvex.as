@@ -46,13 +46,13 @@ package support
             switch (kind)
             {
                 case 0:
-                    new Sphere(at, extents[0]).shapeInto(shape);
+                    new Sphere(at, extents[0]).setShape(shape);
                     break;
                 case 1:
-                    new Capsule(along(at, axes, [-extents[0], 0, 0]), along(at, axes, [extents[0], 0, 0]), extents[1]).shapeInto(shape);
+                    new Capsule(along(at, axes, [-extents[0], 0, 0]), along(at, axes, [extents[0], 0, 0]), extents[1]).setShape(shape);
                     break;
                 case 2:
-                    new Box(at, axes[0], axes[1], axes[2], extents[0], extents[1], extents[2]).shapeInto(shape);
+                    new Box(at, axes[0], axes[1], axes[2], extents[0], extents[1], extents[2]).setShape(shape);
                     break;
                 case 3:
                     var corners:Vector.<Number> = new Vector.<Number>();

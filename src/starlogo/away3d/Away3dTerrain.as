@@ -23,7 +23,7 @@ package starlogo.away3d
     public final class Away3dTerrain extends Mesh
     {
         // A SubGeometry has at most 65535 vertices.
-        private static const MOST_TRIANGLES:int = 21845;
+        private static const MAX_TRIANGLES:int = 21845;
 
         private var _terrain:Terrain;
         private var _surface:TerrainSurface;
@@ -62,9 +62,9 @@ package starlogo.away3d
             }
             geometry.dispose();
             var triangles:int = _surface.triangles.length / 3;
-            for (var first:int = 0; first < triangles; first += MOST_TRIANGLES)
+            for (var first:int = 0; first < triangles; first += MAX_TRIANGLES)
             {
-                geometry.addSubGeometry(partOf(first, Math.min(triangles, first + MOST_TRIANGLES)));
+                geometry.addSubGeometry(partOf(first, Math.min(triangles, first + MAX_TRIANGLES)));
             }
             return true;
         }

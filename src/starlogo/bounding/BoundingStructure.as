@@ -1,5 +1,5 @@
 // This room has the structures that enclose models. A structure has its numbers in public fields. place() writes it, transformed by a placement,
-// into another one of its kind. shapeInto() describes it to the room convex, and the room intersection compares two of them. Read this file first,
+// into another one of its kind. setShape() describes it to the room convex, and the room intersection compares two of them. Read this file first,
 // then Sphere, and then Hull with its HullTopology.
 package starlogo.bounding
 {
@@ -237,7 +237,7 @@ package starlogo.bounding
          */
         public function extentsInto(out:Vector.<Number>, offset:int = 0):void
         {
-            boxAroundInto(Placement.IDENTITY, sBox);
+            findPlacedBox(Placement.IDENTITY, sBox);
             for (var axis:int = 0; axis < 3; axis++)
             {
                 out[int(offset + 2 * axis)] = sBox[axis] - sBox[int(axis + 3)];
@@ -255,9 +255,9 @@ package starlogo.bounding
          *     sphere are its radius
          * @private
          */
-        engine function boxAroundInto(placement:Placement, out:Vector.<Number>):void
+        engine function findPlacedBox(placement:Placement, out:Vector.<Number>):void
         {
-            throw new IllegalOperationError(this + " does not implement boxAroundInto");
+            throw new IllegalOperationError(this + " does not implement findPlacedBox");
         }
 
         /**
@@ -266,9 +266,9 @@ package starlogo.bounding
          *
          * @private
          */
-        engine function shapeInto(out:ConvexShape):void
+        engine function setShape(out:ConvexShape):void
         {
-            throw new IllegalOperationError(this + " does not implement shapeInto");
+            throw new IllegalOperationError(this + " does not implement setShape");
         }
 
         /**
@@ -299,19 +299,19 @@ package starlogo.bounding
          *
          * @private
          */
-        engine function numbers():Vector.<Number>
+        engine function toNumbers():Vector.<Number>
         {
-            throw new IllegalOperationError(this + " does not implement numbers");
+            throw new IllegalOperationError(this + " does not implement toNumbers");
         }
 
         /**
-         * Sets all numbers of the structure, in the order of <code>numbers()</code>. They are not checked; <code>clone()</code> checks them.
+         * Sets all numbers of the structure, in the order of <code>toNumbers()</code>. They are not checked; <code>clone()</code> checks them.
          *
          * @private
          */
-        engine function setNumbers(numbers:Vector.<Number>):void
+        engine function setFromNumbers(numbers:Vector.<Number>):void
         {
-            throw new IllegalOperationError(this + " does not implement setNumbers");
+            throw new IllegalOperationError(this + " does not implement setFromNumbers");
         }
 
         /**

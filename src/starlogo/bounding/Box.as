@@ -156,7 +156,7 @@ package starlogo.bounding
         }
 
         /** @private */
-        override engine function boxAroundInto(placement:Placement, out:Vector.<Number>):void
+        override engine function findPlacedBox(placement:Placement, out:Vector.<Number>):void
         {
             var size:Number = placement.size;
             var x:Number = halfX * size;
@@ -188,7 +188,7 @@ package starlogo.bounding
         }
 
         /** @private */
-        override engine function shapeInto(out:ConvexShape):void
+        override engine function setShape(out:ConvexShape):void
         {
             // V8 would make objects for Numbers that are passed
             sHalves.x = halfX;
@@ -207,14 +207,14 @@ package starlogo.bounding
         }
 
         /** @private */
-        override engine function numbers():Vector.<Number>
+        override engine function toNumbers():Vector.<Number>
         {
             return new <Number>[center.x, center.y, center.z, axisX.x, axisX.y, axisX.z, axisY.x, axisY.y, axisY.z, axisZ.x, axisZ.y, axisZ.z,
                     halfX, halfY, halfZ];
         }
 
         /** @private */
-        override engine function setNumbers(numbers:Vector.<Number>):void
+        override engine function setFromNumbers(numbers:Vector.<Number>):void
         {
             center.setTo(numbers[0], numbers[1], numbers[2]);
             axisX.setTo(numbers[3], numbers[4], numbers[5]);

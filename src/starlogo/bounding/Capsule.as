@@ -96,13 +96,13 @@ package starlogo.bounding
         }
 
         /** @private */
-        override engine function numbers():Vector.<Number>
+        override engine function toNumbers():Vector.<Number>
         {
             return new <Number>[start.x, start.y, start.z, end.x, end.y, end.z, radius];
         }
 
         /** @private */
-        override engine function setNumbers(numbers:Vector.<Number>):void
+        override engine function setFromNumbers(numbers:Vector.<Number>):void
         {
             start.setTo(numbers[0], numbers[1], numbers[2]);
             end.setTo(numbers[3], numbers[4], numbers[5]);
@@ -127,14 +127,14 @@ package starlogo.bounding
         }
 
         /** @private */
-        override engine function shapeInto(out:ConvexShape):void
+        override engine function setShape(out:ConvexShape):void
         {
             out.setSegment(start, end);
             out.radius = radius;
         }
 
         /** @private */
-        override engine function boxAroundInto(placement:Placement, out:Vector.<Number>):void
+        override engine function findPlacedBox(placement:Placement, out:Vector.<Number>):void
         {
             var size:Number = placement.size;
             var middle:Vector3D = sMiddle;

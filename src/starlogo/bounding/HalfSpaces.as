@@ -16,7 +16,7 @@ package starlogo.bounding
          * @param topology their faces and edges
          * @param out empty; receives four numbers for each half-space
          */
-        public static function write(points:Vector.<Number>, topology:HullTopology, out:Vector.<Number>):void
+        public static function find(points:Vector.<Number>, topology:HullTopology, out:Vector.<Number>):void
         {
             switch (topology.dimension)
             {

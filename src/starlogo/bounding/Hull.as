@@ -201,7 +201,7 @@ package starlogo.bounding
         {
             if (_halfSpaces.length == 0)
             {
-                HalfSpaces.write(points, topology, _halfSpaces);
+                HalfSpaces.find(points, topology, _halfSpaces);
             }
             return _halfSpaces;
         }
@@ -225,7 +225,7 @@ package starlogo.bounding
         }
 
         /** @private */
-        override engine function boxAroundInto(placement:Placement, out:Vector.<Number>):void
+        override engine function findPlacedBox(placement:Placement, out:Vector.<Number>):void
         {
             var turned:Vector.<Number> = sTurned;
             var bounds:VertexBounds = sBounds;
@@ -247,7 +247,7 @@ package starlogo.bounding
         }
 
         /** @private */
-        override engine function shapeInto(out:ConvexShape):void
+        override engine function setShape(out:ConvexShape):void
         {
             // a field, because V8 would make an object for an argument
             out.extent = _extent;
@@ -257,7 +257,7 @@ package starlogo.bounding
         }
 
         /** @private The centre, the radius, then the corners relative to the centre. */
-        override engine function numbers():Vector.<Number>
+        override engine function toNumbers():Vector.<Number>
         {
             return new <Number>[center.x, center.y, center.z, radius].concat(points);
         }
@@ -266,7 +266,7 @@ package starlogo.bounding
          * @private
          * @throws ArgumentError if the numbers of the corners are none, or not a multiple of 3, or not finite
          */
-        override engine function setNumbers(numbers:Vector.<Number>):void
+        override engine function setFromNumbers(numbers:Vector.<Number>):void
         {
             center.setTo(numbers[0], numbers[1], numbers[2]);
             radius = numbers[3];

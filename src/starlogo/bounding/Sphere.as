@@ -95,7 +95,7 @@ package starlogo.bounding
         }
 
         /** @private */
-        override engine function shapeInto(out:ConvexShape):void
+        override engine function setShape(out:ConvexShape):void
         {
             out.setPoint(center);
             out.radius = radius;
@@ -110,20 +110,20 @@ package starlogo.bounding
         }
 
         /** @private */
-        override engine function numbers():Vector.<Number>
+        override engine function toNumbers():Vector.<Number>
         {
             return new <Number>[center.x, center.y, center.z, radius];
         }
 
         /** @private */
-        override engine function setNumbers(numbers:Vector.<Number>):void
+        override engine function setFromNumbers(numbers:Vector.<Number>):void
         {
             center.setTo(numbers[0], numbers[1], numbers[2]);
             radius = numbers[3];
         }
 
         /** @private */
-        override engine function boxAroundInto(placement:Placement, out:Vector.<Number>):void
+        override engine function findPlacedBox(placement:Placement, out:Vector.<Number>):void
         {
             var size:Number = placement.size;
             var x:Number = center.x * size;

@@ -10,7 +10,7 @@ package starlogo.broadphase
     {
         // The width of the finest level, for points too. It is used up to 256 patches from the origin, so points of SpaceLand need no coarser level.
         // A power of two.
-        internal static const LEAST_WIDTH:Number = 1 / (1 << 16);
+        internal static const MIN_WIDTH:Number = 1 / (1 << 16);
 
         // A level is used up to this many widths from the origin, and for places up to this many widths from the middle. So a place is at most twice
         // as far from the origin. At that distance a position is rounded to 2^-28 of a width, and shapes within 2^-20 of a width touch.
@@ -26,7 +26,7 @@ package starlogo.broadphase
         private static const NO_BUCKETS:int = 0;
 
         // A level with buckets has 32 at least. So cells near each other never share one.
-        private static const FEWEST_BITS:int = 5;
+        private static const MIN_BITS:int = 5;
 
         /** So many first buckets of a level are copied after its last one, so that the neighbours of the last cells are in one run too. */
         internal static const COPIED:int = 2;
@@ -72,7 +72,7 @@ package starlogo.broadphase
          */
         public function takeBuckets(first:int):int
         {
-            var bits:int = FEWEST_BITS;
+            var bits:int = MIN_BITS;
             while (1 << bits < count)
             {
                 bits++;

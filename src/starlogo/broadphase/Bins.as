@@ -109,7 +109,7 @@ package starlogo.broadphase
         // Counts the members of each level.
         private function countMembers(extents:Extents, members:IntList):void
         {
-            var rows:Vector.<int> = members.numbers;
+            var rows:Vector.<int> = members.values;
             var end:int = members.count;
             var indices:Vector.<int> = extents.level;
             var all:Vector.<BinLevel> = levels;
@@ -159,7 +159,7 @@ package starlogo.broadphase
         // Finds each member's bucket. Counts the members of the buckets.
         private function fillBuckets(extents:Extents, members:IntList):void
         {
-            var rows:Vector.<int> = members.numbers;
+            var rows:Vector.<int> = members.values;
             var end:int = members.count;
             var fromX:Vector.<Number> = extents.x;
             var fromY:Vector.<Number> = extents.y;
@@ -198,7 +198,7 @@ package starlogo.broadphase
 
         private function sortByBuckets(members:IntList):void
         {
-            var fromRow:Vector.<int> = members.numbers;
+            var fromRow:Vector.<int> = members.values;
             var toRow:Vector.<int> = _rows;
             var buckets:Vector.<int> = _buckets;
             var begins:Vector.<int> = _starts;

@@ -14,7 +14,7 @@ package starlogo.broadphase
         private static const NONE:int = -1;
 
         // So many times may each member move to another bucket, on average, before the numbers of buckets may be wrong.
-        private static const MOST_MOVES:int = 4;
+        private static const MAX_MOVES:int = 4;
 
         // The rows that are found near a row.
         private var _near:Vector.<int> = new Vector.<int>();
@@ -62,9 +62,9 @@ package starlogo.broadphase
             }
             for (var i:int = 0; i < members.count; i++)
             {
-                update(members.numbers[i]);
+                update(members.values[i]);
             }
-            _entriesLeft = MOST_MOVES * members.count;
+            _entriesLeft = MAX_MOVES * members.count;
         }
 
         /** Makes sure that there are this many rows. */

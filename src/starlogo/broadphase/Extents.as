@@ -27,7 +27,7 @@ package starlogo.broadphase
         public var level:Vector.<int> = new Vector.<int>();
 
         // By index, for the levels so far: the width that rows may have (BinLevel.width). Cells are a little wider. The first is none.
-        internal var levelWidths:Vector.<Number> = new <Number>[0, BinLevel.LEAST_WIDTH];
+        internal var levelWidths:Vector.<Number> = new <Number>[0, BinLevel.MIN_WIDTH];
 
         /** Makes room for so many rows, which are more than before. New rows are points at the origin without a level. */
         override public function grow(length:int):void

@@ -135,7 +135,7 @@ package starlogo.collision
             {
                 found.length = 2 * pairs.count;
             }
-            pairs.write(found);
+            pairs.copyAgentsTo(found);
             return found;
         }
 
@@ -170,7 +170,7 @@ package starlogo.collision
                 by.table.refreshWorld();
             }
             by.twoAgents.findContact(collider, collidee, motion, point);
-            contact.read(point);
+            contact.setFromPoint(point);
             contact.time = motion.time;
             contact.approachSpeed = Math.max(0, -(motion.x * point.normalX + motion.y * point.normalY + motion.z * point.normalZ));
             return contact;

@@ -66,7 +66,7 @@ package starlogo.collision
         }
 
         /** @private Takes the point, the normal and the depth of a contact. */
-        engine function read(from:ContactPoint):void
+        engine function setFromPoint(from:ContactPoint):void
         {
             point.setTo(from.x, from.y, from.z);
             normal.setTo(from.normalX, from.normalY, from.normalZ);

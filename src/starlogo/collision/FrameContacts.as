@@ -22,7 +22,7 @@ package starlogo.collision
         private var _given:Contact = new Contact();
 
         /** Begins a frame. @param system computes its contacts @param pairs its pairs */
-        public function begin(system:BaseCollider, pairs:FoundPairs):void
+        public function setTo(system:BaseCollider, pairs:FoundPairs):void
         {
             _system = system;
             _pairs = pairs;

@@ -63,7 +63,7 @@ package starlogo.collision
             if (table.contactKinds != 0)
             {
                 // before the touches, because a game's own contactOf may throw. Then no touch has changed
-                _contacts.begin(system, pairs);
+                _contacts.setTo(system, pairs);
                 findContacts(tracker);
             }
             var starting:IntList = null;
@@ -92,7 +92,7 @@ package starlogo.collision
             var end:int = chosen == null ? _pairs.count : chosen.count;
             for (var i:int = 0; i < end; i++)
             {
-                var pair:int = chosen == null ? i : chosen.numbers[i];
+                var pair:int = chosen == null ? i : chosen.values[i];
                 var kinds:int = _table.handlersOfPair(_pairs, pair).contactKinds;
                 if ((kinds & CollisionHandler.COLLISION) != 0 || kinds != 0 && tracker.touchToContinue(_pairs, pair) == null)
                 {
@@ -123,7 +123,7 @@ package starlogo.collision
                         }
                         else
                         {
-                            callForPair(chosen == null ? done - ended : chosen.numbers[done - ended]);
+                            callForPair(chosen == null ? done - ended : chosen.values[done - ended]);
                         }
                         _next = NOT_BEGUN;
                     }

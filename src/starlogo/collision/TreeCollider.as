@@ -50,12 +50,12 @@ package starlogo.collision
          */
         public function get exact():Boolean
         {
-            return narrowPhase.treeLimits.exact;
+            return narrowPhase.treeLimits.isExact;
         }
 
         public function set exact(value:Boolean):void
         {
-            narrowPhase.treeLimits.exact = value;
+            narrowPhase.treeLimits.isExact = value;
         }
     }
 }

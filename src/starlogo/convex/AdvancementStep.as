@@ -9,7 +9,7 @@ package starlogo.convex
     public final class AdvancementStep
     {
         /** How many steps a sweep makes at most: see advance(). */
-        public static const MOST_STEPS:int = 80;
+        public static const MAX_STEPS:int = 80;
 
         /** The gap between the two shapes along a direction that keeps them apart. No gap is left if it is not above 0. */
         public var gap:Number = 0;
@@ -24,13 +24,13 @@ package starlogo.convex
         public var count:int = 0;
 
         /** The time of an earlier step at which the shapes touched, but only across the margins; RelativeMotion.NEVER if there was none. */
-        public var lastTouch:Number = RelativeMotion.NEVER;
+        public var marginTouchTime:Number = RelativeMotion.NEVER;
 
         /** Begins with the first step. */
-        public function begin():void
+        public function reset():void
         {
             count = 0;
-            lastTouch = RelativeMotion.NEVER;
+            marginTouchTime = RelativeMotion.NEVER;
         }
     }
 }

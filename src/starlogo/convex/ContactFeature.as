@@ -261,10 +261,10 @@ package starlogo.convex
                 var inwards:Number = inX * before[at] + inY * before[int(at + 1)] + inZ * before[int(at + 2)] - border;
                 if (inwards >= 0 != lastInwards >= 0 && !(isEdge && at == 0))
                 {
-                    var share:Number = lastInwards / (lastInwards - inwards);
-                    kept[count] = before[last] + share * (before[at] - before[last]);
-                    kept[int(count + 1)] = before[int(last + 1)] + share * (before[int(at + 1)] - before[int(last + 1)]);
-                    kept[int(count + 2)] = before[int(last + 2)] + share * (before[int(at + 2)] - before[int(last + 2)]);
+                    var fraction:Number = lastInwards / (lastInwards - inwards);
+                    kept[count] = before[last] + fraction * (before[at] - before[last]);
+                    kept[int(count + 1)] = before[int(last + 1)] + fraction * (before[int(at + 1)] - before[int(last + 1)]);
+                    kept[int(count + 2)] = before[int(last + 2)] + fraction * (before[int(at + 2)] - before[int(last + 2)]);
                     count += 3;
                 }
                 if (inwards >= 0)

@@ -54,7 +54,7 @@ package starlogo.convex
         }
 
         /** Writes the deepest point. The contact's point is the middle of the overlap, so it is half of the depth behind that one. */
-        public function deepestPointInto(out:Vector3D):void
+        public function writeDeepestPoint(out:Vector3D):void
         {
             var back:Number = depth / 2;
             out.x = x - back * normalX;

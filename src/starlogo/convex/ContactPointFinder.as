@@ -87,7 +87,7 @@ package starlogo.convex
         }
 
         // Writes where two segments cross, seen along the normal, or the point of the first one that is nearest to an end of the second. If they are
-        // parallel, writes the middle of the part that they share. u is the first segment's vector, v the second's. Shares of u go from 0 at the first
+        // parallel, writes the middle of the part that they share. u is the first segment's vector, v the second's. Fractions of u go from 0 at the first
         // segment's start to 1 at its end.
         private static function writeCrossing(first:Vector.<Number>, second:Vector.<Number>, out:ContactPoint):void
         {
@@ -110,9 +110,9 @@ package starlogo.convex
             var end:Number;
             if (squared > Tolerances.DIRECTION * Tolerances.DIRECTION * uu * (vx * vx + vy * vy + vz * vz))
             {
-                var shareOfV:Number = ((gapY * uz - gapZ * uy) * crossX + (gapZ * ux - gapX * uz) * crossY + (gapX * uy - gapY * ux) * crossZ) / squared;
-                shareOfV = shareOfV > 0 ? (shareOfV < 1 ? shareOfV : 1) : 0;
-                begin = ((gapX + shareOfV * vx) * ux + (gapY + shareOfV * vy) * uy + (gapZ + shareOfV * vz) * uz) / uu;
+                var fractionOfV:Number = ((gapY * uz - gapZ * uy) * crossX + (gapZ * ux - gapX * uz) * crossY + (gapX * uy - gapY * ux) * crossZ) / squared;
+                fractionOfV = fractionOfV > 0 ? (fractionOfV < 1 ? fractionOfV : 1) : 0;
+                begin = ((gapX + fractionOfV * vx) * ux + (gapY + fractionOfV * vy) * uy + (gapZ + fractionOfV * vz) * uz) / uu;
                 end = begin;
             }
             else
@@ -122,10 +122,10 @@ package starlogo.convex
             }
             begin = begin > 0 ? (begin < 1 ? begin : 1) : 0;
             end = end > 0 ? (end < 1 ? end : 1) : 0;
-            var share:Number = (begin + end) / 2;
-            out.x = first[0] + share * ux;
-            out.y = first[1] + share * uy;
-            out.z = first[2] + share * uz;
+            var fraction:Number = (begin + end) / 2;
+            out.x = first[0] + fraction * ux;
+            out.y = first[1] + fraction * uy;
+            out.z = first[2] + fraction * uz;
         }
     }
 }

@@ -9,7 +9,7 @@ package starlogo.convex
         private var _overlap:CoreOverlap;
         private var _step:AdvancementStep = new AdvancementStep();
         private var _witness:CoreWitness = new CoreWitness();
-        private var _exact:CoreWitness = new CoreWitness();
+        private var _overlapWitness:CoreWitness = new CoreWitness();
         private var _balls:CoreGap = new CoreGap();
 
         /**
@@ -48,7 +48,7 @@ package starlogo.convex
         // Begins at the motion's earliest time, or when balls around the two first meet if that is later.
         private function begin(cores:CorePair, motion:RelativeMotion):void
         {
-            _step.begin();
+            _step.reset();
             motion.time = 0;
             cores.setMotion(motion);
             cores.limitToTouching();
@@ -76,10 +76,10 @@ package starlogo.convex
             {
                 // A short line between two points is too imprecise a direction where an edge or a face is nearly perpendicular to it. The normals of
                 // faces and pairs of edges are precise.
-                _overlap.find(cores, _exact);
-                if (_exact.separation > witness.separation)
+                _overlap.find(cores, _overlapWitness);
+                if (_overlapWitness.separation > witness.separation)
                 {
-                    witness.setAxis(_exact.normalX, _exact.normalY, _exact.normalZ, _exact.separation);
+                    witness.setAxis(_overlapWitness.normalX, _overlapWitness.normalY, _overlapWitness.normalZ, _overlapWitness.separation);
                 }
             }
             step.gap = witness.separation - radii;

@@ -16,7 +16,7 @@ package starlogo.convex
     {
         // The search ends after so many steps that came no nearer, because rounding hides where nearer points are. After one or two of them, a step may
         // still come nearer.
-        private static const MOST_STALLS:int = 8;
+        private static const MAX_STALLS:int = 8;
 
         private var _simplex:Simplex = new Simplex();
 
@@ -76,7 +76,7 @@ package starlogo.convex
                 writeNearest(cores, out);
             }
             var stalls:int = 0;
-            while (stalls < MOST_STALLS && addSupport(cores, out))
+            while (stalls < MAX_STALLS && addSupport(cores, out))
             {
                 var origin:int = _simplex.reduce(_simplex.count - 1, out.separation > _simplex.rounding);
                 if (origin == Simplex.UNDECIDED)

@@ -198,9 +198,9 @@ package starlogo.convex
             turnUpwards(axis);
             projectDifferences(axis, cores, _differences);
             // rounding hides on which side they are
-            var isDown:Boolean = _differences.greatest < -_differences.least - Tolerances.ROUNDING * (cores.first.extent + cores.second.extent);
+            var isDown:Boolean = _differences.max < -_differences.min - Tolerances.ROUNDING * (cores.first.extent + cores.second.extent);
             var side:int = isDown ? -1 : 1;
-            out.setAxis(side * axis.x, side * axis.y, side * axis.z, isDown ? -_differences.greatest : _differences.least);
+            out.setAxis(side * axis.x, side * axis.y, side * axis.z, isDown ? -_differences.max : _differences.min);
         }
 
         // Replaces an axis by a unit vector perpendicular to it that points upwards as far as possible. If the axis is vertical, up to
@@ -260,8 +260,8 @@ package starlogo.convex
             }
             projectDifferences(axis, cores, _differences);
             // how long the two displacements are, times the axis's length
-            var forth:Number = -_differences.least;
-            var back:Number = _differences.greatest;
+            var forth:Number = -_differences.min;
+            var back:Number = _differences.max;
             var least:Number = back < forth ? back : forth;
             if (least > 0 && least * least >= out.separation * out.separation * squared)
             {
@@ -294,8 +294,8 @@ package starlogo.convex
             cores.first.project(axis, out);
             cores.second.project(axis, _ofSecond);
             var from:Number = axis.x * cores.x + axis.y * cores.y + axis.z * cores.z;
-            out.least = out.least - _ofSecond.greatest + from;
-            out.greatest = out.greatest - _ofSecond.least + from;
+            out.min = out.min - _ofSecond.max + from;
+            out.max = out.max - _ofSecond.min + from;
         }
     }
 }

@@ -8,9 +8,9 @@ package starlogo.convex
     public final class Interval
     {
         /** The least component of a point along the direction. */
-        public var least:Number = 0;
+        public var min:Number = 0;
 
         /** The greatest component. */
-        public var greatest:Number = 0;
+        public var max:Number = 0;
     }
 }

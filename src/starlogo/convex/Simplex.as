@@ -116,11 +116,11 @@ package starlogo.convex
             var pointZ:Number = 0;
             for (var i:int = 0; i < count; i++)
             {
-                var share:Number = weights[i];
+                var fraction:Number = weights[i];
                 var at:int = _ofFirst[i];
-                pointX += share * points[at];
-                pointY += share * points[int(at + 1)];
-                pointZ += share * points[int(at + 2)];
+                pointX += fraction * points[at];
+                pointY += fraction * points[int(at + 1)];
+                pointZ += fraction * points[int(at + 2)];
             }
             out.pointX = pointX + cores.first.x;
             out.pointY = pointY + cores.first.y;

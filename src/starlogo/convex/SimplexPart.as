@@ -58,17 +58,17 @@ package starlogo.convex
                 }
                 return;
             }
-            var share:Number = projection / uu;
-            toX += share * ux;
-            toY += share * uy;
-            toZ += share * uz;
+            var fraction:Number = projection / uu;
+            toX += fraction * ux;
+            toY += fraction * uy;
+            toZ += fraction * uz;
             var squared:Number = toX * toX + toY * toY + toZ * toZ;
             if (squared < out.squaredDistance)
             {
                 out.squaredDistance = squared;
                 out.clearWeights();
-                out.weights[i] = 1 - share;
-                out.weights[j] = share;
+                out.weights[i] = 1 - fraction;
+                out.weights[j] = fraction;
                 out.x = toX;
                 out.y = toY;
                 out.z = toZ;

@@ -24,8 +24,8 @@ package starlogo.convex
         public var offset:Number = NaN;
 
         /** The least and the greatest component of a corner along the normal. They differ only by rounding. */
-        public var least:Number = NaN;
-        public var greatest:Number = NaN;
+        public var min:Number = NaN;
+        public var max:Number = NaN;
 
         /** Twice the triangle's area. */
         public var doubleArea:Number = 0;
@@ -61,7 +61,7 @@ package starlogo.convex
             if (!(doubleArea * doubleArea > Tolerances.FLAT_TRIANGLE * squaredLongest * squaredLongest))
             {
                 normal.setTo(0, 0, 0);
-                offset = least = greatest = NaN;
+                offset = min = max = NaN;
                 return;
             }
             x /= doubleArea;
@@ -73,10 +73,10 @@ package starlogo.convex
             offset = x * corners[at] + y * corners[int(at + 1)] + z * corners[int(at + 2)];
             var second:Number = x * corners[int(at + 3)] + y * corners[int(at + 4)] + z * corners[int(at + 5)];
             var third:Number = x * corners[int(at + 6)] + y * corners[int(at + 7)] + z * corners[int(at + 8)];
-            least = offset < second ? offset : second;
-            least = least < third ? least : third;
-            greatest = offset > second ? offset : second;
-            greatest = greatest > third ? greatest : third;
+            min = offset < second ? offset : second;
+            min = min < third ? min : third;
+            max = offset > second ? offset : second;
+            max = max > third ? max : third;
         }
 
         /**
@@ -91,11 +91,11 @@ package starlogo.convex
         public function timeOfEntry(shape:ConvexShape, quickDistance:Number, motion:RelativeMotion):Number
         {
             shape.project(normal, _ofShape);
-            var place:Number = normal.x * shape.x + normal.y * shape.y + normal.z * shape.z;
+            var projection:Number = normal.x * shape.x + normal.y * shape.y + normal.z * shape.z;
             var speed:Number = normal.x * motion.x + normal.y * motion.y + normal.z * motion.z;
             // how far in front of the plane all of the shape is, and how far behind
-            var above:Number = place - greatest + _ofShape.least - quickDistance;
-            var below:Number = -(place - least + _ofShape.greatest + quickDistance);
+            var above:Number = projection - max + _ofShape.min - quickDistance;
+            var below:Number = -(projection - min + _ofShape.max + quickDistance);
             return above > 0 ? (speed < 0 ? above / -speed : RelativeMotion.NEVER)
                 : below > 0 ? (speed > 0 ? below / speed : RelativeMotion.NEVER) : 0;
         }
@@ -106,7 +106,7 @@ package starlogo.convex
          *
          * @param motion its vector and its latest time; nothing else of it counts
          */
-        public function keepsApart(shape:ConvexShape, motion:RelativeMotion):Boolean
+        public function areApart(shape:ConvexShape, motion:RelativeMotion):Boolean
         {
             var size:Number = shape.extent + Math.abs(shape.x) + Math.abs(shape.y) + Math.abs(shape.z) + Math.abs(offset)
                 + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z);
@@ -145,7 +145,7 @@ package starlogo.convex
             }
             shape.project(normal, _ofShape);
             var front:Number = normal.x * (shape.x + motion.startX) + normal.y * (shape.y + motion.startY) + normal.z * (shape.z + motion.startZ)
-                + motion.time * speed + _ofShape.least - shape.radius;
+                + motion.time * speed + _ofShape.min - shape.radius;
             return offset - front <= contact.depth + depthTolerance;
         }
 
@@ -193,7 +193,7 @@ package starlogo.convex
         {
             var p:Vector.<Number> = shape.points;
             var end:int = shape.pointsEnd;
-            var most:Number = _ofShape.least + SAME_DEPTH * (_ofShape.greatest - _ofShape.least);
+            var most:Number = _ofShape.min + SAME_DEPTH * (_ofShape.max - _ofShape.min);
             var count:int = 0;
             var x:Number = 0;
             var y:Number = 0;

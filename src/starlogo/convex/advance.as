@@ -8,7 +8,7 @@ package starlogo.convex
      *
      * <p>If the shapes touch across the margins only, one more step leads to where they touch without them. It counts if they still touch there.</p>
      *
-     * <p>Each step shrinks the product of the gap and its slope to at most a quarter, and both are numbers of 53 bits. So AdvancementStep.MOST_STEPS steps are
+     * <p>Each step shrinks the product of the gap and its slope to at most a quarter, and both are numbers of 53 bits. So AdvancementStep.MAX_STEPS steps are
      * enough. Should rounding need more, the time is that of the last step: the shapes do not touch before, and their gap is at most rounding.</p>
      *
      * @param step what the sweep has found at the motion's time; becomes the next step
@@ -18,24 +18,24 @@ package starlogo.convex
      */
     public function advance(step:AdvancementStep, motion:RelativeMotion):Boolean
     {
-        var wasTouching:Boolean = step.lastTouch != RelativeMotion.NEVER;
+        var wasTouching:Boolean = step.marginTouchTime != RelativeMotion.NEVER;
         if (step.isTouching)
         {
             if (wasTouching || motion.time == 0)
             {
                 return false;
             }
-            step.lastTouch = motion.time;
+            step.marginTouchTime = motion.time;
         }
         var next:Number = motion.time + step.gap / step.speed;
         if (wasTouching || !(step.speed > 0 && next > motion.time && next <= motion.latest))
         {
             // the step after a touch has led out of it, or there is none in time
-            motion.time = step.lastTouch;
+            motion.time = step.marginTouchTime;
             return false;
         }
         motion.time = next;
         step.count++;
-        return step.count < AdvancementStep.MOST_STEPS;
+        return step.count < AdvancementStep.MAX_STEPS;
     }
 }

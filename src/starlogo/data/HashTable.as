@@ -11,7 +11,7 @@ package starlogo.data
      */
     public final class HashTable
     {
-        private static const FEWEST:int = 4;
+        private static const MIN_CAPACITY:int = 4;
 
         // By slot: the two keys, and the value plus 1, which is 0 if the slot is free.
         private var _firsts:Vector.<int>;
@@ -22,9 +22,9 @@ package starlogo.data
         /** Creates a table without keys. */
         public function HashTable()
         {
-            _firsts = new Vector.<int>(FEWEST);
-            _seconds = new Vector.<int>(FEWEST);
-            _values = new Vector.<int>(FEWEST);
+            _firsts = new Vector.<int>(MIN_CAPACITY);
+            _seconds = new Vector.<int>(MIN_CAPACITY);
+            _values = new Vector.<int>(MIN_CAPACITY);
         }
 
         /** The value of two keys, or -1 if they have none. Their order matters. Pass 0 as the second key if one is enough. */

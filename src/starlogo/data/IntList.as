@@ -7,8 +7,8 @@ package starlogo.data
      */
     public final class IntList
     {
-        /** The numbers. After the last one, numbers may be left over from earlier lists. */
-        public var numbers:Vector.<int> = new Vector.<int>();
+        /** The values. After the last one, values may be left over from earlier lists. */
+        public var values:Vector.<int> = new Vector.<int>();
 
         /** How many numbers there are. */
         public var count:int = 0;
@@ -20,24 +20,24 @@ package starlogo.data
             count = 0;
             for (var i:int = 0; i < end; i++)
             {
-                if (other.numbers[i] != except)
+                if (other.values[i] != except)
                 {
-                    add(other.numbers[i]);
+                    add(other.values[i]);
                 }
             }
         }
 
         /** Adds a number at the end. */
-        public function add(number:int):void
+        public function add(value:int):void
         {
-            numbers[count] = number;
+            values[count] = value;
             count++;
         }
 
         /** Removes a number wherever it is in the list. The others keep their order. */
-        public function remove(number:int):void
+        public function remove(value:int):void
         {
-            copyFrom(this, number);
+            copyFrom(this, value);
         }
     }
 }

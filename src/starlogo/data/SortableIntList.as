@@ -12,8 +12,8 @@ package starlogo.data
     {
         private static const RUN:int = 8;
 
-        /** The numbers. After the last one, numbers may be left over from earlier lists. */
-        public var numbers:Vector.<int> = new Vector.<int>();
+        /** The values. After the last one, values may be left over from earlier lists. */
+        public var values:Vector.<int> = new Vector.<int>();
 
         /** The key of each number. */
         public var keys:Vector.<Number> = new Vector.<Number>();
@@ -22,13 +22,13 @@ package starlogo.data
         public var count:int = 0;
 
         // The other half of a merge.
-        private var _otherNumbers:Vector.<int> = new Vector.<int>();
+        private var _otherValues:Vector.<int> = new Vector.<int>();
         private var _otherKeys:Vector.<Number> = new Vector.<Number>();
 
         /** Adds a number at the end. */
-        public function add(number:int, key:Number):void
+        public function add(value:int, key:Number):void
         {
-            numbers[count] = number;
+            values[count] = value;
             keys[count] = key;
             count++;
         }
@@ -43,19 +43,19 @@ package starlogo.data
         {
             for (var low:int = 0; low < end; low += RUN)
             {
-                sortRun(numbers, keys, ranks, low, low + RUN < end ? low + RUN : end);
+                sortRun(values, keys, ranks, low, low + RUN < end ? low + RUN : end);
             }
             if (end <= RUN)
             {
                 return;
             }
-            if (_otherNumbers.length < numbers.length)
+            if (_otherValues.length < values.length)
             {
-                _otherNumbers.length = _otherKeys.length = numbers.length;
+                _otherValues.length = _otherKeys.length = values.length;
             }
-            var from:Vector.<int> = numbers;
+            var from:Vector.<int> = values;
             var fromKeys:Vector.<Number> = keys;
-            var to:Vector.<int> = _otherNumbers;
+            var to:Vector.<int> = _otherValues;
             var toKeys:Vector.<Number> = _otherKeys;
             for (var width:int = RUN; width < end; width *= 2)
             {
@@ -71,28 +71,28 @@ package starlogo.data
                 from = merged;
                 fromKeys = mergedKeys;
             }
-            for (var i:int = 0; from !== numbers && i < end; i++)
+            for (var i:int = 0; from !== values && i < end; i++)
             {
-                numbers[i] = from[i];
+                values[i] = from[i];
                 keys[i] = fromKeys[i];
             }
         }
 
-        private static function sortRun(numbers:Vector.<int>, keys:Vector.<Number>, ranks:Vector.<int>, low:int, high:int):void
+        private static function sortRun(values:Vector.<int>, keys:Vector.<Number>, ranks:Vector.<int>, low:int, high:int):void
         {
             for (var i:int = low + 1; i < high; i++)
             {
-                var number:int = numbers[i];
+                var value:int = values[i];
                 var key:Number = keys[i];
                 var at:int = i - 1;
-                while (at >= low && (keys[at] > key || (keys[at] == key && ranks != null && ranks[numbers[at]] > ranks[number])))
+                while (at >= low && (keys[at] > key || (keys[at] == key && ranks != null && ranks[values[at]] > ranks[value])))
                 {
                     keys[int(at + 1)] = keys[at];
-                    numbers[int(at + 1)] = numbers[at];
+                    values[int(at + 1)] = values[at];
                     at--;
                 }
                 keys[int(at + 1)] = key;
-                numbers[int(at + 1)] = number;
+                values[int(at + 1)] = value;
             }
         }
 

@@ -114,7 +114,7 @@ package starlogo.debug
         // In exact mode the triangles decide, or the leaves of a model without triangles.
         private static function drawnOfTree(model:Model, agent:Agent, limits:TreeLimits):int
         {
-            if (limits.exact)
+            if (limits.isExact)
             {
                 return model.triangles == null ? int.MAX_VALUE : TRIANGLES;
             }

@@ -172,7 +172,7 @@ package starlogo.debug
         private static function drawHull(pen:LinePen, structure:BoundingStructure):void
         {
             var shape:ConvexShape = new ConvexShape();
-            structure.shapeInto(shape);
+            structure.setShape(shape);
             var center:Vector3D = new Vector3D(shape.x, shape.y, shape.z);
             for (var i:int = 0; i < shape.edges.length; i += 4)
             {
@@ -185,8 +185,8 @@ package starlogo.debug
         {
             for (var i:int = 0; i < 4; i++)
             {
-                var middle:Vector3D = LinePen.along(center, b, i < 2 ? halfB : -halfB, c, i % 2 == 0 ? halfC : -halfC);
-                pen.drawLine(LinePen.along(middle, a, -halfA, b, 0), LinePen.along(middle, a, halfA, b, 0));
+                var edgeCenter:Vector3D = LinePen.along(center, b, i < 2 ? halfB : -halfB, c, i % 2 == 0 ? halfC : -halfC);
+                pen.drawLine(LinePen.along(edgeCenter, a, -halfA, b, 0), LinePen.along(edgeCenter, a, halfA, b, 0));
             }
         }
 

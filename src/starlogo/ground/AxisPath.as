@@ -10,7 +10,7 @@ package starlogo.ground
         public var half:Number = 0;
 
         /** How far the box moves from time 0 to time 1. */
-        public var travel:Number = 0;
+        public var speed:Number = 0;
 
         /** Where the cells of the ground begin. */
         public var cellsBegin:Number = 0;

@@ -39,8 +39,8 @@ package starlogo.ground
         private var _halfZ:Number = 0;
 
         private var _separation:SquareSeparation = new SquareSeparation();
-        private var _least:Vector3D = new Vector3D();
-        private var _greatest:Vector3D = new Vector3D();
+        private var _min:Vector3D = new Vector3D();
+        private var _max:Vector3D = new Vector3D();
 
         /** Begins with a search, which is kept. */
         public function begin(search:GroundSearch):void
@@ -56,14 +56,14 @@ package starlogo.ground
             // the margins are fractions of the triangles' sizes, and so of the cell's width and the heights
             var whole:HeightBounds = grid.pyramid.whole;
             slack = ROUNDED_TERMS * Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(box.y) + Math.abs(box.z) + box.halfX + box.halfY + box.halfZ
-                    + Math.abs(alongX.cellsBegin) + Math.abs(alongY.cellsBegin) + Math.abs(zeroHeight) + grid.cellWidth + whole.greatest - whole.least
+                    + Math.abs(alongX.cellsBegin) + Math.abs(alongY.cellsBegin) + Math.abs(zeroHeight) + grid.cellWidth + whole.max - whole.min
                     + _latest * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z)));
             alongX.middle = box.x;
             alongX.half = box.halfX * Tolerances.OUTER + slack;
-            alongX.travel = motion.x;
+            alongX.speed = motion.x;
             alongY.middle = box.y;
             alongY.half = box.halfY * Tolerances.OUTER + slack;
-            alongY.travel = motion.y;
+            alongY.speed = motion.y;
             _halfZ = box.halfZ * Tolerances.OUTER + slack;
         }
 
@@ -71,7 +71,7 @@ package starlogo.ground
         public function firstLevel():int
         {
             // the longer side of the rectangle over which the box passes
-            var length:Number = Math.max(2 * alongX.half + _latest * Math.abs(alongX.travel), 2 * alongY.half + _latest * Math.abs(alongY.travel))
+            var length:Number = Math.max(2 * alongX.half + _latest * Math.abs(alongX.speed), 2 * alongY.half + _latest * Math.abs(alongY.speed))
                 + 2 * search.maxDistance;
             var level:int = 0;
             while (level < search.grid.pyramid.lastLevel && length > FIRST_SQUARES * widthAt(level))
@@ -90,14 +90,14 @@ package starlogo.ground
         /** The first column or row of a level that the box may pass over in a passage. It may be outside of the grid. */
         public function firstOf(axis:AxisPath, passage:SquarePassage, level:int):int
         {
-            var least:Number = axis.middle - axis.cellsBegin + Math.min(passage.from * axis.travel, passage.to * axis.travel);
+            var least:Number = axis.middle - axis.cellsBegin + Math.min(passage.earliest * axis.speed, passage.latest * axis.speed);
             return squareAt(least - (axis.half + search.maxDistance), level);
         }
 
         /** The last column or row of a level that the box may pass over in a passage. It may be outside of the grid. */
         public function lastOf(axis:AxisPath, passage:SquarePassage, level:int):int
         {
-            var greatest:Number = axis.middle - axis.cellsBegin + Math.max(passage.from * axis.travel, passage.to * axis.travel);
+            var greatest:Number = axis.middle - axis.cellsBegin + Math.max(passage.earliest * axis.speed, passage.latest * axis.speed);
             return squareAt(greatest + (axis.half + search.maxDistance), level);
         }
 
@@ -118,15 +118,15 @@ package starlogo.ground
         /** Finds the passage over a square until the latest time. Returns whether there is one. */
         public function findPassage(level:int, column:int, row:int, out:SquarePassage):Boolean
         {
-            out.begin(search.motion.latest);
+            out.reset(search.motion.latest);
             narrowToSquare(level, column, row, out);
-            return out.from <= out.to;
+            return out.earliest <= out.latest;
         }
 
         /** Finds the passage over a cell until the time that was the latest when the search began. */
         public function findLongestPassage(column:int, row:int, out:SquarePassage):void
         {
-            out.begin(_latest);
+            out.reset(_latest);
             narrowToSquare(0, column, row, out);
         }
 
@@ -141,12 +141,12 @@ package starlogo.ground
         // Finds the heights between which the box is in a passage.
         private function findHeights(passage:SquarePassage):void
         {
-            var start:Number = search.box.z + passage.from * search.motion.z;
-            var end:Number = search.box.z + passage.to * search.motion.z;
+            var start:Number = search.box.z + passage.earliest * search.motion.z;
+            var end:Number = search.box.z + passage.latest * search.motion.z;
             // a triangle beside the box must be nearer in height to be near enough
             var up:Number = Math.sqrt(Math.max(0, search.maxDistance * search.maxDistance - passage.besideSquared));
-            passage.least = Math.min(start, end) - _halfZ - up;
-            passage.greatest = Math.max(start, end) + _halfZ + up;
+            passage.min = Math.min(start, end) - _halfZ - up;
+            passage.max = Math.max(start, end) + _halfZ + up;
         }
 
         // Narrows a passage to the part in which the box is over a column or a row. If the box does not move along this axis, it is near enough to the
@@ -154,18 +154,18 @@ package starlogo.ground
         private function narrowAlong(axis:AxisPath, square:int, level:int, passage:SquarePassage):void
         {
             var width:Number = widthAt(level);
-            var travel:Number = axis.travel;
-            if (travel == 0)
+            var speed:Number = axis.speed;
+            if (speed == 0)
             {
                 var beside:Number = Math.max(0, Math.abs(axis.middle - axis.cellsBegin - (square + 0.5) * width) - width / 2 - axis.half);
                 passage.besideSquared += beside * beside;
-                passage.to = beside > search.maxDistance ? -1 : passage.to;
+                passage.latest = beside > search.maxDistance ? -1 : passage.latest;
                 return;
             }
-            var low:Number = (axis.cellsBegin + square * width - (axis.middle + axis.half)) / travel;
-            var high:Number = (axis.cellsBegin + (square + 1) * width - (axis.middle - axis.half)) / travel;
-            passage.from = Math.max(passage.from, Math.min(low, high));
-            passage.to = Math.min(passage.to, Math.max(low, high));
+            var low:Number = (axis.cellsBegin + square * width - (axis.middle + axis.half)) / speed;
+            var high:Number = (axis.cellsBegin + (square + 1) * width - (axis.middle - axis.half)) / speed;
+            passage.earliest = Math.max(passage.earliest, Math.min(low, high));
+            passage.latest = Math.min(passage.latest, Math.max(low, high));
         }
 
         /** Whether the shape in the box stays farther away from a square than a triangle may be. The square is between two heights. */
@@ -178,9 +178,9 @@ package starlogo.ground
             var width:Number = widthAt(level);
             var x:Number = alongX.cellsBegin + column * width;
             var y:Number = alongY.cellsBegin + row * width;
-            _least.setTo(x - slack, y - slack, heights.least - slack);
-            _greatest.setTo(x + width + slack, y + width + slack, heights.greatest + slack);
-            return _separation.isFarther(search, _least, _greatest);
+            _min.setTo(x - slack, y - slack, heights.min - slack);
+            _max.setTo(x + width + slack, y + width + slack, heights.max + slack);
+            return _separation.isFarther(search, _min, _max);
         }
     }
 }

@@ -22,8 +22,8 @@ package starlogo.ground
         private var _column:int = 0;
         private var _row:int = 0;
         private var _tops:Vector.<Number> = new Vector.<Number>(4, true);
-        private var _least:Vector3D = new Vector3D();
-        private var _greatest:Vector3D = new Vector3D();
+        private var _min:Vector3D = new Vector3D();
+        private var _max:Vector3D = new Vector3D();
 
         // The index of the cell's next triangle, and the end of its triangles: 0, TOPS_END or WALLS_END.
         private var _next:int = 0;
@@ -67,13 +67,13 @@ package starlogo.ground
             _passage = passage;
             readTops(at);
             var hasWalls:Boolean = grid.isBlocky || _path.isAtBorder(0, column, row) || grid.isBesideHole(at);
-            if (passage.least <= _greatest.z && (hasWalls || passage.greatest >= _least.z))
+            if (passage.min <= _max.z && (hasWalls || passage.max >= _min.z))
             {
                 var width:Number = grid.cellWidth;
-                _least.x = _path.alongX.cellsBegin + column * width;
-                _least.y = _path.alongY.cellsBegin + row * width;
-                _greatest.x = _path.alongX.cellsBegin + (column + 1) * width;
-                _greatest.y = _path.alongY.cellsBegin + (row + 1) * width;
+                _min.x = _path.alongX.cellsBegin + column * width;
+                _min.y = _path.alongY.cellsBegin + row * width;
+                _max.x = _path.alongX.cellsBegin + (column + 1) * width;
+                _max.y = _path.alongY.cellsBegin + (row + 1) * width;
                 _end = TOPS_END;
                 if (hasWalls)
                 {
@@ -101,10 +101,10 @@ package starlogo.ground
             // comparisons take the player less time than Math.min() and Math.max()
             var low:Number = first < second ? first : second;
             low = low < third ? low : third;
-            _least.z = low < fourth ? low : fourth;
+            _min.z = low < fourth ? low : fourth;
             var high:Number = first > second ? first : second;
             high = high > third ? high : third;
-            _greatest.z = high > fourth ? high : fourth;
+            _max.z = high > fourth ? high : fourth;
         }
 
         /** Writes the next triangle near the box. Returns false if there is none. */
@@ -138,27 +138,27 @@ package starlogo.ground
             var high:Number = corners[2] > corners[5] ? corners[2] : corners[5];
             high = high > corners[8] ? high : corners[8];
             var slack:Number = _path.slack;
-            out.least.x = _least.x - slack;
-            out.least.y = _least.y - slack;
-            out.least.z = low - slack;
-            out.greatest.x = _greatest.x + slack;
-            out.greatest.y = _greatest.y + slack;
-            out.greatest.z = high + slack;
+            out.min.x = _min.x - slack;
+            out.min.y = _min.y - slack;
+            out.min.z = low - slack;
+            out.max.x = _max.x + slack;
+            out.max.y = _max.y + slack;
+            out.max.z = high + slack;
             out.radius = _path.search.grid.cellWidth + high - low;
-            return _passage.least <= high && _passage.greatest >= low;
+            return _passage.min <= high && _passage.max >= low;
         }
 
         // Writes half of the top: the first half is beside the side with the greatest x.
         private function writeTop(isFirst:Boolean, corners:Vector.<Number>):void
         {
-            corners[0] = _least.x;
-            corners[1] = _least.y;
+            corners[0] = _min.x;
+            corners[1] = _min.y;
             corners[2] = _tops[0];
-            corners[3] = _greatest.x;
-            corners[4] = isFirst ? _least.y : _greatest.y;
+            corners[3] = _max.x;
+            corners[4] = isFirst ? _min.y : _max.y;
             corners[5] = isFirst ? _tops[1] : _tops[2];
-            corners[6] = isFirst ? _greatest.x : _least.x;
-            corners[7] = _greatest.y;
+            corners[6] = isFirst ? _max.x : _min.x;
+            corners[7] = _max.y;
             corners[8] = isFirst ? _tops[2] : _tops[3];
         }
 
@@ -180,18 +180,18 @@ package starlogo.ground
                 // no wall is between two slopes
                 low = grid.isBlocky ? grid.heights[row * grid.columns + column] + _path.zeroHeight : Infinity;
             }
-            if (low >= top && low >= endTop || low > _passage.greatest)
+            if (low >= top && low >= endTop || low > _passage.max)
             {
                 return false;
             }
             var width:Number = grid.cellWidth;
             if (floor == -Infinity)
             {
-                low = Math.max(low, Math.min(_longestPassage.least, Math.min(top, endTop)) - width);
+                low = Math.max(low, Math.min(_longestPassage.min, Math.min(top, endTop)) - width);
             }
-            if (Math.min(top, endTop) > _longestPassage.greatest + width)
+            if (Math.min(top, endTop) > _longestPassage.max + width)
             {
-                top = endTop = _longestPassage.greatest + width;
+                top = endTop = _longestPassage.max + width;
             }
             writeCorner(side, corners, 0);
             writeCorner(end, corners, 3);
@@ -205,8 +205,8 @@ package starlogo.ground
         // Writes x and y of a corner of the cell.
         private function writeCorner(corner:int, out:Vector.<Number>, to:int):void
         {
-            out[to] = corner == 1 || corner == 2 ? _greatest.x : _least.x;
-            out[int(to + 1)] = corner > 1 ? _greatest.y : _least.y;
+            out[to] = corner == 1 || corner == 2 ? _max.x : _min.x;
+            out[int(to + 1)] = corner > 1 ? _max.y : _min.y;
         }
     }
 }

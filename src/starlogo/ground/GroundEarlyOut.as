@@ -64,7 +64,7 @@ package starlogo.ground
             var whole:HeightBounds = grid.pyramid.whole;
             // agents that are this close may touch, because of rounding
             var slack:Number = Tolerances.ROUNDING * (Math.abs(grid.x) + Math.abs(grid.y) + (grid.columns + grid.rows) * grid.cellWidth
-                    + Math.abs(whole.least) + Math.abs(whole.greatest));
+                    + Math.abs(whole.min) + Math.abs(whole.max));
             // a whole grid has the same bound along both axes
             var slope:Number = grid.isBlocky ? Infinity : whole.riseX / grid.cellWidth;
             // The height that the steepest slope of all reaches. For a sphere it is its radius times the root of 1 + 2 s², at most 1 + s².
@@ -81,7 +81,7 @@ package starlogo.ground
             var halfY:Number = extents.halfY * Tolerances.OUTER + slack;
             var halfZ:Number = extents.halfZ * Tolerances.OUTER + slack;
             grid.pyramid.findAround(extents.x, extents.y, halfX, halfY, _heightsAround);
-            if (extents.z - halfZ > _heightsAround.greatest)
+            if (extents.z - halfZ > _heightsAround.max)
             {
                 return true;
             }

@@ -4,7 +4,7 @@ package starlogo.ground
     import starlogo.convex.ContactPoint;
 
     /**
-     * What is known about the ways out of the ground for the deepest point of a contact (<code>ContactPoint.deepestPointInto()</code>). Contacts are in
+     * What is known about the ways out of the ground for the deepest point of a contact (<code>ContactPoint.writeDeepestPoint()</code>). Contacts are in
      * the world.
      *
      * @private
@@ -19,7 +19,7 @@ package starlogo.ground
         /** Whether the deepest point is below the surface. */
         public function isInside(grid:HeightGrid, contact:ContactPoint):Boolean
         {
-            contact.deepestPointInto(_deepest);
+            contact.writeDeepestPoint(_deepest);
             return grid.heightAt(_deepest.x, _deepest.y) > _deepest.z;
         }
 
@@ -29,7 +29,7 @@ package starlogo.ground
          */
         public function boundOf(grid:HeightGrid, contact:ContactPoint, maxLength:Number):Number
         {
-            contact.deepestPointInto(_deepest);
+            contact.writeDeepestPoint(_deepest);
             var below:Number = grid.heightAt(_deepest.x, _deepest.y) - _deepest.z;
             if (!(below > 0 && distanceToEnd(grid, _deepest) >= maxLength))
             {
@@ -41,7 +41,7 @@ package starlogo.ground
                 return 0;
             }
             // all of the ground around is at least as high as its least height, and no slope leads to the point faster than the steepest
-            var least:Number = Math.max(0, _heightsAround.least - _deepest.z);
+            var least:Number = Math.max(0, _heightsAround.min - _deepest.z);
             if (grid.isBlocky)
             {
                 return least;

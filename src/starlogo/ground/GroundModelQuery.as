@@ -7,7 +7,7 @@ package starlogo.ground
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.TriangleKernel;
-    import starlogo.solid.ImpactChoice;
+    import starlogo.solid.FirstImpact;
     import starlogo.solid.ImpactQuery;
     import starlogo.solid.ModelTree;
 
@@ -30,7 +30,7 @@ package starlogo.ground
         public var penetration:GroundPenetrationQuery = new GroundPenetrationQuery(_pairs);
 
         // Chooses the first touch.
-        private var _touch:ImpactChoice = new ImpactChoice();
+        private var _firstImpact:FirstImpact = new FirstImpact();
 
         // For the upper bound of a distance: the box around the model, a point of the ground, and the same point as the corners of a triangle.
         private var _modelBox:GroundBox = new GroundBox();
@@ -45,11 +45,11 @@ package starlogo.ground
          * @param structure the structure, or the one around the tree, in the model's space
          * @param placement where the model stands
          * @param depth how many levels of the tree are visited
-         * @param exact whether triangles decide in place of depths, if the tree has triangles
+         * @param isExact whether triangles decide in place of depths, if the tree has triangles
          */
-        public function setTo(grid:HeightGrid, tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int, exact:Boolean):void
+        public function setTo(grid:HeightGrid, tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int, isExact:Boolean):void
         {
-            _pairs.setTo(grid, tree, structure, placement, depth, exact);
+            _pairs.setTo(grid, tree, structure, placement, depth, isExact);
         }
 
         /** @inheritDoc */
@@ -80,7 +80,7 @@ package starlogo.ground
             while (_pairs.nextTriangle())
             {
                 var near:GroundTriangle = _pairs.triangle;
-                if (!near.plane.keepsApart(kernel.shape, RelativeMotion.NONE) && kernel.areTouching(near.corners))
+                if (!near.plane.areApart(kernel.shape, RelativeMotion.NONE) && kernel.areTouching(near.corners))
                 {
                     return true;
                 }
@@ -94,27 +94,27 @@ package starlogo.ground
             var kernel:TriangleKernel = _pairs.pieces.kernel;
             // begins where the model is, because the model is moved to the beginning
             var sweep:RelativeMotion = _pairs.search.motion;
-            _touch.begin(motion.latest);
+            _firstImpact.reset(motion.latest);
             _pairs.pieces.moveTo(motion, 0);
             _pairs.begin(motion, 0);
-            while (_touch.time > 0 && _pairs.next())
+            while (_firstImpact.time > 0 && _pairs.next())
             {
                 var near:GroundTriangle = _pairs.triangle;
-                if (near.plane.keepsApart(kernel.shape, sweep))
+                if (near.plane.areApart(kernel.shape, sweep))
                 {
                     continue;
                 }
                 kernel.findTime(near.corners, sweep);
-                if (_touch.choose(sweep, near.plane) && out != null)
+                if (_firstImpact.offer(sweep, near.plane) && out != null)
                 {
-                    sweep.time = _touch.time;
+                    sweep.time = _firstImpact.time;
                     kernel.findContact(near.corners, sweep, out);
                     near.plane.leadOutside(kernel.shape, sweep, out);
                     near.plane.alignContact(kernel.shape, sweep, out);
                 }
-                sweep.latest = _touch.latest;
+                sweep.latest = _firstImpact.latest;
             }
-            motion.time = _touch.time;
+            motion.time = _firstImpact.time;
             if (out != null && motion.time != RelativeMotion.NEVER)
             {
                 // an overlap's contact may be deep, and is turned; then its deepest point need not be of the model

@@ -20,7 +20,7 @@ package starlogo.ground
     {
         // A depth is proven if no exit is shorter than this fraction of it. The fraction is larger than the one that ExitSearch requires, so a proven depth
         // needs no search for other ways out. Larger: more contacts need one.
-        private static const LEAST_SHARE_PROVEN:Number = 0.8;
+        private static const MIN_RATIO_PROVEN:Number = 0.8;
 
         // How many rounded terms a depth behind a plane is a sum of, of the shape and of the plane. Each may be off by the triangle's margin.
         private static const ROUNDED_TERMS:Number = 10;
@@ -67,7 +67,7 @@ package starlogo.ground
             var low:Number = box.z - box.halfZ;
             _pairs.search.grid.pyramid.findAround(box.x + origin.x, box.y + origin.y, box.halfX, box.halfY, _heightsAround);
             out.setNormal(0, 0, 1);
-            out.depth = Math.max(0, _heightsAround.greatest - origin.z - low);
+            out.depth = Math.max(0, _heightsAround.max - origin.z - low);
             out.x = box.x;
             out.y = box.y;
             out.z = low + out.depth / 2;
@@ -122,8 +122,8 @@ package starlogo.ground
                         isFound = true;
                         out.copyFrom(_tried);
                         out.isDeepestOfA = true;
-                        out.exitBound = LEAST_SHARE_PROVEN * out.depth;
-                        _pairs.search.leastDepth = out.depth;
+                        out.exitBound = MIN_RATIO_PROVEN * out.depth;
+                        _pairs.search.minDepth = out.depth;
                     }
                 }
             }
@@ -167,7 +167,7 @@ package starlogo.ground
         // Finds the shortest way of the current piece away from the current triangle, into the ground or out of it. Returns whether the two touch.
         private function findOverlap():Boolean
         {
-            if (_pairs.triangle.plane.keepsApart(_kernel.shape, RelativeMotion.NONE))
+            if (_pairs.triangle.plane.areApart(_kernel.shape, RelativeMotion.NONE))
             {
                 return false;
             }
@@ -217,7 +217,7 @@ package starlogo.ground
         // Whether each exit from the ground is at least about as long as a contact in the world is deep, because the piece's deepest point has to get out.
         private function isDepthProven(contact:ContactPoint):Boolean
         {
-            return contact.depth >= 0 && _exits.boundOf(_pairs.search.grid, contact, contact.depth) >= LEAST_SHARE_PROVEN * contact.depth;
+            return contact.depth >= 0 && _exits.boundOf(_pairs.search.grid, contact, contact.depth) >= MIN_RATIO_PROVEN * contact.depth;
         }
     }
 }

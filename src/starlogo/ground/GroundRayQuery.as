@@ -38,7 +38,7 @@ package starlogo.ground
          */
         public function find(grid:HeightGrid, ray:Ray, out:RayEntry):Boolean
         {
-            out.begin(ray);
+            out.setToStart(ray);
             if (beginsInside(grid, ray))
             {
                 return true;
@@ -107,7 +107,7 @@ package starlogo.ground
             // only now, so that the distance does not depend on where the ray ends
             _search.motion.latest = Math.min(ray.to, FARTHEST);
             var whole:HeightBounds = grid.pyramid.whole;
-            _largest = 3 * grid.cellWidth + whole.greatest - whole.least;
+            _largest = 3 * grid.cellWidth + whole.max - whole.min;
             _sheared.setTo(ray, _largest);
         }
     }

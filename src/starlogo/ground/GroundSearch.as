@@ -38,6 +38,6 @@ package starlogo.ground
         public var maxDistance:Number = 0;
 
         /** A limit of KeptTriangles alone: triangles count behind whose planes the box reaches at least this deep. */
-        public var leastDepth:Number = 0;
+        public var minDepth:Number = 0;
     }
 }

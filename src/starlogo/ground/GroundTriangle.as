@@ -23,8 +23,8 @@ package starlogo.ground
          * The least and the greatest corner of a box around it: around its cell as seen from above, and between the least and the greatest height of a
          * corner. The box is larger by the slack of GroundTriangles.
          */
-        public var least:Vector3D = new Vector3D();
-        public var greatest:Vector3D = new Vector3D();
+        public var min:Vector3D = new Vector3D();
+        public var max:Vector3D = new Vector3D();
 
         /** The margin of its surface (see Touching) and its plane. Only KeptTriangles sets them. */
         public var margin:Number = 0;

@@ -35,7 +35,7 @@ package starlogo.ground
         {
             _path.begin(search);
             stop();
-            _passage.begin(search.motion.latest);
+            _passage.reset(search.motion.latest);
             _firstLevel = _path.firstLevel();
             addSquares(_firstLevel, 0, 0, int.MAX_VALUE);
         }
@@ -114,7 +114,7 @@ package starlogo.ground
                 return;
             }
             readHeights(level, column, row);
-            if (_passage.least <= _heights.greatest && _passage.greatest >= _heights.least && !_path.isFarther(level, column, row, _heights))
+            if (_passage.min <= _heights.max && _passage.max >= _heights.min && !_path.isFarther(level, column, row, _heights))
             {
                 addSquares(level - 1, column << HeightPyramid.SHIFT, row << HeightPyramid.SHIFT, 1 << HeightPyramid.SHIFT);
             }
@@ -125,11 +125,11 @@ package starlogo.ground
         {
             var grid:HeightGrid = _path.search.grid;
             grid.pyramid.findRange(level, column, row, column, row, _heights);
-            _heights.least += _path.zeroHeight;
-            _heights.greatest += _path.zeroHeight;
+            _heights.min += _path.zeroHeight;
+            _heights.max += _path.zeroHeight;
             if (_path.isAtBorder(level, column, row) || _heights.hasHole)
             {
-                _heights.least = Math.min(_heights.least, _passage.least);
+                _heights.min = Math.min(_heights.min, _passage.min);
             }
         }
     }

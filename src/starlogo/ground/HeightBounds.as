@@ -8,10 +8,10 @@ package starlogo.ground
     public final class HeightBounds
     {
         /** The least height; Infinity if there is none. */
-        public var least:Number = Infinity;
+        public var min:Number = Infinity;
 
         /** The greatest height; -Infinity if there is none. */
-        public var greatest:Number = -Infinity;
+        public var max:Number = -Infinity;
 
         /** The most by which two heights differ that are neighbours along x. Of squares above level 0, and of a whole grid, it is the same along y. */
         public var riseX:Number = 0;

@@ -15,7 +15,7 @@ package starlogo.ground
 
         // A range is not read square by square if it is longer than this, along x or along y. Smaller: bounds are wider, and decide about fewer agents.
         // Larger: finding them takes longer.
-        private static const MOST_SQUARES:int = 16;
+        private static const MAX_SQUARES:int = 16;
 
         // How many numbers a square has: the least height, the greatest height, the greatest difference of two heights that are neighbours along x or y, and 1 if a
         // cell there is a hole, or 0.
@@ -101,8 +101,8 @@ package starlogo.ground
                     out.hasHole ||= _bounds[int(at + 3)] > 0;
                 }
             }
-            out.least = low;
-            out.greatest = high;
+            out.min = low;
+            out.max = high;
             out.riseX = out.riseY = rise;
         }
 
@@ -133,8 +133,8 @@ package starlogo.ground
                     out.hasHole ||= _grid.isHole(at);
                 }
             }
-            out.least = low;
-            out.greatest = high;
+            out.min = low;
+            out.max = high;
             out.riseX = riseX;
             out.riseY = riseY;
         }
@@ -160,7 +160,7 @@ package starlogo.ground
             var lastColumn:int = Math.min(grid.columns - 1, Math.max(minX, maxX));
             var lastRow:int = Math.min(grid.rows - 1, Math.max(minY, maxY));
             var level:int = 0;
-            while (level < lastLevel && (lastColumn - firstColumn > MOST_SQUARES || lastRow - firstRow > MOST_SQUARES))
+            while (level < lastLevel && (lastColumn - firstColumn > MAX_SQUARES || lastRow - firstRow > MAX_SQUARES))
             {
                 firstColumn >>= SHIFT;
                 firstRow >>= SHIFT;
@@ -201,8 +201,8 @@ package starlogo.ground
             var lastRow:int = Math.min(countSquares(_grid.rows, level - 1), ((row + 1) << SHIFT) + overlap) - 1;
             findRange(level - 1, firstColumn, firstRow, lastColumn, lastRow, _range);
             var at:int = _begins[level] + NUMBERS * (row * countSquares(_grid.columns, level) + column);
-            _bounds[at] = _range.least;
-            _bounds[int(at + 1)] = _range.greatest;
+            _bounds[at] = _range.min;
+            _bounds[int(at + 1)] = _range.max;
             _bounds[int(at + 2)] = Math.max(_range.riseX, _range.riseY);
             _bounds[int(at + 3)] = int(_range.hasHole);
         }

@@ -28,8 +28,8 @@ package starlogo.ground
         private var _boxesLeft:int = 0;
 
         // The least and the greatest corner of the box with all of its motion.
-        private var _least:Vector3D = new Vector3D();
-        private var _greatest:Vector3D = new Vector3D();
+        private var _min:Vector3D = new Vector3D();
+        private var _max:Vector3D = new Vector3D();
 
         /** @param search what is looked for, but for its box and shape. Before boxes begin, all of it is set. Then only the limits may be narrowed */
         public function KeptTriangles(search:GroundSearch)
@@ -51,7 +51,7 @@ package starlogo.ground
          * @param shape the shape that is tested, if it is in the box; null for none
          * @param boxesLeft how many boxes come after this one and those inside of it
          */
-        public function begin(box:GroundBox, shape:ConvexShape, boxesLeft:int):void
+        public function setTo(box:GroundBox, shape:ConvexShape, boxesLeft:int):void
         {
             _next = 0;
             // fewer boxes are left: all inside of the box whose triangles are kept have been
@@ -68,12 +68,12 @@ package starlogo.ground
             var x:Number = motion.latest * motion.x;
             var y:Number = motion.latest * motion.y;
             var z:Number = motion.latest * motion.z;
-            _least.x = box.x - box.halfX + Math.min(0, x);
-            _least.y = box.y - box.halfY + Math.min(0, y);
-            _least.z = box.z - box.halfZ + Math.min(0, z);
-            _greatest.x = box.x + box.halfX + Math.max(0, x);
-            _greatest.y = box.y + box.halfY + Math.max(0, y);
-            _greatest.z = box.z + box.halfZ + Math.max(0, z);
+            _min.x = box.x - box.halfX + Math.min(0, x);
+            _min.y = box.y - box.halfY + Math.min(0, y);
+            _min.z = box.z - box.halfZ + Math.min(0, z);
+            _max.x = box.x + box.halfX + Math.max(0, x);
+            _max.y = box.y + box.halfY + Math.max(0, y);
+            _max.z = box.z + box.halfZ + Math.max(0, z);
         }
 
         /**
@@ -83,22 +83,22 @@ package starlogo.ground
         public function next():Boolean
         {
             var far:Number = _search.maxDistance;
-            var front:Number = far - _search.leastDepth + _source.slack;
+            var front:Number = far - _search.minDepth + _source.slack;
             while (_next < _count || findMore())
             {
                 var near:GroundTriangle = _found[_next];
                 _next++;
-                if (isApart(_least, near.greatest, far) || isApart(near.least, _greatest, far))
+                if (isApart(_min, near.max, far) || isApart(near.min, _max, far))
                 {
                     continue;
                 }
                 // the corner of the box that is farthest behind the plane
                 var normal:Vector3D = near.plane.normal;
-                var x:Number = normal.x > 0 ? _least.x : _greatest.x;
-                var y:Number = normal.y > 0 ? _least.y : _greatest.y;
-                var z:Number = normal.z > 0 ? _least.z : _greatest.z;
+                var x:Number = normal.x > 0 ? _min.x : _max.x;
+                var y:Number = normal.y > 0 ? _min.y : _max.y;
+                var z:Number = normal.z > 0 ? _min.z : _max.z;
                 // a flat triangle has no plane
-                if (!(normal.x * x + normal.y * y + normal.z * z - near.plane.greatest > front))
+                if (!(normal.x * x + normal.y * y + normal.z * z - near.plane.max > front))
                 {
                     triangle = near;
                     return true;
@@ -108,9 +108,9 @@ package starlogo.ground
         }
 
         // Whether the least corner of a box is so far beyond the greatest corner of another one that the boxes are farther apart.
-        private static function isApart(least:Vector3D, greatest:Vector3D, far:Number):Boolean
+        private static function isApart(min:Vector3D, max:Vector3D, far:Number):Boolean
         {
-            return least.z - greatest.z > far || least.x - greatest.x > far || least.y - greatest.y > far;
+            return min.z - max.z > far || min.x - max.x > far || min.y - max.y > far;
         }
 
         // Finds one more triangle, and sets what only tests of the model need: its margin and its plane. Returns false if there is none.

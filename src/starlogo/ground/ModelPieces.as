@@ -66,11 +66,11 @@ package starlogo.ground
         private var _middleAndHalves:Vector.<Number> = new Vector.<Number>(6, true);
 
         /** Sets the model, as <code>GroundModelQuery.setTo()</code> takes it. The origin is the place of the placement. */
-        public function setTo(tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int, exact:Boolean):void
+        public function setTo(tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int, isExact:Boolean):void
         {
             _tree = tree;
             _structure = structure;
-            _depth = isTree && exact && tree.hasTriangles ? BoxTree.EXACT : depth;
+            _depth = isTree && isExact && tree.hasTriangles ? BoxTree.EXACT : depth;
             // Touching.marginOfPlace(), twice: as if another agent stood at the place of the touch. It is written out because V8 makes objects for
             // Numbers that are passed.
             _margin = 2 * Tolerances.PLACES * (Math.abs(placement.x) + Math.abs(placement.y) + Math.abs(placement.z));
@@ -210,7 +210,7 @@ package starlogo.ground
         // Finds the box around a structure of the model.
         private function findBoxAround(structure:BoundingStructure, out:GroundBox):void
         {
-            structure.boxAroundInto(_placement, _middleAndHalves);
+            structure.findPlacedBox(_placement, _middleAndHalves);
             out.x = _middleAndHalves[0] + _placement.x;
             out.y = _middleAndHalves[1] + _placement.y;
             out.z = _middleAndHalves[2] + _placement.z;

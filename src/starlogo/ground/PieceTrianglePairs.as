@@ -34,13 +34,13 @@ package starlogo.ground
         private var _normal:Vector3D = new Vector3D();
 
         /** Sets the model and the ground, as <code>GroundModelQuery.setTo()</code> takes them. */
-        public function setTo(grid:HeightGrid, tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int, exact:Boolean):void
+        public function setTo(grid:HeightGrid, tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int, isExact:Boolean):void
         {
             search.grid = grid;
             search.origin.x = placement.x;
             search.origin.y = placement.y;
             search.origin.z = placement.z;
-            pieces.setTo(tree, structure, placement, depth, exact);
+            pieces.setTo(tree, structure, placement, depth, isExact);
         }
 
         /** The current triangle of the ground. */
@@ -63,7 +63,7 @@ package starlogo.ground
             search.motion.earliest = motion.earliest;
             search.motion.latest = motion.latest;
             search.maxDistance = maxDistance;
-            search.leastDepth = 0;
+            search.minDepth = 0;
         }
 
         /** Goes on to the next triangle near the piece, or near the next piece that has one. Returns false if there is none. */
@@ -84,7 +84,7 @@ package starlogo.ground
         {
             while (pieces.next())
             {
-                _triangles.begin(pieces.box, pieces.shapeInBox, pieces.nodesLeft);
+                _triangles.setTo(pieces.box, pieces.shapeInBox, pieces.nodesLeft);
                 if (!pieces.isDivisible || !_triangles.next())
                 {
                     return true;

@@ -7,21 +7,21 @@ package starlogo.ground
     internal final class SquarePassage
     {
         /** When the part begins and ends, as multiples of the motion. There is no such part if it ends before it begins. */
-        public var from:Number = 0;
-        public var to:Number = 0;
+        public var earliest:Number = 0;
+        public var latest:Number = 0;
 
         /** The square of how far the box is beside the square all the time, along x and y. */
         public var besideSquared:Number = 0;
 
         /** Triangles between these heights count: where the box is then, or as near as the limits of the search say. */
-        public var least:Number = 0;
-        public var greatest:Number = 0;
+        public var min:Number = 0;
+        public var max:Number = 0;
 
         /** Becomes the whole motion until its latest time. The heights are left. */
-        public function begin(latest:Number):void
+        public function reset(latest:Number):void
         {
-            from = 0;
-            to = latest;
+            earliest = 0;
+            this.latest = latest;
             besideSquared = 0;
         }
     }

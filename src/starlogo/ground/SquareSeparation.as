@@ -21,36 +21,36 @@ package starlogo.ground
          * boxes.
          *
          * @param search has the shape, and its motion
-         * @param least the least corner around the square
-         * @param greatest the greatest one
+         * @param min the least corner around the square
+         * @param max the greatest one
          */
-        public function isFarther(search:GroundSearch, least:Vector3D, greatest:Vector3D):Boolean
+        public function isFarther(search:GroundSearch, min:Vector3D, max:Vector3D):Boolean
         {
             var shape:ConvexShape = search.shape;
             var direction:Vector3D = _direction;
-            findDirection(shape, least, greatest);
+            findDirection(shape, min, max);
             if (!(direction.normalize() > 0))
             {
                 return false;
             }
             shape.project(direction, _ofShape);
-            var distance:Number = direction.x * shape.x + direction.y * shape.y + direction.z * shape.z + _ofShape.least
+            var distance:Number = direction.x * shape.x + direction.y * shape.y + direction.z * shape.z + _ofShape.min
                 - (shape.radius + shape.margin) * Tolerances.OUTER - Tolerances.EXTENTS * shape.extent
-                - Math.max(direction.x * greatest.x, direction.x * least.x) - Math.max(direction.y * greatest.y, direction.y * least.y)
-                - Math.max(direction.z * greatest.z, direction.z * least.z);
+                - Math.max(direction.x * max.x, direction.x * min.x) - Math.max(direction.y * max.y, direction.y * min.y)
+                - Math.max(direction.z * max.z, direction.z * min.z);
             var motion:RelativeMotion = search.motion;
             var travel:Number = motion.latest * (direction.x * motion.x + direction.y * motion.y + direction.z * motion.z);
             return distance + Math.min(0, travel) > search.maxDistance;
         }
 
         // Finds a direction along which the two may be apart. It is between points of both that are near each other.
-        private function findDirection(shape:ConvexShape, least:Vector3D, greatest:Vector3D):void
+        private function findDirection(shape:ConvexShape, min:Vector3D, max:Vector3D):void
         {
             var direction:Vector3D = _direction;
-            _place.setTo((least.x + greatest.x) / 2, (least.y + greatest.y) / 2, (least.z + greatest.z) / 2);
+            _place.setTo((min.x + max.x) / 2, (min.y + max.y) / 2, (min.z + max.z) / 2);
             findNear(shape, _place, direction);
-            _place.setTo(Math.max(least.x, Math.min(greatest.x, direction.x)), Math.max(least.y, Math.min(greatest.y, direction.y)),
-                    Math.max(least.z, Math.min(greatest.z, direction.z)));
+            _place.setTo(Math.max(min.x, Math.min(max.x, direction.x)), Math.max(min.y, Math.min(max.y, direction.y)),
+                    Math.max(min.z, Math.min(max.z, direction.z)));
             findNear(shape, _place, direction);
             direction.decrementBy(_place);
         }
@@ -79,11 +79,11 @@ package starlogo.ground
                 var uy:Number = p[int(to + 1)] - p[1];
                 var uz:Number = p[int(to + 2)] - p[2];
                 // NaN for an edge of no length
-                var share:Number = (x * ux + y * uy + z * uz) / (ux * ux + uy * uy + uz * uz);
-                share = share > 0 ? (share < 1 ? share : 1) : 0;
-                out.x += share * ux;
-                out.y += share * uy;
-                out.z += share * uz;
+                var fraction:Number = (x * ux + y * uy + z * uz) / (ux * ux + uy * uy + uz * uz);
+                fraction = fraction > 0 ? (fraction < 1 ? fraction : 1) : 0;
+                out.x += fraction * ux;
+                out.y += fraction * uy;
+                out.z += fraction * uz;
             }
         }
     }

@@ -88,7 +88,7 @@ package starlogo.handlers
             var ordered:Vector.<Touch> = new Vector.<Touch>();
             for (i = 0; i < order.count; i++)
             {
-                ordered.push(all[order.numbers[i]]);
+                ordered.push(all[order.values[i]]);
             }
             return ordered;
         }
@@ -98,7 +98,7 @@ package starlogo.handlers
             if (_free.count > 0)
             {
                 _free.count--;
-                return all[_free.numbers[_free.count]];
+                return all[_free.values[_free.count]];
             }
             var touch:Touch = new Touch();
             touch.index = all.push(touch) - 1;

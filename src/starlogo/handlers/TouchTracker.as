@@ -97,7 +97,7 @@ package starlogo.handlers
         /** One of the touches that ended in this frame. They are in the order in which they began. */
         public function endedAt(index:int):Touch
         {
-            return touches.all[_ended.numbers[index]];
+            return touches.all[_ended.values[index]];
         }
 
         /** Ends a frame, also one that has failed: forgets the touches that have ended. */
@@ -165,11 +165,11 @@ package starlogo.handlers
         {
             for (var i:int = 0; i < starting.count; i++)
             {
-                continueTouch(starting.numbers[i], table);
+                continueTouch(starting.values[i], table);
             }
             for (i = 0; i < _pairs.droppedTouches.count; i++)
             {
-                endUnlessContinued(touches.all[_pairs.droppedTouches.numbers[i]]);
+                endUnlessContinued(touches.all[_pairs.droppedTouches.values[i]]);
             }
             _pairs.droppedTouches.count = 0;
         }

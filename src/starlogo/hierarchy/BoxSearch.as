@@ -239,16 +239,16 @@ package starlogo.hierarchy
         {
             var axis:int = tree.axisOf(node);
             var at:int = 6 * tree.left[node] + axis;
-            var place:Number = _z;
+            var coordinate:Number = _z;
             if (axis == 0)
             {
-                place = _x;
+                coordinate = _x;
             }
             else if (axis == 1)
             {
-                place = _y;
+                coordinate = _y;
             }
-            return 2 * place - tree.boxes[int(at + 6)] - tree.boxes[at] >= 0;
+            return 2 * coordinate - tree.boxes[int(at + 6)] - tree.boxes[at] >= 0;
         }
 
         /**

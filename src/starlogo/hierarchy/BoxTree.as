@@ -28,10 +28,10 @@ package starlogo.hierarchy
         public static const EXACT:int = int.MAX_VALUE;
 
         /** The largest other depth limit. A visit with it ends at the leaves. */
-        public static const LARGEST_DEPTH:int = int.MAX_VALUE - 1;
+        public static const MAX_DEPTH:int = int.MAX_VALUE - 1;
 
         // The boxes' margins are at least as large as if this were the model's largest coordinate. So no box is smaller than a structure may be.
-        private static const LEAST_COORDINATE:Number = 1e-50;
+        private static const MIN_COORDINATE:Number = 1e-50;
 
         /** The model's vertices: x, y, z of each. */
         public var vertices:Vector.<Number>;
@@ -58,7 +58,7 @@ package starlogo.hierarchy
         public var end:Vector.<int> = new Vector.<int>();
 
         /**
-         * For each node, the largest depth limit for which a visit ends at it: EXACT for a node without children, LARGEST_DEPTH for any other
+         * For each node, the largest depth limit for which a visit ends at it: EXACT for a node without children, MAX_DEPTH for any other
          * leaf or node below one, its level for a node above the leaves.
          */
         public var endsUpToDepth:Vector.<int> = new Vector.<int>();
@@ -111,7 +111,7 @@ package starlogo.hierarchy
         /** Whether a node is a leaf, or below one. */
         public function isLeafOrBelow(node:int):Boolean
         {
-            return endsUpToDepth[node] >= LARGEST_DEPTH;
+            return endsUpToDepth[node] >= MAX_DEPTH;
         }
 
         /** The axis along which a node is split: 0, 1 or 2. */
@@ -232,7 +232,7 @@ package starlogo.hierarchy
                 largest = Math.max(largest, Math.abs(extents[i]));
             }
             VertexBounds.requireWithin(largest);
-            radiusAboutOrigin = largest == 0 ? 0 : Math.max(LEAST_COORDINATE, largest) * Math.sqrt(3);
+            radiusAboutOrigin = largest == 0 ? 0 : Math.max(MIN_COORDINATE, largest) * Math.sqrt(3);
         }
 
         /**
@@ -291,19 +291,19 @@ package starlogo.hierarchy
          * Gives a node two children. They have no boxes yet.
          *
          * @param axis the axis along which it is split
-         * @param middle the slot of the right child's first item
+         * @param splitIndex the slot of the right child's first item
          * @param isLeafOrBelow whether the node is a leaf, or below one
          * @return the left child
          */
-        public function divide(node:int, axis:int, middle:int, isLeafOrBelow:Boolean):int
+        public function divide(node:int, axis:int, splitIndex:int, isLeafOrBelow:Boolean):int
         {
             var level:int = levelOf(node);
             var child:int = _count;
             left[node] = child;
-            endsUpToDepth[node] = isLeafOrBelow ? LARGEST_DEPTH : level;
+            endsUpToDepth[node] = isLeafOrBelow ? MAX_DEPTH : level;
             splits[node] = level << 2 | axis;
-            addNode(first[node], middle, level + 1);
-            addNode(middle, end[node], level + 1);
+            addNode(first[node], splitIndex, level + 1);
+            addNode(splitIndex, end[node], level + 1);
             return child;
         }
 

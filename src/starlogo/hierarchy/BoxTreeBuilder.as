@@ -26,13 +26,13 @@ package starlogo.hierarchy
     public final class BoxTreeBuilder extends StepSequence
     {
         /** The most vertices of a leaf, and the levels of a tree, if a game does not say (thesis §4.4). */
-        public static const MOST_VERTICES_OF_LEAF:int = 5;
+        public static const MAX_VERTICES_OF_LEAF:int = 5;
 
-        /** @copy #MOST_VERTICES_OF_LEAF */
+        /** @copy #MAX_VERTICES_OF_LEAF */
         public static const MAX_DEPTH:int = 10;
 
         // The most triangles of a node without children.
-        private static const MOST_TRIANGLES:int = 8;
+        private static const MAX_TRIANGLES:int = 8;
 
         // The approximate work of a step, in items. Making a node counts as ITEMS_PER_NODE items.
         private static const ITEMS_PER_STEP:int = 1000;
@@ -69,7 +69,7 @@ package starlogo.hierarchy
         /** Whether a node of a tree has so many triangles that it must be divided, below the leaves too. */
         public static function isLarge(tree:BoxTree, node:int):Boolean
         {
-            return tree.hasTriangles && tree.end[node] - tree.first[node] > MOST_TRIANGLES;
+            return tree.hasTriangles && tree.end[node] - tree.first[node] > MAX_TRIANGLES;
         }
 
         /**
@@ -177,8 +177,8 @@ package starlogo.hierarchy
             {
                 return true;
             }
-            var middle:int = _items.middle;
-            if (middle > _tree.first[node] && middle < _tree.end[node])
+            var splitIndex:int = _items.splitIndex;
+            if (splitIndex > _tree.first[node] && splitIndex < _tree.end[node])
             {
                 makeChildren(node);
                 return false;
@@ -206,7 +206,7 @@ package starlogo.hierarchy
         // Makes the children of a node, whose items are divided.
         private function makeChildren(node:int):void
         {
-            var child:int = _tree.divide(node, _items.axis, _items.middle, _areLeavesOrBelow[_waiting.length - 1]);
+            var child:int = _tree.divide(node, _items.axis, _items.splitIndex, _areLeavesOrBelow[_waiting.length - 1]);
             _tree.enclose(child, _items.leftExtents);
             _tree.enclose(child + 1, _items.rightExtents);
         }

@@ -48,7 +48,7 @@ package starlogo.hierarchy
         {
             var relative:Placement = trees.pose.placement;
             _radii = trees.a.radius + trees.b.radius * relative.size;
-            _pair.axes.readAxes(relative);
+            _pair.axes.setAxes(relative);
             out.copyFrom(find(trees, kernel).points);
         }
 
@@ -62,17 +62,17 @@ package starlogo.hierarchy
         {
             var pair:BoxPair = _pair;
             var axes:BoxAxes = pair.axes;
-            trees.readPair(a, b, pair);
+            trees.setPair(a, b, pair);
             var distance:Number = pair.offsetX < 0 ? -pair.offsetX : pair.offsetX;
-            distance -= pair.aHalfX + axes.abs00 * pair.bHalfX + axes.abs01 * pair.bHalfY + axes.abs02 * pair.bHalfZ;
+            distance -= pair.halfXA + axes.abs00 * pair.halfXB + axes.abs01 * pair.halfYB + axes.abs02 * pair.halfZB;
             distance = distance > 0 ? distance : 0;
             var squared:Number = distance * distance;
             distance = pair.offsetY < 0 ? -pair.offsetY : pair.offsetY;
-            distance -= pair.aHalfY + axes.abs10 * pair.bHalfX + axes.abs11 * pair.bHalfY + axes.abs12 * pair.bHalfZ;
+            distance -= pair.halfYA + axes.abs10 * pair.halfXB + axes.abs11 * pair.halfYB + axes.abs12 * pair.halfZB;
             distance = distance > 0 ? distance : 0;
             squared += distance * distance;
             distance = pair.offsetZ < 0 ? -pair.offsetZ : pair.offsetZ;
-            distance -= pair.aHalfZ + axes.abs20 * pair.bHalfX + axes.abs21 * pair.bHalfY + axes.abs22 * pair.bHalfZ;
+            distance -= pair.halfZA + axes.abs20 * pair.halfXB + axes.abs21 * pair.halfYB + axes.abs22 * pair.halfZB;
             distance = distance > 0 ? distance : 0;
             squared += distance * distance;
             var far:Number = out.limit + trees.pose.tolerance + 2 * SLACK * (out.limit + _radii);
@@ -95,17 +95,17 @@ package starlogo.hierarchy
             var axes:BoxAxes = pair.axes;
             var distance:Number = axes.m00 * pair.offsetX + axes.m10 * pair.offsetY + axes.m20 * pair.offsetZ;
             distance = distance < 0 ? -distance : distance;
-            distance -= axes.abs00 * pair.aHalfX + axes.abs10 * pair.aHalfY + axes.abs20 * pair.aHalfZ + pair.bHalfX;
+            distance -= axes.abs00 * pair.halfXA + axes.abs10 * pair.halfYA + axes.abs20 * pair.halfZA + pair.halfXB;
             distance = distance > 0 ? distance : 0;
             var squared:Number = distance * distance;
             distance = axes.m01 * pair.offsetX + axes.m11 * pair.offsetY + axes.m21 * pair.offsetZ;
             distance = distance < 0 ? -distance : distance;
-            distance -= axes.abs01 * pair.aHalfX + axes.abs11 * pair.aHalfY + axes.abs21 * pair.aHalfZ + pair.bHalfY;
+            distance -= axes.abs01 * pair.halfXA + axes.abs11 * pair.halfYA + axes.abs21 * pair.halfZA + pair.halfYB;
             distance = distance > 0 ? distance : 0;
             squared += distance * distance;
             distance = axes.m02 * pair.offsetX + axes.m12 * pair.offsetY + axes.m22 * pair.offsetZ;
             distance = distance < 0 ? -distance : distance;
-            distance -= axes.abs02 * pair.aHalfX + axes.abs12 * pair.aHalfY + axes.abs22 * pair.aHalfZ + pair.bHalfZ;
+            distance -= axes.abs02 * pair.halfXA + axes.abs12 * pair.halfYA + axes.abs22 * pair.halfZA + pair.halfZB;
             distance = distance > 0 ? distance : 0;
             squared += distance * distance;
             raise(Math.sqrt(squared), pose, out);
@@ -131,11 +131,12 @@ package starlogo.hierarchy
             alongX = alongX < 0 ? -alongX : alongX;
             alongY = alongY < 0 ? -alongY : alongY;
             alongZ = alongZ < 0 ? -alongZ : alongZ;
-            var distance:Number = pair.offsetX * toX + pair.offsetY * toY + pair.offsetZ * toZ - alongX * pair.bHalfX - alongY * pair.bHalfY - alongZ * pair.bHalfZ;
+            var distance:Number = pair.offsetX * toX + pair.offsetY * toY + pair.offsetZ * toZ
+                - alongX * pair.halfXB - alongY * pair.halfYB - alongZ * pair.halfZB;
             toX = toX < 0 ? -toX : toX;
             toY = toY < 0 ? -toY : toY;
             toZ = toZ < 0 ? -toZ : toZ;
-            raise((distance - pair.aHalfX * toX - pair.aHalfY * toY - pair.aHalfZ * toZ) / length, pose, out);
+            raise((distance - pair.halfXA * toX - pair.halfYA * toY - pair.halfZA * toZ) / length, pose, out);
         }
 
         // Raises the bound to a computed distance, less its rounding error.

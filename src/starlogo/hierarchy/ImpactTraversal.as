@@ -33,7 +33,7 @@ package starlogo.hierarchy
         public function findImpact(trees:PosedTrees, motion:RelativeMotion, kernel:NodePairKernel):BestPair
         {
             var relative:Placement = trees.pose.placement;
-            _pair.axes.readAxes(relative);
+            _pair.axes.setAxes(relative);
             _pair.latest = motion.latest;
             _pair.motionX = motion.x;
             _pair.motionY = motion.y;
@@ -76,7 +76,7 @@ package starlogo.hierarchy
         // Reads the boxes of two nodes. Times after the best one so far do not count.
         private function readPair(trees:PosedTrees, a:int, b:int, best:BestPair):void
         {
-            trees.readPair(a, b, _pair);
+            trees.setPair(a, b, _pair);
             if (best.limit < _pair.latest)
             {
                 _pair.latest = best.limit;

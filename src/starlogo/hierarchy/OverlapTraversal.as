@@ -63,7 +63,7 @@ package starlogo.hierarchy
             var result:int = APART;
             var visits:int = 0;
             var top:int = 2;
-            pair.axes.readAxes(trees.pose.placement, Tolerances.ROUNDING);
+            pair.axes.setAxes(trees.pose.placement, Tolerances.ROUNDING);
             stack[0] = 0;
             stack[1] = 0;
             while (top > 0 && result != OVERLAPPING)
@@ -72,10 +72,10 @@ package starlogo.hierarchy
                 var a:int = stack[top];
                 var b:int = stack[top + 1];
                 visits++;
-                trees.readPair(a, b, pair);
-                pair.aHalfX += tolerance;
-                pair.aHalfY += tolerance;
-                pair.aHalfZ += tolerance;
+                trees.setPair(a, b, pair);
+                pair.halfXA += tolerance;
+                pair.halfYA += tolerance;
+                pair.halfZA += tolerance;
                 var aEnds:Boolean = endsA[a] >= depthA;
                 var bEnds:Boolean = endsB[b] >= depthB;
                 var doBoxesDecide:Boolean = aEnds && bEnds && kernel == null;
@@ -137,11 +137,12 @@ package starlogo.hierarchy
             var x:Number = pair.offsetX;
             var y:Number = pair.offsetY;
             var z:Number = pair.offsetZ;
-            var halfX:Number = pair.aHalfX;
-            var halfY:Number = pair.aHalfY;
-            var halfZ:Number = pair.aHalfZ;
+            var halfX:Number = pair.halfXA;
+            var halfY:Number = pair.halfYA;
+            var halfZ:Number = pair.halfZA;
             include "../intersection/squaredToBox.inc";
-            var least:Number = Math.min(pair.bHalfX, pair.bHalfY, pair.bHalfZ);
+            var least:Number = pair.halfXB < pair.halfYB ? pair.halfXB : pair.halfYB;
+            least = pair.halfZB < least ? pair.halfZB : least;
             return squaredDistance <= least * least;
         }
 

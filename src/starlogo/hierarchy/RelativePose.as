@@ -31,13 +31,13 @@ package starlogo.hierarchy
          * @param a the placement of a in the world
          * @param b the placement of b in the world
          */
-        public function relate(a:Placement, b:Placement):void
+        public function setBetween(a:Placement, b:Placement):void
         {
             relateAt(a, RelativeMotion.NONE, 0, b);
         }
 
         /**
-         * Does what <code>relate()</code> does when a motion has brought a from its placement to another place.
+         * Does what <code>setBetween()</code> does when a motion has brought a from its placement to another place.
          *
          * @param time of the motion
          */

@@ -14,7 +14,7 @@ package starlogo.hierarchy
         public var bounds:Vector.<Number> = new Vector.<Number>(6, true);
 
         /** After a division, the slot at which the second group begins. */
-        public var middle:int;
+        public var splitIndex:int;
 
         /** The extents of the first group of the last division. */
         public var leftExtents:Vector.<Number> = new Vector.<Number>(6, true);
@@ -30,7 +30,7 @@ package starlogo.hierarchy
         // The extents of each item, by its index: minX, maxX, minY, maxY, minZ, maxZ.
         private var _extents:Vector.<Number>;
 
-        // The current division. The items before the middle are in the first group, those after _last in the second one.
+        // The current division. The items before splitIndex are in the first group, those after _last in the second one.
         private var _last:int;
         private var _split:Number;
 
@@ -82,7 +82,7 @@ package starlogo.hierarchy
          */
         public function beginDivision(first:int, end:int, axis:int, split:Number):void
         {
-            middle = first;
+            splitIndex = first;
             _last = end - 1;
             this.axis = axis;
             _split = split;
@@ -138,7 +138,7 @@ package starlogo.hierarchy
             var extents:Vector.<Number> = _extents;
             var along:int = 2 * axis;
             var split:Number = _split;
-            var low:int = middle;
+            var low:int = splitIndex;
             var high:int = _last;
             for (var rest:int = most; rest > 0 && low <= high; rest--)
             {
@@ -159,9 +159,9 @@ package starlogo.hierarchy
                 }
                 high--;
             }
-            extend(leftExtents, middle, low);
+            extend(leftExtents, splitIndex, low);
             extend(rightExtents, high + 1, _last + 1);
-            middle = low;
+            splitIndex = low;
             _last = high;
             return low <= high;
         }
@@ -175,12 +175,12 @@ package starlogo.hierarchy
          */
         public function halve(first:int, end:int, axis:int):void
         {
-            middle = (first + end) >> 1;
+            splitIndex = (first + end) >> 1;
             this.axis = axis;
             clear(leftExtents);
             clear(rightExtents);
-            extend(leftExtents, first, middle);
-            extend(rightExtents, middle, end);
+            extend(leftExtents, first, splitIndex);
+            extend(rightExtents, splitIndex, end);
         }
 
         // Twice the centre of an item's extents along an axis.

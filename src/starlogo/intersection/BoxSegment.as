@@ -33,7 +33,7 @@ package starlogo.intersection
         public var signZ:int = 1;
 
         /** Where the segment's closest point is: from 0 at its start to 1 at its end. If several are closest, it is in the middle of them. */
-        public var share:Number = 0;
+        public var fraction:Number = 0;
 
         /** Whether a part of the segment is inside of all slabs of the box that it crosses. Slabs parallel to the segment are not tested. */
         public var isInside:Boolean = false;
@@ -43,10 +43,10 @@ package starlogo.intersection
         {
             var start:Vector3D = capsule.start;
             var end:Vector3D = capsule.end;
-            var middle:Vector3D = box.center;
-            var fromX:Number = start.x - middle.x;
-            var fromY:Number = start.y - middle.y;
-            var fromZ:Number = start.z - middle.z;
+            var center:Vector3D = box.center;
+            var fromX:Number = start.x - center.x;
+            var fromY:Number = start.y - center.y;
+            var fromZ:Number = start.z - center.z;
             var toX:Number = end.x - start.x;
             var toY:Number = end.y - start.y;
             var toZ:Number = end.z - start.z;
@@ -82,7 +82,7 @@ package starlogo.intersection
             z += time * (signZ * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z));
         }
 
-        /** Finds <code>share</code> and <code>isInside</code>. First it finds where the segment's line enters and leaves each slab of the box. */
+        /** Finds <code>fraction</code> and <code>isInside</code>. First it finds where the segment's line enters and leaves each slab of the box. */
         public function findClosest(box:Box):void
         {
             var px:Number = x;
@@ -111,7 +111,7 @@ package starlogo.intersection
                 var end:Number = firstOut > 0 ? firstOut : 0;
                 begin = begin < 1 ? begin : 1;
                 end = end < 1 ? end : 1;
-                share = (begin + end) / 2;
+                fraction = (begin + end) / 2;
                 return;
             }
             // The line misses the box: it leaves one slab before it enters another, and is closest between these two places. How far it is outside of
@@ -143,7 +143,7 @@ package starlogo.intersection
             }
             // The comparison is false for NaN too.
             closest = closest > 0 ? closest : 0;
-            share = closest < 1 ? closest : 1;
+            fraction = closest < 1 ? closest : 1;
         }
     }
 }

@@ -78,8 +78,8 @@ package starlogo.intersection
 
         private function setShapes(a:BoundingStructure, b:BoundingStructure):void
         {
-            a.shapeInto(_a);
-            b.shapeInto(_b);
+            a.setShape(_a);
+            b.setShape(_b);
         }
     }
 }

@@ -61,9 +61,9 @@ package starlogo.intersection
             gap.z = segments.gapZ;
             out.squaredLength = gap.x * gap.x + gap.y * gap.y + gap.z * gap.z;
             out.closing = -(gap.x * motion.x + gap.y * motion.y + gap.z * motion.z);
-            gap.pointX = start.x + segments.shareOfU * segments.uX;
-            gap.pointY = start.y + segments.shareOfU * segments.uY;
-            gap.pointZ = start.z + segments.shareOfU * segments.uZ;
+            gap.pointX = start.x + segments.fractionOfU * segments.uX;
+            gap.pointY = start.y + segments.fractionOfU * segments.uY;
+            gap.pointZ = start.z + segments.fractionOfU * segments.uZ;
             gap.radiusB = b.radius;
             out.extent = Math.abs(segments.uX) + Math.abs(segments.uY) + Math.abs(segments.uZ) + (Math.abs(segments.vX) + Math.abs(segments.vY) + Math.abs(segments.vZ))
                 + (gap.radiusA + gap.radiusB);
@@ -74,10 +74,10 @@ package starlogo.intersection
             var gap:CoreGap = out.gap;
             var place:Vector3D = _place;
             var center:Vector3D = sphere.center;
-            var middle:Vector3D = box.center;
-            var x:Number = center.x - middle.x + motion.startX;
-            var y:Number = center.y - middle.y + motion.startY;
-            var z:Number = center.z - middle.z + motion.startZ;
+            var boxCenter:Vector3D = box.center;
+            var x:Number = center.x - boxCenter.x + motion.startX;
+            var y:Number = center.y - boxCenter.y + motion.startY;
+            var z:Number = center.z - boxCenter.z + motion.startZ;
             var time:Number = motion.time;
             var axis:Vector3D = box.axisX;
             place.x = axis.x * x + axis.y * y + axis.z * z + time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
@@ -101,16 +101,16 @@ package starlogo.intersection
             segment.setTo(capsule, box);
             segment.move(box, motion);
             segment.findClosest(box);
-            var share:Number = segment.share;
-            place.x = segment.signX * (segment.x + share * segment.alongX);
-            place.y = segment.signY * (segment.y + share * segment.alongY);
-            place.z = segment.signZ * (segment.z + share * segment.alongZ);
+            var fraction:Number = segment.fraction;
+            place.x = segment.signX * (segment.x + fraction * segment.alongX);
+            place.y = segment.signY * (segment.y + fraction * segment.alongY);
+            place.z = segment.signZ * (segment.z + fraction * segment.alongZ);
             measureToBox(place, box, motion, out);
             var start:Vector3D = capsule.start;
             var end:Vector3D = capsule.end;
-            gap.pointX = start.x + share * (end.x - start.x);
-            gap.pointY = start.y + share * (end.y - start.y);
-            gap.pointZ = start.z + share * (end.z - start.z);
+            gap.pointX = start.x + fraction * (end.x - start.x);
+            gap.pointY = start.y + fraction * (end.y - start.y);
+            gap.pointZ = start.z + fraction * (end.z - start.z);
             gap.radiusA = capsule.radius;
             out.extent = segment.alongX + segment.alongY + segment.alongZ + box.halfX + box.halfY + box.halfZ + capsule.radius;
         }

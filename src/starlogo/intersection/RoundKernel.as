@@ -37,7 +37,7 @@ package starlogo.intersection
             var step:AdvancementStep = _step;
             var margins:Number = motion.margin;
             motion.time = 0;
-            step.begin();
+            step.reset();
             do
             {
                 _finder.find(first, second, motion, found);

@@ -25,7 +25,7 @@ package starlogo.intersection
         public var z:Number = 0;
 
         /** Where u's closest point is: from 0 at its start to 1 at its end. <code>findClosest()</code> finds it, and the gap. */
-        public var shareOfU:Number = 0;
+        public var fractionOfU:Number = 0;
 
         /** The gap: the vector from the closest point of v to the closest point of u. */
         public var gapX:Number = 0;
@@ -97,7 +97,7 @@ package starlogo.intersection
             {
                 t /= vv;
             }
-            shareOfU = s;
+            fractionOfU = s;
             gapX = x + s * uX - t * vX;
             gapY = y + s * uY - t * vY;
             gapZ = z + s * uZ - t * vZ;

@@ -44,7 +44,7 @@ package starlogo.intersection
         public function setStructure(structure:BoundingStructure, placement:Placement):BoundingStructure
         {
             var placed:BoundingStructure = _structures[structure.kind] = structure.place(placement, _structures[structure.kind]);
-            placed.shapeInto(shape);
+            placed.setShape(shape);
             return placed;
         }
 

@@ -32,10 +32,10 @@ package starlogo.intersection
         segment.findClosest(box);
         // For slabs that the segment is known to be inside of no point is computed, because rounding might put it outside, and a radius of 0 allows no
         // error.
-        var share:Number = segment.share;
-        var x:Number = segment.isInside && segment.alongX > 0 ? 0 : segment.x + share * segment.alongX;
-        var y:Number = segment.isInside && segment.alongY > 0 ? 0 : segment.y + share * segment.alongY;
-        var z:Number = segment.isInside && segment.alongZ > 0 ? 0 : segment.z + share * segment.alongZ;
+        var fraction:Number = segment.fraction;
+        var x:Number = segment.isInside && segment.alongX > 0 ? 0 : segment.x + fraction * segment.alongX;
+        var y:Number = segment.isInside && segment.alongY > 0 ? 0 : segment.y + fraction * segment.alongY;
+        var z:Number = segment.isInside && segment.alongZ > 0 ? 0 : segment.z + fraction * segment.alongZ;
         include "squaredToBox.inc";
         return squaredDistance <= radius * radius;
     }

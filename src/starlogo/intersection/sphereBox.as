@@ -22,10 +22,10 @@ package starlogo.intersection
     public function sphereBox(sphere:Sphere, box:Box):Boolean
     {
         var center:Vector3D = sphere.center;
-        var middle:Vector3D = box.center;
-        var toX:Number = center.x - middle.x;
-        var toY:Number = center.y - middle.y;
-        var toZ:Number = center.z - middle.z;
+        var boxCenter:Vector3D = box.center;
+        var toX:Number = center.x - boxCenter.x;
+        var toY:Number = center.y - boxCenter.y;
+        var toZ:Number = center.z - boxCenter.z;
         var axis:Vector3D = box.axisX;
         var x:Number = axis.x * toX + axis.y * toY + axis.z * toZ;
         axis = box.axisY;

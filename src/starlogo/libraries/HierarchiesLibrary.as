@@ -38,7 +38,7 @@ package starlogo.libraries
 
         private var _models:ModelTable = new ModelTable();
 
-        private var _minVerticesToSplit:int = BoxTreeBuilder.MOST_VERTICES_OF_LEAF;
+        private var _minVerticesToSplit:int = BoxTreeBuilder.MAX_VERTICES_OF_LEAF;
         private var _maxDepth:int = BoxTreeBuilder.MAX_DEPTH;
 
         /** Creates a library without models. */

@@ -2,9 +2,9 @@
 // 1. MoveQueries.walk: reads the options into a Walk, moves the agent to where the Walk ends, and copies its Footing
 // 2. WalkMover.go: carried by a platform, pushed out of overlaps, leg by leg along the ground, a fall, and a clearance at the end
 // 3. Slider: each way of a walk is a slide, or goes straight up or down
-// 4. CoreSweep: how such a way starts (startMotion), what stops it first (findFirstObstacle), and when (findTouchTime)
-// 5. BodyCore: what stops it is what its core meets, and not what the body only touches
-// moveUntilTouch and the casts: MoveQueries, TouchSweep, CoreSweep.findStop. The head of MovingBody has the words of all these.
+// 4. ShrunkSweep: how such a way starts (startMotion), what stops it first (findFirstObstacle), and when (findTouchTime)
+// 5. ShrunkBody: what stops it is what the shrunk body meets, and not what the body only touches
+// moveUntilTouch and the casts: MoveQueries, TouchSweep, ShrunkSweep.findStop. The head of MovingBody has the words of all these.
 package starlogo.queries
 {
     import starlogo.agents.Agent;

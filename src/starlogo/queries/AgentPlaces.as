@@ -159,24 +159,24 @@ package starlogo.queries
             return search.find(cone).endWithList(out);
         }
 
-        private function aroundAgent(agent:Agent, radius:Number, wanted:int, filter:AgentFilter):NearSearch
+        private function aroundAgent(agent:Agent, radius:Number, maxCount:int, filter:AgentFilter):NearSearch
         {
             var at:Placement = _seen.placementOf(agent);
-            return begin(agent, at.x, at.y, at.z, radius, wanted, filter);
+            return begin(agent, at.x, at.y, at.z, radius, maxCount, filter);
         }
 
-        private function aroundPoint(point:Vector3D, radius:Number, wanted:int, filter:AgentFilter):NearSearch
+        private function aroundPoint(point:Vector3D, radius:Number, maxCount:int, filter:AgentFilter):NearSearch
         {
             requirePoint(point);
-            return begin(null, point.x, point.y, point.z, radius, wanted, filter);
+            return begin(null, point.x, point.y, point.z, radius, maxCount, filter);
         }
 
         // Begins the search of a question around a place, without the agent that asks, which may be null.
-        private function begin(asker:Agent, x:Number, y:Number, z:Number, radius:Number, wanted:int, filter:AgentFilter):NearSearch
+        private function begin(asker:Agent, x:Number, y:Number, z:Number, radius:Number, maxCount:int, filter:AgentFilter):NearSearch
         {
             requireNotNegative("radius", radius);
             var search:NearSearch = NearSearch(_searches.current);
-            return search.begin(_seen.beginSearch(wanted, radius * radius, asker, filter), x, y, z);
+            return search.begin(_seen.beginSearch(maxCount, radius * radius, asker, filter), x, y, z);
         }
     }
 }

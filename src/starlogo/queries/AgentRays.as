@@ -85,13 +85,13 @@ package starlogo.queries
         {
             var collector:Collector = begin(1, requireOrigin(origin), direction, maxDistance, filter);
             var hits:Hits = Hits(_hits.current);
-            hits.begin();
+            hits.clear();
             collect(collector, hits);
             if (hits.end(collector) == 0)
             {
                 return null;
             }
-            var first:RayHit = write(hits, 0, hit || new RayHit());
+            var first:RayHit = fillHit(hits, 0, hit || new RayHit());
             if (first.distance == 0)
             {
                 warnOfSender(first.agent, origin);
@@ -128,7 +128,7 @@ package starlogo.queries
             var collector:Collector = begin(Collector.ALL, requireOrigin(origin), direction, maxDistance, filter);
             var listed:Vector.<RayHit> = out || new Vector.<RayHit>();
             var hits:Hits = Hits(_hits.current);
-            hits.begin();
+            hits.clear();
             if (allSurfaces)
             {
                 collectSurfaces(collector, hits);
@@ -140,7 +140,7 @@ package starlogo.queries
             _spare.resize(listed, hits.end(collector));
             for (var i:int = 0; i < listed.length; i++)
             {
-                write(hits, i, listed[i]);
+                fillHit(hits, i, listed[i]);
             }
             return listed;
         }
@@ -211,13 +211,13 @@ package starlogo.queries
             return origin;
         }
 
-        private function begin(wanted:int, origin:Vector3D, direction:Vector3D, maxDistance:Number, filter:AgentFilter):Collector
+        private function begin(maxCount:int, origin:Vector3D, direction:Vector3D, maxDistance:Number, filter:AgentFilter):Collector
         {
             _ray.aim(origin, direction);
             requireNotNegative("maxDistance", maxDistance);
             _ray.to = maxDistance;
-            var collector:Collector = _seen.beginSearch(wanted, maxDistance, null, filter);
-            _search.begin(_seen.treeOfExtents(), _ray.x, _ray.y, _ray.z);
+            var collector:Collector = _seen.beginSearch(maxCount, maxDistance, null, filter);
+            _search.setTo(_seen.treeOfExtents(), _ray.x, _ray.y, _ray.z);
             _search.moveAlong(_ray.directionX, _ray.directionY, _ray.directionZ, maxDistance);
             return collector;
         }
@@ -249,9 +249,9 @@ package starlogo.queries
         }
 
         // Writes how the ray meets a row of the answer.
-        private function write(hits:Hits, index:int, hit:RayHit):RayHit
+        private function fillHit(hits:Hits, index:int, hit:RayHit):RayHit
         {
-            hits.write(index, hit);
+            hits.fillHit(index, hit);
             hit.distance = hits.keyOf(index);
             return hit;
         }

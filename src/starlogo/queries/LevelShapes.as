@@ -56,7 +56,7 @@ package starlogo.queries
         {
             requireGiven("model", model);
             var tree:ModelTree = new ModelTree(new BoxTree(model.vertices, model.triangles));
-            tree.beginBuilding(BoxTreeBuilder.MOST_VERTICES_OF_LEAF, BoxTreeBuilder.MAX_DEPTH, false, prepareExact);
+            tree.beginBuilding(BoxTreeBuilder.MAX_VERTICES_OF_LEAF, BoxTreeBuilder.MAX_DEPTH, false, prepareExact);
             tree.finishBuilding();
             choice.models.entryToWrite(model.name).replace(model, null, tree);
         }
@@ -99,12 +99,12 @@ package starlogo.queries
          */
         public function get exact():Boolean
         {
-            return choice.narrowPhase.treeLimits.exact;
+            return choice.narrowPhase.treeLimits.isExact;
         }
 
         public function set exact(value:Boolean):void
         {
-            choice.narrowPhase.treeLimits.exact = value;
+            choice.narrowPhase.treeLimits.isExact = value;
         }
 
         /** @private */

@@ -39,7 +39,7 @@ package starlogo.queries
         private static const SLOPE_ROUNDING:Number = 1e-9;
 
         // A leg of a walk is as long as the agent, or longer if the walk would have more legs than this.
-        private static const MOST_LEGS:int = 64;
+        private static const MAX_LEGS:int = 64;
 
         private static const UP:Vector3D = new Vector3D(0, 0, 1);
 
@@ -76,37 +76,37 @@ package starlogo.queries
         /** See AgentMotions.castShape. */
         public function castShape(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            return cast(currentBody().readStructure(structure).aim(dx, dy, dz), filter, hit);
+            return cast(currentBody().setToStructure(structure).aim(dx, dy, dz), filter, hit);
         }
 
         /** See AgentMotions.castShapeAll. */
         public function castShapeAll(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter,
                 out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
-            return castAll(currentBody().readStructure(structure).aim(dx, dy, dz), filter, out);
+            return castAll(currentBody().setToStructure(structure).aim(dx, dy, dz), filter, out);
         }
 
         /** See AgentMotions.castAgent. */
         public function castAgent(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            return cast(currentBody().readCastAgent(agent).aim(dx, dy, dz), filter, hit);
+            return cast(currentBody().setToCastAgent(agent).aim(dx, dy, dz), filter, hit);
         }
 
         /** See AgentMotions.castAgentAll. */
         public function castAgentAll(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
-            return castAll(currentBody().readCastAgent(agent).aim(dx, dy, dz), filter, out);
+            return castAll(currentBody().setToCastAgent(agent).aim(dx, dy, dz), filter, out);
         }
 
         /** See AgentMotions.moveUntilTouch. */
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact):Number
         {
             _seen.requireMovable(agent, "moveUntilTouch");
-            var body:MovingBody = currentBody().readAgent(agent).aim(dx, dy, dz);
+            var body:MovingBody = currentBody().setToAgent(agent).aim(dx, dy, dz);
             findStops(body, filter, 1, _first);
             if (_first.isStopped)
             {
-                _sweep.goIntoTouch(body, _first);
+                _sweep.moveIntoTouch(body, _first);
             }
             // before the contact is written, because an agent that would leave the world throws an error
             if (dx != 0 || dy != 0 || dz != 0)
@@ -118,7 +118,7 @@ package starlogo.queries
                 contact.time = _first.time;
                 if (_first.isStopped)
                 {
-                    contact.read(_first.contact);
+                    contact.setFromPoint(_first.contact);
                     contact.approachSpeed = Math.max(0, -_first.contact.along(body.motion));
                 }
             }
@@ -188,7 +188,7 @@ package starlogo.queries
             var length:Number = Math.sqrt(dx * dx + dy * dy);
             out.options = options;
             out.walkableZ = (1 - SLOPE_ROUNDING) * Trigonometry.cosine(options.slopeDegrees);
-            out.legCount = Math.min(MOST_LEGS, Math.max(1, Math.ceil(length / size)));
+            out.legCount = Math.min(MAX_LEGS, Math.max(1, Math.ceil(length / size)));
             out.legMotion.setTo(dx / out.legCount, dy / out.legCount, 0);
             out.legLength = length / out.legCount;
         }
@@ -202,7 +202,7 @@ package starlogo.queries
         private function moveSliding(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, limits:SlideLimits):Number
         {
             _seen.requireMovable(agent, "slide");
-            var body:MovingBody = currentBody().readAgent(agent).aim(dx, dy, dz);
+            var body:MovingBody = currentBody().setToAgent(agent).aim(dx, dy, dz);
             body.collectRowsWithin(body.motion.length, 0, 0, filter);
             _slider.slide(body, body.rows, body.from, body.motion, limits, _slid);
             _recovery.restoreClearance(body, _slid.place);
@@ -220,7 +220,7 @@ package starlogo.queries
 
         private function cast(body:MovingBody, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            return findStops(body, filter, 1, _first) == 0 ? null : write(0, hit || new ShapeHit());
+            return findStops(body, filter, 1, _first) == 0 ? null : fillHit(0, hit || new ShapeHit());
         }
 
         private function castAll(body:MovingBody, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
@@ -229,21 +229,21 @@ package starlogo.queries
             _spare.resize(hits, findStops(body, filter, Collector.ALL, _first));
             for (var i:int = 0; i < hits.length; i++)
             {
-                write(i, hits[i]);
+                fillHit(i, hits[i]);
             }
             return hits;
         }
 
         // Finds the rows that stop a body on a straight way, each as if the others were not there. The filter's accepts is called first, because it may ask
         // other questions, which use the same hits. Returns how many hits there are.
-        private function findStops(body:MovingBody, filter:AgentFilter, wanted:int, first:MotionResult):int
+        private function findStops(body:MovingBody, filter:AgentFilter, maxCount:int, first:MotionResult):int
         {
             body.collectRowsAlong(filter);
-            return _hits.end(_sweep.findTouches(body, wanted, _hits, first));
+            return _hits.end(_sweep.findTouches(body, maxCount, _hits, first));
         }
 
         // Writes how the body touches a row of the answer.
-        private function write(index:int, hit:ShapeHit):ShapeHit
+        private function fillHit(index:int, hit:ShapeHit):ShapeHit
         {
             var body:Body = _hits.bodyOf(index);
             var contact:ContactPoint = _hits.contactOf(index);
@@ -256,7 +256,7 @@ package starlogo.queries
             {
                 contact.triangle = _seen.narrowPhase.treeTests.findNearestTriangle(body, contact);
             }
-            _hits.write(index, hit);
+            _hits.fillHit(index, hit);
             hit.time = _hits.keyOf(index);
             return hit;
         }

@@ -8,7 +8,7 @@ package starlogo.queries
      * Objects of one class that keep what a question under way has found: one object for each question. A filter's <code>accepts</code> may ask
      * another question while a question is under way. That one has the next object, by the depth of nesting (SeenAgents.nesting).
      *
-     * <p><code>accepts</code> is called by Collector.askBelow alone: in NearSearch.find, between nodes, and where a search ends
+     * <p><code>accepts</code> is called by Collector.testBelow alone: in NearSearch.find, between nodes, and where a search ends
      * (<code>Collector.end()</code>, and what calls it, for example MovingBody.collectRowsAlong and PlatformCarry.find). After such a call a
      * question may use its arguments, its locals, and its objects of this kind: a Collector, NearSearch, Hits, MovingBody or Walk. A nested question
      * may have written all other fields of the classes that answer questions: the SweptBoxSearch, the ray, a motion, its result, what a Slider or a

@@ -168,10 +168,10 @@ package starlogo.queries
         }
 
         /** @private Begins the search of a question, and returns what collects its rows: see Collector.begin. */
-        engine function beginSearch(wanted:int, limit:Number, asker:Agent, filter:AgentFilter):Collector
+        engine function beginSearch(maxCount:int, limit:Number, asker:Agent, filter:AgentFilter):Collector
         {
             var collector:Collector = Collector(_collectors.current);
-            collector.begin(wanted, limit, asker, filter);
+            collector.begin(maxCount, limit, asker, filter);
             return collector;
         }
 
@@ -277,7 +277,7 @@ package starlogo.queries
             }
             if (tree.isStale)
             {
-                tree.build(table.list.rows.numbers, table.list.rows.count, points, sizes);
+                tree.build(table.list.rows.values, table.list.rows.count, points, sizes);
             }
             tree.learnBreeds(table.list.agentsByRow);
             return tree;

@@ -81,7 +81,7 @@ package starlogo.queries
         /** See AgentQueries.overlapping. */
         public function overlapping(structure:BoundingStructure, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
         {
-            return find(null, _structureBody.read(structure), Collector.ALL, filter).endWithList(out);
+            return find(null, _structureBody.setTo(structure), Collector.ALL, filter).endWithList(out);
         }
 
         /**
@@ -112,7 +112,7 @@ package starlogo.queries
         {
             requirePoint(point);
             _point.center.setTo(point.x, point.y, point.z);
-            var distance:Number = measure(_seen.bodyOf(agent), _structureBody.read(_point), out, null);
+            var distance:Number = measure(_seen.bodyOf(agent), _structureBody.setTo(_point), out, null);
             if (distance == 0)
             {
                 // without the rounding of that point, which stands in the game's point if that is out too
@@ -148,15 +148,15 @@ package starlogo.queries
 
         // Finds the agents that touch a body, sorted by the distances of their places from the body's place. If one is wanted, it may be any that
         // touches. The agent that asks is left out; it may be null. While the body's model is loading it touches nothing.
-        private function find(asker:Agent, body:Body, wanted:int, filter:AgentFilter):Collector
+        private function find(asker:Agent, body:Body, maxCount:int, filter:AgentFilter):Collector
         {
             var table:AgentTable = _seen.table;
-            var collector:Collector = _seen.beginSearch(wanted, Infinity, asker, filter);
+            var collector:Collector = _seen.beginSearch(maxCount, Infinity, asker, filter);
             if (body.shape == null)
             {
                 return collector;
             }
-            _search.beginAround(_seen.treeOfExtents(), body);
+            _search.setAround(_seen.treeOfExtents(), body);
             for (var row:int = collector.nextCandidate(_search); row >= 0; row = collector.nextCandidate(_search))
             {
                 if (_seen.narrowPhase.areTouching(body, table.bodyOf(row)))

@@ -61,7 +61,7 @@ package starlogo.search
         private var _spares:Vector.<BoundingStructure> = null;
 
         /** Becomes the body of an agent as it is now, except for the rank. While the model is loading, the shape is null, and only the place counts. */
-        public function readAgent(agent:Agent, shape:ModelShape):void
+        public function setToAgent(agent:Agent, shape:ModelShape):void
         {
             placement.x = agent.placement.x;
             placement.y = agent.placement.y;
@@ -110,14 +110,14 @@ package starlogo.search
         /**
          * Makes the body smaller about the middle of its extents.
          *
-         * @param part the part of the size that is taken off, from 0 to 1
+         * @param fraction the part of the size that is taken off, from 0 to 1
          */
-        public function shrink(part:Number):void
+        public function shrink(fraction:Number):void
         {
-            var factor:Number = 1 - part;
-            placement.x += part * offsetX;
-            placement.y += part * offsetY;
-            placement.z += part * offsetZ;
+            var factor:Number = 1 - fraction;
+            placement.x += fraction * offsetX;
+            placement.y += fraction * offsetY;
+            placement.z += fraction * offsetZ;
             placement.size *= factor;
             offsetX *= factor;
             offsetY *= factor;
@@ -229,13 +229,13 @@ package starlogo.search
         }
 
         /** Half of the largest extent. */
-        public function get largestHalf():Number
+        public function get maxHalf():Number
         {
             return Math.max(halfX, Math.max(halfY, halfZ));
         }
 
         /** Half of the smallest extent. */
-        public function get leastHalf():Number
+        public function get minHalf():Number
         {
             return Math.min(halfX, Math.min(halfY, halfZ));
         }
@@ -257,7 +257,7 @@ package starlogo.search
         // Finds the extents of the shape, turned and scaled as the placement says.
         private function findExtents():void
         {
-            shape.structure.boxAroundInto(placement, sExtents);
+            shape.structure.findPlacedBox(placement, sExtents);
             offsetX = sExtents[0];
             offsetY = sExtents[1];
             offsetZ = sExtents[2];

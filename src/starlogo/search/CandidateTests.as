@@ -82,7 +82,7 @@ package starlogo.search
                 return;
             }
             _input.listMembers(rows, _table, _worldCandidates);
-            var others:Vector.<int> = _worldCandidates.numbers;
+            var others:Vector.<int> = _worldCandidates.values;
             var count:int = _input.interests.keepOfInterest(_table.breeds, worldRow, others, _worldCandidates.count);
             addTouching(worldRow, others, count, SweptTests.NO_EXTENTS);
         }

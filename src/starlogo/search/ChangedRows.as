@@ -79,7 +79,7 @@ package starlogo.search
             // the ground and the edges are no members, but their pairs change with them
             for (var i:int = 0; i < _table.changedOfWorld.count; i++)
             {
-                rowsAndWorld.add(_table.changedOfWorld.numbers[i]);
+                rowsAndWorld.add(_table.changedOfWorld.values[i]);
             }
         }
 
@@ -96,7 +96,7 @@ package starlogo.search
             }
             for (var i:int = 0; i < rows.count; i++)
             {
-                var row:int = rows.numbers[i];
+                var row:int = rows.values[i];
                 if (!input.isMember(row, _table))
                 {
                     _cells.remove(row);
@@ -114,9 +114,9 @@ package starlogo.search
         {
             for (var i:int = 0; i < rows.count; i++)
             {
-                if (_cells.has(rows.numbers[i]))
+                if (_cells.has(rows.values[i]))
                 {
-                    _cells.findNear(rows.numbers[i], rowsAndWorld, sink);
+                    _cells.findNear(rows.values[i], rowsAndWorld, sink);
                 }
             }
         }
@@ -131,7 +131,7 @@ package starlogo.search
         {
             for (var i:int = 0; i < added.count; i++)
             {
-                add(added.numbers[i]);
+                add(added.values[i]);
             }
         }
 
@@ -149,7 +149,7 @@ package starlogo.search
             var listed:IntList = _table.list.rows;
             for (var i:int = 0; i < listed.count; i++)
             {
-                var row:int = listed.numbers[i];
+                var row:int = listed.values[i];
                 if (input.isMember(row, _table) != _cells.has(row))
                 {
                     add(row);

@@ -97,8 +97,8 @@ package starlogo.search
             narrowPhase.counts.clear();
             // A search prepares the cells only if it is like the one before, because the next is then probably like it too. So the third of three like
             // searches is the first that begins with the pairs of the last one.
-            var prepares:Boolean = noteConditions(input) && areFewRead(input);
-            var beginsWithLast:Boolean = prepares && _isPrepared;
+            var isPrepared:Boolean = noteConditions(input) && areFewRead(input);
+            var beginsWithLast:Boolean = isPrepared && _isPrepared;
             // if the search throws, the next one is of all rows, because the table has been read
             _isPrepared = false;
             var canUpdate:Boolean = false;
@@ -113,9 +113,9 @@ package starlogo.search
             }
             else
             {
-                findOfAll(input, prepares);
+                findOfAll(input, isPrepared);
             }
-            _isPrepared = prepares;
+            _isPrepared = isPrepared;
             return _pairs;
         }
 
@@ -130,7 +130,7 @@ package starlogo.search
         // those of the last search.
         private function readInput(input:SearchInput):void
         {
-            table.acceptList(input.agents);
+            table.setList(input.agents);
             if (Agent.haveSwept)
             {
                 _motions.begin(isAnySweeping(input.agents));
@@ -146,7 +146,7 @@ package starlogo.search
             var limits:TreeLimits = narrowPhase.treeLimits;
             // no tree is deeper. If the triangles decide, the depth does not count
             var deepest:int = 1 << 28;
-            var depth:int = limits.exact ? 0 : limits.maxDepth;
+            var depth:int = limits.isExact ? 0 : limits.maxDepth;
             if (depth > deepest)
             {
                 depth = deepest;
@@ -179,7 +179,7 @@ package starlogo.search
         }
 
         // Finds the pairs of all members, and prepares the cells if the next search may begin with these pairs.
-        private function findOfAll(input:SearchInput, prepares:Boolean):void
+        private function findOfAll(input:SearchInput, isPrepared:Boolean):void
         {
             var members:IntList = input.findMembers(table, _members);
             if (_motions.isSwept)
@@ -191,7 +191,7 @@ package starlogo.search
             _tests.testWithWorldAgent(ListedAgents.GROUND_ROW, members);
             _tests.testWithWorldAgent(ListedAgents.EDGES_ROW, members);
             _order.putInOrder(_pairs);
-            if (prepares)
+            if (isPrepared)
             {
                 _changedRows.begin(members);
             }

@@ -152,7 +152,7 @@ package starlogo.search
         }
 
         /** Writes the pairs as agents: a0, b0, a1, b1, ... */
-        public function write(out:Vector.<Agent>):void
+        public function copyAgentsTo(out:Vector.<Agent>):void
         {
             var byRow:Vector.<Agent> = list.agentsByRow;
             for (var i:int = 0; i < 2 * count; i++)

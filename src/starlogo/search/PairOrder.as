@@ -46,7 +46,7 @@ package starlogo.search
             pairs.makeRoom(pairs.count);
             for (i = 0; i < pairs.count; i++)
             {
-                var pair:int = _indices.numbers[i];
+                var pair:int = _indices.values[i];
                 pairs.spareRows[int(2 * i)] = pairs.rows[int(2 * pair)];
                 pairs.spareRows[int(2 * i + 1)] = pairs.rows[int(2 * pair + 1)];
             }

@@ -21,7 +21,7 @@ package starlogo.search
         internal var isSwept:Boolean = false;
 
         /** By row: the way from the place in the search before. It is 0 for an agent that has not moved, or has come without a motion. */
-        internal var ways:Points = new Points();
+        internal var displacements:Points = new Points();
 
         /** By row: whether the agent has come without a motion: it is new, has jumped, or has the shape of another model. */
         internal var haveJumped:Vector.<Boolean> = new Vector.<Boolean>();
@@ -62,7 +62,7 @@ package starlogo.search
             if (length > _sweeps.length)
             {
                 _sweeps.length = haveJumped.length = length;
-                ways.grow(length);
+                displacements.grow(length);
                 extents.grow(length);
             }
             var before:IntList = previouslyChanged;
@@ -72,13 +72,13 @@ package starlogo.search
             // rows that have not changed since have no motion any more
             for (var i:int = 0; i < previouslyChanged.count; i++)
             {
-                var row:int = previouslyChanged.numbers[i];
+                var row:int = previouslyChanged.values[i];
                 setMotion(row, 0, 0, 0);
                 haveJumped[row] = false;
             }
             for (i = 0; i < _changed.count; i++)
             {
-                row = _changed.numbers[i];
+                row = _changed.values[i];
                 var agent:Agent = _table.list.agentsByRow[row];
                 haveJumped[row] = !_table.isMotionStart(row, agent);
                 if (!haveJumped[row])
@@ -92,9 +92,9 @@ package starlogo.search
 
         private function setMotion(row:int, x:Number, y:Number, z:Number):void
         {
-            ways.x[row] = x;
-            ways.y[row] = y;
-            ways.z[row] = z;
+            displacements.x[row] = x;
+            displacements.y[row] = y;
+            displacements.z[row] = z;
         }
 
         /**
@@ -106,7 +106,7 @@ package starlogo.search
         {
             for (var i:int = 0; i < rows.count; i++)
             {
-                var row:int = rows.numbers[i];
+                var row:int = rows.values[i];
                 if (_table.shapes[row] != null)
                 {
                     _sweeps[row] = !haveJumped[row] && _table.list.agentsByRow[row].isSweeping;
@@ -120,9 +120,9 @@ package starlogo.search
         {
             var standing:Extents = _table.extents;
             var swept:Extents = extents;
-            var motionX:Number = ways.x[row];
-            var motionY:Number = ways.y[row];
-            var motionZ:Number = ways.z[row];
+            var motionX:Number = displacements.x[row];
+            var motionY:Number = displacements.y[row];
+            var motionZ:Number = displacements.z[row];
             var halfX:Number = standing.halfX[row] + Math.abs(motionX) / 2;
             var halfY:Number = standing.halfY[row] + Math.abs(motionY) / 2;
             swept.x[row] = standing.x[row] - motionX / 2;
@@ -141,9 +141,9 @@ package starlogo.search
          *
          * @param motion gets the time NEVER
          */
-        public function relate(a:int, b:int, motion:RelativeMotion):void
+        public function setRelativeMotion(a:int, b:int, motion:RelativeMotion):void
         {
-            var all:Points = ways;
+            var all:Points = displacements;
             motion.endAfter(all.x[a] - all.x[b], all.y[a] - all.y[b], all.z[a] - all.z[b]);
             motion.time = RelativeMotion.NEVER;
         }

@@ -58,7 +58,7 @@ package starlogo.search
             admitted = null;
             if (filter != null)
             {
-                askFilter(filter);
+                testFilter(filter);
             }
         }
 
@@ -85,9 +85,9 @@ package starlogo.search
             out.count = 0;
             for (var i:int = 0; i < rows.count; i++)
             {
-                if (isMember(rows.numbers[i], table))
+                if (isMember(rows.values[i], table))
                 {
-                    out.add(rows.numbers[i]);
+                    out.add(rows.values[i]);
                 }
             }
         }
@@ -100,7 +100,7 @@ package starlogo.search
         }
 
         // Asks a filter which agents take part. An entry that is null does, because the collision system refuses it.
-        private function askFilter(filter:AgentPredicate):void
+        private function testFilter(filter:AgentPredicate):void
         {
             agents = copyAgents(agents, _copy);
             admitted = _answers;

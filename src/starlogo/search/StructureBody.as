@@ -32,12 +32,12 @@ package starlogo.search
          * @throws ArgumentError if the structure is null, or not a sphere, box, capsule or hull
          * @throws RangeError if <code>at</code> is null and the structure is not in the world
          */
-        public function read(structure:BoundingStructure, at:Placement = null):Body
+        public function setTo(structure:BoundingStructure, at:Placement = null):Body
         {
             ModelShape.requireStructure(structure);
             var shape:ModelShape = shapeOfKind(structure.kind);
             var inWorld:BoundingStructure = at == null ? structure : structure.place(at, shape.structure);
-            inWorld.boxAroundInto(UPRIGHT, _extents);
+            inWorld.findPlacedBox(UPRIGHT, _extents);
             if (at == null)
             {
                 requireInWorld("half of a structure's length", _extents[3], _extents[4], _extents[5]);

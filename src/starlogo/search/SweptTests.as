@@ -96,7 +96,7 @@ package starlogo.search
             var bodyA:Body = _table.bodyOf(a);
             var bodyB:Body = _table.bodyOf(b);
             var tests:PairTests = _narrowPhase.pairTestsFor(bodyA, bodyB);
-            _motions.relate(a, b, motion);
+            _motions.setRelativeMotion(a, b, motion);
             if (_motions.eitherSweeps(a, b))
             {
                 if (!motion.isStill)
@@ -117,16 +117,16 @@ package starlogo.search
             tests.separate(bodyA, bodyB, motion, out);
             // the motion was relative to b at its present place, so the point is moved back to where b was at that time
             var back:Number = motion.time - 1;
-            out.x += back * _motions.ways.x[b];
-            out.y += back * _motions.ways.y[b];
-            out.z += back * _motions.ways.z[b];
+            out.x += back * _motions.displacements.x[b];
+            out.y += back * _motions.displacements.y[b];
+            out.z += back * _motions.displacements.z[b];
         }
 
         // Finds the time at which two rows first touch, from 0 to 1, or RelativeMotion.NEVER. If neither of the two sweeps, they are tested where they are
         // now. The motion receives the motion of the first relative to the second, with the time.
         private function findTime(a:int, b:int, level:BinLevel, motion:RelativeMotion):void
         {
-            _motions.relate(a, b, motion);
+            _motions.setRelativeMotion(a, b, motion);
             if (!_motions.eitherSweeps(a, b))
             {
                 motion.time = _table.extents.areNear(a, b, level.slack) && areTouching(a, b) ? 1 : RelativeMotion.NEVER;
@@ -145,8 +145,8 @@ package starlogo.search
         // and where they are if they have not moved.
         private function timeOfStill(a:int):int
         {
-            var ways:Points = _motions.ways;
-            return ways.x[a] != 0 || ways.y[a] != 0 || ways.z[a] != 0 ? 0 : 1;
+            var displacements:Points = _motions.displacements;
+            return displacements.x[a] != 0 || displacements.y[a] != 0 || displacements.z[a] != 0 ? 0 : 1;
         }
 
         // Whether two rows touch where they are. Only the second may be of the world.
@@ -177,10 +177,10 @@ package starlogo.search
         private function overlapOnMotions(a:int, b:int, level:BinLevel):Boolean
         {
             var standing:Extents = _table.extents;
-            _interval.begin(1);
+            _interval.reset(1);
             _axisMotion.tolerance = level.slack;
-            return narrow(standing.x, standing.halfX, _motions.ways.x, a, b) && narrow(standing.y, standing.halfY, _motions.ways.y, a, b)
-                && narrow(standing.z, standing.halfZ, _motions.ways.z, a, b);
+            return narrow(standing.x, standing.halfX, _motions.displacements.x, a, b) && narrow(standing.y, standing.halfY, _motions.displacements.y, a, b)
+                && narrow(standing.z, standing.halfZ, _motions.displacements.z, a, b);
         }
 
         // Narrows the interval by one direction. It gets the places at the end of the motions, half the lengths, and the motions.
@@ -188,7 +188,7 @@ package starlogo.search
         {
             var speed:Number = motion[a] - motion[b];
             _axisMotion.offset = at[a] - at[b] - speed;
-            _axisMotion.travel = speed;
+            _axisMotion.speed = speed;
             _axisMotion.halfExtents = half[a] + half[b];
             return _interval.narrow(_axisMotion);
         }

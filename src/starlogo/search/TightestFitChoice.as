@@ -19,7 +19,7 @@ package starlogo.search
     public final class TightestFitChoice extends BaseShapeChoice
     {
         // A model of more triangles is probably a level.
-        private static const MOST_TRIANGLES:int = 10000;
+        private static const MAX_TRIANGLES:int = 10000;
 
         /** @param greatLand the models' structures */
         public function TightestFitChoice(greatLand:GreatLand)
@@ -63,7 +63,7 @@ package starlogo.search
         private function warnOfLevel(model:String, agent:Agent):void
         {
             var triangles:Vector.<uint> = greatLand.modelOf(model).triangles;
-            if (triangles != null && triangles.length > 3 * MOST_TRIANGLES)
+            if (triangles != null && triangles.length > 3 * MAX_TRIANGLES)
             {
                 warn(agent + " has " + triangles.length / 3 + " triangles, and collides as the structure around them: for a level set hierarchical to true in a "
                         + "CombinationCollider; for a figure choose a structure with collideAs");

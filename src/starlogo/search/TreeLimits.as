@@ -10,7 +10,7 @@ package starlogo.search
     public final class TreeLimits
     {
         /** Whether the triangles decide. Then trees are tested down to them. */
-        public var exact:Boolean = false;
+        public var isExact:Boolean = false;
 
         private var _maxDepth:int = 5;
 
@@ -33,7 +33,7 @@ package starlogo.search
         public function depthOf(body:Body):int
         {
             var depth:int = body.depthLimit == 0 ? maxDepth : body.depthLimit;
-            return exact || depth > BoxTree.LARGEST_DEPTH ? BoxTree.LARGEST_DEPTH : depth;
+            return isExact || depth > BoxTree.MAX_DEPTH ? BoxTree.MAX_DEPTH : depth;
         }
     }
 }

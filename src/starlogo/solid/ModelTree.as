@@ -20,7 +20,7 @@
 // what is inside        | ModelTree.isInside()     | PartInsideFinder       | ModelTree.isInside()
 // 
 // ImpactQuery, which TreeQuery extends, puts together when two first touch: standing tests at both ends, impacts of surfaces between. Of several triangles
-// that are touched first, the ImpactChoice chooses one. The package solid.interior knows what is inside of a surface.
+// that are touched first, a FirstImpact says which one counts. The package solid.interior knows what is inside of a surface.
 
 package starlogo.solid
 {
@@ -168,19 +168,19 @@ package starlogo.solid
          * Whether a ball is inside. The ball must not touch the surface. False if there are no triangles, or if no shell of the surface is
          * closed. The inside is only prepared if the ball is in the box around the model and has no open side.
          */
-        internal function isInside(middle:Vector3D, radius:Number):Boolean
+        internal function isInside(center:Vector3D, radius:Number):Boolean
         {
             var box:Vector.<Number> = boxTree.boxes;
-            if (!hasTriangles || Math.abs(middle.x - box[0]) > box[3] - radius || Math.abs(middle.y - box[1]) > box[4] - radius
-                    || Math.abs(middle.z - box[2]) > box[5] - radius)
+            if (!hasTriangles || Math.abs(center.x - box[0]) > box[3] - radius || Math.abs(center.y - box[1]) > box[4] - radius
+                    || Math.abs(center.z - box[2]) > box[5] - radius)
             {
                 return false;
             }
-            if (_interior == null && OPEN_SIDES.hasOpenSide(middle, boxTree))
+            if (_interior == null && OPEN_SIDES.hasOpenSide(center, boxTree))
             {
                 return false;
             }
-            return preparedInterior().isInside(middle);
+            return preparedInterior().isInside(center);
         }
 
         /**

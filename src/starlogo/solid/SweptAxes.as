@@ -17,7 +17,7 @@ package starlogo.solid
         private static const PER_AXIS:int = 6;
 
         // The largest number of axes, which a box or a hull has: two for each of three directions. A capsule has three, a sphere one.
-        private static const MOST_AXES:int = 6;
+        private static const MAX_AXES:int = 6;
 
         // The shape, how far its core may be from a triangle that it touches, and its motion.
         private var _shape:ConvexShape;
@@ -25,7 +25,7 @@ package starlogo.solid
         private var _motion:RelativeMotion;
 
         // The numbers of all axes, and their end.
-        private var _axes:Vector.<Number> = new Vector.<Number>(PER_AXIS * MOST_AXES, true);
+        private var _axes:Vector.<Number> = new Vector.<Number>(PER_AXIS * MAX_AXES, true);
         private var _end:int = 0;
 
         // The axis that is added, and how far the core extends along it.
@@ -64,8 +64,8 @@ package starlogo.solid
                 var y:Number = points[4] - points[1];
                 var z:Number = points[5] - points[2];
                 var squared:Number = x * x + y * y + z * z;
-                var share:Number = squared > 0 ? (x * motion.x + y * motion.y + z * motion.z) / squared : 0;
-                addAxis(motion.x - share * x, motion.y - share * y, motion.z - share * z);
+                var fraction:Number = squared > 0 ? (x * motion.x + y * motion.y + z * motion.z) / squared : 0;
+                addAxis(motion.x - fraction * x, motion.y - fraction * y, motion.z - fraction * z);
             }
             if (shape.areEdgesPerpendicular)
             {
@@ -100,13 +100,13 @@ package starlogo.solid
             _shape.project(_axis, _ofShape);
             var radius:Number = _quickDistance * _axis.length;
             var origin:Number = _axis.x * _shape.x + _axis.y * _shape.y + _axis.z * _shape.z;
-            var travel:Number = _axis.x * _motion.x + _axis.y * _motion.y + _axis.z * _motion.z;
+            var speed:Number = _axis.x * _motion.x + _axis.y * _motion.y + _axis.z * _motion.z;
             axes[at] = _axis.x;
             axes[int(at + 1)] = _axis.y;
             axes[int(at + 2)] = _axis.z;
-            axes[int(at + 3)] = origin + _ofShape.least - radius;
-            axes[int(at + 4)] = origin + _ofShape.greatest + radius;
-            axes[int(at + 5)] = travel;
+            axes[int(at + 3)] = origin + _ofShape.min - radius;
+            axes[int(at + 4)] = origin + _ofShape.max + radius;
+            axes[int(at + 5)] = speed;
             _end = at + PER_AXIS;
         }
 
@@ -115,7 +115,7 @@ package starlogo.solid
          *
          * @param corners nine numbers of the triangle
          */
-        public function separate(corners:Vector.<Number>):Boolean
+        public function areApart(corners:Vector.<Number>):Boolean
         {
             if (_end == 0)
             {

@@ -98,7 +98,7 @@ package starlogo.solid
          */
         public final function findClosest(areTouching:Boolean, out:ClosestPoints):void
         {
-            pose.relate(placementA, placementB);
+            pose.setBetween(placementA, placementB);
             findClosestOfSurfaces(out);
             out.distance *= placementA.size;
             // a point of both is known already if the measured distance is 0

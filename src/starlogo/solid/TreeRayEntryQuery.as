@@ -31,23 +31,23 @@ package starlogo.solid
          *
          * @param model the model
          * @param depth how many of its levels are visited
-         * @param exact whether the triangles decide, or the leaves if there are none; the depth has no meaning then
+         * @param isExact whether the triangles decide, or the leaves if there are none; the depth has no meaning then
          * @param ray in the model's space
          * @param out receives the distance, the normal and the triangle
          * @return whether there is a hit
          */
-        public function find(model:ModelTree, depth:int, exact:Boolean, ray:Ray, out:RayEntry):Boolean
+        public function find(model:ModelTree, depth:int, isExact:Boolean, ray:Ray, out:RayEntry):Boolean
         {
-            out.begin(ray);
+            out.setToStart(ray);
             if (beginsInside(model, ray))
             {
                 return true;
             }
-            if (exact && model.hasTriangles)
+            if (isExact && model.hasTriangles)
             {
                 return _triangles.findRayEntry(model, ray, out);
             }
-            return _nodes.findRayEntry(model.boxTree, exact ? BoxTree.EXACT : depth, ray, out);
+            return _nodes.findRayEntry(model.boxTree, isExact ? BoxTree.EXACT : depth, ray, out);
         }
 
         /** Whether a ray begins inside of the surface of a model. */

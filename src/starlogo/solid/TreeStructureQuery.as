@@ -59,13 +59,13 @@ package starlogo.solid
          *
          * @param depth how many levels of the tree are visited
          * @param structure in b's space
-         * @param exact whether triangles decide in place of the depth, if the tree has triangles
+         * @param isExact whether triangles decide in place of the depth, if the tree has triangles
          * @return this
          */
-        public function setTo(tree:ModelTree, placementA:Placement, depth:int, structure:BoundingStructure, placementB:Placement, exact:Boolean):TreeQuery
+        public function setTo(tree:ModelTree, placementA:Placement, depth:int, structure:BoundingStructure, placementB:Placement, isExact:Boolean):TreeQuery
         {
             _tree = tree;
-            _isExact = exact && tree.hasTriangles;
+            _isExact = isExact && tree.hasTriangles;
             _depth = depth;
             _structure = structure;
             this.placementA = placementA;
@@ -76,7 +76,7 @@ package starlogo.solid
         /** Finds the number of the triangle that is nearest to the structure, as the model counts them; -1 if triangles do not decide. */
         public function findNearestTriangle():int
         {
-            pose.relate(placementA, placementB);
+            pose.setBetween(placementA, placementB);
             var slot:int = _isExact ? _triangleDistance.find(_tree, _structure, pose, _measured) : -1;
             return slot < 0 ? -1 : _tree.boxTree.items[slot];
         }
@@ -144,7 +144,7 @@ package starlogo.solid
         {
             var structure:BoundingStructure = pose.place(_structure);
             // The origin of its points is inside of it. If it is round, a ball around that origin is inside too.
-            structure.shapeInto(_shape);
+            structure.setShape(_shape);
             _point.setTo(_shape.x, _shape.y, _shape.z);
             if (!_tree.isInside(_point, _shape.radius))
             {

@@ -58,12 +58,12 @@ package starlogo.solid
          * Sets the two.
          *
          * @param depthA how many levels of a's tree are visited
-         * @param exact whether triangles decide in place of depths, if both trees have triangles
+         * @param isExact whether triangles decide in place of depths, if both trees have triangles
          * @return this
          */
-        public function setTo(a:ModelTree, placementA:Placement, depthA:int, b:ModelTree, placementB:Placement, depthB:int, exact:Boolean):TreeQuery
+        public function setTo(a:ModelTree, placementA:Placement, depthA:int, b:ModelTree, placementB:Placement, depthB:int, isExact:Boolean):TreeQuery
         {
-            _isExact = exact && a.hasTriangles && b.hasTriangles;
+            _isExact = isExact && a.hasTriangles && b.hasTriangles;
             _a = a;
             _b = b;
             this.placementA = placementA;

@@ -50,7 +50,7 @@ package starlogo.solid
 
         // The slot of the triangle that is touched first, and what chooses it.
         private var _found:int = -1;
-        private var _choice:ImpactChoice = new ImpactChoice();
+        private var _firstImpact:FirstImpact = new FirstImpact();
 
         /** @param counts counts the nodes that are visited and the triangles that are tested */
         public function TriangleImpactVisitor(counts:TreeCounts)
@@ -72,10 +72,10 @@ package starlogo.solid
         {
             limit = motion.latest;
             begin(model, structure, pose, motion);
-            _choice.begin(limit);
+            _firstImpact.reset(limit);
             _found = -1;
             _search.visitMet(_mesh.tree, BoxTree.EXACT, this);
-            motion.time = _choice.time;
+            motion.time = _firstImpact.time;
             return _found;
         }
 
@@ -115,7 +115,7 @@ package starlogo.solid
                 }
                 _mesh.readTriangle(i, _corners);
                 _triangleMotion.latest = limit;
-                if (!isStill && _separatingAxes.separate(_corners))
+                if (!isStill && _separatingAxes.areApart(_corners))
                 {
                     continue;
                 }
@@ -134,17 +134,17 @@ package starlogo.solid
                 {
                     _kernel.findTime(_corners, _triangleMotion);
                 }
-                if (_choice.choose(_triangleMotion, _plane))
+                if (_firstImpact.offer(_triangleMotion, _plane))
                 {
                     _found = i;
                 }
-                if (!(_choice.time > 0))
+                if (!(_firstImpact.time > 0))
                 {
                     endSearch();
                 }
-                else if (_choice.latest < limit)
+                else if (_firstImpact.latest < limit)
                 {
-                    limit = _choice.latest;
+                    limit = _firstImpact.latest;
                 }
             }
         }

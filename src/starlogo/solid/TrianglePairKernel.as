@@ -57,7 +57,7 @@ package starlogo.solid
         private var _planeOfB:TrianglePlane = new TrianglePlane();
 
         // Chooses the two triangles that touch first.
-        private var _choice:ImpactChoice = new ImpactChoice();
+        private var _firstImpact:FirstImpact = new FirstImpact();
 
         /** @param counts counts the pairs of triangles that are tested or measured */
         public function TrianglePairKernel(counts:TreeCounts)
@@ -81,7 +81,7 @@ package starlogo.solid
             _meshB = b;
             _motion.copyVector(motion);
             _motion.latest = motion.latest;
-            _choice.begin(motion.latest);
+            _firstImpact.reset(motion.latest);
             _firstPlaced = NONE;
             _tolerance = trees.triangleTolerance;
             _quickDistance = trees.quickDistance(motion);
@@ -117,11 +117,11 @@ package starlogo.solid
             var first:int = _meshA.tree.first[a];
             var end:int = _meshA.tree.end[a];
             // Higher slots come first, as the traversal visits the right child first if both bounds are equal.
-            for (var i:int = placeTriangles(b) - 1; i >= 0 && _choice.time > 0; i--)
+            for (var i:int = placeTriangles(b) - 1; i >= 0 && _firstImpact.time > 0; i--)
             {
                 setTriangleOfB(i);
                 _planeOfB.setTriangle(_placed, 9 * i);
-                for (var slot:int = end - 1; slot >= first && _choice.time > 0; slot--)
+                for (var slot:int = end - 1; slot >= first && _firstImpact.time > 0; slot--)
                 {
                     if (!areExtentsNear(slot))
                     {
@@ -130,13 +130,13 @@ package starlogo.solid
                     _counts.triangleTests++;
                     if (findTime(slot))
                     {
-                        if (_choice.choose(_motion, _planeOfA, _planeOfB))
+                        if (_firstImpact.offer(_motion, _planeOfA, _planeOfB))
                         {
                             best.a = slot;
                             best.b = _firstPlaced + i;
                         }
-                        best.time = _choice.time;
-                        best.limit = _motion.latest = _choice.latest;
+                        best.time = _firstImpact.time;
+                        best.limit = _motion.latest = _firstImpact.latest;
                     }
                 }
             }

@@ -85,9 +85,9 @@ package starlogo.terrain
             _search.grid = _terrain.grid;
             vertices.length = normals.length = triangles.length = 0;
             var whole:HeightBounds = _search.grid.pyramid.whole;
-            _search.floor = whole.least;
-            _search.box.z = (whole.least + whole.greatest) / 2;
-            _search.box.halfZ = (whole.greatest - whole.least) / 2;
+            _search.floor = whole.min;
+            _search.box.z = (whole.min + whole.max) / 2;
+            _search.box.halfZ = (whole.max - whole.min) / 2;
             var source:GroundTriangles = new GroundTriangles();
             var triangle:GroundTriangle = new GroundTriangle();
             source.begin(_search);
@@ -98,9 +98,9 @@ package starlogo.terrain
             return true;
         }
 
-        private static function clamp(value:Number, least:int, greatest:int):int
+        private static function clamp(value:Number, min:int, max:int):int
         {
-            return Math.max(least, Math.min(greatest, value));
+            return Math.max(min, Math.min(max, value));
         }
 
         private function addTriangle(triangle:GroundTriangle):void

@@ -74,8 +74,8 @@ export class Core {
 		const { ConvexShape } = this.engine;
 		const shape = new ConvexShape();
 		if (each.kind === "triangle") shape.setTriangle([...each.numbers], 0);
-		else if (each.kind === "hull") this.hulls.get(each).$shapeInto(shape);
-		else structureOf(this.engine, each).$shapeInto(shape);
+		else if (each.kind === "hull") this.hulls.get(each).$setShape(shape);
+		else structureOf(this.engine, each).$setShape(shape);
 		return shape;
 	}
 

@@ -278,7 +278,7 @@ package starlogo.bounding
                     var angles:Array = random.pick([[0, 0, 0], [random.between(0, 360), 0, 0],
                                 [random.between(0, 360), random.between(0, 360), random.between(0, 360)]]);
                     var placement:Placement = standing(random.logBetween(0.1, 10), angles, random.normal(), random.normal(), random.normal());
-                    structure.boxAroundInto(placement, turned);
+                    structure.findPlacedBox(placement, turned);
                     structure.place(placement).extentsInto(extents);
                     var at:Array = [placement.x, placement.y, placement.z];
                     for (var axis:int = 0; axis < 3; axis++)

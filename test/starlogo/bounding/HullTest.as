@@ -79,7 +79,7 @@ package starlogo.bounding
                         hull.place(placement, other);hull = other;},
                         function():void
                         {
-                            hull.setNumbers(new Hull(PointSets.cloud(random, 20, 1, 1, 1)).numbers());}
+                            hull.setFromNumbers(new Hull(PointSets.cloud(random, 20, 1, 1, 1)).toNumbers());}
                 ])
             {
                 assertEquals(extentOf(Hull(hull.clone())), extentOf(hull));
@@ -92,7 +92,7 @@ package starlogo.bounding
         private static function extentOf(hull:Hull):Number
         {
             var shape:ConvexShape = new ConvexShape();
-            hull.shapeInto(shape);
+            hull.setShape(shape);
             return shape.extent;
         }
 
@@ -310,7 +310,7 @@ package starlogo.bounding
             var extents:Vector.<Number> = new Vector.<Number>(6);
             var rotated:Vector.<Number> = new Vector.<Number>(6);
             placed.extentsInto(extents);
-            hull.boxAroundInto(placement, rotated);
+            hull.findPlacedBox(placement, rotated);
             var at:Array = [placement.x, placement.y, placement.z];
             for (var axis:int = 0; axis < 3; axis++)
             {
@@ -355,8 +355,8 @@ package starlogo.bounding
                 var hull:Hull = new Hull(PointSets.turned(PointSets.cloud(random, 3 + i, 1, i % 5 == 0 ? 0 : 1), random));
                 hull.widen(1e-14);
                 var read:Hull = new Hull(PointSets.box(1, 1, 1));
-                read.setNumbers(hull.numbers());
-                assertEquals(hull.numbers().join(), read.numbers().join());
+                read.setFromNumbers(hull.toNumbers());
+                assertEquals(hull.toNumbers().join(), read.toNumbers().join());
                 assertEquals(hull.faces.join(), read.faces.join());
                 assertEquals(hull.topology.edges.join(), read.topology.edges.join());
             }

@@ -176,7 +176,7 @@ package starlogo.broadphase
         private function firstRows(count:int):IntList
         {
             var members:IntList = new IntList();
-            members.numbers = _rows;
+            members.values = _rows;
             members.count = count;
             return members;
         }

@@ -41,7 +41,7 @@ package starlogo.broadphase
                 var before:int = _count;
                 fit(0, place);
                 assertEquals(before + 1, _count);
-                assertTrue(String(place), place < BinLevel.LEAST_WIDTH * Math.pow(2, _extents.level[0] - 1) * BinLevel.MAX_DISTANCE);
+                assertTrue(String(place), place < BinLevel.MIN_WIDTH * Math.pow(2, _extents.level[0] - 1) * BinLevel.MAX_DISTANCE);
             }
         }
 

@@ -364,7 +364,7 @@ package starlogo.convex
         {
             var shape:ConvexShape = new ConvexShape();
             var center:Vector3D = new Vector3D(middle[0], middle[1], middle[2]);
-            new Box(center, Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, halves[0], halves[1], halves[2]).shapeInto(shape);
+            new Box(center, Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, halves[0], halves[1], halves[2]).setShape(shape);
             if (isHull)
             {
                 var box:ConvexShape = shape;

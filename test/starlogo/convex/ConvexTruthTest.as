@@ -117,7 +117,7 @@ package starlogo.convex
                     -0.5042777998141063, 4.443023827606398, 0.000023186407971213918, 45562.39164223907);
             var capsule:ConvexShape = new ConvexShape();
             new Capsule(new Vector3D(-90107.6704399277, -54208.699588471034, -12601.417580838483),
-                    new Vector3D(90107.6704399277, 54208.699588471034, 12601.417580838483), 66635.3380510143).shapeInto(capsule);
+                    new Vector3D(90107.6704399277, 54208.699588471034, 12601.417580838483), 66635.3380510143).setShape(capsule);
             checkContactPoint(needle, capsule, 1e-3);
             _wrong.assertNone();
         }
@@ -141,7 +141,7 @@ package starlogo.convex
         public function aTinyBallOnANeedleIsTheContact():void
         {
             var ball:ConvexShape = new ConvexShape();
-            new Sphere(new Vector3D(-2324.2954994414868, 7405.301039092563, 4175.392686694984), 1.1249302533384826e-6).shapeInto(ball);
+            new Sphere(new Vector3D(-2324.2954994414868, 7405.301039092563, 4175.392686694984), 1.1249302533384826e-6).setShape(ball);
             var needle:ConvexShape = new ConvexShape();
             var x:Number = -23635.266779967762;
             var y:Number = 75302.93224734013;
@@ -160,7 +160,7 @@ package starlogo.convex
         {
             var capsule:ConvexShape = new ConvexShape();
             new Capsule(new Vector3D(0.0000025034947588320478, -0.3430067765085749, -9.470828950530752e-7),
-                    new Vector3D(3.377203041665666e-7, -0.34300726683642435, 5.337812969408162e-10), 2.732622363985613e-9).shapeInto(capsule);
+                    new Vector3D(3.377203041665666e-7, -0.34300726683642435, 5.337812969408162e-10), 2.732622363985613e-9).setShape(capsule);
             var needle:ConvexShape = new ConvexShape();
             needle.setTriangle(new <Number>[-3.366928442494316e-7, -0.34300726614292376, 0, 3.366928442494316e-7, -0.34300726614292376, 0,
                         1.4118034968611342e-8, 0.34300726614292376, 0], 0);
@@ -177,7 +177,7 @@ package starlogo.convex
             {
                 vectors.push(new Vector3D(numbers[i], numbers[i + 1], numbers[i + 2]));
             }
-            new Box(vectors[0], vectors[1], vectors[2], vectors[3], numbers[12], numbers[13], numbers[14]).shapeInto(shape);
+            new Box(vectors[0], vectors[1], vectors[2], vectors[3], numbers[12], numbers[13], numbers[14]).setShape(shape);
             return shape;
         }
 

@@ -43,7 +43,7 @@ package starlogo.convex
         [Test]
         public function aFlatTriangleHasNoPlane():void
         {
-            new Sphere(new Vector3D(3, 4, 5), 0.1).shapeInto(_shape);
+            new Sphere(new Vector3D(3, 4, 5), 0.1).setShape(_shape);
             _motion.x = 1;
             for each (var corners:Vector.<Number> in [
                         new <Number>[0, 0, 0, 0, 0, 0, 0, 0, 0],
@@ -92,7 +92,7 @@ package starlogo.convex
 
         private function assertEntry(margin:Number, z:Number, motionZ:Number, expected:Number, message:String):void
         {
-            new Sphere(new Vector3D(0, 0, z), 1).shapeInto(_shape);
+            new Sphere(new Vector3D(0, 0, z), 1).setShape(_shape);
             _motion.z = motionZ;
             assertEquals(message, expected, _plane.timeOfEntry(_shape, margin, _motion));
         }

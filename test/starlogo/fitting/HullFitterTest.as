@@ -222,7 +222,7 @@ package starlogo.fitting
                 {
                     steps++;
                 }
-                assertEquals(model.name, Hull(new HullFitter().fit(model.vertices)).numbers().join(), Hull(fit.structure).numbers().join());
+                assertEquals(model.name, Hull(new HullFitter().fit(model.vertices)).toNumbers().join(), Hull(fit.structure).toNumbers().join());
                 assertTrue(model.name + ": " + steps, model.name != "cloud" || steps > 10);
             }
         }

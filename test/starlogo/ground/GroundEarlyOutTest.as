@@ -109,7 +109,7 @@ package starlogo.ground
         // Sets the query to the structure too.
         private function answerTo(terrain:Terrain, structure:BoundingStructure):int
         {
-            structure.boxAroundInto(_placement, _numbers);
+            structure.findPlacedBox(_placement, _numbers);
             _extents.x = _numbers[0] + _placement.x;
             _extents.y = _numbers[1] + _placement.y;
             _extents.z = _numbers[2] + _placement.z;

@@ -180,11 +180,11 @@ package starlogo.ground
                                 })));
                 _placement.x = _placement.y = 0;
                 _placement.z = 10;
-                for each (var exact:Boolean in [false, true])
+                for each (var isExact:Boolean in [false, true])
                 {
-                    _query.setTo(_terrain.grid, library.treeOf("bars"), library.root("bars").bounds, _placement, 5, exact);
+                    _query.setTo(_terrain.grid, library.treeOf("bars"), library.root("bars").bounds, _placement, 5, isExact);
                     _query.findContact(RelativeMotion.NONE, _out);
-                    assertClose(8, _out.depth, 1e-9, lengths + " " + exact);
+                    assertClose(8, _out.depth, 1e-9, lengths + " " + isExact);
                 }
             }
         }

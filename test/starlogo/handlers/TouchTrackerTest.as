@@ -215,7 +215,7 @@ package starlogo.handlers
 
         private static function namesOfPairs(pairs:IntList):String
         {
-            return pairs == null ? "all" : pairs.numbers.slice(0, pairs.count).join();
+            return pairs == null ? "all" : pairs.values.slice(0, pairs.count).join();
         }
 
         [Test]

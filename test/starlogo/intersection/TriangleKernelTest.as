@@ -193,7 +193,7 @@ package starlogo.intersection
             sweep.setStructure(structure, new Placement());
             _plane.setTriangle(corners, 0);
             motion.time = RelativeMotion.NEVER;
-            if (!_plane.keepsApart(sweep.shape, motion))
+            if (!_plane.areApart(sweep.shape, motion))
             {
                 sweep.findTime(corners, motion);
             }

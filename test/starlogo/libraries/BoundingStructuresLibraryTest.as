@@ -106,7 +106,7 @@ package starlogo.libraries
             assertEquals(found, _library.findOrFit("stick", BoundingStructure.HULL, _stick));
             _library.keepHulls = true;
             _library.add("stick", _stick);
-            assertEquals(Hull(found).numbers().join(), Hull(_library.hull("stick")).numbers().join());
+            assertEquals(Hull(found).toNumbers().join(), Hull(_library.hull("stick")).toNumbers().join());
         }
 
         [Test]

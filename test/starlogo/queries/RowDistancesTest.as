@@ -116,7 +116,7 @@ package starlogo.queries
             var choice:BaseShapeChoice = new TreeChoice(sGreatLand);
             var pairs:NarrowPhase = new NarrowPhase(choice);
             choice.addTests(pairs);
-            pairs.treeLimits.exact = true;
+            pairs.treeLimits.isExact = true;
             var asked:AskedDistance = new AskedDistance(pairs);
             var reference:DistanceReference = new DistanceReference(sGreatLand);
             FrameByFrame.repeat(this, Effort.choose(60, 3000), function(i:int):void
@@ -145,7 +145,7 @@ package starlogo.queries
             var fit:BoundingStructure = sGreatLand.boundingStructures.tightestFit("sphere");
             FrameByFrame.repeat(this, Effort.choose(120, 6000), function(i:int):void
                 {
-                    pairs.treeLimits.exact = i % 2 == 0;
+                    pairs.treeLimits.isExact = i % 2 == 0;
                     pairs.treeLimits.maxDepth = _random.integer(1, 6);
                     var a:Agent = agent(["cube", "kelp"].concat(SolidModels.NAMES));
                     var ball:Agent = agent(["sphere"]);
@@ -154,7 +154,7 @@ package starlogo.queries
                     if (!asked.areTouching)
                     {
                         var placed:Sphere = Sphere(fit.place(ball.freshPlacement()));
-                        var fromCenter:Number = pairs.treeLimits.exact ? reference.fromTriangles(a, placed.center)
+                        var fromCenter:Number = pairs.treeLimits.isExact ? reference.fromTriangles(a, placed.center)
                             : reference.fromNodes(a, pairs.treeLimits.maxDepth, placed.center);
                         assertNear("pair " + i, fromCenter - placed.radius, asked.closest.distance, a, ball);
                     }

@@ -17,7 +17,7 @@ package starlogo.search
     public class NarrowPhaseTest
     {
         private var _tests:NarrowPhase = new NarrowPhase(new TightestFitChoice(landOf(BuiltInModel.cube())));
-        private var _body:Body = new StructureBody().read(new Sphere(new Vector3D(), 1));
+        private var _body:Body = new StructureBody().setTo(new Sphere(new Vector3D(), 1));
 
         [Test]
         public function theGroundIsNoFirstBody():void
@@ -34,7 +34,7 @@ package starlogo.search
         private function checkOrder(agent:WorldAgent):void
         {
             var world:Body = new Body();
-            world.readAgent(agent, agent.surface);
+            world.setToAgent(agent, agent.surface);
             assertThrows(IllegalOperationError, /second body/, _tests.pairTestsFor, world, _body);
             assertTrue(_tests.pairTestsFor(_body, world) != null);
             assertTrue("in either order", _tests.areTouching(world, _body) == _tests.areTouching(_body, world));

@@ -52,8 +52,8 @@ package starlogo.search
                     expected.push([time, first, second]);
                     timeOf[first + " " + second] = time;
                     // after the agents comes the ground
-                    var other:int = second == list.rows.count ? ListedAgents.GROUND_ROW : list.rows.numbers[second];
-                    pairs.addPairs(list.rows.numbers[first], new <int>[other], 1, new <Number>[time]);
+                    var other:int = second == list.rows.count ? ListedAgents.GROUND_ROW : list.rows.values[second];
+                    pairs.addPairs(list.rows.values[first], new <int>[other], 1, new <Number>[time]);
                 }
             }
             expected.sort(compare);
@@ -96,7 +96,7 @@ package starlogo.search
         private static function propose(list:ListedAgents, agents:Vector.<Agent>):void
         {
             list.propose(agents);
-            list.accept();
+            list.commitProposed();
         }
     }
 }

@@ -59,12 +59,12 @@ package starlogo.search
                 if (random.chance(0.4))
                 {
                     var wrong:Agent = random.chance() ? null : new Agent("unknown");
-                    assertThrows(ArgumentError, /null|there is no model/, _table.acceptList, listed.concat(new <Agent>[wrong]));
+                    assertThrows(ArgumentError, /null|there is no model/, _table.setList, listed.concat(new <Agent>[wrong]));
                     assertLastPlaces(lastList, seen);
                     refused++;
                     continue;
                 }
-                _table.acceptList(listed);
+                _table.setList(listed);
                 _motions.readChanges();
                 _table.readChanges();
                 for each (agent in listed)
@@ -74,7 +74,7 @@ package starlogo.search
                     assertEquals("has a motion", wasListed, !_motions.haveJumped[row]);
                     if (wasListed)
                     {
-                        assertEquals("where the motion begins", agent.x - seen[agent.id], _motions.ways.x[row]);
+                        assertEquals("where the motion begins", agent.x - seen[agent.id], _motions.displacements.x[row]);
                         still += seen[agent.id] == agent.x ? 1 : 0;
                     }
                 }

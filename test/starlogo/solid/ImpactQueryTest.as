@@ -53,7 +53,7 @@ package starlogo.solid
         }
 
         // The right wall moves into what stands between them, and touches it after 2/3 of the motion.
-        private function checkLatest(b:ModelTree, structure:BoundingStructure, exact:Boolean):void
+        private function checkLatest(b:ModelTree, structure:BoundingStructure, isExact:Boolean):void
         {
             var walls:ModelTree = treeOf("walls", block(0.6, 1, 0.3, block(-1, -0.6, 0.3, [])));
             var motion:RelativeMotion = new RelativeMotion();
@@ -64,7 +64,7 @@ package starlogo.solid
                 {
                     var ends:Placement = new Placement();
                     ends.x = -0.6;
-                    var query:TreeQuery = queryOf(walls, ends, b, structure, exact);
+                    var query:TreeQuery = queryOf(walls, ends, b, structure, isExact);
                     motion.latest = latest;
                     if (testsEnds)
                     {
@@ -74,14 +74,14 @@ package starlogo.solid
                     {
                         query.findImpactOfSurfaces(motion, null);
                     }
-                    var what:String = "exact " + exact + ", latest " + latest;
+                    var what:String = "exact " + isExact + ", latest " + latest;
                     assertTrue(what + ": " + motion.time, latest < 2 / 3 ? motion.time == RelativeMotion.NEVER : Math.abs(motion.time - 2 / 3) < 1e-9);
                 }
             }
         }
 
         // Two walls move to the left, until the right one almost touches what stands between them.
-        private function checkEnds(b:ModelTree, structure:BoundingStructure, exact:Boolean):void
+        private function checkEnds(b:ModelTree, structure:BoundingStructure, isExact:Boolean):void
         {
             var walls:ModelTree = treeOf("walls", block(0.6, 1, 0.3, block(-1, -0.6, 0.3, [])));
             var motion:RelativeMotion = new RelativeMotion();
@@ -92,7 +92,7 @@ package starlogo.solid
                 var travel:Number = TRAVEL - step * Math.pow(2, -51);
                 var ends:Placement = new Placement();
                 ends.x = -travel;
-                var query:TreeQuery = queryOf(walls, ends, b, structure, exact);
+                var query:TreeQuery = queryOf(walls, ends, b, structure, isExact);
                 motion.endAfter(-travel, 0, 0);
                 query.findImpactOfSurfaces(motion, null);
                 var isMissed:Boolean = motion.time == RelativeMotion.NEVER;
@@ -111,10 +111,10 @@ package starlogo.solid
         }
 
         // The second model is a tree or a structure, and stands at the origin.
-        private function queryOf(a:ModelTree, at:Placement, b:ModelTree, structure:BoundingStructure, exact:Boolean):TreeQuery
+        private function queryOf(a:ModelTree, at:Placement, b:ModelTree, structure:BoundingStructure, isExact:Boolean):TreeQuery
         {
-            return b != null ? _trees.setTo(a, at, BoxTree.EXACT, b, new Placement(), BoxTree.EXACT, exact)
-                : _treeAndStructure.setTo(a, at, BoxTree.EXACT, structure, new Placement(), exact);
+            return b != null ? _trees.setTo(a, at, BoxTree.EXACT, b, new Placement(), BoxTree.EXACT, isExact)
+                : _treeAndStructure.setTo(a, at, BoxTree.EXACT, structure, new Placement(), isExact);
         }
 
         // Adds the corners of a block to a list.

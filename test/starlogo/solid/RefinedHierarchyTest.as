@@ -134,7 +134,7 @@ package starlogo.solid
             var box:Vector.<Number> = tree.boxes.slice(6 * node, 6 * node + 6);
             var extents:Vector.<Number> = new Vector.<Number>(6, true);
             var left:int = tree.left[node];
-            var isLeaf:Boolean = tree.endsUpToDepth[node] >= BoxTree.LARGEST_DEPTH;
+            var isLeaf:Boolean = tree.endsUpToDepth[node] >= BoxTree.MAX_DEPTH;
             assertTrue(tree.end[node] > tree.first[node]);
             for (var i:int = tree.first[node]; i < tree.end[node]; i++)
             {
@@ -155,8 +155,8 @@ package starlogo.solid
             assertEquals(tree.end[left], tree.first[left + 1]);
             assertEquals(tree.end[node], tree.end[left + 1]);
             assertEquals(tree.levelOf(node) + 1, tree.levelOf(left));
-            assertEquals(isLeaf ? BoxTree.LARGEST_DEPTH : tree.levelOf(node), tree.endsUpToDepth[node]);
-            assertTrue("below a leaf are leaves", !isLeaf || tree.endsUpToDepth[left] >= BoxTree.LARGEST_DEPTH && tree.endsUpToDepth[left + 1] >= BoxTree.LARGEST_DEPTH);
+            assertEquals(isLeaf ? BoxTree.MAX_DEPTH : tree.levelOf(node), tree.endsUpToDepth[node]);
+            assertTrue("below a leaf are leaves", !isLeaf || tree.endsUpToDepth[left] >= BoxTree.MAX_DEPTH && tree.endsUpToDepth[left + 1] >= BoxTree.MAX_DEPTH);
             return check(tree, left) + check(tree, left + 1);
         }
 

@@ -101,7 +101,7 @@ package starlogo.solid
                 pair.findInside(out);
                 out.a.x = 7;
                 pair.setTo(cube, stands, int.MAX_VALUE, new Sphere(new Vector3D(5, 5, 5), 0.1), stands, true);
-                pair.pose.relate(pair.placementA, pair.placementB);
+                pair.pose.setBetween(pair.placementA, pair.placementB);
                 pair.findInside(out);
                 assertEquals(7, out.a.x);
             }
@@ -109,7 +109,7 @@ package starlogo.solid
             var moved:Placement = new Placement();
             moved.x = 5;
             pair.setTo(cube, stands, int.MAX_VALUE, new Sphere(new Vector3D(-5, 0, 0.5), 0.1), moved, true);
-            pair.pose.relate(pair.placementA, pair.placementB);
+            pair.pose.setBetween(pair.placementA, pair.placementB);
             assertTrue(pair.findInside(out));
             assertEquals(0, out.a.x);
         }
@@ -130,7 +130,7 @@ package starlogo.solid
             {
                 var a:ModelTree = random.pick([bear, ball]);
                 var b:ModelTree = random.pick([bear, ball]);
-                pose.relate(randomPlacement(random), randomPlacement(random));
+                pose.setBetween(randomPlacement(random), randomPlacement(random));
                 trees.a = a.boxTree;
                 trees.b = b.boxTree;
                 trees.depthA = random.integer(1, 6);
@@ -255,9 +255,9 @@ package starlogo.solid
         }
 
         private function treesOverlap(a:ModelTree, placementA:Placement, depthA:int, b:ModelTree, placementB:Placement, depthB:int,
-                exact:Boolean):Boolean
+                isExact:Boolean):Boolean
         {
-            return _trees.setTo(a, placementA, depthA, b, placementB, depthB, exact).areTouching();
+            return _trees.setTo(a, placementA, depthA, b, placementB, depthB, isExact).areTouching();
         }
 
         private function structureOverlaps(a:ModelTree, placementA:Placement, depth:int, structure:BoundingStructure, placementB:Placement):Boolean

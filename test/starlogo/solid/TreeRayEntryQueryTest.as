@@ -303,9 +303,9 @@ package starlogo.solid
             return Math.min(nearestEnd(node.left, depth - 1, ray, entry.distance), nearestEnd(node.right, depth - 1, ray, entry.distance));
         }
 
-        private function distanceAt(hierarchy:ModelTree, depth:int, exact:Boolean, ray:Ray):Number
+        private function distanceAt(hierarchy:ModelTree, depth:int, isExact:Boolean, ray:Ray):Number
         {
-            return _rays.find(hierarchy, depth, exact, ray, _entry) ? _entry.distance : Infinity;
+            return _rays.find(hierarchy, depth, isExact, ray, _entry) ? _entry.distance : Infinity;
         }
 
         private function pointInside(hierarchy:ModelTree):Vector3D

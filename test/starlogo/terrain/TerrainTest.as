@@ -408,7 +408,7 @@ package starlogo.terrain
             for (var i:int = 0; i < 30; i++)
             {
                 var height:Number = terrain.heightAt(x + random.pick([-1, 1, random.between(-1, 1)]) * reachX, y + random.pick([-1, 1, random.between(-1, 1)]) * reachY);
-                assertFalse(height + " is out of bounds", height < range.least || height > range.greatest);
+                assertFalse(height + " is out of bounds", height < range.min || height > range.max);
             }
         }
 
@@ -434,8 +434,8 @@ package starlogo.terrain
                     difference = Math.max(difference, row == firstRow ? 0 : Math.abs(height - terrain.getHeight(column, row - 1)));
                 }
             }
-            assertEquals(least, bounds.least);
-            assertEquals(greatest, bounds.greatest);
+            assertEquals(least, bounds.min);
+            assertEquals(greatest, bounds.max);
             assertEquals(difference, bounds.riseX);
             assertEquals(hasHole, bounds.hasHole);
         }

@@ -17,7 +17,7 @@ package starlogo.collision.snapshots
     public final class SnapshotRegister
     {
         // How many ids are remembered, unless the last snapshot alone has more.
-        private static const MOST_IDS:int = 65536;
+        private static const MAX_IDS:int = 65536;
 
         // How many ids an error names.
         private static const NAMED:int = 10;
@@ -50,7 +50,7 @@ package starlogo.collision.snapshots
             }
             _entries.push(entry);
             _size += sizeOf(entry);
-            while (_size > MOST_IDS && _entries.length > 1)
+            while (_size > MAX_IDS && _entries.length > 1)
             {
                 _size -= sizeOf(_entries.shift());
             }

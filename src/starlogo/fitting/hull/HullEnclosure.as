@@ -22,8 +22,8 @@ package starlogo.fitting.hull
         private static const VERTICES_PER_STEP:int = 1000;
 
         // The hull is scaled by this fraction more than it needs. Rounding may leave a vertex outside, so the fraction is doubled each time.
-        private static const LEAST_EXCESS:Number = 1e-15;
-        private static const MOST_SCALINGS:int = 20;
+        private static const MIN_EXCESS:Number = 1e-15;
+        private static const MAX_SCALINGS:int = 20;
 
         /** The hull, when no step is left. */
         public var hull:Hull;
@@ -88,7 +88,7 @@ package starlogo.fitting.hull
             for (var i:int = 0; i < heights.length; i++)
             {
                 var offset:Number = halfSpaces[4 * i + 3];
-                if (offset > 0 && scalings < MOST_SCALINGS)
+                if (offset > 0 && scalings < MAX_SCALINGS)
                 {
                     factor = Math.max(factor, heights[i] / offset);
                 }
@@ -99,7 +99,7 @@ package starlogo.fitting.hull
             }
             if (factor > 1)
             {
-                hull.scaleCorners(factor * (1 + LEAST_EXCESS * (1 << scalings)));
+                hull.scaleCorners(factor * (1 + MIN_EXCESS * (1 << scalings)));
                 addRound(vertices, scalings + 1);
             }
             else if (vertices != _session.vertices)

@@ -15,7 +15,7 @@ package starlogo.fitting.hull
         // The coordinates of points on the planes are about 1.
         private static const FAR:Number = 100;
         private static const NEAR:Number = 10;
-        private static const MOST_TURNS:int = 40;
+        private static const MAX_TURNS:int = 40;
 
         private static var sThree:Vector.<Number> = new Vector.<Number>(12, true);
         private static var sCrosses:Vector.<Number> = new Vector.<Number>(9, true);
@@ -35,7 +35,7 @@ package starlogo.fitting.hull
             var three:Vector.<Number> = sThree;
             var crosses:Vector.<Number> = sCrosses;
             writePlanesFarBelow(upX, upY, upZ, three);
-            for (var turn:int = 0; turn < MOST_TURNS; turn++)
+            for (var turn:int = 0; turn < MAX_TURNS; turn++)
             {
                 var determinant:Number = findMeetingPoint(three, crosses, out);
                 if (!(Math.abs(determinant) > Tolerances.UNIT_ROUNDING))
@@ -139,8 +139,8 @@ package starlogo.fitting.hull
                 var x:Number = crosses[int(3 * i)];
                 var y:Number = crosses[int(3 * i + 1)];
                 var z:Number = crosses[int(3 * i + 2)];
-                var share:Number = (normalX * x + normalY * y + normalZ * z) / determinant;
-                var lasts:Number = share > Tolerances.UNIT_ROUNDING ? (upX * x + upY * y + upZ * z) / determinant / share : Infinity;
+                var fraction:Number = (normalX * x + normalY * y + normalZ * z) / determinant;
+                var lasts:Number = fraction > Tolerances.UNIT_ROUNDING ? (upX * x + upY * y + upZ * z) / determinant / fraction : Infinity;
                 if (lasts < least)
                 {
                     least = lasts;

@@ -18,7 +18,7 @@ package starlogo.fitting.hull
     public final class ProgressiveHull
     {
         // An edge with more faces than this at its ends does not collapse. So a corner with an edge to all others costs no more than other corners.
-        private static const MOST_FACES:int = 40;
+        private static const MAX_FACES:int = 40;
 
         private var _points:Vector.<Number>;
 
@@ -183,7 +183,7 @@ package starlogo.fitting.hull
                 upY += area * _planes[int(4 * face + 1)];
                 upZ += area * _planes[int(4 * face + 2)];
             }
-            if (count > MOST_FACES || !LowestPointSearch.find(_planes, upX, upY, upZ, out))
+            if (count > MAX_FACES || !LowestPointSearch.find(_planes, upX, upY, upZ, out))
             {
                 return false;
             }
@@ -242,7 +242,7 @@ package starlogo.fitting.hull
                 }
                 next = _across[(next & 3) == 0 ? next + 2 : next - 1];
             }
-            while (next != edge && count <= MOST_FACES);
+            while (next != edge && count <= MAX_FACES);
             out.faceCount = count;
         }
 

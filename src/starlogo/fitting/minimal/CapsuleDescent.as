@@ -19,13 +19,13 @@ package starlogo.fitting.minimal
     public final class CapsuleDescent extends StepSequence
     {
         // The most moves, the step size at which the descent ends, and the most rounds over the multipliers in a move.
-        private static const MOST_MOVES:int = 60;
+        private static const MAX_MOVES:int = 60;
         private static const SMALLEST_STEP:Number = 1e-7;
-        private static const MOST_ROUNDS:int = 60;
+        private static const MAX_ROUNDS:int = 60;
 
         // A point cannot matter in one step if its distance is less than the radius by more than this share of the radius.
         private static const ACTIVE:Number = 0.15;
-        private static const MOST_ACTIVE:int = 48;
+        private static const MAX_ACTIVE:int = 48;
 
         // After a move that gains less than this share of the volume, the steps become smaller.
         private static const GAIN:Number = 1e-7;
@@ -81,7 +81,7 @@ package starlogo.fitting.minimal
                 _stepSize *= 0.3;
             }
             _moveCount++;
-            return _moveCount < MOST_MOVES && _stepSize > SMALLEST_STEP;
+            return _moveCount < MAX_MOVES && _stepSize > SMALLEST_STEP;
         }
 
         private static function volumeOf(ends:Vector.<Number>, radius:Number):Number
@@ -170,19 +170,19 @@ package starlogo.fitting.minimal
         // The smallest squared distance of an active point. It is increased if too many points are active.
         private function activeFrom():Number
         {
-            var share:Number = ACTIVE;
+            var fraction:Number = ACTIVE;
             do
             {
-                var least:Number = radius * (1 - share);
+                var least:Number = radius * (1 - fraction);
                 least *= least;
                 var count:int = 0;
                 for (var i:int = 0; i < _squares.length; i++)
                 {
                     count += _squares[i] >= least ? 1 : 0;
                 }
-                share /= 2;
+                fraction /= 2;
             }
-            while (count > MOST_ACTIVE && share > 1e-4);
+            while (count > MAX_ACTIVE && fraction > 1e-4);
             return least;
         }
 
@@ -202,7 +202,7 @@ package starlogo.fitting.minimal
             }
             var count:int = tangents.length / 8;
             var multipliers:Vector.<Number> = new Vector.<Number>(count);
-            for (var round:int = 0; round < MOST_ROUNDS; round++)
+            for (var round:int = 0; round < MAX_ROUNDS; round++)
             {
                 var most:Number = 0;
                 for (i = 0; i < count; i++)

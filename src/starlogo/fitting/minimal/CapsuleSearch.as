@@ -22,8 +22,8 @@ package starlogo.fitting.minimal
         private static const DIRECTIONS:int = 60;
 
         // The most descents, and the smallest angle between the directions of two of them, in radians.
-        private static const MOST_DESCENTS:int = 6;
-        private static const LEAST_ANGLE:Number = 0.15;
+        private static const MAX_DESCENTS:int = 6;
+        private static const MIN_ANGLE:Number = 0.15;
 
         // The radii to try, as multiples of the circle's radius.
         private static const RADII:Vector.<Number> = new <Number>[1, 1.02, 1.05, 1.1, 1.2, 1.35];
@@ -74,7 +74,7 @@ package starlogo.fitting.minimal
         {
             var order:Array = volumes.sort(Array.NUMERIC | Array.RETURNINDEXEDARRAY);
             var starts:Vector.<Vector3D> = new Vector.<Vector3D>();
-            for (var i:int = 0; i < order.length && starts.length < MOST_DESCENTS; i++)
+            for (var i:int = 0; i < order.length && starts.length < MAX_DESCENTS; i++)
             {
                 if (!isNear(starts, directions[order[i]]))
                 {
@@ -116,7 +116,7 @@ package starlogo.fitting.minimal
         {
             for each (var other:Vector3D in others)
             {
-                if (direction.crossProduct(other).lengthSquared < LEAST_ANGLE * LEAST_ANGLE)
+                if (direction.crossProduct(other).lengthSquared < MIN_ANGLE * MIN_ANGLE)
                 {
                     return true;
                 }

@@ -10,7 +10,7 @@ package starlogo.geometry.vertices
      */
     public final class PointTable
     {
-        private static const MOST_PROBES:int = 64;
+        private static const MAX_PROBES:int = 64;
 
         /** The coordinates x, y, z, ... of the points, in the order in which they were first added. */
         public var coordinates:Vector.<Number> = new Vector.<Number>();
@@ -40,7 +40,7 @@ package starlogo.geometry.vertices
             var mask:int = _slots.length - 1;
             var slot:int = hash(x, y, z) & mask;
             var probes:int = 0;
-            while (_slots[slot] != 0 && probes < MOST_PROBES)
+            while (_slots[slot] != 0 && probes < MAX_PROBES)
             {
                 if (isAt(_slots[slot] - 1, x, y, z))
                 {
@@ -51,7 +51,7 @@ package starlogo.geometry.vertices
             }
             var index:int = coordinates.length / 3;
             coordinates.push(x, y, z);
-            if (probes < MOST_PROBES)
+            if (probes < MAX_PROBES)
             {
                 _slots[slot] = index + 1;
             }

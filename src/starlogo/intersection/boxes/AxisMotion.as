@@ -11,7 +11,7 @@ package starlogo.intersection.boxes
         public var offset:Number = 0;
 
         /** How far the second shape moves until time 1. */
-        public var travel:Number = 0;
+        public var speed:Number = 0;
 
         /** The half-extents of both shapes along the axis, added. */
         public var halfExtents:Number = 0;

@@ -62,7 +62,7 @@ package starlogo.intersection.boxes
          *
          * @param slack is added to the absolute values
          */
-        public function readAxes(rotation:Placement, slack:Number = 0):void
+        public function setAxes(rotation:Placement, slack:Number = 0):void
         {
             m00 = rotation.r00;
             m01 = rotation.r01;

@@ -57,7 +57,7 @@ package starlogo.intersection.boxes
         /** Sets the pair's time to the first at which the boxes touch. It is NEVER if it is after the latest time. */
         public function findTime(pair:BoxPair):void
         {
-            _times.begin(pair.latest);
+            _times.reset(pair.latest);
             writeTime(narrowByFaces(pair) && narrowByEdges(pair), pair);
         }
 
@@ -67,7 +67,7 @@ package starlogo.intersection.boxes
          */
         public function findTimeOfFaces(pair:BoxPair):void
         {
-            _times.begin(pair.latest);
+            _times.reset(pair.latest);
             writeTime(narrowByFaces(pair), pair);
         }
 
@@ -98,7 +98,7 @@ package starlogo.intersection.boxes
         // Sets the pair's time to when the boxes first touch, if they do.
         private function writeTime(areTouching:Boolean, pair:BoxPair):void
         {
-            pair.time = areTouching ? Math.min(_times.touch, _times.last) : RelativeMotion.NEVER;
+            pair.time = areTouching ? Math.min(_times.timeOfImpact, _times.latest) : RelativeMotion.NEVER;
         }
 
         // Narrows the interval by the faces of both. Returns whether anything is left.
@@ -111,12 +111,12 @@ package starlogo.intersection.boxes
             var moveX:Number = pair.motionX;
             var moveY:Number = pair.motionY;
             var moveZ:Number = pair.motionZ;
-            var aHalfX:Number = pair.aHalfX;
-            var aHalfY:Number = pair.aHalfY;
-            var aHalfZ:Number = pair.aHalfZ;
-            var bHalfX:Number = pair.bHalfX;
-            var bHalfY:Number = pair.bHalfY;
-            var bHalfZ:Number = pair.bHalfZ;
+            var aHalfX:Number = pair.halfXA;
+            var aHalfY:Number = pair.halfYA;
+            var aHalfZ:Number = pair.halfZA;
+            var bHalfX:Number = pair.halfXB;
+            var bHalfY:Number = pair.halfYB;
+            var bHalfZ:Number = pair.halfZB;
             return narrow(pair, fromX, moveX, aHalfX + bHalfX * axes.abs00 + bHalfY * axes.abs01 + bHalfZ * axes.abs02, 1)
                 && narrow(pair, fromY, moveY, aHalfY + bHalfX * axes.abs10 + bHalfY * axes.abs11 + bHalfZ * axes.abs12, 1)
                 && narrow(pair, fromZ, moveZ, aHalfZ + bHalfX * axes.abs20 + bHalfY * axes.abs21 + bHalfZ * axes.abs22, 1)
@@ -129,11 +129,11 @@ package starlogo.intersection.boxes
         }
 
         // Narrows the interval by an axis, if it is longer than rounding. Returns whether anything is left. @param size at least the length of the axis
-        private function narrow(pair:BoxPair, offset:Number, travel:Number, halfExtents:Number, size:Number):Boolean
+        private function narrow(pair:BoxPair, offset:Number, speed:Number, halfExtents:Number, size:Number):Boolean
         {
             var axis:AxisMotion = _axis;
             axis.offset = offset;
-            axis.travel = travel;
+            axis.speed = speed;
             axis.halfExtents = halfExtents;
             axis.tolerance = pair.tolerance * size;
             return !(size > SHORTEST) || _times.narrow(axis);
@@ -158,9 +158,9 @@ package starlogo.intersection.boxes
             var halves:Vector.<Number> = _halves;
             for (var i:int = 0; i < 3; i++)
             {
-                halves[i] = pair.bHalfX * edges[i];
-                halves[int(i + 3)] = pair.bHalfY * edges[int(i + 3)];
-                halves[int(i + 6)] = pair.bHalfZ * edges[int(i + 6)];
+                halves[i] = pair.halfXB * edges[i];
+                halves[int(i + 3)] = pair.halfYB * edges[int(i + 3)];
+                halves[int(i + 6)] = pair.halfZB * edges[int(i + 6)];
             }
             return narrowAcross(pair, 0, 3, 6) && narrowAcross(pair, 3, 6, 0) && narrowAcross(pair, 6, 0, 3);
         }
@@ -184,11 +184,11 @@ package starlogo.intersection.boxes
             var sizeY:Number = Math.abs(pY);
             var sizeZ:Number = Math.abs(pZ);
             return narrow(pair, pair.offsetZ * pY - pair.offsetY * pZ, pair.motionZ * pY - pair.motionY * pZ,
-                    pair.aHalfY * sizeZ + pair.aHalfZ * sizeY + Math.abs(qZ * pY - qY * pZ) + Math.abs(rZ * pY - rY * pZ), sizeY + sizeZ)
+                    pair.halfYA * sizeZ + pair.halfZA * sizeY + Math.abs(qZ * pY - qY * pZ) + Math.abs(rZ * pY - rY * pZ), sizeY + sizeZ)
                 && narrow(pair, pair.offsetX * pZ - pair.offsetZ * pX, pair.motionX * pZ - pair.motionZ * pX,
-                    pair.aHalfZ * sizeX + pair.aHalfX * sizeZ + Math.abs(qX * pZ - qZ * pX) + Math.abs(rX * pZ - rZ * pX), sizeX + sizeZ)
+                    pair.halfZA * sizeX + pair.halfXA * sizeZ + Math.abs(qX * pZ - qZ * pX) + Math.abs(rX * pZ - rZ * pX), sizeX + sizeZ)
                 && narrow(pair, pair.offsetY * pX - pair.offsetX * pY, pair.motionY * pX - pair.motionX * pY,
-                    pair.aHalfX * sizeY + pair.aHalfY * sizeX + Math.abs(qY * pX - qX * pY) + Math.abs(rY * pX - rX * pY), sizeX + sizeY);
+                    pair.halfXA * sizeY + pair.halfYA * sizeX + Math.abs(qY * pX - qX * pY) + Math.abs(rY * pX - rX * pY), sizeX + sizeY);
         }
     }
 }

@@ -11,22 +11,22 @@ package starlogo.intersection.boxes
     public final class ContactInterval
     {
         /** The end of the interval, with the tolerance included. Read only. */
-        public var last:Number = 1;
+        public var latest:Number = 1;
 
         /**
          * The time from which the last axis no longer separates the shapes, without the tolerance. If it is not after the end of the interval,
          * the shapes touch then. Read only.
          */
-        public var touch:Number = 0;
+        public var timeOfImpact:Number = 0;
 
         // The beginning of the interval, with the tolerance included.
-        private var _first:Number = 0;
+        private var _earliest:Number = 0;
 
         /** Begins with no axis tried. */
-        public function begin(latest:Number):void
+        public function reset(latest:Number):void
         {
-            _first = touch = 0;
-            last = latest;
+            _earliest = timeOfImpact = 0;
+            this.latest = latest;
         }
 
         /**
@@ -38,43 +38,43 @@ package starlogo.intersection.boxes
         public function narrow(axis:AxisMotion):Boolean
         {
             var from:Number = axis.offset;
-            var travel:Number = axis.travel;
+            var speed:Number = axis.speed;
             var halfExtents:Number = axis.halfExtents;
             // mirrored, so that the motion is upwards
-            if (travel < 0)
+            if (speed < 0)
             {
-                travel = -travel;
+                speed = -speed;
                 from = -from;
             }
             var touchingDistance:Number = halfExtents * Tolerances.TOUCHING + axis.tolerance;
             var time:Number;
             if (from < -touchingDistance)
             {
-                if (!(travel > 0))
+                if (!(speed > 0))
                 {
                     return false;
                 }
-                time = (-touchingDistance - from) / travel;
-                if (time > last)
+                time = (-touchingDistance - from) / speed;
+                if (time > latest)
                 {
                     return false;
                 }
-                _first = time > _first ? time : _first;
-                time = (-halfExtents - from) / travel;
-                touch = time > touch ? time : touch;
+                _earliest = time > _earliest ? time : _earliest;
+                time = (-halfExtents - from) / speed;
+                timeOfImpact = time > timeOfImpact ? time : timeOfImpact;
             }
             else if (from > touchingDistance)
             {
                 return false;
             }
-            if (from + last * travel > touchingDistance)
+            if (from + latest * speed > touchingDistance)
             {
-                time = (touchingDistance - from) / travel;
-                if (time < _first)
+                time = (touchingDistance - from) / speed;
+                if (time < _earliest)
                 {
                     return false;
                 }
-                last = time < last ? time : last;
+                latest = time < latest ? time : latest;
             }
             return true;
         }

@@ -35,17 +35,17 @@ package starlogo.intersection.ray
          */
         public function find(ray:Ray, structure:BoundingStructure, out:RaySpan):Boolean
         {
-            structure.shapeInto(_shape);
+            structure.setShape(_shape);
             // the part of the line that may be inside
-            var middle:Number = (_shape.x - ray.x) * ray.directionX + (_shape.y - ray.y) * ray.directionY + (_shape.z - ray.z) * ray.directionZ;
+            var closestDistance:Number = (_shape.x - ray.x) * ray.directionX + (_shape.y - ray.y) * ray.directionY + (_shape.z - ray.z) * ray.directionZ;
             var boundingRadius:Number = 2 * (_shape.extent + _shape.radius) + Number.MIN_VALUE;
-            var near:Number = meetFrom(ray, middle - boundingRadius, 2 * boundingRadius);
+            var near:Number = meetFrom(ray, closestDistance - boundingRadius, 2 * boundingRadius);
             if (near == Infinity)
             {
                 return false;
             }
             out.setNormalNear(_contact.normalX, _contact.normalY, _contact.normalZ);
-            var far:Number = meetFrom(ray, middle + boundingRadius, -2 * boundingRadius);
+            var far:Number = meetFrom(ray, closestDistance + boundingRadius, -2 * boundingRadius);
             out.setNormalFar(_contact.normalX, _contact.normalY, _contact.normalZ);
             out.setEnds(near, far);
             return near <= far && far < Infinity;

@@ -64,7 +64,7 @@ package starlogo.intersection.ray
         /** Adds that a ray begins inside of the shape. */
         public function addInside(ray:Ray):void
         {
-            _entry.begin(ray);
+            _entry.setToStart(ray);
             add(_entry, 0, ray.from, INSIDE);
         }
 

@@ -19,7 +19,7 @@ package starlogo.intersection.ray
         public var triangle:int = -1;
 
         /** Sets it to where a ray begins. */
-        public function begin(ray:Ray):void
+        public function setToStart(ray:Ray):void
         {
             distance = ray.from;
             normalX = -ray.directionX;
@@ -36,7 +36,7 @@ package starlogo.intersection.ray
          */
         public function enter(ray:Ray, span:RaySpan):Boolean
         {
-            begin(ray);
+            setToStart(ray);
             if (span.near > ray.from)
             {
                 distance = span.entrance <= ray.to ? span.entrance : span.near;

@@ -142,7 +142,7 @@ package starlogo.intersection.ray
          */
         public function writeEntry(corners:Vector.<Number>, crossing:TriangleCrossing, triangle:int, out:RayEntry):void
         {
-            out.begin(_ray);
+            out.setToStart(_ray);
             out.distance = crossing.distance;
             out.triangle = triangle;
             _plane.setTriangle(corners, 0);
@@ -250,14 +250,14 @@ package starlogo.intersection.ray
             var toU:Number = points[to + _u] - _originU - _shearU * toW - fromU;
             var toV:Number = points[to + _v] - _originV - _shearV * toW - fromV;
             var square:Number = toU * toU + toV * toV;
-            var share:Number = square > 0 ? Math.max(0, Math.min(1, -(fromU * toU + fromV * toV) / square)) : 0;
-            fromU += share * toU;
-            fromV += share * toV;
+            var fraction:Number = square > 0 ? Math.max(0, Math.min(1, -(fromU * toU + fromV * toV) / square)) : 0;
+            fromU += fraction * toU;
+            fromV += fraction * toV;
             if (fromU * fromU + fromV * fromV <= tolerance * tolerance)
             {
-                var place:Number = _inverseSpeed * (fromW + share * (toW - fromW));
-                out.distance = Math.min(out.distance, place);
-                out.end = Math.max(out.end, place);
+                var distance:Number = _inverseSpeed * (fromW + fraction * (toW - fromW));
+                out.distance = Math.min(out.distance, distance);
+                out.end = Math.max(out.end, distance);
             }
         }
     }

@@ -73,10 +73,10 @@ package starlogo.intersection.ray
             var z:Number = ray.z - center.z;
             // The middle of the part, and the vector to it from the centre. It is perpendicular to the line, so no digits cancel (Haines, Günther and
             // Akenine-Möller, "Precision improvements for ray/sphere intersection", Ray Tracing Gems, 2019).
-            var middle:Number = -(x * ray.directionX + y * ray.directionY + z * ray.directionZ);
-            x += middle * ray.directionX;
-            y += middle * ray.directionY;
-            z += middle * ray.directionZ;
+            var closestDistance:Number = -(x * ray.directionX + y * ray.directionY + z * ray.directionZ);
+            x += closestDistance * ray.directionX;
+            y += closestDistance * ray.directionY;
+            z += closestDistance * ray.directionZ;
             var halfSquared:Number = radius * radius - (x * x + y * y + z * z);
             if (!(halfSquared >= 0))
             {
@@ -86,7 +86,7 @@ package starlogo.intersection.ray
             var halfX:Number = half * ray.directionX;
             var halfY:Number = half * ray.directionY;
             var halfZ:Number = half * ray.directionZ;
-            out.setEnds(middle - half, middle + half);
+            out.setEnds(closestDistance - half, closestDistance + half);
             out.setNormalNear(x - halfX, y - halfY, z - halfZ);
             out.setNormalFar(x + halfX, y + halfY, z + halfZ);
             return true;
@@ -106,9 +106,9 @@ package starlogo.intersection.ray
             var x:Number = ray.x - start.x;
             var y:Number = ray.y - start.y;
             var z:Number = ray.z - start.z;
-            // As shares of the axis: the place of the line's point, and how far the line goes along the axis in a length of 1. What is left of the
+            // As fractions of the axis: the place of the line's point, and how far the line goes along the axis in a length of 1. What is left of the
             // direction is across the axis.
-            var share:Number = squared > 0 ? (x * axisX + y * axisY + z * axisZ) / squared : 0;
+            var fraction:Number = squared > 0 ? (x * axisX + y * axisY + z * axisZ) / squared : 0;
             var speed:Number = squared > 0 ? (ray.directionX * axisX + ray.directionY * axisY + ray.directionZ * axisZ) / squared : 0;
             var acrossX:Number = ray.directionX - speed * axisX;
             var acrossY:Number = ray.directionY - speed * axisY;
@@ -118,33 +118,33 @@ package starlogo.intersection.ray
             if (acrossSquared > Tolerances.PARALLEL)
             {
                 // the middle of the part in the cylinder, and the vector to it from the axis, perpendicular to both
-                x -= share * axisX;
-                y -= share * axisY;
-                z -= share * axisZ;
-                var middle:Number = -(x * acrossX + y * acrossY + z * acrossZ) / acrossSquared;
-                x += middle * acrossX;
-                y += middle * acrossY;
-                z += middle * acrossZ;
+                x -= fraction * axisX;
+                y -= fraction * axisY;
+                z -= fraction * axisZ;
+                var closestDistance:Number = -(x * acrossX + y * acrossY + z * acrossZ) / acrossSquared;
+                x += closestDistance * acrossX;
+                y += closestDistance * acrossY;
+                z += closestDistance * acrossZ;
                 var halfSquared:Number = radius * radius - (x * x + y * y + z * z);
                 if (!(halfSquared >= 0))
                 {
                     return false;
                 }
                 var half:Number = Math.sqrt(halfSquared / acrossSquared);
-                out.setEnds(middle - half, middle + half);
+                out.setEnds(closestDistance - half, closestDistance + half);
                 out.setNormalNear(x - half * acrossX, y - half * acrossY, z - half * acrossZ);
                 out.setNormalFar(x + half * acrossX, y + half * acrossY, z + half * acrossZ);
             }
-            var nearShare:Number = share + out.near * speed;
-            var farShare:Number = share + out.far * speed;
-            var isNearOnSide:Boolean = nearShare >= 0 && nearShare <= 1;
-            var isFarOnSide:Boolean = farShare >= 0 && farShare <= 1;
-            var isInNearBall:Boolean = !isNearOnSide && findInBall(ray, nearShare > 1 ? end : start, radius, BALL);
+            var nearFraction:Number = fraction + out.near * speed;
+            var farFraction:Number = fraction + out.far * speed;
+            var isNearOnSide:Boolean = nearFraction >= 0 && nearFraction <= 1;
+            var isFarOnSide:Boolean = farFraction >= 0 && farFraction <= 1;
+            var isInNearBall:Boolean = !isNearOnSide && findInBall(ray, nearFraction > 1 ? end : start, radius, BALL);
             if (isInNearBall)
             {
                 out.copyNear(BALL);
             }
-            var isInFarBall:Boolean = !isFarOnSide && (isNearOnSide || isInNearBall) && findInBall(ray, farShare > 1 ? end : start, radius, BALL);
+            var isInFarBall:Boolean = !isFarOnSide && (isNearOnSide || isInNearBall) && findInBall(ray, farFraction > 1 ? end : start, radius, BALL);
             if (isInFarBall)
             {
                 out.copyFar(BALL);
@@ -165,7 +165,7 @@ package starlogo.intersection.ray
          */
         public static function findInBox(ray:Ray, box:Box, touchingFactor:Number, out:RaySpan):Boolean
         {
-            var middle:Vector3D = box.center;
+            var center:Vector3D = box.center;
             var entered:Vector3D = null;
             var exited:Vector3D = null;
             var near:Number = -Infinity;
@@ -176,26 +176,26 @@ package starlogo.intersection.ray
             {
                 var axis:Vector3D = i == 0 ? box.axisX : i == 1 ? box.axisY : box.axisZ;
                 var half:Number = i == 0 ? box.halfX : i == 1 ? box.halfY : box.halfZ;
-                var offset:Number = axis.x * (ray.x - middle.x) + axis.y * (ray.y - middle.y) + axis.z * (ray.z - middle.z);
+                var offset:Number = axis.x * (ray.x - center.x) + axis.y * (ray.y - center.y) + axis.z * (ray.z - center.z);
                 var speed:Number = axis.x * ray.directionX + axis.y * ray.directionY + axis.z * ray.directionZ;
                 // a line within the planes crosses them at an infinite distance, if its speed is not -0
                 speed = speed == 0 ? 0 : speed;
                 var ahead:Number = speed < 0 ? -half : half;
-                var place:Number = (-ahead - offset) / speed;
-                entrance = place > entrance && place < Infinity ? place : entrance;
-                place = (ahead - offset) / speed;
-                exit = place < exit && place > -Infinity ? place : exit;
+                var distance:Number = (-ahead - offset) / speed;
+                entrance = distance > entrance && distance < Infinity ? distance : entrance;
+                distance = (ahead - offset) / speed;
+                exit = distance < exit && distance > -Infinity ? distance : exit;
                 ahead *= touchingFactor;
-                place = (-ahead - offset) / speed;
-                if (place > near)
+                distance = (-ahead - offset) / speed;
+                if (distance > near)
                 {
-                    near = place;
+                    near = distance;
                     entered = axis;
                 }
-                place = (ahead - offset) / speed;
-                if (place < far)
+                distance = (ahead - offset) / speed;
+                if (distance < far)
                 {
-                    far = place;
+                    far = distance;
                     exited = axis;
                 }
             }

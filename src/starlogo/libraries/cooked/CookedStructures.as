@@ -37,7 +37,7 @@ package starlogo.libraries.cooked
                     continue;
                 }
                 kinds |= 1 << structure.kind;
-                var numbers:Vector.<Number> = structure.numbers();
+                var numbers:Vector.<Number> = structure.toNumbers();
                 if (structure.kind == BoundingStructure.HULL)
                 {
                     out.writeInt(numbers.length);
@@ -88,7 +88,7 @@ package starlogo.libraries.cooked
         {
             var structure:BoundingStructure = emptyOf(kind);
             var numbers:Vector.<Number> = new Vector.<Number>();
-            var count:int = kind == BoundingStructure.HULL ? (bytes.bytesAvailable < 4 ? 0 : bytes.readInt()) : structure.numbers().length;
+            var count:int = kind == BoundingStructure.HULL ? (bytes.bytesAvailable < 4 ? 0 : bytes.readInt()) : structure.toNumbers().length;
             var areRight:Boolean = count > 0 && bytes.bytesAvailable / 8 >= count;
             for (var i:int = 0; i < count && areRight; i++)
             {
@@ -104,8 +104,8 @@ package starlogo.libraries.cooked
         {
             try
             {
-                structure.setNumbers(numbers);
-                var made:Vector.<Number> = structure.clone().numbers();
+                structure.setFromNumbers(numbers);
+                var made:Vector.<Number> = structure.clone().toNumbers();
             }
             catch (error:Error)
             {

@@ -162,14 +162,15 @@ package starlogo.libraries.cooked
             }
             var first:int = _tree.first[node];
             var end:int = _tree.end[node];
-            var middle:int = first + (code - 1) / 6;
+            var splitIndex:int = first + (code - 1) / 6;
             var division:int = (code - 1) % 6;
-            var isWrong:Boolean = division < BELOW ? _tree.levelOf(node) >= _maxDepth : BoxTreeBuilder.isHalvedOnLevel(_tree.levelOf(node)) && middle != (first + end) >> 1;
-            if (isWrong || middle <= first || middle >= end)
+            var isWrong:Boolean = division < BELOW ? _tree.levelOf(node) >= _maxDepth
+                : BoxTreeBuilder.isHalvedOnLevel(_tree.levelOf(node)) && splitIndex != (first + end) >> 1;
+            if (isWrong || splitIndex <= first || splitIndex >= end)
             {
                 return false;
             }
-            var left:int = _tree.divide(node, division % BELOW, middle, division >= BELOW);
+            var left:int = _tree.divide(node, division % BELOW, splitIndex, division >= BELOW);
             _waiting.push(left + 1, left);
             return true;
         }

@@ -26,7 +26,7 @@ package starlogo.models.gltf
         private static const CHUNK_HEADER_LENGTH:int = 8;
 
         // the most buffers in files beside this one
-        private static const MOST_FILES:int = 100;
+        private static const MAX_FILES:int = 100;
 
         private static const READ_VERSION:RegExp = /^2\.0/;
         private static const VERSIONS:RegExp = /^2\.\d/;
@@ -278,7 +278,7 @@ package starlogo.models.gltf
             else
             {
                 buffer.refuseIf(!FileAddress.isWithin(uri), "expected data, or a path from the file's folder on, but found " + GltfJson.shown(uri), "uri");
-                buffer.refuseIf(_others.length == MOST_FILES, "it has more than " + MOST_FILES + " buffers in other files", "uri");
+                buffer.refuseIf(_others.length == MAX_FILES, "it has more than " + MAX_FILES + " buffers in other files", "uri");
                 _others.push(index);
             }
             return work;

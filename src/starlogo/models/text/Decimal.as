@@ -26,7 +26,7 @@ package starlogo.models.text
 
         // players search a pattern in longer words slowly
         private static const LONGEST:int = 10000;
-        private static const MOST_DIGITS:int = 30;
+        private static const MAX_DIGITS:int = 30;
         private static const LARGEST_EXPONENT:Number = 99999;
         private static const POWERS:Vector.<Number> = new <Number>[1, 10, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
                 1e17, 1e18, 1e19, 1e20, 1e21, 1e22];
@@ -78,8 +78,8 @@ package starlogo.models.text
             var fraction:String = parts[3] || "";
             var digits:String = (parts[2] + fraction).replace(/^0+/, "");
             var exponent:Number = parts[4] ? Math.max(-LARGEST_EXPONENT, Math.min(Number(parts[4]), LARGEST_EXPONENT)) : 0;
-            exponent += Math.max(0, digits.length - MOST_DIGITS) - fraction.length;
-            var behind:String = digits.substring(SHORT, MOST_DIGITS);
+            exponent += Math.max(0, digits.length - MAX_DIGITS) - fraction.length;
+            var behind:String = digits.substring(SHORT, MAX_DIGITS);
             var size:Number = scaled(Number(digits.substr(0, SHORT)), Number(behind), behind.length, exponent);
             return parts[1] == "-" ? -size : size;
         }

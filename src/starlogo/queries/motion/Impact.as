@@ -3,7 +3,7 @@ package starlogo.queries.motion
     import starlogo.convex.ContactPoint;
 
     /**
-     * What the core of a body meets on a motion, as a record. CoreSweep writes it. A slide removes it, or turns its normal (Slider).
+     * What the shrunk body meets on a motion, as a record. ShrunkSweep writes it. A slide removes it, or turns its normal (Slider).
      *
      * @private
      */
@@ -12,17 +12,17 @@ package starlogo.queries.motion
         /** The row that is met; -1 if none is. */
         public var row:int = -1;
 
-        /** When the core meets it, as a fraction of the motion; Infinity if it meets none. */
+        /** When the shrunk body meets it, as a fraction of the motion; Infinity if it meets none. */
         public var time:Number = Infinity;
 
         /**
          * The time that decides which row is met first. It is a clearance later than <code>time</code> if the contact does not point against the
-         * motion, unless <code>time</code> is 0. So if a corner of the core enters a floor exactly between two tiles, along the side of one of
+         * motion, unless <code>time</code> is 0. So if a corner of the shrunk body enters a floor exactly between two tiles, along the side of one of
          * them, the top of the other stops it.
          */
         public var comparedTime:Number = Infinity;
 
-        /** The contact of the core at <code>time</code>. Its normal points against the motion. */
+        /** The contact of the shrunk body at <code>time</code>. Its normal points against the motion. */
         public var contact:ContactPoint = new ContactPoint();
 
         /** Whether no contact points against the motion. Then the normal is the opposite of the motion. */

@@ -4,8 +4,9 @@ package starlogo.queries.motion
     import starlogo.convex.ContactPoint;
 
     /**
-     * How a straight motion of a body ends, as a record. CoreSweep.findStop() writes it, except for the place, which depends on the question. It writes
-     * the contact only if something stops the body, and the core's place only if the core meets a row. TouchSweep takes pushes out of it.
+     * How a straight motion of a body ends, as a record. ShrunkSweep.findStop() writes it, except for the place, which depends on the question. It
+     * writes the contact only if something stops the body, and the shrunk body's place only if the shrunk body meets a row. TouchSweep takes pushes
+     * out of it.
      *
      * @private
      */
@@ -14,8 +15,8 @@ package starlogo.queries.motion
         /** The place of the body at the end. */
         public var place:Vector3D = new Vector3D();
 
-        /** The place of the body where its core touches what stops it. */
-        public var corePlace:Vector3D = new Vector3D();
+        /** The place of the body where the shrunk body touches what stops it. */
+        public var shrunkPlace:Vector3D = new Vector3D();
 
         /** When it ends: in the touch, from 0 to 1; 1 without one. */
         public var time:Number = 1;
@@ -39,7 +40,7 @@ package starlogo.queries.motion
         public function copyFrom(other:MotionResult):void
         {
             place.copyFrom(other.place);
-            corePlace.copyFrom(other.corePlace);
+            shrunkPlace.copyFrom(other.shrunkPlace);
             time = other.time;
             row = other.row;
             contact.copyFrom(other.contact);

@@ -4,18 +4,18 @@ package starlogo.queries.motion
     import starlogo.data.IntList;
 
     /**
-     * What a motion has met and what can still stop it, as a record. CoreSweep.startMotion() begins it. A slide goes on with it: it adds planes, finds the
-     * next impact, and removes what it passes from the obstacles.
+     * What a motion has met and what can still stop it, as a record. ShrunkSweep.startMotion() begins it. A slide goes on with it: it adds planes,
+     * finds the next impact, and removes what it passes from the obstacles.
      *
      * @private
      */
     public final class MotionState
     {
-        /** The core of the body on this motion, and the motion's tolerances. */
-        public var core:BodyCore = new BodyCore();
+        /** The shrunk body on this motion, and the motion's tolerances. */
+        public var shrunk:ShrunkBody = new ShrunkBody();
 
         /** Where the body starts. It differs from where the motion should start if the body was pushed out of something. */
-        public var from:Vector3D = new Vector3D();
+        public var start:Vector3D = new Vector3D();
 
         /** The pushes out of shallow overlaps: each along the normal of a contact, by its depth. */
         public var pushes:ContactList = new ContactList();
@@ -27,12 +27,13 @@ package starlogo.queries.motion
         public var obstacles:IntList = new IntList();
 
         /**
-         * Whether the impact is known already: the motion has no length, or the sweep has shown that the core overlaps nothing. Otherwise the body may
-         * overlap something, or it is flat, or a one-way row comes first. Then overlaps have been left, and the obstacles must be swept from the start.
+         * Whether the impact is known already: the motion has no length, or the sweep has shown that the shrunk body overlaps nothing. Otherwise the
+         * body may overlap something, or it is flat, or a one-way row comes first. Then overlaps have been left, and the obstacles must be swept from
+         * the start.
          */
         public var isImpactKnown:Boolean = false;
 
-        /** What the core meets next, once it is known. */
+        /** What the shrunk body meets next, once it is known. */
         public var impact:Impact = new Impact();
     }
 }

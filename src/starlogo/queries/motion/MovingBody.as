@@ -1,8 +1,8 @@
 // This folder moves a body among the rows of a table. A MovingBody is what moves. Three classes say where its motions end: TouchSweep in the touch of a
 // row, for casts and moveUntilTouch; Slider a clearance before the touch, or farther on along what the body meets (RemainingMotion); WalkMover makes a walk of
 // slides and straight motions, with PlatformCarry before it and Foothold where it stands. Read this file first, then
-// BodyCore, CoreSweep.startMotion(), TouchSweep, Slider and WalkMover.go().
-// Core: the body, but smaller by a slop (BodyCore). Only what the core meets stops the body, so the body may touch what it stands on or runs along.
+// ShrunkBody, ShrunkSweep.startMotion(), TouchSweep, Slider and WalkMover.go().
+// Shrunk body: the body, but smaller by a slop (ShrunkBody). Only what it meets stops the body, so the body may touch what it stands on or runs along.
 // Shallow overlap: one that can come from rounding in the game. A motion begins with pushes out of those (OverlapRecovery), a walk with pushes out of
 // deep ones too.
 // Plane: it stands for a row that the body overlaps deeply or without a way out, or has met on a slide. The motion must not cross it.
@@ -83,7 +83,7 @@ package starlogo.queries.motion
          * @return this body, as from all methods that make it another one
          * @throws ArgumentError if the agent is null, has no place, or its model is unknown or lacks data that is needed
          */
-        public function readAgent(agent:Agent, turn:Number = 0):MovingBody
+        public function setToAgent(agent:Agent, turn:Number = 0):MovingBody
         {
             _seen.requirePlaced(agent);
             this.agent = agent;
@@ -106,17 +106,17 @@ package starlogo.queries.motion
          * Becomes the body of an agent that is cast. A sphere, box, capsule or hull becomes the body of a structure, so that an agent and the same
          * structure meet the same, to the last bit.
          */
-        public function readCastAgent(agent:Agent):MovingBody
+        public function setToCastAgent(agent:Agent):MovingBody
         {
-            readAgent(agent);
-            return hasShape && whole.form < ModelShape.TREE ? copyBody(_structureBody.read(whole.shape.structure, whole.placement)) : this;
+            setToAgent(agent);
+            return hasShape && whole.form < ModelShape.TREE ? copyBody(_structureBody.setTo(whole.shape.structure, whole.placement)) : this;
         }
 
-        /** Becomes the body of a structure in the world. See <code>StructureBody.read()</code>. */
-        public function readStructure(structure:BoundingStructure):MovingBody
+        /** Becomes the body of a structure in the world. See <code>StructureBody.setTo()</code>. */
+        public function setToStructure(structure:BoundingStructure):MovingBody
         {
             agent = null;
-            return copyBody(_structureBody.read(structure));
+            return copyBody(_structureBody.setTo(structure));
         }
 
         /** Sets the motion that is wanted. Returns this body. Throws a RangeError that names the first of the three that is not in the world. */
@@ -136,7 +136,7 @@ package starlogo.queries.motion
         /** Its largest extent. */
         public function get extent():Number
         {
-            return 2 * whole.largestHalf;
+            return 2 * whole.maxHalf;
         }
 
         /**
@@ -150,7 +150,7 @@ package starlogo.queries.motion
             rows.count = 0;
             if (hasShape)
             {
-                _search.beginAround(_seen.treeOfExtents(), moveTo(from));
+                _search.setAround(_seen.treeOfExtents(), moveTo(from));
                 _search.moveAlong(motion.x, motion.y, motion.z, 1);
                 collector.endWithRows(_search, rows);
             }
@@ -170,7 +170,7 @@ package starlogo.queries.motion
             rows.count = 0;
             if (hasShape)
             {
-                _search.beginAround(_seen.treeOfExtents(), moveTo(from));
+                _search.setAround(_seen.treeOfExtents(), moveTo(from));
                 _search.widen(range, up, down);
                 collector.endWithRows(_search, rows);
             }
@@ -216,21 +216,21 @@ package starlogo.queries.motion
         /** The larger extent of the body and another. That of the ground is 0. */
         public function extentWith(other:Body):Number
         {
-            return Math.max(2 * other.largestHalf, extent);
+            return Math.max(2 * other.maxHalf, extent);
         }
 
         /**
          * Finds a contact of the whole body with a row that it touches when it stands at a place.
          *
-         * @param separates whether the contact must separate the two. The ground can be floor and wall at once, and a contact with one does not lead away
+         * @param isSeparating whether the contact must separate the two. The ground can be floor and wall at once, and a contact with one does not lead away
          *     from the other. Otherwise a shallow contact may be that of two of their parts
          */
-        public function findContact(row:int, place:Vector3D, separates:Boolean, out:ContactPoint):void
+        public function findContact(row:int, place:Vector3D, isSeparating:Boolean, out:ContactPoint):void
         {
             var other:Body = bodyOf(row);
             var tests:PairTests = narrowPhase.pairTestsFor(whole, other);
             tests.findContactOfParts(moveTo(place), other, RelativeMotion.NONE, out);
-            if (separates || !isShallow(row, out))
+            if (isSeparating || !isShallow(row, out))
             {
                 tests.separate(whole, other, RelativeMotion.NONE, out);
             }
@@ -239,10 +239,10 @@ package starlogo.queries.motion
         /** Whether a contact with a row is so shallow that rounding in the game can be the cause. */
         public function isShallow(row:int, contact:ContactPoint):Boolean
         {
-            return contact.depth <= BodyCore.SHALLOW * extentWith(bodyOf(row));
+            return contact.depth <= ShrunkBody.SHALLOW * extentWith(bodyOf(row));
         }
 
-        /** Whether the body goes on through a row that its core touches at a place: the row is one-way, and the body does not rest on it. */
+        /** Whether the body goes on through a row that the shrunk body touches at a place: the row is one-way, and the body does not rest on it. */
         public function passesOneWayAt(row:int, place:Vector3D):Boolean
         {
             if (!isOneWay(row))

@@ -9,7 +9,7 @@ package starlogo.queries.motion
     use namespace engine;
 
     /**
-     * Gets a body out of what it overlaps. It frees the body's core where a motion begins (leaveOverlaps), leads the body off what it touches where its
+     * Gets a body out of what it overlaps. It frees the shrunk body where a motion begins (leaveOverlaps), leads the body off what it touches where its
      * motions end (restoreClearance), and tells a walk how deep the body is in others (measureOverlaps).
      *
      * <p>A shallow overlap comes from rounding in the game: the body is pushed out of it. If the body overlaps a row more deeply, the plane of their
@@ -24,7 +24,7 @@ package starlogo.queries.motion
      */
     public final class OverlapRecovery
     {
-        private static const MOST_ROUNDS:int = 30;
+        private static const MAX_ROUNDS:int = 30;
 
         // The depth of a push out of an overlap that is not shallow. No push leads out of it.
         private static const TOO_DEEP:Number = Infinity;
@@ -38,8 +38,8 @@ package starlogo.queries.motion
         // Two normals are opposite if the cosine of the angle between them is less than this.
         private static const OPPOSITE:Number = -0.999;
 
-        // The core of a body that stands, with its tolerances.
-        private var _core:BodyCore = new BodyCore();
+        // The shrunk body that stands, with its tolerances.
+        private var _shrunk:ShrunkBody = new ShrunkBody();
 
         // Where pushes begin, and the pushes off what the body touches.
         private var _before:Vector3D = new Vector3D();
@@ -52,21 +52,21 @@ package starlogo.queries.motion
         private var _touching:Vector3D = new Vector3D();
 
         /**
-         * Frees the core of a body from the obstacles that it overlaps where its motion starts.
+         * Frees the shrunk body from the obstacles that it overlaps where its motion starts.
          *
          * @param state how the motion starts. It receives the planes of overlaps that stay. Obstacles for which a plane stands are none from then on. The
          *     place changes if the body is pushed
          */
         public function leaveOverlaps(state:MotionState):void
         {
-            if (replaceByPlanes(state, false) && !pushFree(state.core, state.obstacles, state.from, false, state.pushes))
+            if (replaceByPlanes(state, false) && !pushFree(state.shrunk, state.obstacles, state.start, false, state.pushes))
             {
                 replaceByPlanes(state, true);
             }
-            if (state.core.isFlat && state.planes.count == 0)
+            if (state.shrunk.isFlat && state.planes.count == 0)
             {
-                // its core is as flat, and a sweep touches across a wider gap than a body that stands
-                pushFree(state.core, state.obstacles, state.from, true, _pushesOff);
+                // the shrunk body is as flat, and a sweep touches across a wider gap than a body that stands
+                pushFree(state.shrunk, state.obstacles, state.start, true, _pushesOff);
             }
         }
 
@@ -78,8 +78,8 @@ package starlogo.queries.motion
          */
         public function restoreClearance(body:MovingBody, place:Vector3D):void
         {
-            _core.beginStanding(body, place);
-            pushFree(_core, body.rows, place, true, _pushesOff);
+            _shrunk.beginStanding(body, place);
+            pushFree(_shrunk, body.rows, place, true, _pushesOff);
         }
 
         /**
@@ -94,10 +94,10 @@ package starlogo.queries.motion
         {
             var sum:Number = 0;
             deepest.depth = 0;
-            _core.beginStanding(body, place);
+            _shrunk.beginStanding(body, place);
             for (var i:int = 0; i < body.rows.count; i++)
             {
-                if (measureOverlap(_core, body.rows.numbers[i], place, _contact))
+                if (measureOverlap(_shrunk, body.rows.values[i], place, _contact))
                 {
                     sum += _contact.depth;
                     if (_contact.depth > deepest.depth)
@@ -109,9 +109,9 @@ package starlogo.queries.motion
             return sum;
         }
 
-        // Pushes a body off the rows that it touches, or else out of those that its core overlaps a little: from one row after the other, round and round, until
-        // all are free of pushes. Returns whether this succeeds. If not, the body is where it was, and there are no pushes.
-        private function pushFree(core:BodyCore, rows:IntList, place:Vector3D, clearsTouches:Boolean, pushes:ContactList):Boolean
+        // Pushes a body off the rows that it touches, or else out of those that the shrunk body overlaps a little: from one row after the other,
+        // round and round, until all are free of pushes. Returns whether this succeeds. If not, the body is where it was, and there are no pushes.
+        private function pushFree(shrunk:ShrunkBody, rows:IntList, place:Vector3D, clearsTouches:Boolean, pushes:ContactList):Boolean
         {
             var last:ContactPoint = null;
             var freeInTurn:int = 0;
@@ -119,12 +119,13 @@ package starlogo.queries.motion
             pushes.clear();
             for (var i:int = 0; freeInTurn < rows.count; i++)
             {
-                var row:int = rows.numbers[int(i % rows.count)];
-                var separates:Boolean = i >= FIRST_SEPARATING_ROUND * rows.count;
+                var row:int = rows.values[int(i % rows.count)];
+                var isSeparating:Boolean = i >= FIRST_SEPARATING_ROUND * rows.count;
                 freeInTurn++;
-                if (clearsTouches ? findPushOff(core, row, place, separates, last, _contact) : findPushOut(core, row, place, separates, last, _contact))
+                if (clearsTouches ? findPushOff(shrunk, row, place, isSeparating, last, _contact)
+                        : findPushOut(shrunk, row, place, isSeparating, last, _contact))
                 {
-                    if (i >= MOST_ROUNDS * rows.count || !(_contact.depth < TOO_DEEP) || leadsBack(_contact, last))
+                    if (i >= MAX_ROUNDS * rows.count || !(_contact.depth < TOO_DEEP) || leadsBack(_contact, last))
                     {
                         place.copyFrom(_before);
                         pushes.clear();
@@ -138,8 +139,8 @@ package starlogo.queries.motion
             return true;
         }
 
-        // Lets planes stand for obstacles that the core overlaps: for deep overlaps, and also for shallow ones if they are to count. These are obstacles no
-        // longer, nor are one-way rows that the body passes. Returns whether obstacles are left that the core overlapped.
+        // Lets planes stand for obstacles that the shrunk body overlaps: for deep overlaps, and also for shallow ones if they are to count. These are
+        // obstacles no longer, nor are one-way rows that the body passes. Returns whether obstacles are left that the shrunk body overlapped.
         private function replaceByPlanes(state:MotionState, alsoShallow:Boolean):Boolean
         {
             var obstacles:IntList = state.obstacles;
@@ -147,9 +148,9 @@ package starlogo.queries.motion
             var i:int = 0;
             while (i < obstacles.count)
             {
-                var row:int = obstacles.numbers[i];
-                var isOverlapped:Boolean = state.core.coreTouches(row, state.from);
-                if (isOverlapped && (state.core.moving.passesOneWayAt(row, state.from) || addPlane(row, state, alsoShallow)))
+                var row:int = obstacles.values[i];
+                var isOverlapped:Boolean = state.shrunk.shrunkTouches(row, state.start);
+                if (isOverlapped && (state.shrunk.body.passesOneWayAt(row, state.start) || addPlane(row, state, alsoShallow)))
                 {
                     obstacles.remove(row);
                 }
@@ -162,82 +163,83 @@ package starlogo.queries.motion
             return isLeft;
         }
 
-        // Lets a plane stand for a row that the core overlaps, if the overlap counts and a plane is needed. First the core becomes narrower, for the whole
-        // motion. If it is free of the row then, no plane is needed. None is needed either if only the core overlaps the row, not the body. Returns whether
-        // the plane stands.
+        // Lets a plane stand for a row that the shrunk body overlaps, if the overlap counts and a plane is needed. First the shrunk body becomes
+        // narrower, for the whole motion. If it is free of the row then, no plane is needed. None is needed either if only the shrunk body overlaps
+        // the row, not the body. Returns whether the plane stands.
         private function addPlane(row:int, state:MotionState, alsoShallow:Boolean):Boolean
         {
-            var core:BodyCore = state.core;
-            core.moving.findContact(row, state.from, alsoShallow, _contact);
-            var counts:Boolean = alsoShallow || !core.moving.isShallow(row, _contact);
-            if (!counts || core.narrow(row, state.from) || !core.bodyOverlaps(row, state.from))
+            var shrunk:ShrunkBody = state.shrunk;
+            shrunk.body.findContact(row, state.start, alsoShallow, _contact);
+            var isCounted:Boolean = alsoShallow || !shrunk.body.isShallow(row, _contact);
+            if (!isCounted || shrunk.narrow(row, state.start) || !shrunk.bodyOverlaps(row, state.start))
             {
                 return false;
             }
             state.planes.add(_contact, row);
-            core.moving.warnIfInside(row, _contact);
+            shrunk.body.warnIfInside(row, _contact);
             return true;
         }
 
-        // Finds the push out of a row that the core overlaps: along the contact's normal by its depth. Returns whether
-        // the core overlaps the row.
-        private static function findPushOut(core:BodyCore, row:int, place:Vector3D, separates:Boolean, last:ContactPoint, out:ContactPoint):Boolean
+        // Finds the push out of a row that the shrunk body overlaps: along the contact's normal by its depth. Returns whether
+        // the shrunk body overlaps the row.
+        private static function findPushOut(shrunk:ShrunkBody, row:int, place:Vector3D, isSeparating:Boolean, last:ContactPoint, out:ContactPoint):Boolean
         {
-            if (!core.coreTouches(row, place))
+            if (!shrunk.shrunkTouches(row, place))
             {
                 return false;
             }
-            findContactOfPush(core.moving, row, place, separates, last, out);
-            out.depth = core.moving.isShallow(row, out) ? out.depth + core.clearance : TOO_DEEP;
+            findContactOfPush(shrunk.body, row, place, isSeparating, last, out);
+            out.depth = shrunk.body.isShallow(row, out) ? out.depth + shrunk.clearance : TOO_DEEP;
             return true;
         }
 
         // Finds the push off a row that the body touches: along the contact's normal by its depth. Returns whether there is one: not if the body overlaps the
         // row deeply, or passes it.
-        private function findPushOff(core:BodyCore, row:int, place:Vector3D, separates:Boolean, last:ContactPoint, out:ContactPoint):Boolean
+        private function findPushOff(shrunk:ShrunkBody, row:int, place:Vector3D, isSeparating:Boolean, last:ContactPoint, out:ContactPoint):Boolean
         {
-            var body:MovingBody = core.moving;
-            // mostly it is known faster that the core touches the row than how deep the overlap is
-            if (!findTouchingPlace(core, row, place, _touching) || body.passesOneWayAt(row, _touching) || (!core.isFlat && core.coreTouches(row, place)))
+            var body:MovingBody = shrunk.body;
+            // mostly it is known faster that the shrunk body touches the row than how deep the overlap is
+            if (!findTouchingPlace(shrunk, row, place, _touching) || body.passesOneWayAt(row, _touching)
+                    || (!shrunk.isFlat && shrunk.shrunkTouches(row, place)))
             {
                 return false;
             }
-            findContactOfPush(body, row, _touching, separates, last, out);
-            var most:Number = SLOPS_OF_TOUCH * core.slop;
+            findContactOfPush(body, row, _touching, isSeparating, last, out);
+            var most:Number = SLOPS_OF_TOUCH * shrunk.slop;
             if (out.depth > most && !body.isShallow(row, out))
             {
                 return false;
             }
             var beside:Number = out.normalX * (place.x - _touching.x) + out.normalY * (place.y - _touching.y) + out.normalZ * (place.z - _touching.z);
-            out.depth = Math.min(out.depth, most) + core.clearance - beside;
+            out.depth = Math.min(out.depth, most) + shrunk.clearance - beside;
             return true;
         }
 
         // Finds the contact with a row that the body touches at a place. It does not lead back against the last push if another contact does not.
-        private static function findContactOfPush(body:MovingBody, row:int, place:Vector3D, separates:Boolean, last:ContactPoint, out:ContactPoint):void
+        private static function findContactOfPush(body:MovingBody, row:int, place:Vector3D, isSeparating:Boolean, last:ContactPoint, out:ContactPoint):void
         {
-            body.findContact(row, place, separates, out);
-            if (!separates && leadsBack(out, last))
+            body.findContact(row, place, isSeparating, out);
+            if (!isSeparating && leadsBack(out, last))
             {
                 body.findContact(row, place, true, out);
             }
         }
 
         // Finds an overlap that a walk begins with a push out of: see measureOverlaps. Returns whether it counts.
-        private static function measureOverlap(core:BodyCore, row:int, place:Vector3D, out:ContactPoint):Boolean
+        private static function measureOverlap(shrunk:ShrunkBody, row:int, place:Vector3D, out:ContactPoint):Boolean
         {
-            var body:MovingBody = core.moving;
-            if (body.isOneWay(row) || !core.coreTouches(row, place))
+            var body:MovingBody = shrunk.body;
+            if (body.isOneWay(row) || !shrunk.shrunkTouches(row, place))
             {
                 return false;
             }
             body.findContact(row, place, true, out);
-            if (body.isShallow(row, out) || !core.bodyOverlaps(row, place))
+            if (body.isShallow(row, out) || !shrunk.bodyOverlaps(row, place))
             {
                 return false;
             }
             body.warnIfInside(row, out);
-            out.depth += core.clearance;
+            out.depth += shrunk.clearance;
             // the shortest way out of a tree may lead through a wall of the tree if it is longer than the way to the middle of the body
             return body.bodyOf(row).form != ModelShape.TREE || out.depth <= body.whole.halfAlong(out);
         }
@@ -250,18 +252,18 @@ package starlogo.queries.motion
 
         // Finds where the body touches a row: at its place, or if it is flat, half of a clearance beside its place along an axis. Returns whether it
         // touches the row at one of these.
-        private static function findTouchingPlace(core:BodyCore, row:int, place:Vector3D, touching:Vector3D):Boolean
+        private static function findTouchingPlace(shrunk:ShrunkBody, row:int, place:Vector3D, touching:Vector3D):Boolean
         {
             touching.copyFrom(place);
-            var touches:Boolean = core.bodyTouches(row, touching);
-            for (var i:int = 0; core.isFlat && !touches && i < 6; i++)
+            var touches:Boolean = shrunk.bodyTouches(row, touching);
+            for (var i:int = 0; shrunk.isFlat && !touches && i < 6; i++)
             {
-                var beside:Number = i < 3 ? -core.clearance / 2 : core.clearance / 2;
+                var beside:Number = i < 3 ? -shrunk.clearance / 2 : shrunk.clearance / 2;
                 var x:Number = i % 3 == 2 ? beside : 0;
                 var y:Number = i % 3 == 1 ? beside : 0;
                 var z:Number = i % 3 == 0 ? beside : 0;
                 touching.setTo(place.x + x, place.y + y, place.z + z);
-                touches = core.bodyTouches(row, touching);
+                touches = shrunk.bodyTouches(row, touching);
             }
             return touches;
         }

@@ -118,7 +118,7 @@ package starlogo.queries.motion
             var place:Vector3D = _slid.place;
             if (_slid.fraction < 1 && leadsIntoPlatform(platform, walk, place))
             {
-                _slider.goStraight(walk.body, _others, walk.place, walk.carry, _straight);
+                _slider.moveStraight(walk.body, _others, walk.place, walk.carry, _straight);
                 if (!leadsIntoPlatform(platform, walk, _straight.place))
                 {
                     place = _straight.place;

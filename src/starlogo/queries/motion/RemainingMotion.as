@@ -9,7 +9,7 @@ package starlogo.queries.motion
      * The motion that remains of a slide. It is turned so that it crosses none of the planes that the slide has met (Fauerby, "Improved collision detection
      * and response", 2003). Fauerby keeps two planes. Here all count that the Slider does not remove.
      *
-     * <p>Without planes it would be the wanted motion. <code>climb()</code> and <code>level()</code> change the wanted motion, and
+     * <p>Without planes it would be the desired motion. <code>liftOverPlane()</code> and <code>flatten()</code> change the desired motion, and
      * <code>project()</code> turns it out of the planes.</p>
      *
      * @private
@@ -19,7 +19,7 @@ package starlogo.queries.motion
         /** A motion runs along a plane if the sine of the angle between them is at most this. */
         public static const PARALLEL_SINE:Number = 1e-12;
 
-        // A motion that is shorter than this fraction of the wanted one counts as none.
+        // A motion that is shorter than this fraction of the desired one counts as none.
         private static const STUCK:Number = 1e-10;
 
         // A slope may be less steep than a fall needs by this fraction, because its normal has rounding errors.
@@ -33,11 +33,11 @@ package starlogo.queries.motion
 
         private var _limits:SlideLimits = SlideLimits.NONE;
 
-        // The wanted motion, and how far it may go on the ground plane at most.
-        private var _wanted:Vector3D = new Vector3D();
+        // The desired motion, and how far it may go on the ground plane at most.
+        private var _desired:Vector3D = new Vector3D();
         private var _maxHorizontal:Number = Infinity;
 
-        // The shortest displacement from the end of the wanted motion out of the planes.
+        // The shortest displacement from the end of the desired motion out of the planes.
         private var _halfSpaces:HalfSpaceSolver = new HalfSpaceSolver();
         private var _exit:ShortestDisplacement = new ShortestDisplacement();
 
@@ -46,22 +46,22 @@ package starlogo.queries.motion
          *
          * @param limits how it may go
          */
-        public function begin(wanted:Vector3D, limits:SlideLimits):void
+        public function begin(desired:Vector3D, limits:SlideLimits):void
         {
             _limits = limits;
             _maxHorizontal = limits.maxHorizontal;
-            _wanted.copyFrom(wanted);
-            motion.copyFrom(wanted);
+            _desired.copyFrom(desired);
+            motion.copyFrom(desired);
             gone = 0;
             shorten();
         }
 
-        /** Begins a corner: the remaining motion becomes the wanted one. A fall begins each corner straight down again. */
+        /** Begins a corner: the remaining motion becomes the desired one. A fall begins each corner straight down again. */
         public function beginCorner():void
         {
             if (!_limits.isFall)
             {
-                _wanted.copyFrom(motion);
+                _desired.copyFrom(motion);
             }
         }
 
@@ -74,43 +74,43 @@ package starlogo.queries.motion
             place.y += fraction * motion.y;
             place.z += fraction * motion.z;
             motion.scaleBy(1 - fraction);
-            _wanted.scaleBy(1 - fraction);
+            _desired.scaleBy(1 - fraction);
         }
 
-        /** Makes the wanted motion level. */
-        public function level():void
+        /** Makes the desired motion level. */
+        public function flatten():void
         {
-            _wanted.z = 0;
+            _desired.z = 0;
         }
 
-        /** Makes the wanted motion so steep that it does not cross a plane. Its way on the ground plane stays. */
-        public function climb(plane:ContactPoint):void
+        /** Makes the desired motion so steep that it does not cross a plane. Its way on the ground plane stays. */
+        public function liftOverPlane(plane:ContactPoint):void
         {
-            var rise:Number = -(plane.normalX * _wanted.x + plane.normalY * _wanted.y) / plane.normalZ;
-            _wanted.z = Math.max(rise, _wanted.z);
+            var rise:Number = -(plane.normalX * _desired.x + plane.normalY * _desired.y) / plane.normalZ;
+            _desired.z = Math.max(rise, _desired.z);
         }
 
         /**
-         * The motion that crosses no plane and is nearest to the wanted one becomes the remaining motion. If this is hardly any motion, or a fall that is not steep
-         * enough, none is left.
+         * The motion that crosses no plane and is nearest to the desired one becomes the remaining motion. If this is hardly any motion, or a fall
+         * that is not steep enough, none is left.
          *
          * @param without the index of a plane that does not count; -1 for none
          */
         public function project(planes:ContactList, without:int = -1):void
         {
-            _halfSpaces.begin();
+            _halfSpaces.clear();
             for (var i:int = 0; i < planes.count; i++)
             {
                 if (i != without)
                 {
                     var plane:ContactPoint = planes.contacts[i];
-                    _halfSpaces.add(plane.normalX, plane.normalY, plane.normalZ, -plane.along(_wanted));
+                    _halfSpaces.add(plane.normalX, plane.normalY, plane.normalZ, -plane.along(_desired));
                 }
             }
             // at a point of three planes no motion is left
-            if (_halfSpaces.solve(2, PARALLEL_SINE * _wanted.length, _exit))
+            if (_halfSpaces.solve(2, PARALLEL_SINE * _desired.length, _exit))
             {
-                motion.copyFrom(_wanted);
+                motion.copyFrom(_desired);
                 motion.incrementBy(_exit.displacement);
                 shorten();
             }
@@ -129,7 +129,7 @@ package starlogo.queries.motion
             {
                 motion.scaleBy(Math.max(0, _maxHorizontal / wide));
             }
-            if (isTooLevel || motion.length < STUCK * _wanted.length)
+            if (isTooLevel || motion.length < STUCK * _desired.length)
             {
                 motion.setTo(0, 0, 0);
             }

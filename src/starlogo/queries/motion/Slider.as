@@ -19,14 +19,14 @@ package starlogo.queries.motion
         private static const VERTICAL_NORMAL:Number = 1e-20;
 
         // A slide turns at this many contacts at most.
-        private static const MOST_CONTACTS:int = 8;
+        private static const MAX_CONTACTS:int = 8;
 
-        private var _sweep:CoreSweep = new CoreSweep();
+        private var _sweep:ShrunkSweep = new ShrunkSweep();
 
         // The state of the motion, what remains of it, and what stops it first without one of the planes.
         private var _state:MotionState = new MotionState();
         private var _remaining:RemainingMotion = new RemainingMotion();
-        private var _without:Impact = new Impact();
+        private var _impactWithoutPlane:Impact = new Impact();
 
         /**
          * Computes a motion that slides along what it meets.
@@ -39,14 +39,14 @@ package starlogo.queries.motion
          */
         public function slide(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, limits:SlideLimits, out:SlideResult):void
         {
-            var core:BodyCore = _state.core;
+            var shrunk:ShrunkBody = _state.shrunk;
             var planes:ContactList = _state.planes;
             var impact:Impact = _state.impact;
             out.wallRow = -1;
             out.floorRow = -1;
             _remaining.begin(motion, limits);
             _sweep.startMotion(body, rows, from, _remaining.motion, _state);
-            out.place.copyFrom(_state.from);
+            out.place.copyFrom(_state.start);
             if (!_state.isImpactKnown)
             {
                 _remaining.beginCorner();
@@ -55,24 +55,24 @@ package starlogo.queries.motion
                     makePlanesUpright(planes, _remaining);
                 }
                 _remaining.project(planes);
-                _sweep.findFirstObstacle(core, _state.obstacles, out.place, _remaining.motion, impact);
+                _sweep.findFirstObstacle(shrunk, _state.obstacles, out.place, _remaining.motion, impact);
             }
             // the planes from this index on belong to the corner where the body is
             var corner:int = planes.count;
-            for (var contacts:int = 0; contacts < MOST_CONTACTS && impact.isMet; contacts++)
+            for (var contacts:int = 0; contacts < MAX_CONTACTS && impact.isMet; contacts++)
             {
-                if (!isInCorner(core, impact, _remaining.motion))
+                if (!isInCorner(shrunk, impact, _remaining.motion))
                 {
                     _remaining.beginCorner();
                     corner = planes.count;
                 }
-                var touchTime:Number = _sweep.findTouchTime(core, out.place, _remaining.motion, impact);
-                _remaining.advance(out.place, Math.max(touchTime + core.clearance / impact.contact.along(_remaining.motion), 0));
+                var touchTime:Number = _sweep.findTouchTime(shrunk, out.place, _remaining.motion, impact);
+                _remaining.advance(out.place, Math.max(touchTime + shrunk.clearance / impact.contact.along(_remaining.motion), 0));
                 noteContact(impact, limits, _remaining, out);
                 var newest:int = planes.add(impact.contact, impact.row);
                 dropNeedlessPlanes(out.place, _remaining, _state, corner, newest);
                 _remaining.project(planes);
-                _sweep.findFirstObstacle(core, _state.obstacles, out.place, _remaining.motion, impact);
+                _sweep.findFirstObstacle(shrunk, _state.obstacles, out.place, _remaining.motion, impact);
             }
             if (!impact.isMet)
             {
@@ -90,22 +90,22 @@ package starlogo.queries.motion
          * @param motion the whole motion
          * @param out receives the answer
          */
-        public function goStraight(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, out:MotionResult):void
+        public function moveStraight(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, out:MotionResult):void
         {
             _sweep.findStop(body, rows, from, motion, _state, out);
             var time:Number = 1;
             if (out.isStopped)
             {
-                time = Math.max(out.time + _state.core.clearance / out.contact.along(motion), 0);
+                time = Math.max(out.time + _state.shrunk.clearance / out.contact.along(motion), 0);
             }
-            CoreSweep.setAlong(_state.from, motion, time, out.place);
+            ShrunkSweep.setAlong(_state.start, motion, time, out.place);
         }
 
         /** Whether a row, one of those near the way of a body, would stop a straight motion. */
         public function meets(body:MovingBody, row:int, from:Vector3D, motion:Vector3D):Boolean
         {
-            _state.core.begin(body, body.rows, from, motion);
-            return _sweep.meets(_state.core, row, from, motion);
+            _state.shrunk.begin(body, body.rows, from, motion);
+            return _sweep.meets(_state.shrunk, row, from, motion);
         }
 
         // Notes what a slide meets: the most level surface is its floor. What is too steep becomes an upright wall. The rest climbs what is not.
@@ -124,7 +124,7 @@ package starlogo.queries.motion
             }
             else if (limits.hasWalls)
             {
-                remaining.climb(contact);
+                remaining.liftOverPlane(contact);
             }
         }
 
@@ -136,7 +136,7 @@ package starlogo.queries.motion
             {
                 contact.setNormal(contact.normalX, contact.normalY, 0);
                 contact.normalise();
-                remaining.level();
+                remaining.flatten();
             }
         }
 
@@ -173,14 +173,15 @@ package starlogo.queries.motion
         // Whether a motion from this corner is stopped in it.
         private function meetsInCorner(state:MotionState, place:Vector3D, motion:Vector3D):Boolean
         {
-            return _sweep.findFirstImpact(state.core, state.obstacles, place, motion, false, _without) && isInCorner(state.core, _without, motion)
-                && !state.core.moving.passesOneWay(_without.row, _without.contact);
+            return _sweep.findFirstImpact(state.shrunk, state.obstacles, place, motion, false, _impactWithoutPlane)
+                && isInCorner(state.shrunk, _impactWithoutPlane, motion)
+                && !state.shrunk.body.passesOneWay(_impactWithoutPlane.row, _impactWithoutPlane.contact);
         }
 
         // Whether what a motion meets first is met in the corner where it begins.
-        private static function isInCorner(core:BodyCore, impact:Impact, motion:Vector3D):Boolean
+        private static function isInCorner(shrunk:ShrunkBody, impact:Impact, motion:Vector3D):Boolean
         {
-            return impact.time * motion.length < SAME_CORNER * core.slop;
+            return impact.time * motion.length < SAME_CORNER * shrunk.slop;
         }
     }
 }

@@ -13,11 +13,11 @@ package starlogo.queries.motion
 
     /**
      * Finds where a straight motion of a body first touches rows, for casts and moveUntilTouch. A row that the body would go into stops it. A row that
-     * it only touches, leaves or runs along does not stop it, because the core of the body is swept (CoreSweep).
+     * it only touches, leaves or runs along does not stop it, because the shrunk body is swept (ShrunkSweep).
      *
      * <p>Each row is tested alone, from where the body begins. If the body overlaps one of them a little there, it is tested again, from the start to which
-     * pushes out of all rows together lead the body (CoreSweep.startMotion). The answers are as without pushes: each push is taken out of the time of a touch
-     * and of the end of the motion. But the end is no deeper in what the body was pushed out of.</p>
+     * pushes out of all rows together lead the body (ShrunkSweep.startMotion). The answers are as without pushes: each push is taken out of the time
+     * of a touch and of the end of the motion. But the end is no deeper in what the body was pushed out of.</p>
      *
      * @private
      */
@@ -27,14 +27,15 @@ package starlogo.queries.motion
         // of the ground, and some 40 before the touch of a point.
         private static const STEPS_INTO_TOUCH:int = 128;
 
-        // How often the way to where the core touches is halved. The rest is less than rounding.
+        // How often the way to where the shrunk body touches is halved. The rest is less than rounding.
         private static const HALVINGS:int = 40;
 
-        // If a motion leads this many slops deeper into what it was pushed out of, the body has left the surface. Otherwise its core would meet it.
+        // If a motion leads this many slops deeper into what it was pushed out of, the body has left the surface. Otherwise the shrunk body would
+        // meet it.
         private static const SLOPS_TO_LEAVE:Number = 2;
 
         private var _seen:SeenAgents;
-        private var _sweep:CoreSweep = new CoreSweep();
+        private var _sweep:ShrunkSweep = new ShrunkSweep();
 
         // How the motion starts among all rows.
         private var _start:MotionState = new MotionState();
@@ -44,8 +45,8 @@ package starlogo.queries.motion
         private var _alone:MotionState = new MotionState();
         private var _touch:MotionResult = new MotionResult();
 
-        // The way from the computed end of a motion to where the core touches.
-        private var _toCore:Vector3D = new Vector3D();
+        // The way from the computed end of a motion to where the shrunk body touches.
+        private var _toShrunk:Vector3D = new Vector3D();
 
         /** @param seen the agents that the motions are among */
         public function TouchSweep(seen:SeenAgents)
@@ -57,23 +58,23 @@ package starlogo.queries.motion
          * Finds the rows of a body that stop its motion, each as if the others were not there.
          *
          * @param body has begun, and has the motion and the rows near its way
-         * @param wanted how many of the first ones are wanted, or Collector.ALL
+         * @param maxCount how many of the first ones count, or Collector.ALL
          * @param hits receives how the body touches each row
          * @param first receives the answer for the first row, or the free end of the motion
-         * @return the wanted rows, with their times as keys
+         * @return these rows, with their times as keys
          */
-        public function findTouches(body:MovingBody, wanted:int, hits:Hits, first:MotionResult):Collector
+        public function findTouches(body:MovingBody, maxCount:int, hits:Hits, first:MotionResult):Collector
         {
-            var collector:Collector = _seen.beginSearch(wanted, Infinity, null, null);
-            _start.from.copyFrom(body.from);
+            var collector:Collector = _seen.beginSearch(maxCount, Infinity, null, null);
+            _start.start.copyFrom(body.from);
             _start.pushes.clear();
             if (addTouches(body, _start, collector, hits, first))
             {
                 // a floor may be many rows: what is pushed out of one of them does not run into the next
                 _sweep.startMotion(body, body.rows, body.from, body.motion, _start);
-                if (!_start.from.equals(body.from))
+                if (!_start.start.equals(body.from))
                 {
-                    collector = _seen.beginSearch(wanted, Infinity, null, null);
+                    collector = _seen.beginSearch(maxCount, Infinity, null, null);
                     addTouches(body, _start, collector, hits, first);
                 }
             }
@@ -88,17 +89,17 @@ package starlogo.queries.motion
         private function addTouches(body:MovingBody, start:MotionState, collector:Collector, hits:Hits, first:MotionResult):Boolean
         {
             var mayPush:Boolean = false;
-            hits.begin();
+            hits.clear();
             first.row = -1;
             first.time = 1;
             first.hasPlanes = false;
             // what stops the body at once does not end the loop, because a row behind it may push the body
             for (var i:int = 0; i < body.rows.count; i++)
             {
-                var row:int = body.rows.numbers[i];
+                var row:int = body.rows.values[i];
                 findTouch(body, row, start, _alone, _touch);
                 // the row alone pushes the body, or stops it at once in a shallow overlap
-                mayPush ||= !_alone.from.equals(start.from) || (_touch.time == 0 && !_touch.hasPlanes);
+                mayPush ||= !_alone.start.equals(start.start) || (_touch.time == 0 && !_touch.hasPlanes);
                 if (_touch.isStopped)
                 {
                     collector.add(row, _touch.time);
@@ -113,12 +114,12 @@ package starlogo.queries.motion
         }
 
         // Finds whether and when a row stops the body from a start, as if there were no others. Another state receives how the motion starts there with the
-        // row alone, which may push the body farther. Rounding may hide the touch at its place: see goIntoTouch.
+        // row alone, which may push the body farther. Rounding may hide the touch at its place: see moveIntoTouch.
         private function findTouch(body:MovingBody, row:int, start:MotionState, alone:MotionState, out:MotionResult):void
         {
             _rowAlone.count = 0;
             _rowAlone.add(row);
-            _sweep.findStop(body, _rowAlone, start.from, body.motion, alone, out);
+            _sweep.findStop(body, _rowAlone, start.start, body.motion, alone, out);
             if (out.isStopped)
             {
                 if (!out.hasPlanes)
@@ -135,19 +136,19 @@ package starlogo.queries.motion
          * Moves the end of a motion into the touch, on the side that the body comes from. Beyond a row without thickness the two would not touch, and
          * the body could not come back. So it tries several places, the outermost first: half of the gap across which the two still touch before the
          * contact. Rounding may hide the touch on a long way, and at an edge that the body meets at a grazing angle. Then the touch is found between the
-         * computed end and where the core touches the row, which may be much farther on: at a grazing angle along the side of a tile.
+         * computed end and where the shrunk body touches the row, which may be much farther on: at a grazing angle along the side of a tile.
          *
          * @param touch an answer for this body, which a row stops. Its place changes
          */
-        public function goIntoTouch(body:MovingBody, touch:MotionResult):void
+        public function moveIntoTouch(body:MovingBody, touch:MotionResult):void
         {
             if (touch.time == 0)
             {
                 return;
             }
             var place:Vector3D = touch.place;
-            _toCore.copyFrom(touch.corePlace);
-            _toCore.decrementBy(place);
+            _toShrunk.copyFrom(touch.shrunkPlace);
+            _toShrunk.decrementBy(place);
             var step:Number = halfGapAt(place, body.extentWith(body.bodyOf(touch.row)));
             touch.contact.movePoint(place, step);
             for (var i:int = 0; i < STEPS_INTO_TOUCH; i++)
@@ -160,11 +161,11 @@ package starlogo.queries.motion
             }
             var free:Number = 0;
             var touching:Number = 1;
-            // times are counted from where the core touches backwards, so that the last one is exactly there
+            // times are counted from where the shrunk body touches backwards, so that the last one is exactly there
             for (i = 0; i < HALVINGS; i++)
             {
                 var middle:Number = (free + touching) / 2;
-                CoreSweep.setAlong(touch.corePlace, _toCore, middle - 1, place);
+                ShrunkSweep.setAlong(touch.shrunkPlace, _toShrunk, middle - 1, place);
                 if (body.touches(touch.row, place))
                 {
                     touching = middle;
@@ -174,7 +175,7 @@ package starlogo.queries.motion
                     free = middle;
                 }
             }
-            CoreSweep.setAlong(touch.corePlace, _toCore, touching - 1, place);
+            ShrunkSweep.setAlong(touch.shrunkPlace, _toShrunk, touching - 1, place);
         }
 
         // Takes the push out of a time of touch: without it the body would have touched earlier.
@@ -182,11 +183,11 @@ package starlogo.queries.motion
         {
             var from:Vector3D = body.from;
             var contact:ContactPoint = out.contact;
-            var push:Number = contact.normalX * (state.from.x - from.x) + contact.normalY * (state.from.y - from.y)
-                + contact.normalZ * (state.from.z - from.z);
+            var push:Number = contact.normalX * (state.start.x - from.x) + contact.normalY * (state.start.y - from.y)
+                + contact.normalZ * (state.start.z - from.z);
             var along:Number = contact.along(body.motion);
             out.time = Math.max(0, Math.min(1, out.time + push / along));
-            if (-out.time * along < state.core.slop && state.core.bodyTouches(out.row, from))
+            if (-out.time * along < state.shrunk.slop && state.shrunk.bodyTouches(out.row, from))
             {
                 // otherwise each motion against a wall would lead a little deeper
                 out.time = 0;
@@ -196,7 +197,7 @@ package starlogo.queries.motion
         // Sets where the body is at a time of the motion without pushes, but no deeper in what the body was pushed out of at its start.
         private static function setEnd(body:MovingBody, time:Number, start:MotionState, out:Vector3D):void
         {
-            CoreSweep.setAlong(body.from, body.motion, time, out);
+            ShrunkSweep.setAlong(body.from, body.motion, time, out);
             pushBack(body.from, start, out);
         }
 
@@ -208,7 +209,7 @@ package starlogo.queries.motion
             {
                 var contact:ContactPoint = state.pushes.contacts[i];
                 var deeper:Number = contact.normalX * (from.x - place.x) + contact.normalY * (from.y - place.y) + contact.normalZ * (from.z - place.z);
-                if (deeper > 0 && deeper < SLOPS_TO_LEAVE * state.core.slop)
+                if (deeper > 0 && deeper < SLOPS_TO_LEAVE * state.shrunk.slop)
                 {
                     contact.movePoint(place, deeper);
                 }

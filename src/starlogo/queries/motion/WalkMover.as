@@ -23,10 +23,10 @@ package starlogo.queries.motion
         private static const CLOSE_DEPTH:Number = 1e-6;
 
         // The least way down of a fall with the slide after it. A shorter one is undone. A part of the extent.
-        private static const LEAST_FALL:Number = 1e-8;
+        private static const MIN_FALL:Number = 1e-8;
 
         // The most pushes out of what the agent overlaps where a walk begins.
-        private static const MOST_PUSHES:int = 8;
+        private static const MAX_PUSHES:int = 8;
 
         private var _slider:Slider = new Slider();
         private var _recovery:OverlapRecovery = new OverlapRecovery();
@@ -40,7 +40,7 @@ package starlogo.queries.motion
         // How steps end: a slide, a slide that is only tried, and a way straight up or down.
         private var _slid:SlideResult = new SlideResult();
         private var _tried:SlideResult = new SlideResult();
-        private var _upright:MotionResult = new MotionResult();
+        private var _vertical:MotionResult = new MotionResult();
 
         // Where a fall has come.
         private var _fallen:Vector3D = new Vector3D();
@@ -64,7 +64,7 @@ package starlogo.queries.motion
         public function go(link:PlatformLink, walk:Walk):Boolean
         {
             begin(link, walk);
-            var stands:Boolean = goLegs(walk, recover(walk)) || fall(walk);
+            var stands:Boolean = walkLegs(walk, recover(walk)) || fall(walk);
             _recovery.restoreClearance(walk.body, walk.place);
             return stands;
         }
@@ -73,7 +73,7 @@ package starlogo.queries.motion
         private function begin(link:PlatformLink, walk:Walk):void
         {
             var platform:int = _platforms.find(link, walk);
-            walk.body.readAgent(link.agent, walk.carryTurn);
+            walk.body.setToAgent(link.agent, walk.carryTurn);
             walk.place.copyFrom(walk.body.from);
             walk.closeDepth = CLOSE_DEPTH * walk.body.extent;
             collectRows(walk, 0);
@@ -97,10 +97,10 @@ package starlogo.queries.motion
         {
             walk.legStart.copyFrom(walk.place);
             walk.footing.pushed = 0;
-            goUpright(walk, walk.place, -walk.closeDepth, _upright);
-            if (!_upright.hasPlanes)
+            moveVertically(walk, walk.place, -walk.closeDepth, _vertical);
+            if (!_vertical.hasPlanes)
             {
-                return standAtEnd(walk, _upright);
+                return standAtEnd(walk, _vertical);
             }
             pushOut(walk);
             var x:Number = walk.place.x - walk.legStart.x;
@@ -132,11 +132,11 @@ package starlogo.queries.motion
                 walk.place.copyFrom(_slid.place);
                 pushes++;
             }
-            while (pushes < MOST_PUSHES && left > 0 && _recovery.measureOverlaps(walk.body, walk.place, walk.deepest) > 0);
+            while (pushes < MAX_PUSHES && left > 0 && _recovery.measureOverlaps(walk.body, walk.place, walk.deepest) > 0);
         }
 
         // Goes all legs: along the ground if the agent stands, else straight on through the air. Returns whether it stands at the end.
-        private function goLegs(walk:Walk, beginsStanding:Boolean):Boolean
+        private function walkLegs(walk:Walk, beginsStanding:Boolean):Boolean
         {
             var stands:Boolean = beginsStanding;
             var startX:Number = walk.legStart.x;
@@ -152,7 +152,7 @@ package starlogo.queries.motion
                 }
                 if (stands)
                 {
-                    stands = goOnGround(walk);
+                    stands = walkOnGround(walk);
                 }
                 else
                 {
@@ -169,7 +169,7 @@ package starlogo.queries.motion
 
         // Goes a leg along the ground, and up or down with it. If a wall stops the agent there, it tries to step up. Otherwise it steps down to the ground.
         // Returns whether it stands then.
-        private function goOnGround(walk:Walk):Boolean
+        private function walkOnGround(walk:Walk):Boolean
         {
             if (walk.legLength == 0)
             {
@@ -204,21 +204,21 @@ package starlogo.queries.motion
         // Tries a leg again a step higher, and goes down again. Returns whether the agent comes farther than to a place without the step, and stands.
         private function stepUp(walk:Walk, plain:Vector3D):Boolean
         {
-            goUpright(walk, walk.legStart, walk.options.stepHeight, _upright);
-            var height:Number = _upright.place.z - walk.legStart.z;
+            moveVertically(walk, walk.legStart, walk.options.stepHeight, _vertical);
+            var height:Number = _vertical.place.z - walk.legStart.z;
             if (height <= walk.closeDepth)
             {
                 return false;
             }
-            slideAlong(walk, _upright.place, 0, walk.walkableZ, _tried);
+            slideAlong(walk, _vertical.place, 0, walk.walkableZ, _tried);
             if (!isFarther(walk, _tried.place, plain))
             {
                 return false;
             }
             var depth:Number = height + walk.options.snap + walk.closeDepth;
             var top:Number = _tried.place.z;
-            goUpright(walk, _tried.place, -depth, _upright);
-            return standAtEnd(walk, _upright) || (_upright.isStopped && slideOff(walk, _upright.place, depth - (top - _upright.place.z), plain));
+            moveVertically(walk, _tried.place, -depth, _vertical);
+            return standAtEnd(walk, _vertical) || (_vertical.isStopped && slideOff(walk, _vertical.place, depth - (top - _vertical.place.z), plain));
         }
 
         // Whether a place is farther along the leg than another one.
@@ -258,10 +258,10 @@ package starlogo.queries.motion
                 {
                     return false;
                 }
-                goUpright(walk, _fallen, -depth, _upright);
-                left -= _upright.time * depth;
-                isStopped = _upright.isStopped;
-                _fallen.copyFrom(_upright.place);
+                moveVertically(walk, _fallen, -depth, _vertical);
+                left -= _vertical.time * depth;
+                isStopped = _vertical.isStopped;
+                _fallen.copyFrom(_vertical.place);
             }
             if (!isStopped)
             {
@@ -269,12 +269,12 @@ package starlogo.queries.motion
                 walk.place.copyFrom(_fallen);
                 return standBelow(walk, walk.place, walk.closeDepth);
             }
-            if (standOn(walk, _upright.contact, _upright.row, _fallen))
+            if (standOn(walk, _vertical.contact, _vertical.row, _fallen))
             {
                 return true;
             }
             slideDown(walk, _fallen, Math.min(left, depthAfterFall(walk)), widthAfterFall(walk), _slid);
-            if (!(walk.place.z - _slid.place.z < LEAST_FALL * walk.body.extent))
+            if (!(walk.place.z - _slid.place.z < MIN_FALL * walk.body.extent))
             {
                 walk.place.copyFrom(_slid.place);
             }
@@ -297,8 +297,8 @@ package starlogo.queries.motion
         // is. Returns whether it stands.
         private function standBelow(walk:Walk, place:Vector3D, depth:Number):Boolean
         {
-            goUpright(walk, place, -depth, _upright);
-            return standAtEnd(walk, _upright);
+            moveVertically(walk, place, -depth, _vertical);
+            return standAtEnd(walk, _vertical);
         }
 
         // Lets the agent stand where a way down has ended, on what has stopped it or on what else it touches there. Otherwise the agent stays where it is.
@@ -327,10 +327,10 @@ package starlogo.queries.motion
         }
 
         // Goes straight up, or down if dz is less than 0, until something is in the way.
-        private function goUpright(walk:Walk, from:Vector3D, dz:Number, out:MotionResult):void
+        private function moveVertically(walk:Walk, from:Vector3D, dz:Number, out:MotionResult):void
         {
             _motion.setTo(0, 0, dz);
-            _slider.goStraight(walk.body, walk.body.rows, from, _motion, out);
+            _slider.moveStraight(walk.body, walk.body.rows, from, _motion, out);
         }
 
         // Slides along the way of a leg, and up or down.

@@ -43,7 +43,7 @@ package starlogo.queries.rays
         }
 
         /** Begins without hits. */
-        public function begin():void
+        public function clear():void
         {
             _hits.count = 0;
         }
@@ -61,7 +61,7 @@ package starlogo.queries.rays
             {
                 _firsts.length = row + 1;
             }
-            if (index == 0 || _hits.numbers[int(index - 1)] != row)
+            if (index == 0 || _hits.values[int(index - 1)] != row)
             {
                 _firsts[row] = index;
             }
@@ -99,7 +99,7 @@ package starlogo.queries.rays
             for (var i:int = 0; i < rows; i++)
             {
                 var row:int = collector.rowAt(i);
-                for (var hit:int = _firsts[row]; hit < _hits.count && _hits.numbers[hit] == row; hit++)
+                for (var hit:int = _firsts[row]; hit < _hits.count && _hits.values[hit] == row; hit++)
                 {
                     _answer.add(hit, _hits.keys[hit]);
                 }
@@ -120,7 +120,7 @@ package starlogo.queries.rays
 
         private function rowOf(index:int):int
         {
-            return _hits.numbers[_answer.numbers[index]];
+            return _hits.values[_answer.values[index]];
         }
 
         /** The distance or time of a hit of the answer. */
@@ -132,11 +132,11 @@ package starlogo.queries.rays
         /** The contact of a hit of the answer. */
         public function contactOf(index:int):ContactPoint
         {
-            return _contacts[_answer.numbers[index]];
+            return _contacts[_answer.values[index]];
         }
 
         /** Writes a hit of the answer, all but its distance or time. */
-        public function write(index:int, hit:CastHit):void
+        public function fillHit(index:int, hit:CastHit):void
         {
             var from:ContactPoint = contactOf(index);
             hit.agent = _seen.table.list.agentsByRow[rowOf(index)];
@@ -148,7 +148,7 @@ package starlogo.queries.rays
             hit.normal.y = from.normalY;
             hit.normal.z = from.normalZ;
             hit.triangle = from.triangle;
-            _triangle.write(bodyOf(index), hit);
+            _triangle.fillTriangle(bodyOf(index), hit);
         }
     }
 }

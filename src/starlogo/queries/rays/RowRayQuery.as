@@ -104,7 +104,7 @@ package starlogo.queries.rays
             if (shape.tree != null)
             {
                 var limits:TreeLimits = _seen.narrowPhase.treeLimits;
-                return _solid.find(shape.tree, limits.depthOf(body), limits.exact, line, out);
+                return _solid.find(shape.tree, limits.depthOf(body), limits.isExact, line, out);
             }
             return SpanFinder.find(line, shape.structure, _seen.narrowPhase.convexSpans, _span) && out.enter(line, _span);
         }

@@ -63,7 +63,7 @@ package starlogo.queries.rays
             _surfaces.find(_crossings, areTriangles);
             for (var i:int = 0; i < _surfaces.indices.count; i++)
             {
-                _crossings.readEntry(_surfaces.indices.numbers[i], _entry);
+                _crossings.readEntry(_surfaces.indices.values[i], _entry);
                 if (isGround ? _entry.distance <= ray.to : RowRayQuery.bringBack(_entry, _inModel, body.placement, ray))
                 {
                     out.addEntry(row, ray, _entry);
@@ -80,7 +80,7 @@ package starlogo.queries.rays
             if (shape.tree != null)
             {
                 var limits:TreeLimits = _seen.narrowPhase.treeLimits;
-                return _trees.findAll(shape.tree, limits.depthOf(body), limits.exact, line, out);
+                return _trees.findAll(shape.tree, limits.depthOf(body), limits.isExact, line, out);
             }
             if (SpanFinder.find(line, shape.structure, _seen.narrowPhase.convexSpans, _span))
             {

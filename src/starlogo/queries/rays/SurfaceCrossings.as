@@ -55,7 +55,7 @@ package starlogo.queries.rays
             var insideFrom:Number = NaN;
             for (var i:int = 0; i < crossings.count; i++)
             {
-                var index:int = _all.numbers[i];
+                var index:int = _all.values[i];
                 var isKept:Boolean = true;
                 switch (crossings.sides[index])
                 {
@@ -85,7 +85,7 @@ package starlogo.queries.rays
             var mostSlack:Number = 0;
             for (var i:int = 0; i < crossings.count; i++)
             {
-                var index:int = _all.numbers[i];
+                var index:int = _all.values[i];
                 var side:int = crossings.sides[index];
                 if (side == RayCrossings.EDGE_ON)
                 {
@@ -113,7 +113,7 @@ package starlogo.queries.rays
             var slack:Number = crossings.roundings[index];
             for (var k:int = indices.count - 1; k >= 0; k--)
             {
-                var other:int = indices.numbers[k];
+                var other:int = indices.values[k];
                 var gap:Number = distance - crossings.distances[other];
                 if (gap > slack + mostSlack)
                 {
@@ -125,7 +125,7 @@ package starlogo.queries.rays
                     {
                         _sides[k] = side;
                         // none is kept between the two, because it would have joined the other one
-                        indices.numbers[k] = gap <= crossings.roundings[other] ? index : other;
+                        indices.values[k] = gap <= crossings.roundings[other] ? index : other;
                     }
                     return true;
                 }

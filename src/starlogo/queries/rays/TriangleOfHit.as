@@ -27,7 +27,7 @@ package starlogo.queries.rays
          * @param body the body that is met
          * @param hit has the number of the triangle and the point
          */
-        public function write(body:Body, hit:CastHit):void
+        public function fillTriangle(body:Body, hit:CastHit):void
         {
             hit.mesh = hit.material = -1;
             hit.meshName = hit.materialName = null;

@@ -26,7 +26,7 @@ package starlogo.queries.trees
      */
     public final class Collector
     {
-        /** A value of <code>wanted</code>: all rows. */
+        /** A value of <code>maxCount</code>: all rows. */
         public static const ALL:int = int.MAX_VALUE;
 
         /** The rows that the filter admits. Read only. */
@@ -35,8 +35,8 @@ package starlogo.queries.trees
         /** The largest key of a row that is still wanted. It is less than 0 if no more rows are wanted. Read only. */
         public var limit:Number = Infinity;
 
-        /** The number of rows that are wanted, or ALL. Read only. */
-        public var wanted:int = ALL;
+        /** How many rows are found at most, or ALL. Read only. */
+        public var maxCount:int = ALL;
 
         private var _seen:SeenAgents;
 
@@ -44,7 +44,7 @@ package starlogo.queries.trees
         private var _rows:SortableIntList = new SortableIntList();
 
         // When this number of rows is found, the rows that are not wanted are dropped.
-        private var _dropAt:int = ALL;
+        private var _trimCount:int = ALL;
 
         // The number of rows that accepts has admitted, in order.
         private var _admitted:int = 0;
@@ -61,17 +61,17 @@ package starlogo.queries.trees
         /**
          * Begins a search.
          *
-         * @param wanted how many of the rows with the smallest keys are wanted, or ALL
+         * @param maxCount how many of the rows with the smallest keys count, or ALL
          * @param limit the largest key
          * @param asker the agent that asks, which is left out; or null
          * @param agentFilter the agents that count; null for all
          */
-        public function begin(wanted:int, limit:Number, asker:Agent, agentFilter:AgentFilter):void
+        public function begin(maxCount:int, limit:Number, asker:Agent, agentFilter:AgentFilter):void
         {
             filter.begin(_seen.table.list, asker, agentFilter);
-            this.wanted = wanted;
-            this.limit = wanted == 0 ? -1 : limit;
-            _dropAt = filter.accepts == null ? wanted : ALL;
+            this.maxCount = maxCount;
+            this.limit = maxCount == 0 ? -1 : limit;
+            _trimCount = filter.accepts == null ? maxCount : ALL;
             _rows.count = _admitted = 0;
             _isGroundLeft = true;
         }
@@ -112,29 +112,29 @@ package starlogo.queries.trees
         {
             // _rows.add() written out: it would be one call more for each row
             var at:int = _rows.count;
-            _rows.numbers[at] = row;
+            _rows.values[at] = row;
             _rows.keys[at] = key;
             _rows.count = at + 1;
-            if (_rows.count == _dropAt)
+            if (_rows.count == _trimCount)
             {
-                keepWanted();
-                limit = _rows.keys[int(wanted - 1)];
+                keepFirst();
+                limit = _rows.keys[int(maxCount - 1)];
                 // only then again, so that each row is sorted about twice
-                _dropAt = wanted > ALL / 2 ? ALL : 2 * wanted;
+                _trimCount = maxCount > ALL / 2 ? ALL : 2 * maxCount;
             }
         }
 
         /** Whether a question that wants any one row has it. */
         public function get hasEnoughOfAny():Boolean
         {
-            return wanted == 1 && filter.accepts == null && _rows.count > 0;
+            return maxCount == 1 && filter.accepts == null && _rows.count > 0;
         }
 
         /**
          * Calls <code>accepts</code> for the rows whose keys are smaller than a bound, in the order of the keys, until enough are admitted. Rows
          * that are found later must have no smaller keys.
          */
-        public function askBelow(bound:Number):void
+        public function testBelow(bound:Number):void
         {
             var end:int = bound < Infinity ? bringForward(bound) : _rows.count;
             if (end == _admitted)
@@ -143,7 +143,7 @@ package starlogo.queries.trees
             }
             _rows.sortFirst(end, _seen.table.list.ranks);
             admitTo(end);
-            if (_admitted == wanted)
+            if (_admitted == maxCount)
             {
                 limit = -1;
             }
@@ -166,9 +166,9 @@ package starlogo.queries.trees
                 var key:Number = _rows.keys[i];
                 if (key < bound)
                 {
-                    var row:int = _rows.numbers[i];
+                    var row:int = _rows.values[i];
                     move(end, i);
-                    _rows.numbers[end] = row;
+                    _rows.values[end] = row;
                     _rows.keys[end] = key;
                     end++;
                 }
@@ -183,7 +183,7 @@ package starlogo.queries.trees
             _seen.enterFilter();
             try
             {
-                for (var i:int = _admitted; i < end && _admitted < wanted; i++)
+                for (var i:int = _admitted; i < end && _admitted < maxCount; i++)
                 {
                     if (decide(agentAt(i)))
                     {
@@ -200,7 +200,7 @@ package starlogo.queries.trees
 
         private function move(from:int, to:int):void
         {
-            _rows.numbers[to] = _rows.numbers[from];
+            _rows.values[to] = _rows.values[from];
             _rows.keys[to] = _rows.keys[from];
         }
 
@@ -209,26 +209,26 @@ package starlogo.queries.trees
         {
             if (filter.accepts == null)
             {
-                keepWanted();
+                keepFirst();
             }
             else
             {
-                askBelow(Infinity);
+                testBelow(Infinity);
             }
             return _rows.count;
         }
 
         // Sorts the rows, and keeps those that are wanted.
-        private function keepWanted():void
+        private function keepFirst():void
         {
             _rows.sortFirst(_rows.count, _seen.table.list.ranks);
-            _rows.count = Math.min(_rows.count, wanted);
+            _rows.count = Math.min(_rows.count, maxCount);
         }
 
         /** A row of the answer. */
         public function rowAt(index:int):int
         {
-            return _rows.numbers[index];
+            return _rows.values[index];
         }
 
         // The agent of a row of the answer.

@@ -69,13 +69,13 @@ package starlogo.queries.trees
         public function find(cone:Cone = null):Collector
         {
             var collector:Collector = _collector;
-            var asks:Boolean = collector.wanted < Collector.ALL && collector.filter.accepts != null;
+            var usesAccepts:Boolean = collector.maxCount < Collector.ALL && collector.filter.accepts != null;
             var asker:int = collector.filter.askerRow;
             var waiting:int = asker < 0 ? push(RowTree.ROOT, 0) : pushBeside(_tree.leafOf(asker));
             while (waiting > 0 && collector.limit >= 0)
             {
                 waiting--;
-                if (asks)
+                if (usesAccepts)
                 {
                     putNearestLast(0, waiting);
                 }
@@ -92,9 +92,9 @@ package starlogo.queries.trees
                 }
                 else
                 {
-                    if (asks)
+                    if (usesAccepts)
                     {
-                        collector.askBelow(_squares[waiting]);
+                        collector.testBelow(_squares[waiting]);
                     }
                     visit(node, cone);
                 }

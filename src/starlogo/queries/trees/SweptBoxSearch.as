@@ -20,7 +20,7 @@ package starlogo.queries.trees
         // How much of the motion is still searched, as a multiple of its vector.
         private var _limit:Number = 1;
 
-        private var _moves:Boolean = false;
+        private var _isMoving:Boolean = false;
 
         // The way by axis, if the box moves; the box where the way begins; and the box around the whole way. The boxes are like those of a RowTree.
         private var _along:Vector.<Number> = new Vector.<Number>(3, true);
@@ -44,11 +44,11 @@ package starlogo.queries.trees
          * @param halfZ half of its length along z
          * @param offset how far the middle is from the place that it was computed from
          */
-        public function begin(tree:RowTree, x:Number, y:Number, z:Number, halfX:Number = 0, halfY:Number = 0, halfZ:Number = 0, offset:Number = 0):void
+        public function setTo(tree:RowTree, x:Number, y:Number, z:Number, halfX:Number = 0, halfY:Number = 0, halfZ:Number = 0, offset:Number = 0):void
         {
             var slack:Number = RowTree.slackOf(x, y, z, halfX + halfY + halfZ, offset);
             this.tree = tree;
-            _moves = false;
+            _isMoving = false;
             _around[0] = x - halfX - slack;
             _around[1] = y - halfY - slack;
             _around[2] = z - halfZ - slack;
@@ -65,9 +65,9 @@ package starlogo.queries.trees
          *
          * @param tree has the extents of rows
          */
-        public function beginAround(tree:RowTree, body:Body):void
+        public function setAround(tree:RowTree, body:Body):void
         {
-            begin(tree, body.x, body.y, body.z, body.halfX, body.halfY, body.halfZ, body.offset);
+            setTo(tree, body.x, body.y, body.z, body.halfX, body.halfY, body.halfZ, body.offset);
             if (body.isOfWorld)
             {
                 widen(4 * Agent.LARGEST_COORDINATE);
@@ -101,7 +101,7 @@ package starlogo.queries.trees
          */
         public function moveAlong(dx:Number, dy:Number, dz:Number, limit:Number):void
         {
-            _moves = true;
+            _isMoving = true;
             _along[0] = dx;
             _along[1] = dy;
             _along[2] = dz;
@@ -133,7 +133,7 @@ package starlogo.queries.trees
             while (_waiting > 0)
             {
                 _waiting--;
-                if (_moves && _entries[_waiting] > limit)
+                if (_isMoving && _entries[_waiting] > limit)
                 {
                     continue;
                 }
@@ -176,13 +176,13 @@ package starlogo.queries.trees
                 {
                     continue;
                 }
-                if (!_moves || findEntry(boxes, box, _entries, count))
+                if (!_isMoving || findEntry(boxes, box, _entries, count))
                 {
                     _stack[count] = areSlots ? -1 - i : i;
                     count++;
                 }
             }
-            if (_moves && count == _waiting + 2 && _entries[_waiting] < _entries[int(_waiting + 1)])
+            if (_isMoving && count == _waiting + 2 && _entries[_waiting] < _entries[int(_waiting + 1)])
             {
                 var nearer:int = _stack[_waiting];
                 _stack[_waiting] = _stack[int(_waiting + 1)];

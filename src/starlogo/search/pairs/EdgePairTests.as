@@ -110,7 +110,7 @@ package starlogo.search.pairs
             var outwards:Vector3D = OUTWARDS[deepest];
             _supportSearch.find(a, outwards, _farthest);
             var own:Number = along(deepest, _farthest.x, _farthest.y, _farthest.z);
-            var toEdge:Number = placeOf(b, deepest) - own;
+            var toEdge:Number = coordinateOf(b, deepest) - own;
             // corners that count as equally far are not quite, and the point is their mean
             var toEnd:Number = toEdge + _penetrations[deepest];
             out.distance = -_penetrations[deepest];
@@ -176,7 +176,7 @@ package starlogo.search.pairs
         // The largest gap between a body and an edge that still counts as a touch.
         private static function toleranceOf(body:Body):Number
         {
-            return body.margin + Tolerances.ROUNDING * body.largestHalf;
+            return body.margin + Tolerances.ROUNDING * body.maxHalf;
         }
 
         // Finds how far the body is beyond each edge. A tree's own points are computed only for edges that its extents come to, within the
@@ -185,20 +185,20 @@ package starlogo.search.pairs
         {
             for (var edge:int = 0; edge < 6; edge++)
             {
-                var place:Number = placeOf(edges, edge);
+                var coordinate:Number = coordinateOf(edges, edge);
                 var radius:Number = Math.abs(along(edge, body.halfX, body.halfY, body.halfZ));
-                var beyond:Number = radius + (along(edge, body.x, body.y, body.z) - place);
+                var beyond:Number = radius + (along(edge, body.x, body.y, body.z) - coordinate);
                 out[edge] = beyond;
                 if (body.form == ModelShape.TREE && (beyond >= -tolerance || beyond - along(edge, motion.x, motion.y, motion.z) >= -tolerance))
                 {
                     _supportSearch.find(body, OUTWARDS[edge], _farthest);
-                    out[edge] = _farthest.support - place;
+                    out[edge] = _farthest.support - coordinate;
                 }
             }
         }
 
         // The place of an edge in the direction out of the world.
-        private static function placeOf(edges:Body, edge:int):Number
+        private static function coordinateOf(edges:Body, edge:int):Number
         {
             // the first number is 1 or -1: whether the direction is the axis or against it
             return along(edge, 1, 1, 1) * edges.shape.edges[edge];
@@ -215,7 +215,7 @@ package starlogo.search.pairs
         // place.
         private static function lengthOfWayBack(penetration:Number, isDeepest:Boolean, body:Body):Number
         {
-            var half:Number = body.largestHalf == 0 ? 1 : body.largestHalf;
+            var half:Number = body.maxHalf == 0 ? 1 : body.maxHalf;
             var slack:Number = Tolerances.SEPARATION / 5 * half;
             var depth:Number = Math.max(0, penetration);
             return isDeepest ? Math.max(depth, slack) : depth + slack;
@@ -225,7 +225,7 @@ package starlogo.search.pairs
         private static function moveToMiddle(edge:int, penetration:Number, edges:Body, out:ContactPoint):void
         {
             var outwards:Vector3D = OUTWARDS[edge];
-            var offset:Number = placeOf(edges, edge) + penetration / 2 - along(edge, out.x, out.y, out.z);
+            var offset:Number = coordinateOf(edges, edge) + penetration / 2 - along(edge, out.x, out.y, out.z);
             if (isFinite(offset))
             {
                 out.x += offset * outwards.x;

@@ -107,7 +107,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function separate(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            _exitSearch.find(a, b, motion, out);
+            _exitSearch.findExit(a, b, motion, out);
         }
 
         /**
@@ -136,7 +136,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function extentOf(a:Body, b:Body):Number
         {
-            return Math.max(CELL_SHARE * gridOf(b).cellWidth, 2 * a.largestHalf);
+            return Math.max(CELL_SHARE * gridOf(b).cellWidth, 2 * a.maxHalf);
         }
 
         /** @inheritDoc */
@@ -168,7 +168,7 @@ package starlogo.search.pairs
         {
             var shape:ModelShape = a.shape;
             var depth:int = shape.tree == null ? 1 : _limits.depthOf(a);
-            _query.setTo(gridOf(b), shape.tree, shape.structure, a.placement, depth, _limits.exact);
+            _query.setTo(gridOf(b), shape.tree, shape.structure, a.placement, depth, _limits.isExact);
             return _query;
         }
     }

@@ -165,7 +165,7 @@ package starlogo.search.pairs
         /** The extent that tolerances of a way out are fractions of: the larger one of the two. It is 0 for two points. */
         public function extentOf(a:Body, b:Body):Number
         {
-            return 2 * Math.max(a.largestHalf, b.largestHalf);
+            return 2 * Math.max(a.maxHalf, b.maxHalf);
         }
 
         /** How far a depth may be off, in patches: Tolerances.SEPARATION of the extent. Far from the origin, rounding decides instead. */

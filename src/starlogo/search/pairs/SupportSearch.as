@@ -59,8 +59,8 @@ package starlogo.search.pairs
             out.support = -Infinity;
             if (body.shape.tree == null)
             {
-                body.shape.structure.shapeInto(_shape);
-                findOfShape(_shape, _direction, Tolerances.SEPARATION * body.largestHalf / at.size, out);
+                body.shape.structure.setShape(_shape);
+                findOfShape(_shape, _direction, Tolerances.SEPARATION * body.maxHalf / at.size, out);
             }
             else
             {
@@ -123,7 +123,7 @@ package starlogo.search.pairs
         private function findOfTree(body:Body, direction:Vector3D, out:SupportPoint):void
         {
             var tree:BoxTree = body.shape.tree.boxTree;
-            var mesh:TriangleMesh = _limits.exact && body.shape.tree.hasTriangles ? body.shape.tree.mesh : null;
+            var mesh:TriangleMesh = _limits.isExact && body.shape.tree.hasTriangles ? body.shape.tree.mesh : null;
             var depth:int = mesh != null ? BoxTree.EXACT : _limits.depthOf(body);
             _nodes[0] = 0;
             _upperBounds[0] = Infinity;

@@ -119,13 +119,13 @@ package starlogo.search.pairs
         {
             // the contact's object may have been that of a contact with the ground
             out.forgetDeepest();
-            _exitSearch.find(a, b, motion, out);
+            _exitSearch.findExit(a, b, motion, out);
         }
 
         /** The covers are the structures around the trees. @inheritDoc */
         override public function findContactOfCovers(a:Body, b:Body, out:ContactPoint):void
         {
-            _pose.relate(a.placement, b.placement);
+            _pose.setBetween(a.placement, b.placement);
             StructurePairs.findContact(_pose.place(b.shape.structure), a.shape.structure, RelativeMotion.NONE, out);
             RelativePose.moveContactToWorld(out, a.placement, RelativeMotion.NONE);
         }
@@ -147,7 +147,7 @@ package starlogo.search.pairs
             _at.x = point.x;
             _at.y = point.y;
             _at.z = point.z;
-            _treeAndStructure.setTo(body.shape.tree, body.placement, _limits.depthOf(body), POINT, _at, _limits.exact);
+            _treeAndStructure.setTo(body.shape.tree, body.placement, _limits.depthOf(body), POINT, _at, _limits.isExact);
             return _treeAndStructure.findNearestTriangle();
         }
 
@@ -188,9 +188,9 @@ package starlogo.search.pairs
             var tree:ModelTree = a.shape.tree;
             if (b.shape.tree != null)
             {
-                return _trees.setTo(tree, a.placement, _limits.depthOf(a), b.shape.tree, b.placement, _limits.depthOf(b), _limits.exact);
+                return _trees.setTo(tree, a.placement, _limits.depthOf(a), b.shape.tree, b.placement, _limits.depthOf(b), _limits.isExact);
             }
-            return _treeAndStructure.setTo(tree, a.placement, _limits.depthOf(a), b.shape.structure, b.placement, _limits.exact);
+            return _treeAndStructure.setTo(tree, a.placement, _limits.depthOf(a), b.shape.structure, b.placement, _limits.isExact);
         }
     }
 }

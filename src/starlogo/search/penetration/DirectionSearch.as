@@ -29,7 +29,7 @@ package starlogo.search.penetration
         private static const NARROW:Number = 1 / 16;
 
         // The most halvings. After 53 a Number has no more bits to halve.
-        private static const MOST_STEPS:int = 60;
+        private static const MAX_STEPS:int = 60;
 
         // No displacement is longer, in patches. Bodies in the world are free long before it.
         private static const FARTHEST:Number = 1e300;
@@ -59,8 +59,8 @@ package starlogo.search.penetration
         public function findAlong(guess:ContactPoint, out:ContactPoint):void
         {
             _tried.setDirection(guess.normalX, guess.normalY, guess.normalZ);
-            _parted.begin(guess.depth + _pair.tolerance);
-            goOut(IMPROVED_DEPTH * _pair.extent, _parted);
+            _parted.setTo(guess.depth + _pair.tolerance);
+            growOuter(IMPROVED_DEPTH * _pair.extent, _parted);
             refine(_parted, out);
         }
 
@@ -73,7 +73,7 @@ package starlogo.search.penetration
         public function shorten(free:Displacement, out:ContactPoint):void
         {
             _tried.setDirection(free.x, free.y, free.z);
-            _parted.begin(free.distance);
+            _parted.setTo(free.distance);
             refine(_parted, out);
         }
 
@@ -104,13 +104,13 @@ package starlogo.search.penetration
                 return false;
             }
             _tried.setDirection(parting.normalX, parting.normalY, parting.normalZ);
-            out.begin(cosine * contact.depth + _pair.tolerance);
+            out.setTo(cosine * contact.depth + _pair.tolerance);
             return !areTouchingAtOuter(out);
         }
 
         // Increases the outer distance by a step until the two do not touch there. Each step is twice as long as the one before. Returns whether they were
         // free at the first outer distance.
-        private function goOut(step:Number, out:PartingDistances):Boolean
+        private function growOuter(step:Number, out:PartingDistances):Boolean
         {
             while (areTouchingAtOuter(out) && out.outer < FARTHEST)
             {
@@ -161,8 +161,8 @@ package starlogo.search.penetration
         {
             var probe:Number = _pair.probeDistance;
             _tried.setDirection(out.normalX, out.normalY, out.normalZ);
-            between.begin(out.depth + probe);
-            if (goOut(probe, between))
+            between.setTo(out.depth + probe);
+            if (growOuter(probe, between))
             {
                 _tried.distance = out.depth - probe;
                 if (_tried.distance <= 0 || _pair.touchesAt(_tried))
@@ -171,7 +171,7 @@ package starlogo.search.penetration
                 }
                 between.outer = _tried.distance;
             }
-            for (var i:int = 0; i < MOST_STEPS && between.outer - between.inner > probe; i++)
+            for (var i:int = 0; i < MAX_STEPS && between.outer - between.inner > probe; i++)
             {
                 halve(between);
             }

@@ -26,7 +26,7 @@ package starlogo.search.penetration
         private static const ROOM:Number = 100 * Tolerances.SEPARATION;
 
         // The extent of two points at the origin. It is not 0, so all steps are longer than 0.
-        private static const LEAST_EXTENT:Number = 1e-100;
+        private static const MIN_EXTENT:Number = 1e-100;
 
         /** The first body, at the place that is tried. */
         public var first:Body = new Body();
@@ -61,7 +61,7 @@ package starlogo.search.penetration
         }
 
         /** Begins where the motion of the first body relative to the second is at its time. The motion ends where the first body is. */
-        public function begin(a:Body, b:Body, motion:RelativeMotion):void
+        public function setTo(a:Body, b:Body, motion:RelativeMotion):void
         {
             var time:Number = motion.time;
             second = b;
@@ -71,8 +71,8 @@ package starlogo.search.penetration
             first.copyFrom(a);
             first.moveTo(_from);
             roundingGap = _tests.roundingGapOf(a, b);
-            extent = Math.max(_tests.extentOf(a, b), Math.max(roundingGap, LEAST_EXTENT));
-            tolerance = Math.max(_tests.depthToleranceOf(a, b), Tolerances.SEPARATION * LEAST_EXTENT);
+            extent = Math.max(_tests.extentOf(a, b), Math.max(roundingGap, MIN_EXTENT));
+            tolerance = Math.max(_tests.depthToleranceOf(a, b), Tolerances.SEPARATION * MIN_EXTENT);
         }
 
         /**
@@ -88,7 +88,7 @@ package starlogo.search.penetration
          * A way out past several sides counts only if the first body is free this much farther along it too. Otherwise it ends in a gap between parts
          * of the second body. A way out that is not longer is short enough.
          */
-        public function get room():Number
+        public function get clearAhead():Number
         {
             return ROOM * extent;
         }
@@ -97,7 +97,7 @@ package starlogo.search.penetration
          * Finds the contact of two bodies that do not touch where the pair has begun. Only a first body that moves may have been stopped just before
          * the touch, because of rounding.
          *
-         * @param motion as in begin
+         * @param motion as in setTo
          * @param out a contact near here; receives the depth 0 if they do not touch. Then its normal points against the motion, unless the two touch
          *     if the first one moves a little against the given normal
          * @return whether they do not touch

@@ -21,7 +21,7 @@ package starlogo.search.penetration
     {
         // No other way is tried if each exit is at least this fraction of the push. Smaller: contacts are longer. Larger: most searches in smooth ground
         // try all places.
-        private static const LEAST_SHARE:Number = 0.68;
+        private static const MIN_RATIO:Number = 0.68;
 
         private var _pair:DisplacedPair;
         private var _directions:DirectionSearch;
@@ -58,23 +58,23 @@ package starlogo.search.penetration
          * @param motion the motion of the first body relative to the second, with the time at which they touch. It ends where the first body is
          * @param out the contact of two parts that touch at that time
          */
-        public function find(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        public function findExit(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            _pair.begin(a, b, motion);
+            _pair.setTo(a, b, motion);
             if (!_pair.findGrazing(motion, out))
             {
-                findExit(motion, out);
+                findWayOut(motion, out);
             }
             _pair.finish(out);
         }
 
         // Finds a way out for two bodies that touch.
-        private function findExit(motion:RelativeMotion, out:ContactPoint):void
+        private function findWayOut(motion:RelativeMotion, out:ContactPoint):void
         {
             _first.copyFrom(out);
             out.depth = Infinity;
-            _pushOut.begin();
-            var isPushed:Boolean = _pushOut.find(_first, Infinity, out);
+            _pushOut.clearBlocks();
+            var isPushed:Boolean = _pushOut.findPush(_first, Infinity, out);
             if (DisplacedPair.isComing(motion) && out.depth > DirectionSearch.IMPROVED_DEPTH * _pair.extent)
             {
                 _other.copyFrom(_first);
@@ -82,7 +82,7 @@ package starlogo.search.penetration
                 _other.depth = 0;
                 // its point need not be the deepest
                 _other.forgetDeepest();
-                isPushed = _pushOut.find(_other, DirectionSearch.GAIN * out.depth, out) || isPushed;
+                isPushed = _pushOut.findPush(_other, DirectionSearch.GAIN * out.depth, out) || isPushed;
             }
             if (!isShortEnough(out.depth))
             {
@@ -97,7 +97,7 @@ package starlogo.search.penetration
         // Whether no other way is tried, because a depth is short, or because no exit is much shorter.
         private function isShortEnough(depth:Number):Boolean
         {
-            if (depth <= _pair.room)
+            if (depth <= _pair.clearAhead)
             {
                 return true;
             }
@@ -108,7 +108,7 @@ package starlogo.search.penetration
         // Whether a contact whose deepest point is of the first body shows that each exit is at least a share of a depth.
         private function areExitsLong(contact:ContactPoint, depth:Number):Boolean
         {
-            var least:Number = LEAST_SHARE * depth;
+            var least:Number = MIN_RATIO * depth;
             return contact.exitBound >= least || contact.isDeepestOfA && _groundExits.boundOf(_pair.second.shape.grid, contact, depth) >= least;
         }
 

@@ -37,7 +37,7 @@ package starlogo.search.penetration
         private var _tried:Vector3D = new Vector3D();
 
         /** Begins without half-spaces. */
-        public function begin():void
+        public function clear():void
         {
             count = 0;
         }
@@ -74,12 +74,12 @@ package starlogo.search.penetration
         /**
          * Finds the shortest displacement.
          *
-         * @param mostPlanes on how many planes it may end, from 1 to 3
+         * @param maxPlanes on how many planes it may end, from 1 to 3
          * @param slack how much less than required it may go along each normal
          * @param out receives it
          * @return whether there is one
          */
-        public function solve(mostPlanes:int, slack:Number, out:ShortestDisplacement):Boolean
+        public function solve(maxPlanes:int, slack:Number, out:ShortestDisplacement):Boolean
         {
             _slack = slack;
             _tried.setTo(0, 0, 0);
@@ -96,11 +96,11 @@ package starlogo.search.penetration
                 _tried.setTo(_depths[i] * _xs[i], _depths[i] * _ys[i], _depths[i] * _zs[i]);
                 keepShorter(1, out);
             }
-            for (i = 1; i < count && mostPlanes > 1; i++)
+            for (i = 1; i < count && maxPlanes > 1; i++)
             {
                 for (var j:int = 0; j < i; j++)
                 {
-                    tryLine(i, j, mostPlanes, out);
+                    tryLine(i, j, maxPlanes, out);
                 }
             }
             return out.length < Infinity;
@@ -108,7 +108,7 @@ package starlogo.search.penetration
 
         // Tries the nearest point of the line in which two planes meet, then the points where this line meets planes before them. The sum and the
         // difference of two unit normals are perpendicular, so no digits are lost, even if the planes are nearly parallel.
-        private function tryLine(i:int, j:int, mostPlanes:int, out:ShortestDisplacement):void
+        private function tryLine(i:int, j:int, maxPlanes:int, out:ShortestDisplacement):void
         {
             var sumX:Number = _xs[i] + _xs[j];
             var sumY:Number = _ys[i] + _ys[j];
@@ -126,7 +126,7 @@ package starlogo.search.penetration
             var lineX:Number = sumY * differenceZ - sumZ * differenceY;
             var lineY:Number = sumZ * differenceX - sumX * differenceZ;
             var lineZ:Number = sumX * differenceY - sumY * differenceX;
-            for (var k:int = 0; k < j && mostPlanes > 2; k++)
+            for (var k:int = 0; k < j && maxPlanes > 2; k++)
             {
                 var far:Number = (_depths[k] - (x * _xs[k] + y * _ys[k] + z * _zs[k])) / (lineX * _xs[k] + lineY * _ys[k] + lineZ * _zs[k]);
                 _tried.setTo(x + far * lineX, y + far * lineY, z + far * lineZ);

@@ -10,7 +10,7 @@ package starlogo.search.penetration
         public var outer:Number = 0;
 
         /** Becomes all distances up to an outer one. */
-        public function begin(outer:Number):void
+        public function setTo(outer:Number):void
         {
             inner = 0;
             this.outer = outer;

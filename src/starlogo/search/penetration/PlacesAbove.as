@@ -23,7 +23,7 @@ package starlogo.search.penetration
         private static const TURN_Y:Number = 0.6754902942615238;
 
         // The most planes that the body slides along before it forgets them. Three meet in one place.
-        private static const MOST_PLANES:int = 3;
+        private static const MAX_PLANES:int = 3;
 
         private var _pair:DisplacedPair;
 
@@ -92,7 +92,7 @@ package starlogo.search.penetration
         private function tryAbove(place:Vector3D):void
         {
             var along:Number = Math.sqrt(place.x * place.x + place.y * place.y);
-            var fartherFactor:Number = along > 0 ? 1 + _pair.room / along : 1;
+            var fartherFactor:Number = along > 0 ? 1 + _pair.clearAhead / along : 1;
             var fartherX:Number = place.x * fartherFactor;
             var fartherY:Number = place.y * fartherFactor;
             var highSquared:Number = _shortest * _shortest - (fartherX * fartherX + fartherY * fartherY);
@@ -107,9 +107,9 @@ package starlogo.search.penetration
             {
                 var free:Number = sweepDown(_tried);
                 // halfway between the place and the one farther; and a little higher, because the ground may rise on the way back to there
-                var share:Number = (1 + fartherFactor) / (2 * fartherFactor);
-                var lowest:Number = high * (1 - free) + _pair.room;
-                if (takeIfFree(fartherX * share, fartherY * share, lowest, _pair.tolerance))
+                var fraction:Number = (1 + fartherFactor) / (2 * fartherFactor);
+                var lowest:Number = high * (1 - free) + _pair.clearAhead;
+                if (moveIfFree(fartherX * fraction, fartherY * fraction, lowest, _pair.tolerance))
                 {
                     slideBackRepeatedly();
                 }
@@ -117,7 +117,7 @@ package starlogo.search.penetration
         }
 
         // Takes the way to a place if it is shorter than the others and the first body is free a distance beyond it. Returns whether it is taken.
-        private function takeIfFree(x:Number, y:Number, z:Number, beyond:Number):Boolean
+        private function moveIfFree(x:Number, y:Number, z:Number, beyond:Number):Boolean
         {
             var length:Number = Math.sqrt(x * x + y * y + z * z);
             if (!(length > 0 && length < _shortest))
@@ -156,9 +156,9 @@ package starlogo.search.penetration
             var x:Number = _shortest * _free.x;
             var y:Number = _shortest * _free.y;
             var z:Number = _shortest * _free.z;
-            _planes.begin();
+            _planes.clear();
             _target.setToNone();
-            for (var i:int = 0; i < MOST_PLANES && _target.length < _shortest; i++)
+            for (var i:int = 0; i < MAX_PLANES && _target.length < _shortest; i++)
             {
                 _tried.setDirection(_target.displacement.x, _target.displacement.y, _target.displacement.z);
                 _tried.distance = 1;
@@ -180,7 +180,7 @@ package starlogo.search.penetration
                 _planes.add(_met.normalX, _met.normalY, _met.normalZ, x * _met.normalX + y * _met.normalY + z * _met.normalZ - _pair.tolerance);
                 _planes.solve(3, 0, _target);
             }
-            takeIfFree(x, y, z, _pair.room);
+            moveIfFree(x, y, z, _pair.clearAhead);
         }
 
         // Sweeps the first body down from a displacement to the height of its own place. Returns which part of this way is free.

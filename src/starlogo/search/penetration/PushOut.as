@@ -15,17 +15,17 @@ package starlogo.search.penetration
     internal final class PushOut
     {
         // The most contacts that a push leads out of. Three are the sides of a corner; others were met before them.
-        private static const MOST_CONTACTS:int = 6;
+        private static const MAX_CONTACTS:int = 6;
 
         // How much farther than its depth a push leads out of each contact, as a fraction of SEPARATION. This is more than the gap across which
         // surfaces touch.
         private static const SLACK:Number = 0.001;
 
-        // The most searches between two calls of begin().
-        private static const MOST_SEARCHES:int = 2;
+        // The most searches between two calls of clearBlocks().
+        private static const MAX_SEARCHES:int = 2;
 
-        /** Where the pushes end that do not free the body, in all searches since <code>begin()</code>: x and y of each. Read only. */
-        public var blockedPlaces:Vector.<Number> = new Vector.<Number>(2 * MOST_CONTACTS * MOST_SEARCHES, true);
+        /** Where the pushes end that do not free the body, in all searches since <code>clearBlocks()</code>: x and y of each. Read only. */
+        public var blockedPlaces:Vector.<Number> = new Vector.<Number>(2 * MAX_CONTACTS * MAX_SEARCHES, true);
 
         /** The end of the numbers of <code>blockedPlaces</code>. Read only. */
         public var blockedEnd:int = 0;
@@ -63,7 +63,7 @@ package starlogo.search.penetration
         }
 
         /** Begins with a pair. Forgets the places of the last one. */
-        public function begin():void
+        public function clearBlocks():void
         {
             blockedEnd = 0;
             hasBlock = false;
@@ -77,18 +77,18 @@ package starlogo.search.penetration
          * @param out receives the normal and the depth if there is such a push
          * @return whether there is one
          */
-        public function find(first:ContactPoint, most:Number, out:ContactPoint):Boolean
+        public function findPush(first:ContactPoint, most:Number, out:ContactPoint):Boolean
         {
             var count:int = 1;
-            _contacts.begin();
+            _contacts.clear();
             _push.setToNone();
             _pair.putBack();
             add(first);
-            while (_push.length <= most && _push.length < Infinity && count <= MOST_CONTACTS)
+            while (_push.length <= most && _push.length < Infinity && count <= MAX_CONTACTS)
             {
-                if (!goToBlocked(_tried))
+                if (!isPushBlocked(_tried))
                 {
-                    takePush(_tried, first, out);
+                    writePush(_tried, first, out);
                     return true;
                 }
                 addBlock(_tried);
@@ -129,7 +129,7 @@ package starlogo.search.penetration
 
         // Tries the push: at its end, and a little farther. If the two touch at one of these places, it leaves the body there.
         // Returns whether they touch, at the last displacement that it has tried.
-        private function goToBlocked(out:Displacement):Boolean
+        private function isPushBlocked(out:Displacement):Boolean
         {
             // beyond its end, a push out of several contacts may lead into one of them again
             var isOfSeveral:Boolean = _push.planeCount > 1;
@@ -144,12 +144,12 @@ package starlogo.search.penetration
             {
                 return true;
             }
-            out.distance = _push.length + _pair.room;
+            out.distance = _push.length + _pair.clearAhead;
             return isOfSeveral && _pair.touchesAt(out);
         }
 
         // Takes the push, whose direction is free. If the two are free before its end, the depth is refined.
-        private function takePush(free:Displacement, first:ContactPoint, out:ContactPoint):void
+        private function writePush(free:Displacement, first:ContactPoint, out:ContactPoint):void
         {
             out.setNormal(free.x, free.y, free.z);
             out.depth = _push.length;

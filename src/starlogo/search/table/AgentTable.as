@@ -1,4 +1,4 @@
-// This folder reads the agents of a list into rows. Read this file first, then ListedAgents. acceptList() finds the rows to read, readChanges() reads
+// This folder reads the agents of a list into rows. Read this file first, then ListedAgents. setList() finds the rows to read, readChanges() reads
 // them.
 // This file is long because all that writes the columns of a row is in it.
 package starlogo.search.table
@@ -91,10 +91,10 @@ package starlogo.search.table
             makeRoom();
         }
 
-        /** Reads a list of agents, with the place and the shape that each of them has now. @throws Error as <code>acceptList()</code> does */
+        /** Reads a list of agents, with the place and the shape that each of them has now. @throws Error as <code>setList()</code> does */
         public function read(agents:Vector.<Agent>):void
         {
-            acceptList(agents);
+            setList(agents);
             readChanges();
         }
 
@@ -106,11 +106,11 @@ package starlogo.search.table
          *     listed are then unchanged
          * @throws RangeError if a structure is out of the world. All rows that are listed are then unchanged
          */
-        public function acceptList(agents:Vector.<Agent>):void
+        public function setList(agents:Vector.<Agent>):void
         {
             _choice.forgetReplaced();
             leftOrReordered.count = 0;
-            var isSame:Boolean = list.isAccepted && agents.length == list.rows.count;
+            var isSame:Boolean = list.isCommitted && agents.length == list.rows.count;
             if (isSame)
             {
                 isSame = tryFindChanged(agents, list.rows);
@@ -127,7 +127,7 @@ package starlogo.search.table
             if (!isSame)
             {
                 list.findLeftOrReordered(leftOrReordered);
-                list.accept();
+                list.commitProposed();
                 followList();
             }
             forgetOtherModels();
@@ -258,7 +258,7 @@ package starlogo.search.table
                 return bodyOf(row);
             }
             var ofWorld:WorldAgent = agent as WorldAgent;
-            spare.readAgent(agent, ofWorld == null ? _choice.shapeOf(agent) : ofWorld.requireSurface());
+            spare.setToAgent(agent, ofWorld == null ? _choice.shapeOf(agent) : ofWorld.requireSurface());
             spare.rank = list.rankOf(agent, row);
             return spare;
         }
@@ -281,7 +281,7 @@ package starlogo.search.table
         // and returns false. It compares agents and rows on the way, because a second loop would read all of them again.
         private function tryFindChanged(agents:Vector.<Agent>, listed:IntList):Boolean
         {
-            var rows:Vector.<int> = listed.numbers;
+            var rows:Vector.<int> = listed.values;
             var byRow:Vector.<Agent> = list.agentsByRow;
             var seen:Vector.<int> = revisions;
             var bodiesSeen:Vector.<int> = _bodyRevisions;
@@ -318,7 +318,7 @@ package starlogo.search.table
         {
             for (var i:int = 0; i < leftOrReordered.count; i++)
             {
-                var row:int = leftOrReordered.numbers[i];
+                var row:int = leftOrReordered.values[i];
                 if (list.agentsByRow[row] == null)
                 {
                     shapes[row] = null;
@@ -327,7 +327,7 @@ package starlogo.search.table
             }
             for (i = 0; i < list.rows.count; i++)
             {
-                _bodies[list.rows.numbers[i]].rank = i;
+                _bodies[list.rows.values[i]].rank = i;
             }
         }
 
@@ -360,7 +360,7 @@ package starlogo.search.table
             }
             for (var i:int = 0; i < reshaped.count; i++)
             {
-                out[i] = _choice.shapeOf(list.agentsByRow[reshaped.numbers[i]]);
+                out[i] = _choice.shapeOf(list.agentsByRow[reshaped.values[i]]);
             }
         }
 
@@ -369,11 +369,11 @@ package starlogo.search.table
         {
             for (var i:int = 0; i < _reshaped.count; i++)
             {
-                var before:ModelShape = shapes[_reshaped.numbers[i]];
+                var before:ModelShape = shapes[_reshaped.values[i]];
                 var next:ModelShape = _newShapes[i];
                 if (before == null || next == null || next.modelName != before.modelName)
                 {
-                    _startRevisions[_reshaped.numbers[i]] = NO_START;
+                    _startRevisions[_reshaped.values[i]] = NO_START;
                 }
             }
         }
@@ -383,7 +383,7 @@ package starlogo.search.table
         {
             for (var i:int = 0; i < changed.count; i++)
             {
-                var row:int = changed.numbers[i];
+                var row:int = changed.values[i];
                 var agent:Agent = list.agentsByRow[row];
                 _startRevisions[row] = agent.revision;
                 breeds[row] = agent.breedNumber;
@@ -439,7 +439,7 @@ package starlogo.search.table
             var loading:int = 0;
             for (var i:int = 0; i < reshaped.count; i++)
             {
-                takeShape(reshaped.numbers[i], found[i]);
+                takeShape(reshaped.values[i], found[i]);
                 if (found[i] == null)
                 {
                     loading++;
@@ -460,7 +460,7 @@ package starlogo.search.table
             }
             var agent:Agent = list.agentsByRow[row];
             var body:Body = _bodies[row];
-            body.readAgent(agent, shape);
+            body.setToAgent(agent, shape);
             body.rank = list.ranks[row];
             readExtents(row, body);
             _bodyRevisions[row] = agent.bodyRevision;

@@ -48,7 +48,7 @@ package starlogo.search.table
         internal var proposed:IntList = new IntList();
 
         /** Whether the list that was proposed last was accepted. */
-        internal var isAccepted:Boolean = true;
+        internal var isCommitted:Boolean = true;
 
         private var _free:IntList = new IntList();
         private var _inOrder:Vector.<int> = new Vector.<int>();
@@ -98,7 +98,7 @@ package starlogo.search.table
             }
             for (var i:int = 0; i < rows.count; i++)
             {
-                if (agentsByRow[rows.numbers[i]] !== list[i])
+                if (agentsByRow[rows.values[i]] !== list[i])
                 {
                     return false;
                 }
@@ -113,13 +113,13 @@ package starlogo.search.table
          */
         public function propose(list:Vector.<Agent>):void
         {
-            if (!isAccepted)
+            if (!isCommitted)
             {
                 freeUnlisted();
             }
-            isAccepted = false;
-            var listed:Vector.<int> = rows.numbers;
-            var to:Vector.<int> = proposed.numbers;
+            isCommitted = false;
+            var listed:Vector.<int> = rows.values;
+            var to:Vector.<int> = proposed.values;
             _inProposed.clear(rowCapacity);
             for (var i:int = 0; i < list.length; i++)
             {
@@ -154,21 +154,21 @@ package starlogo.search.table
             addReordered(out);
             for (var i:int = 0; i < rows.count; i++)
             {
-                if (!_inProposed.has(rows.numbers[i]))
+                if (!_inProposed.has(rows.values[i]))
                 {
-                    out.add(rows.numbers[i]);
+                    out.add(rows.values[i]);
                 }
             }
         }
 
         /** Makes the agents of the proposed list the ones that are listed, and frees the rows of all others. */
-        public function accept():void
+        public function commitProposed():void
         {
             for (var i:int = 0; i < rows.count; i++)
             {
-                if (!_inProposed.has(rows.numbers[i]))
+                if (!_inProposed.has(rows.values[i]))
                 {
-                    free(rows.numbers[i]);
+                    free(rows.values[i]);
                 }
             }
             var before:IntList = rows;
@@ -176,11 +176,11 @@ package starlogo.search.table
             proposed = before;
             for (i = 0; i < rows.count; i++)
             {
-                ranks[rows.numbers[i]] = i;
+                ranks[rows.values[i]] = i;
             }
             ranks[GROUND_ROW] = rows.count;
             ranks[EDGES_ROW] = rows.count + 1;
-            isAccepted = true;
+            isCommitted = true;
         }
 
         /**
@@ -209,7 +209,7 @@ package starlogo.search.table
                 addRows();
             }
             _free.count--;
-            var row:int = _free.numbers[_free.count];
+            var row:int = _free.values[_free.count];
             agentsByRow[row] = agent;
             ranks[row] = UNLISTED;
             _rowsById.set (agent.idNumber, 0, row);
@@ -234,7 +234,7 @@ package starlogo.search.table
             var end:int = 0;
             for (var i:int = 0; i < proposed.count; i++)
             {
-                var row:int = proposed.numbers[i];
+                var row:int = proposed.values[i];
                 var rank:int = ranks[row];
                 if (rank == UNLISTED)
                 {

@@ -142,7 +142,7 @@ package starlogo.solid.interior
         // Whether more points decide about a shell. One point decides if too many crossings are counted, as in models with very many nested shells.
         private function isUndecided(closed:ClosedShell):Boolean
         {
-            return closed.enclosing == null || closed.enclosing.length > 0 && _countedCrossings < WindingCounter.MOST_CROSSINGS_PER_TRIANGLE * _mesh.tree.itemCount;
+            return closed.enclosing == null || closed.enclosing.length > 0 && _countedCrossings < WindingCounter.MAX_CROSSINGS_PER_TRIANGLE * _mesh.tree.itemCount;
         }
 
         // Finds the shells that enclose a point of a triangle of a shell: near a corner, or in the middle, and a little inside of the shell. readTriangle()
@@ -151,11 +151,11 @@ package starlogo.solid.interior
         {
             var inwards:Number = INWARDS * cubeRoot(Math.abs(_shells[shell].volume));
             inwards = _surface.isReversed(_mesh.tree.items[slot]) == _shells[shell].volume > 0 ? inwards : -inwards;
-            var share:Number = corner == MIDDLE ? 1 / 3 : SHARE_OF_EACH;
+            var fraction:Number = corner == MIDDLE ? 1 / 3 : SHARE_OF_EACH;
             var point:Vector.<Number> = new <Number>[inwards * _plane.normal.x, inwards * _plane.normal.y, inwards * _plane.normal.z];
             for (var axis:int = 0; axis < 3; axis++)
             {
-                point[axis] += share * (_corners[axis] + _corners[3 + axis] + _corners[6 + axis])
+                point[axis] += fraction * (_corners[axis] + _corners[3 + axis] + _corners[6 + axis])
                     + (corner == MIDDLE ? 0 : SHARE_OF_NEAREST * _corners[3 * corner + axis]);
             }
             _countedCrossings += _windingCounter.findEnclosing(point[0], point[1], point[2], _enclosingPoint);

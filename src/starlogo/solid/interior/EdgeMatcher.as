@@ -20,7 +20,7 @@ package starlogo.solid.interior
         private static const NON_MANIFOLD_PER_STEP:int = 100;
 
         // How many waiting edges are tried for an edge: see matchSome().
-        private static const MOST_TRIED:int = 8;
+        private static const MAX_TRIED:int = 8;
 
         // How lax a pass of matching is. It may match edges that run in opposite directions, of triangles with different third corners; opposite edges of
         // any triangles, so of copies of one too; or any edges.
@@ -67,8 +67,8 @@ package starlogo.solid.interior
             _lastOfLow = fixedInts(vertexCount);
             _visitedOfHigh = fixedInts(vertexCount);
             _countOfHigh = fixedInts(vertexCount);
-            slices(vertexCount, VERTICES_PER_STEP, clear).slices(triangles.length / 3, TRIANGLES_PER_STEP, gather)
-                .slices(vertexCount, VERTICES_PER_STEP, link).call(beginNonManifold);
+            slices(vertexCount, VERTICES_PER_STEP, clear).slices(triangles.length / 3, TRIANGLES_PER_STEP, listByLowVertex)
+                .slices(vertexCount, VERTICES_PER_STEP, matchEdges).call(beginNonManifold);
         }
 
         /** Whether a triangle has three different corners. Other triangles have no edges. */
@@ -108,7 +108,7 @@ package starlogo.solid.interior
         }
 
         // Gathers the edges of each lower vertex.
-        private function gather(first:int, end:int):void
+        private function listByLowVertex(first:int, end:int):void
         {
             for (var edge:int = 3 * first; edge < 3 * end; edge += 3)
             {
@@ -132,7 +132,7 @@ package starlogo.solid.interior
 
         // Links the edges between the same vertices, those of each lower vertex from the last one to the first. Two are matched. If there are more,
         // all of them wait.
-        private function link(first:int, end:int):void
+        private function matchEdges(first:int, end:int):void
         {
             for (var low:int = first; low < end; low++)
             {
@@ -150,11 +150,11 @@ package starlogo.solid.interior
                     }
                     if (count == 2)
                     {
-                        pair(edge, later);
+                        match(edge, later);
                     }
                     else if (count == 3)
                     {
-                        wait(low, later);
+                        unmatch(low, later);
                     }
                     _visitedOfHigh[high] = edge;
                     _countOfHigh[high] = count;
@@ -163,7 +163,7 @@ package starlogo.solid.interior
         }
 
         // Parts two edges that are matched, because there are more between the same vertices.
-        private function wait(low:int, first:int):void
+        private function unmatch(low:int, first:int):void
         {
             var last:int = partners[first];
             partners[first] = -1;
@@ -171,7 +171,7 @@ package starlogo.solid.interior
             _nonManifold.push(low * Number(partners.length) + last);
         }
 
-        private function pair(a:int, b:int):void
+        private function match(a:int, b:int):void
         {
             partners[a] = b;
             partners[b] = a;
@@ -231,7 +231,7 @@ package starlogo.solid.interior
             matchSome(matchSome(matchSome(rest, STRICT), WITH_COPIES), ANY);
         }
 
-        // Matches each edge with the first waiting edge before it that a pass as lax as this may match with it. Only the first MOST_TRIED of the waiting
+        // Matches each edge with the first waiting edge before it that a pass as lax as this may match with it. Only the first MAX_TRIED of the waiting
         // edges are tried, so the cost is linear. Returns the edges that are left.
         private function matchSome(edges:Array, laxity:int):Array
         {
@@ -240,7 +240,7 @@ package starlogo.solid.interior
             for each (var edge:int in edges)
             {
                 var at:int = next;
-                var end:int = Math.min(waiting.length, next + MOST_TRIED);
+                var end:int = Math.min(waiting.length, next + MAX_TRIED);
                 while (at < end && neededLaxity(waiting[at], edge) > laxity)
                 {
                     at++;
@@ -250,7 +250,7 @@ package starlogo.solid.interior
                     waiting.push(edge);
                     continue;
                 }
-                pair(edge, waiting[at]);
+                match(edge, waiting[at]);
                 _sets.join(edge / 3, waiting[at] / 3);
                 waiting[at] = waiting[next++];
             }

@@ -96,7 +96,7 @@ package starlogo.solid.interior
         private function findOverlaps(first:int, end:int):void
         {
             var enclosing:Vector.<int> = new Vector.<int>();
-            for (var part:int = first; part < end && _countedCrossings < WindingCounter.MOST_CROSSINGS_PER_TRIANGLE * _mesh.tree.itemCount; part++)
+            for (var part:int = first; part < end && _countedCrossings < WindingCounter.MAX_CROSSINGS_PER_TRIANGLE * _mesh.tree.itemCount; part++)
             {
                 var at:int = _vertexOf[part];
                 _countedCrossings += _windingCounter.findEnclosing(_mesh.vertices[at], _mesh.vertices[at + 1], _mesh.vertices[at + 2], enclosing);

@@ -68,11 +68,11 @@ package starlogo.solid.interior
         {
             for (var i:int = first; i < end; i++)
             {
-                welded[i] = placeOf(i);
+                welded[i] = weldedOf(i);
             }
         }
 
-        private function placeOf(vertex:int):int
+        private function weldedOf(vertex:int):int
         {
             var cellsPerUnit:Number = 1 / (CELL_WIDTH * _tolerance);
             var x:Number = (_vertices[3 * vertex] - _bounds.minX) * cellsPerUnit;
@@ -112,23 +112,23 @@ package starlogo.solid.interior
         private function nearestOf(hash:int, vertex:int, nearest:int):int
         {
             var least:Number = nearest < 0 ? _tolerance : distanceOf(vertex, nearest);
-            for (var place:int = _last[hash] - 1; place >= 0; place = _before[place] - 1)
+            for (var vertexThere:int = _last[hash] - 1; vertexThere >= 0; vertexThere = _before[vertexThere] - 1)
             {
-                var distance:Number = distanceOf(vertex, place);
+                var distance:Number = distanceOf(vertex, vertexThere);
                 if (distance < least || distance == least && nearest < 0)
                 {
                     least = distance;
-                    nearest = place;
+                    nearest = vertexThere;
                 }
             }
             return nearest;
         }
 
-        private function distanceOf(vertex:int, place:int):Number
+        private function distanceOf(vertex:int, vertexThere:int):Number
         {
-            var x:Number = _vertices[3 * vertex] - _vertices[3 * place];
-            var y:Number = _vertices[int(3 * vertex + 1)] - _vertices[int(3 * place + 1)];
-            var z:Number = _vertices[int(3 * vertex + 2)] - _vertices[int(3 * place + 2)];
+            var x:Number = _vertices[3 * vertex] - _vertices[3 * vertexThere];
+            var y:Number = _vertices[int(3 * vertex + 1)] - _vertices[int(3 * vertexThere + 1)];
+            var z:Number = _vertices[int(3 * vertex + 2)] - _vertices[int(3 * vertexThere + 2)];
             return Math.sqrt(x * x + y * y + z * z);
         }
 

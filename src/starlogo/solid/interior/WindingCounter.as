@@ -22,7 +22,7 @@ package starlogo.solid.interior
          * How many crossings are counted at most while a surface is explored, as a multiple of its number of triangles. In a model of many nested shells
          * each point has to be tested with many of them, so the work would grow with the square of the triangles.
          */
-        internal static const MOST_CROSSINGS_PER_TRIANGLE:int = 20;
+        internal static const MAX_CROSSINGS_PER_TRIANGLE:int = 20;
 
         // This many triangles, or up to twice as many, say where most of them are.
         private static const SAMPLES:int = 1000;
@@ -51,7 +51,7 @@ package starlogo.solid.interior
         private var _axisC:int;
 
         // Where most triangles are along that axis: in a level, near the floor. Rays lead away from there, so that they meet few triangles.
-        private var _crowdedPlace:Number;
+        private var _crowdedCoordinate:Number;
 
         // The current ray: its origin along these axes, and whether it goes towards the smaller coordinates.
         private var _a:Number;
@@ -74,7 +74,7 @@ package starlogo.solid.interior
             _axis = box[3] <= box[4] && box[3] <= box[5] ? 0 : (box[4] <= box[5] ? 1 : 2);
             _axisB = (_axis + 1) % 3;
             _axisC = (_axis + 2) % 3;
-            _crowdedPlace = meanCorner();
+            _crowdedCoordinate = meanCorner();
         }
 
         // The mean coordinate of some corners along the axis of all rays.
@@ -152,7 +152,7 @@ package starlogo.solid.interior
             _a = _axis == 0 ? x : (_axis == 1 ? y : z);
             _b = _axis == 0 ? y : (_axis == 1 ? z : x);
             _c = _axis == 0 ? z : (_axis == 1 ? x : y);
-            _isBackward = _a < _crowdedPlace;
+            _isBackward = _a < _crowdedCoordinate;
             var slack:Number = surface.widestSeam + Tolerances.ROUNDING * mesh.tree.radiusAboutOrigin;
             _search.setCube(x, y, z, slack);
             _search.setAxis(_axis, _isBackward ? -1 : 1);
@@ -251,9 +251,9 @@ package starlogo.solid.interior
             var aa:Number = points[int(alone + _axis)] - _a;
             var qa:Number = aa + toQ * (points[int(q + _axis)] - _a - aa);
             var ra:Number = aa + toR * (points[int(r + _axis)] - _a - aa);
-            var share:Number = qb == rb ? 0.5 : qb / (qb - rb);
-            share = share < 0 ? 0 : (share > 1 ? 1 : share);
-            return qa + share * (ra - qa) > 0 != _isBackward;
+            var fraction:Number = qb == rb ? 0.5 : qb / (qb - rb);
+            fraction = fraction < 0 ? 0 : (fraction > 1 ? 1 : fraction);
+            return qa + fraction * (ra - qa) > 0 != _isBackward;
         }
     }
 }

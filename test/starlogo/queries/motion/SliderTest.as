@@ -26,7 +26,7 @@ package starlogo.queries.motion
             var body:MovingBody = new MovingBody(seen);
             var from:Vector3D = new Vector3D(0, 0, 1.5);
             var result:SlideResult = new SlideResult();
-            body.readAgent(agent);
+            body.setToAgent(agent);
             body.collectRowsWithin(1, 0, 0, null);
             slider.slide(body, body.rows, from, new Vector3D(0, 0, -1), SlideLimits.NONE, result);
             assertTrue("it met the cube below: " + result.floor.normalZ, Math.abs(result.floor.normalZ - 1) < 1e-9);
@@ -45,7 +45,7 @@ package starlogo.queries.motion
             rock.size = 2;
             seen.update(new <Agent>[agent, rock]);
             var body:MovingBody = new MovingBody(seen);
-            body.readAgent(agent);
+            body.setToAgent(agent);
             body.collectRowsWithin(1, 0, 0, null);
             for each (var limits:SlideLimits in [SlideLimits.NONE, SlideLimits.LEVEL])
             {

@@ -123,7 +123,7 @@ package starlogo.queries.motion
             agent.size = 4;
             agent.hierarchical = true;
             _seen.update(new <Agent>[agent]);
-            _body.readStructure(new Sphere(from, 0.1));
+            _body.setToStructure(new Sphere(from, 0.1));
             _body.aim(motion.x, motion.y, motion.z);
             _body.collectRowsAlong(null);
             _sweep.findTouches(_body, 1, _hits, _result);
@@ -144,7 +144,7 @@ package starlogo.queries.motion
                 var side:Vector3D = _structures.direction();
                 side.scaleBy((isFar ? 1.5 : 0.5) * agent.size);
                 var middle:Vector3D = new Vector3D(agent.x, agent.y, agent.z + agent.size / 2);
-                _body.readStructure(make(middle.add(side), _structures.frame()));
+                _body.setToStructure(make(middle.add(side), _structures.frame()));
                 motion.setTo(_random.between(-0.3, 0.3) - 1.2 * side.x, _random.between(-0.3, 0.3) - 1.2 * side.y, _random.between(-0.3, 0.3) - 1.2 * side.z);
                 _body.aim(motion.x, motion.y, motion.z);
                 _body.collectRowsAlong(null);

@@ -33,7 +33,7 @@ package starlogo.queries.rays
                 _surfaces.find(crossings, true);
                 joined += crossings.count - _surfaces.indices.count;
                 var said:String = "crossings " + i + ": " + crossings.distances.join() + " with " + crossings.roundings.join() + " from " + crossings.sides.join() + ", left "
-                    + _surfaces.indices.numbers.slice(0, _surfaces.indices.count).join();
+                    + _surfaces.indices.values.slice(0, _surfaces.indices.count).join();
                 wrong.addIf(!areInOrder(crossings), "the order", said);
                 for (k = 0; k < crossings.count; k++)
                 {
@@ -48,7 +48,7 @@ package starlogo.queries.rays
         {
             for (var i:int = 1; i < _surfaces.indices.count; i++)
             {
-                if (!(crossings.distances[_surfaces.indices.numbers[i]] >= crossings.distances[_surfaces.indices.numbers[i - 1]]) || _surfaces.indices.numbers[i] == _surfaces.indices.numbers[i - 1])
+                if (!(crossings.distances[_surfaces.indices.values[i]] >= crossings.distances[_surfaces.indices.values[i - 1]]) || _surfaces.indices.values[i] == _surfaces.indices.values[i - 1])
                 {
                     return false;
                 }
@@ -61,7 +61,7 @@ package starlogo.queries.rays
         {
             for (var i:int = 0; i < _surfaces.indices.count; i++)
             {
-                var other:int = _surfaces.indices.numbers[i];
+                var other:int = _surfaces.indices.values[i];
                 var isNear:Boolean = Math.abs(crossings.distances[other] - crossings.distances[index]) <= MOST_SLACKS;
                 var runsAlong:Boolean = crossings.sides[other] == RayCrossings.EDGE_ON || crossings.sides[index] == RayCrossings.EDGE_ON;
                 if (crossings.sides[other] == crossings.sides[index] ? isNear || runsAlong : isNear && runsAlong)

@@ -79,7 +79,7 @@ package starlogo.search.pairs
             var shape:ModelShape = new ModelShape("chain", ModelShape.ONLY_VARIANT, 0);
             shape.setTree(new ModelTree(ChainOfNodes.read(count, count, ChainOfNodes.OF_THE_THESIS, false)));
             var body:Body = new Body();
-            body.readAgent(new Agent("chain"), shape);
+            body.setToAgent(new Agent("chain"), shape);
             var limits:TreeLimits = new TreeLimits();
             limits.maxDepth = int.MAX_VALUE;
             var search:SupportSearch = new SupportSearch(limits);
@@ -131,7 +131,7 @@ package starlogo.search.pairs
 
         private static function farthestOf(structure:BoundingStructure, direction:Vector3D):SupportPoint
         {
-            var body:Body = new StructureBody().read(structure);
+            var body:Body = new StructureBody().setTo(structure);
             var farthest:SupportPoint = new SupportPoint();
             new SupportSearch(new TreeLimits()).find(body, direction, farthest);
             return farthest;

@@ -26,7 +26,7 @@ package starlogo.search.penetration
         public function overlap():void
         {
             var box:Box = new Box(new Vector3D(), new Vector3D(1, 0, 0), new Vector3D(0, 1, 0), new Vector3D(0, 0, 1), 3, 3, 1);
-            _pair.begin(bodyOf(new Sphere(new Vector3D(0, 0, 1 - DEEP), RADIUS)), bodyOf(box), RelativeMotion.NONE);
+            _pair.setTo(bodyOf(new Sphere(new Vector3D(0, 0, 1 - DEEP), RADIUS)), bodyOf(box), RelativeMotion.NONE);
         }
 
         [Test]
@@ -71,7 +71,7 @@ package starlogo.search.penetration
 
         private static function bodyOf(structure:BoundingStructure):Body
         {
-            return new StructureBody().read(structure);
+            return new StructureBody().setTo(structure);
         }
     }
 }

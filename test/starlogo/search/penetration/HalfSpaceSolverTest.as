@@ -22,7 +22,7 @@ package starlogo.search.penetration
         [Before]
         public function begin():void
         {
-            _solver.begin();
+            _solver.clear();
         }
 
         [Test]
@@ -77,7 +77,7 @@ package starlogo.search.penetration
                 {
                     var name:String = "bent by " + bend + (hasWall ? ", with a wall" : "");
                     var turn:Number = _random.between(0, 2 * Math.PI);
-                    _solver.begin();
+                    _solver.clear();
                     _normals.length = _depths.length = 0;
                     addPlane(bend * Math.cos(turn), bend * Math.sin(turn), 1, 2);
                     addPlane(-bend * Math.cos(turn), -bend * Math.sin(turn), 1, 2 + bend * bend * _random.between(-1, 1));
@@ -127,7 +127,7 @@ package starlogo.search.penetration
 
         private function addRandom(count:int):void
         {
-            _solver.begin();
+            _solver.clear();
             _normals.length = _depths.length = 0;
             for (var i:int = 0; i < count; i++)
             {

@@ -80,7 +80,7 @@ package starlogo.search.table
             _table.setLastPlace(row, 2, 0, 0, true);
             assertEquals("the agent is as it was", revision, agent.revision);
             assertTrue(_table.isMotionStart(row, agent));
-            _table.acceptList(_agents);
+            _table.setList(_agents);
             assertEquals("rows to read", 1, _table.changed.count);
             assertEquals(2, _table.places.x[row]);
             _table.readChanges();

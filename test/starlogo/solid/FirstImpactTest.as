@@ -13,7 +13,7 @@ package starlogo.solid
     import support.Effort;
 
     /** What sweeps flush beside something else, or on the same plane, touches the side that stops it, and not a side that it grazes. */
-    public class ImpactChoiceTest
+    public class FirstImpactTest
     {
         // The lengths of the models along y and z. The models stand on z = 0.
         private static const WIDTHS:Object = {wall: 3, cube: 1, block: 2};

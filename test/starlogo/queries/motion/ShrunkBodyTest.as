@@ -8,7 +8,7 @@ package starlogo.queries.motion
     import starlogo.bounding.Sphere;
     import starlogo.data.IntList;
 
-    public class BodyCoreTest
+    public class ShrunkBodyTest
     {
         [Test]
         public function aBodyIsFlatIfItsThicknessIsLessThanAThousandthOfItsLength():void
@@ -26,10 +26,10 @@ package starlogo.queries.motion
         private static function isFlat(structure:BoundingStructure):Boolean
         {
             var body:MovingBody = new MovingBody(null);
-            var core:BodyCore = new BodyCore();
-            body.readStructure(structure);
-            core.begin(body, new IntList(), new Vector3D(), new Vector3D(0, 0, -1));
-            return core.isFlat;
+            var shrunk:ShrunkBody = new ShrunkBody();
+            body.setToStructure(structure);
+            shrunk.begin(body, new IntList(), new Vector3D(), new Vector3D(0, 0, -1));
+            return shrunk.isFlat;
         }
 
         private static function board(length:Number, thickness:Number):Box

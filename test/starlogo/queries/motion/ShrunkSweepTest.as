@@ -16,7 +16,7 @@ package starlogo.queries.motion
 
     use namespace engine;
 
-    public class CoreSweepTest
+    public class ShrunkSweepTest
     {
         // A building around the mover, and small things in it.
         [Test]
@@ -26,8 +26,8 @@ package starlogo.queries.motion
             var wrong:Complaints = new Complaints();
             var seen:SeenAgents = new SeenAgents(EachCollider.make("combinations, exact", landOf(SolidModels.all())));
             var body:MovingBody = new MovingBody(seen);
-            var sweep:CoreSweep = new CoreSweep();
-            var core:BodyCore = new BodyCore();
+            var sweep:ShrunkSweep = new ShrunkSweep();
+            var shrunk:ShrunkBody = new ShrunkBody();
             var from:Vector3D = new Vector3D();
             var motion:Vector3D = new Vector3D();
             var row:IntList = new IntList();
@@ -46,21 +46,21 @@ package starlogo.queries.motion
                     agents.push(thing);
                 }
                 seen.update(agents);
-                body.readAgent(agents[0]);
+                body.setToAgent(agents[0]);
                 from.setTo(agents[0].x, agents[0].y, agents[0].z);
                 motion.setTo(random.between(-9, 9), random.between(-9, 9), random.between(-9, 9));
                 body.aim(motion.x, motion.y, motion.z);
                 body.collectRowsAlong(null);
-                core.begin(body, body.rows, from, motion);
+                shrunk.begin(body, body.rows, from, motion);
                 var found:Impact = new Impact();
-                sweep.findFirstImpact(core, body.rows, from, motion, false, found);
+                sweep.findFirstImpact(shrunk, body.rows, from, motion, false, found);
                 var expected:Impact = new Impact();
                 for (k = 0; k < body.rows.count; k++)
                 {
                     var alone:Impact = new Impact();
                     row.count = 0;
-                    row.add(body.rows.numbers[k]);
-                    if (new CoreSweep().findFirstImpact(core, row, from, motion, false, alone) && alone.comparedTime < expected.comparedTime)
+                    row.add(body.rows.values[k]);
+                    if (new ShrunkSweep().findFirstImpact(shrunk, row, from, motion, false, alone) && alone.comparedTime < expected.comparedTime)
                     {
                         expected = alone;
                     }

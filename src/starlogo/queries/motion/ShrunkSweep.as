@@ -13,30 +13,30 @@ package starlogo.queries.motion
     use namespace engine;
 
     /**
-     * Finds how a motion starts, what stops a body on a straight motion, and when. It sweeps the body's core, which does not meet what the body only
+     * Finds how a motion starts, what stops a body on a straight motion, and when. It sweeps the shrunk body, which does not meet what the body only
      * touches, leaves or runs along. Casts, slides and straight motions start with <code>startMotion()</code>.
      *
      * <p>docs/mover.md derives the quantities.</p>
      *
      * @private
      */
-    public final class CoreSweep
+    public final class ShrunkSweep
     {
-        // The core meets a surface at a grazing angle if the sine of the angle between the surface and the motion is at most this.
+        // The shrunk body meets a surface at a grazing angle if the sine of the angle between the surface and the motion is at most this.
         private static const GRAZING_SINE:Number = 0.1;
 
         private var _recovery:OverlapRecovery = new OverlapRecovery();
 
-        // How the core meets one row.
+        // How the shrunk body meets one row.
         private var _met:Impact = new Impact();
 
-        // The motion of the core past a row, and the place of the body at its end.
+        // The motion of the shrunk body past a row, and the place of the body at its end.
         private var _relative:RelativeMotion = new RelativeMotion();
         private var _end:Vector3D = new Vector3D();
 
         /**
-         * Starts a motion: it finds the tolerances, sweeps the core, and frees the body from what it overlaps. If the body overlaps nothing, the sweep
-         * has found what stops the motion first.
+         * Starts a motion: it finds the tolerances, sweeps the shrunk body, and frees the body from what it overlaps. If the body overlaps nothing,
+         * the sweep has found what stops the motion first.
          *
          * @param rows the rows that may be in its way
          * @param from where the motion begins
@@ -44,13 +44,13 @@ package starlogo.queries.motion
          */
         public function startMotion(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, out:MotionState):void
         {
-            out.from.copyFrom(from);
+            out.start.copyFrom(from);
             out.pushes.clear();
             out.planes.clear();
             out.obstacles.copyFrom(rows);
             out.impact.row = -1;
-            out.core.begin(body, rows, from, motion);
-            out.isImpactKnown = !hasLength(motion) || findImpactIfFree(out.core, out.obstacles, from, motion, out.impact);
+            out.shrunk.begin(body, rows, from, motion);
+            out.isImpactKnown = !hasLength(motion) || findImpactIfFree(out.shrunk, out.obstacles, from, motion, out.impact);
             if (!out.isImpactKnown)
             {
                 _recovery.leaveOverlaps(out);
@@ -77,34 +77,35 @@ package starlogo.queries.motion
             }
             if (!state.isImpactKnown)
             {
-                findFirstObstacle(state.core, state.obstacles, state.from, motion, state.impact);
+                findFirstObstacle(state.shrunk, state.obstacles, state.start, motion, state.impact);
             }
             out.row = state.impact.row;
             out.time = 1;
             if (out.isStopped)
             {
                 out.contact.copyFrom(state.impact.contact);
-                out.time = findTouchTime(state.core, state.from, motion, state.impact);
-                setAlong(state.from, motion, state.impact.time, out.corePlace);
+                out.time = findTouchTime(state.shrunk, state.start, motion, state.impact);
+                setAlong(state.start, motion, state.impact.time, out.shrunkPlace);
             }
         }
 
         /**
-         * Finds which row a core meets first: none, if the motion has no length. Of rows with the same <code>comparedTime</code>, the first one in their order counts.
+         * Finds which row a shrunk body meets first: none, if the motion has no length. Of rows with the same <code>comparedTime</code>, the first
+         * one in their order counts.
          *
          * @param from where the motion begins
-         * @param countsInside whether a row stops the core at the beginning if one of the two is inside of the other there
+         * @param countsInside whether a row stops the shrunk body at the beginning if one of the two is inside of the other there
          * @param out receives the answer
          * @return whether anything is met
          */
-        public function findFirstImpact(core:BodyCore, rows:IntList, from:Vector3D, motion:Vector3D, countsInside:Boolean, out:Impact):Boolean
+        public function findFirstImpact(shrunk:ShrunkBody, rows:IntList, from:Vector3D, motion:Vector3D, countsInside:Boolean, out:Impact):Boolean
         {
             out.row = -1;
             out.time = out.comparedTime = RelativeMotion.NEVER;
             var end:int = hasLength(motion) ? rows.count : 0;
             for (var i:int = 0; i < end && out.comparedTime > 0; i++)
             {
-                if (findImpact(core, rows.numbers[i], from, motion, countsInside, _met) && _met.comparedTime < out.comparedTime)
+                if (findImpact(shrunk, rows.values[i], from, motion, countsInside, _met) && _met.comparedTime < out.comparedTime)
                 {
                     out.copyFrom(_met);
                 }
@@ -113,39 +114,40 @@ package starlogo.queries.motion
         }
 
         /**
-         * Finds which obstacle a core meets first.
+         * Finds which obstacle a shrunk body meets first.
          *
          * @param obstacles the rows that can stop it. One-way rows that the body passes leave the list
          * @param from where the motion begins
          * @param out receives the answer
          */
-        public function findFirstObstacle(core:BodyCore, obstacles:IntList, from:Vector3D, motion:Vector3D, out:Impact):void
+        public function findFirstObstacle(shrunk:ShrunkBody, obstacles:IntList, from:Vector3D, motion:Vector3D, out:Impact):void
         {
-            while (findFirstImpact(core, obstacles, from, motion, false, out) && core.moving.passesOneWay(out.row, out.contact))
+            while (findFirstImpact(shrunk, obstacles, from, motion, false, out) && shrunk.body.passesOneWay(out.row, out.contact))
             {
                 obstacles.remove(out.row);
             }
         }
 
-        /** Whether a row would stop a core on a straight motion. What it overlaps at the beginning stops it too. */
-        public function meets(core:BodyCore, row:int, from:Vector3D, motion:Vector3D):Boolean
+        /** Whether a row would stop a shrunk body on a straight motion. What it overlaps at the beginning stops it too. */
+        public function meets(shrunk:ShrunkBody, row:int, from:Vector3D, motion:Vector3D):Boolean
         {
-            return hasLength(motion) && findImpact(core, row, from, motion, false, _met);
+            return hasLength(motion) && findImpact(shrunk, row, from, motion, false, _met);
         }
 
         /**
-         * Finds when the whole body touches the row that its core has met. The body touches the contact's plane earlier, because its surface is in front of
-         * the core's at the contact. Only an inner face of a concave body is behind the core's, and touches later. Mostly the touch of the plane is
-         * the touch. But at a grazing angle, the body touches a curved surface much nearer to where its core does. So there, and at an inner face, the
-         * body is swept too. Its time counts if it is between the two. If the body touches the row elsewhere, before or after, the nearer one of the two counts.
+         * Finds when the whole body touches the row that the shrunk body has met. The body touches the contact's plane earlier, because its surface
+         * is in front of the shrunk body's at the contact. Only an inner face of a concave body is behind the shrunk body's, and touches later.
+         * Mostly the touch of the plane is the touch. But at a grazing angle, the body touches a curved surface much nearer to where the shrunk body
+         * does. So there, and at an inner face, the body is swept too. Its time counts if it is between the two. If the body touches the row
+         * elsewhere, before or after, the nearer one of the two counts.
          *
-         * @param impact how the core meets it
+         * @param impact how the shrunk body meets it
          */
-        public function findTouchTime(core:BodyCore, from:Vector3D, motion:Vector3D, impact:Impact):Number
+        public function findTouchTime(shrunk:ShrunkBody, from:Vector3D, motion:Vector3D, impact:Impact):Number
         {
             var contact:ContactPoint = impact.contact;
-            var whole:Body = core.moving.whole;
-            var shrink:Number = core.shrink;
+            var whole:Body = shrunk.body.whole;
+            var shrink:Number = shrunk.shrink;
             var recess:Number = shrink / (1 - shrink) * (contact.normalX * (from.x + whole.offsetX + impact.time * motion.x - contact.x)
                     + contact.normalY * (from.y + whole.offsetY + impact.time * motion.y - contact.y)
                     + contact.normalZ * (from.z + whole.offsetZ + impact.time * motion.z - contact.z));
@@ -157,10 +159,10 @@ package starlogo.queries.motion
                 return ofPlane;
             }
             setAlong(from, motion, 1, _end);
-            core.moving.moveTo(_end);
-            var other:Body = core.moving.bodyOf(impact.row);
+            shrunk.body.moveTo(_end);
+            var other:Body = shrunk.body.bodyOf(impact.row);
             _relative.endAfter(motion.x, motion.y, motion.z);
-            core.moving.narrowPhase.pairTestsFor(whole, other).findImpactOfSurfaces(whole, other, _relative, null);
+            shrunk.body.narrowPhase.pairTestsFor(whole, other).findImpactOfSurfaces(whole, other, _relative, null);
             var earliest:Number = Math.min(ofPlane, impact.time);
             var latest:Number = Math.max(ofPlane, impact.time);
             return Math.max(earliest, Math.min(latest, _relative.time));
@@ -177,11 +179,11 @@ package starlogo.queries.motion
             return motion.lengthSquared > Tolerances.VANISHING;
         }
 
-        // Finds what stops the core first, if it overlaps nothing where the motion begins: then nothing stops it at once. Flat bodies are not decided here,
-        // nor motions that a one-way obstacle may stop first. Returns whether the core certainly overlaps nothing.
-        private function findImpactIfFree(core:BodyCore, obstacles:IntList, from:Vector3D, motion:Vector3D, out:Impact):Boolean
+        // Finds what stops the shrunk body first, if it overlaps nothing where the motion begins: then nothing stops it at once. Flat bodies are not
+        // decided here, nor motions that a one-way obstacle may stop first. Returns whether the shrunk body certainly overlaps nothing.
+        private function findImpactIfFree(shrunk:ShrunkBody, obstacles:IntList, from:Vector3D, motion:Vector3D, out:Impact):Boolean
         {
-            return !core.isFlat && (!findFirstImpact(core, obstacles, from, motion, true, out) || out.time > 0 && !core.moving.isOneWay(out.row));
+            return !shrunk.isFlat && (!findFirstImpact(shrunk, obstacles, from, motion, true, out) || out.time > 0 && !shrunk.body.isOneWay(out.row));
         }
 
         // Finds the plane that the motion crosses at the steepest angle. Its contact is without a triangle, because the plane stands for all triangles of the
@@ -204,28 +206,28 @@ package starlogo.queries.motion
             return row;
         }
 
-        // Finds when and how a row stops the core. If the first contact does not point against the motion, the core leaves there what it touches. At the same
-        // time it may enter another face, as the top of a tile at its edge. So it is swept again from a clearance farther on. A flat core may be past a
-        // sheet there, so it is not swept again. Returns whether the row stops it.
-        private function findImpact(core:BodyCore, row:int, from:Vector3D, motion:Vector3D, countsInside:Boolean, out:Impact):Boolean
+        // Finds when and how a row stops the shrunk body. If the first contact does not point against the motion, the shrunk body leaves there what
+        // it touches. At the same time it may enter another face, as the top of a tile at its edge. So it is swept again from a clearance farther on.
+        // A flat shrunk body may be past a sheet there, so it is not swept again. Returns whether the row stops it.
+        private function findImpact(shrunk:ShrunkBody, row:int, from:Vector3D, motion:Vector3D, countsInside:Boolean, out:Impact):Boolean
         {
             var contact:ContactPoint = out.contact;
             setAlong(from, motion, 1, _end);
             _relative.endAfter(motion.x, motion.y, motion.z);
-            if (!sweepCore(core, row, _end, countsInside, _relative, contact))
+            if (!sweepShrunk(shrunk, row, _end, countsInside, _relative, contact))
             {
                 return false;
             }
             var length:Number = motion.length;
-            var clearanceTime:Number = core.clearance / length;
+            var clearanceTime:Number = shrunk.clearance / length;
             var against:Number = -RemainingMotion.PARALLEL_SINE * length;
             out.time = _relative.time;
-            if (out.time > 0 && !(contact.along(motion) < against) && !core.isFlat)
+            if (out.time > 0 && !(contact.along(motion) < against) && !shrunk.isFlat)
             {
                 var beyond:Number = Math.min(1, out.time + clearanceTime);
                 var rest:Number = 1 - beyond;
                 _relative.endAfter(rest * motion.x, rest * motion.y, rest * motion.z);
-                if (!sweepCore(core, row, _end, false, _relative, contact))
+                if (!sweepShrunk(shrunk, row, _end, false, _relative, contact))
                 {
                     return false;
                 }
@@ -243,15 +245,15 @@ package starlogo.queries.motion
             return true;
         }
 
-        // Finds when and how the core first meets a row on a motion, which receives the time. Returns whether it meets the row.
-        private static function sweepCore(core:BodyCore, row:int, end:Vector3D, countsInside:Boolean, motion:RelativeMotion, out:ContactPoint):Boolean
+        // Finds when and how the shrunk body first meets a row on a motion, which receives the time. Returns whether it meets the row.
+        private static function sweepShrunk(shrunk:ShrunkBody, row:int, end:Vector3D, countsInside:Boolean, motion:RelativeMotion, out:ContactPoint):Boolean
         {
-            var moved:Body = core.moveTo(end);
-            var other:Body = core.moving.bodyOf(row);
+            var moved:Body = shrunk.moveTo(end);
+            var other:Body = shrunk.body.bodyOf(row);
             motion.time = RelativeMotion.NEVER;
-            if (core.isNear(moved, other, motion))
+            if (shrunk.isNear(moved, other, motion))
             {
-                var tests:PairTests = core.moving.narrowPhase.pairTestsFor(moved, other);
+                var tests:PairTests = shrunk.body.narrowPhase.pairTestsFor(moved, other);
                 tests.findImpactOfSurfaces(moved, other, motion, out);
                 // a sheet may be wholly under the ground at the beginning, and then it touches no surface
                 var mayBeInside:Boolean = countsInside ? motion.time > 0 : motion.time == RelativeMotion.NEVER && other.form == ModelShape.GROUND;

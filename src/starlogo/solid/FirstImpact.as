@@ -15,7 +15,7 @@ package starlogo.solid
      *
      * @private
      */
-    public final class ImpactChoice
+    public final class FirstImpact
     {
         /** The time of the earliest touch so far, or RelativeMotion.NEVER. Read only. */
         public var time:Number = RelativeMotion.NEVER;
@@ -28,7 +28,7 @@ package starlogo.solid
         private var _squareness:Number = -Infinity;
 
         /** Begins. Touches up to a time count. */
-        public function begin(latest:Number):void
+        public function reset(latest:Number):void
         {
             time = _chosenTime = RelativeMotion.NEVER;
             _squareness = -Infinity;
@@ -41,9 +41,9 @@ package starlogo.solid
          * @param motion of the shape, or of the other triangle, with the time of the touch
          * @param plane of the triangle
          * @param other of the other triangle; null if a shape touches the first one
-         * @return whether it is the one to choose, of all so far
+         * @return whether it is the one that counts, of all so far
          */
-        public function choose(motion:RelativeMotion, plane:TrianglePlane, other:TrianglePlane = null):Boolean
+        public function offer(motion:RelativeMotion, plane:TrianglePlane, other:TrianglePlane = null):Boolean
         {
             if (!(motion.time <= latest))
             {

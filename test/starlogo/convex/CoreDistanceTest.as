@@ -54,7 +54,7 @@ package starlogo.convex
                 var a:ConvexShape = ellipsoid(20, 1, 1, 1);
                 var b:ConvexShape = ellipsoid(20, 1, 2, 1);
                 var search:CoreDistance = new CoreDistance();
-                b.x = _random.between(-2, 2);
+                b.x = _random.between(-4, 4);
                 b.y = _random.between(-2, 2);
                 _cores.setShapes(a, b);
                 search.find(_cores, _witness);

@@ -108,7 +108,7 @@ package starlogo.convex
                 _overlap.find(_cores, _witness);
                 if (distance > 0)
                 {
-                    _overlap.tryGap(_cores, _witness.gap, _witness);
+                    _overlap.tryGap(_cores, _witness);
                 }
             }
             finishContact(motion, out);
@@ -126,11 +126,14 @@ package starlogo.convex
         private function beginContact(a:ConvexShape, b:ConvexShape, motion:RelativeMotion):void
         {
             _cores.setShapes(a, b);
-            _cores.setMotion(motion);
-            if (!(motion.time > 0))
+            if (motion.time > 0)
+            {
+                _cores.setMotion(motion);
+            }
+            else
             {
                 // a has not come from anywhere
-                _cores.motionX = _cores.motionY = _cores.motionZ = 0;
+                _cores.moveTo(motion);
             }
         }
 

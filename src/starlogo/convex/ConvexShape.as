@@ -101,14 +101,14 @@ package starlogo.convex
         }
 
         /** Sets the core to a segment. */
-        public function setSegment(start:Vector3D, to:Vector3D):void
+        public function setSegment(start:Vector3D, end:Vector3D):void
         {
             setOrigin(start);
             reset(SEGMENT, 6, NONE, SEGMENT_EDGES);
             points[0] = points[1] = points[2] = 0;
-            points[3] = to.x - x;
-            points[4] = to.y - y;
-            points[5] = to.z - z;
+            points[3] = end.x - x;
+            points[4] = end.y - y;
+            points[5] = end.z - z;
             setExtent();
         }
 

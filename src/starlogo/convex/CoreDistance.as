@@ -54,10 +54,10 @@ package starlogo.convex
         // Begins with the differences of a point and each corner of a triangle: the whole set is one triangle.
         private function beginAsTriangle(cores:CorePair):void
         {
-            var isFirst:Boolean = cores.first.coreKind == ConvexShape.TRIANGLE;
+            var isTriangleFirst:Boolean = cores.first.coreKind == ConvexShape.TRIANGLE;
             for (var i:int = 0; i < 9; i += 3)
             {
-                var ofFirst:int = isFirst ? i : 0;
+                var ofFirst:int = isTriangleFirst ? i : 0;
                 _simplex.add(cores, ofFirst, i - ofFirst);
             }
             _simplex.reduce(-1, false);

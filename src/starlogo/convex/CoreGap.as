@@ -3,7 +3,7 @@ package starlogo.convex
     /**
      * The gap between the closest points of two cores, as a record. A core is a sphere's centre, a capsule's axis, or a whole box, triangle or hull.
      * Two shapes touch if the gap between their cores is at most as long as their radii together, except for the margins of Touching. All numbers
-     * are in the space of the two shapes. a and b are those of the question, except where CoreWitness says otherwise.
+     * are in the space of the two shapes. a is the first of a CorePair, or of the two that a kernel takes in order; b is the second.
      *
      * @private
      */

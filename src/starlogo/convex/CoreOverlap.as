@@ -54,11 +54,11 @@ package starlogo.convex
         /**
          * Takes the axis along the gap between the cores, if the displacement is shorter along it. Needles have no face whose normal is precise.
          *
-         * @param out has the displacement that find() has found
+         * @param out has the gap, and the displacement that find() has found
          */
-        public function tryGap(cores:CorePair, gap:CoreGap, out:CoreWitness):void
+        public function tryGap(cores:CorePair, out:CoreWitness):void
         {
-            _axis.setTo(gap.x, gap.y, gap.z);
+            _axis.setTo(out.gap.x, out.gap.y, out.gap.z);
             tryAxis(_axis, cores, out);
         }
 

@@ -32,10 +32,7 @@ package starlogo.convex
         /** How much of the motion is left. Cores that come near enough in this time are not too far apart. */
         public var timeLeft:Number = 0;
 
-        /**
-         * Sets two shapes, which stand where they are stored. No distance is too far. The motion of the last question stays: it says nothing about
-         * distances while no time is left. Set or clear it before an overlap is asked for.
-         */
+        /** Sets two shapes, which stand where they are stored. No distance is too far. */
         public function setShapes(a:ConvexShape, b:ConvexShape):void
         {
             isSwapped = isAfter(a, b);
@@ -44,6 +41,7 @@ package starlogo.convex
             x = first.x - second.x;
             y = first.y - second.y;
             z = first.z - second.z;
+            motionX = motionY = motionZ = 0;
             timeLeft = 0;
             maxDistance = Infinity;
         }

@@ -37,17 +37,20 @@ package starlogo.convex
             count = 0;
         }
 
-        /** Computes all corners again, after the first core has moved, and the nearest point. */
+        /** Computes all corners again, after the first core has moved, and the nearest point. Without corners, only its direction stays. */
         public function recompute(cores:CorePair):void
         {
-            // A simplex around the origin says nothing about where the cores are nearest once they are apart.
+            // A tetrahedron around the origin says nothing about where the cores are nearest once they are apart.
             var kept:int = count > 3 ? 1 : count;
             begin(cores);
             for (; count < kept; count++)
             {
                 writeCorner(cores, count);
             }
-            reduce(-1, false);
+            if (kept > 0)
+            {
+                reduce(-1, false);
+            }
         }
 
         /** Adds the difference of two points, given as the indices of their first numbers. Returns false if it is a corner already. */
@@ -88,8 +91,8 @@ package starlogo.convex
                 case 3:
                     SimplexPart.tryTriangle(corners, 0, 1, 2, newest, nearest);
                     break;
-                default:
-                    if (Tetrahedron.find(this, isApart, nearest))
+                case 4:
+                    if (Tetrahedron.find(this, isApart))
                     {
                         return INSIDE;
                     }

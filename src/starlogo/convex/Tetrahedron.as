@@ -6,14 +6,15 @@ package starlogo.convex
         /**
          * Finds the point. The face of the first three corners has no nearer point than before, because the fourth corner was nearer.
          *
-         * @param simplex has four corners; the last one is the newest
+         * @param simplex has four corners; the last one is the newest. Its nearest point is that of the first three, with a squared distance of Infinity.
+         *     It becomes the nearest one of all four corners, or the origin with its weights. The squared distance stays Infinity if rounding hides
+         *     which part is nearest
          * @param isApart whether it is known that the origin is outside
-         * @param out the nearest point of the first three corners, with a squared distance of Infinity. Receives the nearest one of all four corners, or the
-         *     origin with its weights. The squared distance stays Infinity if rounding hides which part is nearest
          * @return whether the origin is inside
          */
-        public static function find(simplex:Simplex, isApart:Boolean, out:NearestPoint):Boolean
+        public static function find(simplex:Simplex, isApart:Boolean):Boolean
         {
+            var out:NearestPoint = simplex.nearest;
             var w:Vector.<Number> = simplex.corners;
             var weights:Vector.<Number> = out.weights;
             weights[3] = 0;

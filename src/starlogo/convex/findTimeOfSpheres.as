@@ -4,7 +4,7 @@ package starlogo.convex
      * Finds when two spheres first touch, in closed form: the path of one centre enters a sphere around the other centre. The radius of that
      * sphere is the sum of both radii. The nearest point of the path comes first, so that no digits cancel when the path begins far away.
      *
-     * @param gap the vector from the other centre to the moving one at time 0, and the radii, of which the sum alone counts
+     * @param gap the vector from the other centre to the moving one at time 0, and both radii
      * @param motion the motion of the one centre; its start is not used. Receives the time
      * @private
      */

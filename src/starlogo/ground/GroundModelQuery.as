@@ -77,7 +77,8 @@ package starlogo.ground
             var kernel:TriangleKernel = _pairs.pieces.kernel;
             while (_pairs.nextTriangle())
             {
-                if (!kernel.plane.areApart(kernel.shape, RelativeMotion.NONE) && kernel.areTouching())
+                var near:GroundTriangle = _pairs.triangle;
+                if (!near.plane.areApart(kernel.shape, RelativeMotion.NONE) && kernel.areTouching(near.corners))
                 {
                     return true;
                 }
@@ -98,17 +99,18 @@ package starlogo.ground
             _pairs.begin(sweep, 0);
             while (_firstImpact.time > 0 && _pairs.next())
             {
-                if (kernel.plane.areApart(kernel.shape, sweep))
+                var near:GroundTriangle = _pairs.triangle;
+                if (near.plane.areApart(kernel.shape, sweep))
                 {
                     continue;
                 }
-                kernel.findTime(sweep);
-                if (_firstImpact.offer(sweep, kernel.plane) && out != null)
+                kernel.findTime(near.corners, sweep);
+                if (_firstImpact.offer(sweep, near.plane) && out != null)
                 {
                     sweep.time = _firstImpact.time;
-                    kernel.findContact(sweep, out);
-                    kernel.plane.leadOutside(kernel.shape, sweep, out);
-                    kernel.plane.alignContact(kernel.shape, sweep, out);
+                    kernel.findContact(near.corners, sweep, out);
+                    near.plane.leadOutside(kernel.shape, sweep, out);
+                    near.plane.alignContact(kernel.shape, sweep, out);
                 }
                 sweep.latest = _firstImpact.latest;
             }

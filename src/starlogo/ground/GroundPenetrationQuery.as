@@ -110,7 +110,7 @@ package starlogo.ground
             _pairs.begin(RelativeMotion.NONE, 0);
             while (_pairs.next())
             {
-                _kernel.plane.findBehind(_kernel.shape, RelativeMotion.NONE, _tried);
+                _pairs.triangle.plane.findBehind(_kernel.shape, RelativeMotion.NONE, _tried);
                 // deeper by more than rounding
                 if (_tried.depth >= out.depth + Touching.marginOfSurface(_pairs.triangle.radius) && isThrough(_pairs.triangle.corners, _tried))
                 {
@@ -139,14 +139,14 @@ package starlogo.ground
             while (_pairs.next())
             {
                 var rounding:Number = roundingHere();
-                _kernel.plane.findBehind(_kernel.shape, RelativeMotion.NONE, _tried);
+                _pairs.triangle.plane.findBehind(_kernel.shape, RelativeMotion.NONE, _tried);
                 var behind:Number = _tried.depth;
                 // no overlap is deeper than the piece is behind the plane
                 var isLess:Boolean = mostOverlap > 0 && behind < mostOverlap - rounding;
                 if (!isLess && findOverlap(_tried))
                 {
                     var overlap:Number = _tried.depth;
-                    _kernel.plane.leadOutside(_kernel.shape, RelativeMotion.NONE, _tried);
+                    _pairs.triangle.plane.leadOutside(_kernel.shape, RelativeMotion.NONE, _tried);
                     var wayOut:Number = _tried.depth;
                     if (!isFound || overlap > mostOverlap + roundingFor(wayOut - out.depth, rounding))
                     {
@@ -165,12 +165,12 @@ package starlogo.ground
         // Finds the shortest way of the current piece away from the current triangle, into the ground or out of it. Returns whether the two touch.
         private function findOverlap(out:ContactPoint):Boolean
         {
-            if (_kernel.plane.areApart(_kernel.shape, RelativeMotion.NONE))
+            if (_pairs.triangle.plane.areApart(_kernel.shape, RelativeMotion.NONE))
             {
                 return false;
             }
-            _kernel.findContact(RelativeMotion.NONE, out);
-            return out.depth > 0 || _kernel.areTouching();
+            _kernel.findContact(_pairs.triangle.corners, RelativeMotion.NONE, out);
+            return out.depth > 0 || _kernel.areTouching(_pairs.triangle.corners);
         }
 
         // Whether the exit of a contact behind a triangle's plane passes through the triangle, seen along its normal. False if the triangle is flat.

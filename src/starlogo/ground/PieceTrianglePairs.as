@@ -151,9 +151,7 @@ package starlogo.ground
             {
                 return false;
             }
-            var near:GroundTriangle = _triangles.triangle;
-            pieces.kernel.shape.margin = pieces.shapeMargin + Touching.marginOfSurface(near.radius);
-            pieces.kernel.setTriangle(near.corners, near.plane);
+            pieces.kernel.shape.margin = pieces.shapeMargin + Touching.marginOfSurface(_triangles.triangle.radius);
             return true;
         }
 

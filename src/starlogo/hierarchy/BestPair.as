@@ -3,7 +3,8 @@ package starlogo.hierarchy
     import starlogo.convex.ClosestPoints;
 
     /**
-     * The best pair of a BestPairTraversal so far, as a record. It has the time or distance and the bound too, because JavaScript engines allocate an
+     * The best pair of a BestPairTraversal so far, as a record: for times two nodes or items, for distances two points. a is of the first tree, and b of
+     * the second. It has the time or distance and the bound too, because JavaScript engines allocate an
      * object for each Number that functions pass.
      *
      * @private
@@ -16,7 +17,7 @@ package starlogo.hierarchy
         /** For times: when two first touch, or Infinity. */
         public var time:Number = Infinity;
 
-        /** For times: the two that touch first, which are nodes, or slots if a kernel decides by items. Undefined if none touch. */
+        /** For times: the nodes that touch first, or the slots of items if a kernel decides by them. Undefined if none touch. */
         public var a:int = 0;
         public var b:int = 0;
 

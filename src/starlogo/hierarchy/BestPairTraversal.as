@@ -68,7 +68,7 @@ package starlogo.hierarchy
                     measure(trees, a, b, kernel, out);
                     continue;
                 }
-                var dividesA:Boolean = bEnds || !aEnds && trees.isNodeALarger(a, b);
+                var dividesA:Boolean = trees.dividesA(a, aEnds, b, bEnds);
                 var leftA:int = dividesA ? treeA.left[a] : a;
                 var leftB:int = dividesA ? b : treeB.left[b];
                 var rightA:int = dividesA ? leftA + 1 : a;

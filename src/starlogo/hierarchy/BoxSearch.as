@@ -119,9 +119,8 @@ package starlogo.hierarchy
 
         /**
          * Visits the nodes that the box may meet during its motion. The root is visited untested. The child that is visited next does not pass the
-         * stack, because that would take a sixth more time. The times along the axes are compared in pairs, which decides most children along the first
-         * axis or the second. One that is met pays more comparisons than a largest and a least time would take, but processors predict their answers.
-         * All is one function, because a call for each child takes a sixth more time in Adobe's VM.
+         * stack. The times along the axes are compared in pairs, which decides most children along the first axis or the second. One function does
+         * it all, because calls for each child take long in Adobe's VM.
          *
          * @param tree the tree
          * @param depth how many of its levels are visited

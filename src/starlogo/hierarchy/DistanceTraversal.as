@@ -48,7 +48,7 @@ package starlogo.hierarchy
         {
             var relative:Placement = trees.pose.placement;
             _radii = trees.a.radius + trees.b.radius * relative.size;
-            _pair.axes.setAxes(relative, 1);
+            _pair.axes.setAxes(relative);
             out.copyFrom(find(trees, kernel).points);
         }
 

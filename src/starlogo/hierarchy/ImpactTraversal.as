@@ -33,7 +33,7 @@ package starlogo.hierarchy
         public function findImpact(trees:PosedTrees, motion:RelativeMotion, kernel:NodePairKernel):BestPair
         {
             var relative:Placement = trees.pose.placement;
-            _pair.axes.setAxes(relative, 1);
+            _pair.axes.setAxes(relative);
             _pair.latest = motion.latest;
             _pair.motionX = motion.x;
             _pair.motionY = motion.y;

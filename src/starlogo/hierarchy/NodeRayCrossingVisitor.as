@@ -9,7 +9,7 @@ package starlogo.hierarchy
     /** Finds all places where a ray meets the boxes of a tree. @private */
     public final class NodeRayCrossingVisitor extends NodeVisitor
     {
-        private var _ray:Ray = new Ray();
+        private var _ray:Ray = null;
         private var _span:RaySpan = new RaySpan();
         private var _all:RayCrossings = null;
         private var _search:BoxSearch = new BoxSearch();
@@ -24,7 +24,7 @@ package starlogo.hierarchy
          */
         public function addCrossings(tree:BoxTree, depth:int, ray:Ray, out:RayCrossings):void
         {
-            _ray.copyFrom(ray);
+            _ray = ray;
             _all = out;
             limit = ray.to;
             _search.visitAlong(ray, tree, depth, this);

@@ -17,7 +17,7 @@ package starlogo.hierarchy
         /** The factor on a node's half-extents. Nodes are enlarged as it is. A node that is only touched would be entered before a larger node around it. */
         internal static const NOT_WIDENED:Number = 1;
 
-        private var _ray:Ray = new Ray();
+        private var _ray:Ray = null;
         private var _span:RaySpan = new RaySpan();
         private var _entry:RayEntry = new RayEntry();
         private var _search:BoxSearch = new BoxSearch();
@@ -36,7 +36,7 @@ package starlogo.hierarchy
          */
         public function findRayEntry(tree:BoxTree, depth:int, ray:Ray, out:RayEntry):Boolean
         {
-            _ray.copyFrom(ray);
+            _ray = ray;
             _first = -1;
             limit = ray.to;
             _search.visitAlong(ray, tree, depth, this);

@@ -63,7 +63,7 @@ package starlogo.hierarchy
             var result:int = APART;
             var visits:int = 0;
             var top:int = 2;
-            pair.axes.setAxes(trees.pose.placement, 1, Tolerances.ROUNDING);
+            pair.axes.setAxes(trees.pose.placement, Tolerances.ROUNDING);
             stack[0] = 0;
             stack[1] = 0;
             while (top > 0 && result != OVERLAPPING)
@@ -102,7 +102,7 @@ package starlogo.hierarchy
         private function pushChildren(trees:PosedTrees, pair:BoxPair, a:int, aEnds:Boolean, b:int, bEnds:Boolean, isDeep:Boolean, top:int):int
         {
             var stack:Vector.<int> = _nodes;
-            var dividesA:Boolean = !aEnds && (bEnds || isDeep || trees.isNodeALarger(a, b));
+            var dividesA:Boolean = isDeep ? !aEnds : trees.dividesA(a, aEnds, b, bEnds);
             var dividesB:Boolean = isDeep ? !bEnds : !dividesA;
             var nearer:int;
             if (dividesA)

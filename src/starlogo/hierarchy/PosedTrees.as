@@ -1,6 +1,9 @@
 package starlogo.hierarchy
 {
+    import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
+    import starlogo.geometry.Touching;
     import starlogo.intersection.boxes.BoxPair;
 
     /**
@@ -49,9 +52,32 @@ package starlogo.hierarchy
             out.halfZA = boxes[int(at + 5)];
         }
 
-        /** Whether the sphere around the box of a node of a is at least as large as the one around the box of a node of b. */
-        public function isNodeALarger(nodeA:int, nodeB:int):Boolean
+        /** The largest distance at which triangles of the two touch: the pose's tolerance, and the margins of both surfaces. */
+        public function get triangleTolerance():Number
         {
+            return pose.tolerance + Touching.marginOfSurface(a.radius + b.radius * pose.placement.size);
+        }
+
+        /**
+         * The largest distance at which quick tests let two triangles pass. It is larger, because it includes the margin of a motion and Tolerances.CORES
+         * of two triangles. It is twice the tolerance: the second one has SURFACES of the radii, which is more than the CORES of two triangles.
+         */
+        public function quickDistance(motion:RelativeMotion):Number
+        {
+            return 2 * triangleTolerance + Tolerances.EXTENTS * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
+        }
+
+        /**
+         * Of two nodes that do not both decide, says which to divide: the one that does not, or else the larger one, by the spheres around their boxes.
+         *
+         * @return whether it is the node of a
+         */
+        public function dividesA(nodeA:int, aEnds:Boolean, nodeB:int, bEnds:Boolean):Boolean
+        {
+            if (aEnds || bEnds)
+            {
+                return bEnds;
+            }
             var boxesA:Vector.<Number> = a.boxes;
             var boxesB:Vector.<Number> = b.boxes;
             var scale:Number = pose.placement.size;

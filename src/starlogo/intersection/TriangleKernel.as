@@ -6,7 +6,6 @@ package starlogo.intersection
     import starlogo.convex.ConvexKernel;
     import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
-    import starlogo.convex.TrianglePlane;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.placePoints;
@@ -15,8 +14,8 @@ package starlogo.intersection
 
     /**
      * The kernel of a convex shape and triangles: whether the shape touches a triangle, when and how it first does, and how far the two are apart. The
-     * shape is set once for many triangles, the triangle for some questions. ConvexKernel decides. The triangle's plane rules out most triangles:
-     * callers ask it first.
+     * shape is set once for many triangles. Each question takes a triangle as its corners, nine numbers. ConvexKernel decides. The triangle's plane
+     * (TrianglePlane) rules out most triangles: callers ask it first.
      *
      * @private
      */
@@ -27,13 +26,6 @@ package starlogo.intersection
          * is in that space already. Its margin may be changed then.
          */
         public var shape:ConvexShape = new ConvexShape();
-
-        /** The plane of the triangle. Read only, because it may be another object's: see setTriangle(). */
-        public var plane:TrianglePlane = null;
-
-        // The triangle: nine numbers. The plane of triangles that are set without one.
-        private var _corners:Vector.<Number> = null;
-        private var _ownPlane:TrianglePlane = new TrianglePlane();
 
         private var _kernel:ConvexKernel = new ConvexKernel();
         private var _triangle:ConvexShape = new ConvexShape();
@@ -63,58 +55,39 @@ package starlogo.intersection
             shape.setTriangle(_placed, 0);
         }
 
-        /**
-         * Sets the triangle.
-         *
-         * @param corners nine numbers; kept
-         * @param plane the triangle's plane, if it is known; kept, and not changed
-         */
-        public function setTriangle(corners:Vector.<Number>, plane:TrianglePlane = null):void
+        /** Whether the shape touches a triangle. */
+        public function areTouching(corners:Vector.<Number>):Boolean
         {
-            _corners = corners;
-            if (plane == null)
-            {
-                plane = _ownPlane;
-                plane.setTriangle(corners, 0);
-            }
-            this.plane = plane;
-        }
-
-        /** Whether the shape touches the triangle. */
-        public function areTouching():Boolean
-        {
-            _triangle.setTriangle(_corners, 0);
+            _triangle.setTriangle(corners, 0);
             return _kernel.areTouching(shape, _triangle);
         }
 
         /**
-         * Finds when the shape first touches the triangle while it moves.
+         * Finds when the shape first touches a triangle while it moves.
          *
          * @param motion of the shape; receives the time, or RelativeMotion.NEVER
          */
-        public function findTime(motion:RelativeMotion):void
+        public function findTime(corners:Vector.<Number>, motion:RelativeMotion):void
         {
-            _triangle.setTriangle(_corners, 0);
+            _triangle.setTriangle(corners, 0);
             _kernel.findTime(shape, _triangle, motion);
         }
 
         /**
-         * Finds how the shape and the triangle touch or overlap.
+         * Finds how the shape and a triangle touch or overlap.
          *
          * @param motion of the shape; the shape is where it is at the motion's time
          * @param out receives the contact, with a normal that points from the triangle to the shape
          */
-        public function findContact(motion:RelativeMotion, out:ContactPoint):void
+        public function findContact(corners:Vector.<Number>, motion:RelativeMotion, out:ContactPoint):void
         {
-            _triangle.setTriangle(_corners, 0);
+            _triangle.setTriangle(corners, 0);
             _kernel.findContact(shape, _triangle, motion, out);
         }
 
         /**
-         * Finds the closest points of the shape and a triangle, if they are closer than those of a triangle before. This needs no plane, so it takes the
-         * triangle itself.
+         * Finds the closest points of the shape and a triangle, if they are closer than those of a triangle before.
          *
-         * @param corners nine numbers of the triangle
          * @param out the distance and the points of the triangle before, the shape's first; overwritten if this one is closer
          * @return whether it is closer
          */

@@ -9,7 +9,7 @@
 // whether they touch    | NodeImpactVisitor        | OverlapTraversal       | -
 // when or where first   | NodeImpactVisitor        | ImpactTraversal        | NodeRayEntryVisitor, NodeRayCrossingVisitor
 // the distance          | NodeDistanceVisitor      | DistanceTraversal      | -
-// the contact           | StructurePairs                | StructurePairs              | -
+// the contact           | StructurePairs           | StructurePairs         | -
 // 
 // triangles decide
 // whether they touch    | TriangleImpactVisitor    | TrianglePairKernel     | -
@@ -17,7 +17,7 @@
 // the distance          | TriangleDistanceVisitor  | TrianglePairKernel     | -
 // the contact           | TriangleImpactVisitor    | TriangleContactFinder  | -
 // 
-// what is inside        | ModelTree.isInside()     | TreeContainmentQuery   | ModelTree.isInside()
+// what is inside        | ModelTree.isInside()     | PartInsideFinder       | ModelTree.isInside()
 // 
 // ImpactQuery, which TreeQuery extends, puts together when two first touch: standing tests at both ends, impacts of surfaces between. Of several triangles
 // that are touched first, a FirstImpact says which one counts. The package solid.interior knows what is inside of a surface.

@@ -37,7 +37,7 @@ package starlogo.solid
          *
          * @param shape kept
          * @param quickDistance how far the shape's core may be from a triangle that it touches, with all that is rounded
-         * @param motion of the shape; kept
+         * @param motion of the shape; kept. Its latest time may change from triangle to triangle
          */
         public function setTo(shape:ConvexShape, quickDistance:Number, motion:RelativeMotion):void
         {
@@ -111,12 +111,11 @@ package starlogo.solid
         }
 
         /**
-         * Whether one of the axes separates a triangle from the shape until a time. The first triangle makes the axes.
+         * Whether one of the axes separates a triangle from the shape until the motion's latest time. The first triangle makes the axes.
          *
          * @param corners nine numbers of the triangle
-         * @param motion has the latest time: they stay apart until then. Nothing else of it counts
          */
-        public function areApart(corners:Vector.<Number>, motion:RelativeMotion):Boolean
+        public function areApart(corners:Vector.<Number>):Boolean
         {
             if (_end == 0)
             {
@@ -124,7 +123,7 @@ package starlogo.solid
             }
             var axes:Vector.<Number> = _axes;
             var end:int = _end;
-            var latest:Number = motion.latest;
+            var latest:Number = _motion.latest;
             for (var i:int = 0; i < end; i += PER_AXIS)
             {
                 var x:Number = axes[i];

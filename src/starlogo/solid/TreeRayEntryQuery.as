@@ -21,7 +21,7 @@ package starlogo.solid
      */
     public final class TreeRayEntryQuery
     {
-        private static var sStart:Vector3D = new Vector3D();
+        private static const START:Vector3D = new Vector3D();
 
         private var _nodes:NodeRayEntryVisitor = new NodeRayEntryVisitor();
         private var _triangles:TriangleRayEntryVisitor = new TriangleRayEntryVisitor();
@@ -53,8 +53,8 @@ package starlogo.solid
         /** Whether a ray begins inside of the surface of a model. */
         internal static function beginsInside(model:ModelTree, ray:Ray):Boolean
         {
-            sStart.setTo(ray.x + ray.from * ray.directionX, ray.y + ray.from * ray.directionY, ray.z + ray.from * ray.directionZ);
-            return model.isInside(sStart, 0);
+            START.setTo(ray.x + ray.from * ray.directionX, ray.y + ray.from * ray.directionY, ray.z + ray.from * ray.directionZ);
+            return model.isInside(START, 0);
         }
     }
 }

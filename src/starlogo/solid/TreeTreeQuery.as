@@ -6,8 +6,6 @@ package starlogo.solid
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.geometry.Tolerances;
-    import starlogo.geometry.Touching;
     import starlogo.hierarchy.BestPair;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.DistanceTraversal;
@@ -28,13 +26,9 @@ package starlogo.solid
      */
     public final class TreeTreeQuery extends TreeQuery
     {
-        /** The tree of a. */
-        internal var a:ModelTree = null;
-
-        /** The tree of b. */
-        internal var b:ModelTree = null;
-
-        // The nodes of both, for a traversal.
+        // The two, and their nodes for a traversal.
+        private var _a:ModelTree = null;
+        private var _b:ModelTree = null;
         private var _trees:PosedTrees = new PosedTrees();
 
         // Whether triangles decide, and how.
@@ -45,7 +39,9 @@ package starlogo.solid
         private var _overlap:OverlapTraversal;
         private var _impact:ImpactTraversal;
         private var _distance:DistanceTraversal;
-        private var _containment:TreeContainmentQuery = new TreeContainmentQuery();
+
+        // The pose of a in b's space.
+        private var _inverse:Placement = new Placement();
 
         /** @param counts counts what the questions take */
         public function TreeTreeQuery(counts:TreeCounts)
@@ -68,8 +64,8 @@ package starlogo.solid
         public function setTo(a:ModelTree, placementA:Placement, depthA:int, b:ModelTree, placementB:Placement, depthB:int, isExact:Boolean):TreeQuery
         {
             _isExact = isExact && a.hasTriangles && b.hasTriangles;
-            this.a = a;
-            this.b = b;
+            _a = a;
+            _b = b;
             this.placementA = placementA;
             this.placementB = placementB;
             _trees.a = a.boxTree;
@@ -79,27 +75,12 @@ package starlogo.solid
             return this;
         }
 
-        /** The largest distance at which triangles of the two touch: the pose's tolerance, and the margins of both surfaces. */
-        internal function get triangleTolerance():Number
-        {
-            return pose.tolerance + Touching.marginOfSurface(a.boxTree.radius + b.boxTree.radius * pose.placement.size);
-        }
-
-        /**
-         * The largest distance at which quick tests let two triangles pass. It is larger, because it includes the margin of a motion and Tolerances.CORES
-         * of two triangles. It is twice the tolerance: the second one has SURFACES of the radii, which is more than the CORES of two triangles.
-         */
-        internal function quickDistance(motion:RelativeMotion):Number
-        {
-            return 2 * triangleTolerance + Tolerances.EXTENTS * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
-        }
-
         /** @inheritDoc */
         override internal function areTouchingInPose():Boolean
         {
             var result:int = _overlap.find(_trees, kernelFor(RelativeMotion.NONE));
             // If the roots do not overlap, neither model is inside of the other. This holds for most models that are close but do not collide.
-            return result == OverlapTraversal.OVERLAPPING || result == OverlapTraversal.ONLY_ROOTS && _containment.findInside(this, null);
+            return result == OverlapTraversal.OVERLAPPING || result == OverlapTraversal.ONLY_ROOTS && findPartInside(null);
         }
 
         /** @inheritDoc */
@@ -114,7 +95,7 @@ package starlogo.solid
             out.triangle = -1;
             if (_isExact)
             {
-                _contactFinder.find(this, best, motion, out);
+                _contactFinder.find(_a, _b, _trees, best, motion, out);
             }
             else
             {
@@ -144,13 +125,30 @@ package starlogo.solid
         /** Neither is inside if the boxes of the roots do not touch. Then the insides are not prepared. @inheritDoc */
         override internal function findInside(out:ClosestPoints):Boolean
         {
-            return StructurePairs.areTouching(_trees.a.boxOf(0), pose.placeWidened(_trees.b.boxOf(0))) && _containment.findInside(this, out);
+            // b first: the two may have one tree, whose boxOf() overwrites its result
+            var placedB:BoundingStructure = pose.placeWidened(_trees.b.boxOf(0));
+            return StructurePairs.areTouching(_trees.a.boxOf(0), placedB) && findPartInside(out);
+        }
+
+        // Does what findInside() does if the boxes of the roots touch.
+        private function findPartInside(out:ClosestPoints):Boolean
+        {
+            if (!_a.hasTriangles || !_b.hasTriangles)
+            {
+                return false;
+            }
+            if (PartInsideFinder.find(_a, _b, pose.placement, placementA, out))
+            {
+                return true;
+            }
+            Placement.invert(pose.placement, _inverse);
+            return PartInsideFinder.find(_b, _a, _inverse, placementB, out);
         }
 
         // What decides about two nodes: their triangles, or null for their boxes. The motion is that of b.
         private function kernelFor(motion:RelativeMotion):NodePairKernel
         {
-            return _isExact ? _pairKernel.begin(this, motion) : null;
+            return _isExact ? _pairKernel.begin(_a.mesh, _b.mesh, _trees, motion) : null;
         }
     }
 }

@@ -9,6 +9,7 @@ package starlogo.solid
     import starlogo.geometry.Placement;
     import starlogo.geometry.placePoints;
     import starlogo.hierarchy.BestPair;
+    import starlogo.hierarchy.PosedTrees;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.intersection.TriangleKernel;
@@ -34,8 +35,9 @@ package starlogo.solid
         private var _cornersOfA:Vector.<Number> = new Vector.<Number>(9, true);
         private var _cornersOfB:Vector.<Number> = new Vector.<Number>(9, true);
 
-        // Has one triangle as its shape, and the plane of the other.
+        // Has one triangle as its shape; and the plane of the other.
         private var _kernel:TriangleKernel = new TriangleKernel();
+        private var _plane:TrianglePlane = new TrianglePlane();
 
         // The motion of a, as seen from b.
         private var _reversed:RelativeMotion = new RelativeMotion();
@@ -56,34 +58,34 @@ package starlogo.solid
         /**
          * Finds the contact, in a's space.
          *
-         * @param query the two trees
+         * @param a the first model
+         * @param b the second one
+         * @param trees the trees of both, and the pose of b in a's space
          * @param best has the slots of the triangles
          * @param motion of b, which is where it is at the motion's time; its start must be 0
          * @param out receives the contact, with a normal from a to b
          */
-        public function find(query:TreeTreeQuery, best:BestPair, motion:RelativeMotion, out:ContactPoint):void
+        public function find(a:ModelTree, b:ModelTree, trees:PosedTrees, best:BestPair, motion:RelativeMotion, out:ContactPoint):void
         {
-            var placement:Placement = query.pose.placement;
-            var quickDistance:Number = query.quickDistance(motion);
-            var plane:TrianglePlane;
-            query.a.mesh.readTriangle(best.a, _cornersOfA);
-            query.b.mesh.readTriangle(best.b, _cornersOfB);
+            var placement:Placement = trees.pose.placement;
+            var quickDistance:Number = trees.quickDistance(motion);
+            var plane:TrianglePlane = _plane;
+            a.mesh.readTriangle(best.a, _cornersOfA);
+            b.mesh.readTriangle(best.b, _cornersOfB);
             placePoints(placement, _cornersOfB, 0, 9, _cornersOfB);
             _kernel.shape.setTriangle(_cornersOfB, 0);
-            _kernel.setTriangle(_cornersOfA);
-            _kernel.findContact(motion, out);
+            _kernel.findContact(_cornersOfA, motion, out);
             Placement.invert(placement, _inB.placement);
-            plane = _kernel.plane;
-            if (plane.isHitFromFront(_kernel.shape, quickDistance, motion, out) && !hasTriangleBehind(query.b, _inB, query.triangleTolerance, motion, out))
+            plane.setTriangle(_cornersOfA, 0);
+            if (plane.isHitFromFront(_kernel.shape, quickDistance, motion, out) && !hasTriangleBehind(b, _inB, trees.triangleTolerance, motion, out))
             {
                 out.setNormal(plane.normal.x, plane.normal.y, plane.normal.z);
                 return;
             }
-            _kernel.setTriangle(_cornersOfB);
+            plane.setTriangle(_cornersOfB, 0);
             _kernel.shape.setTriangle(_cornersOfA, 0);
             _reversed.setReversed(motion);
-            plane = _kernel.plane;
-            if (plane.isHitFromFront(_kernel.shape, quickDistance, _reversed, out) && !hasTriangleBehind(query.a, _inA, query.triangleTolerance, RelativeMotion.NONE, out))
+            if (plane.isHitFromFront(_kernel.shape, quickDistance, _reversed, out) && !hasTriangleBehind(a, _inA, trees.triangleTolerance, RelativeMotion.NONE, out))
             {
                 out.setNormal(-plane.normal.x, -plane.normal.y, -plane.normal.z);
             }
@@ -94,7 +96,7 @@ package starlogo.solid
         {
             var radius:Number = PROBE * _kernel.shape.extent;
             var back:Number = (1 + PROBE_GAP) * radius + 2 * triangleTolerance;
-            var normal:Vector3D = _kernel.plane.normal;
+            var normal:Vector3D = _plane.normal;
             _probe.radius = radius;
             _probe.center.x = contact.x - motion.time * motion.x - back * normal.x;
             _probe.center.y = contact.y - motion.time * motion.y - back * normal.y;

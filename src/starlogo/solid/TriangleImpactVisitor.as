@@ -4,6 +4,7 @@ package starlogo.solid
     import starlogo.convex.ContactPoint;
     import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
+    import starlogo.convex.TrianglePlane;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
@@ -43,8 +44,9 @@ package starlogo.solid
         // Separates most triangles from the moving structure.
         private var _separatingAxes:SweptAxes = new SweptAxes();
 
-        // The corners of a triangle.
+        // The corners of a triangle and its plane.
         private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
+        private var _plane:TrianglePlane = new TrianglePlane();
 
         // The slot of the triangle that is touched first, and what chooses it.
         private var _found:int = -1;
@@ -96,8 +98,8 @@ package starlogo.solid
             _quickDistance = shape.radius + shape.margin + rounding;
             _search.setExtents(extents, _quickDistance);
             _search.setMotion(motion);
-            _separatingAxes.setTo(shape, _quickDistance, motion);
             _triangleMotion.copyVector(motion);
+            _separatingAxes.setTo(shape, _quickDistance, _triangleMotion);
         }
 
         /** @inheritDoc */
@@ -113,12 +115,12 @@ package starlogo.solid
                 }
                 _mesh.readTriangle(i, _corners);
                 _triangleMotion.latest = limit;
-                if (!isStill && _separatingAxes.areApart(_corners, _triangleMotion))
+                if (!isStill && _separatingAxes.areApart(_corners))
                 {
                     continue;
                 }
-                _kernel.setTriangle(_corners);
-                _triangleMotion.earliest = _kernel.plane.timeOfEntry(_kernel.shape, _quickDistance, _motion);
+                _plane.setTriangle(_corners, 0);
+                _triangleMotion.earliest = _plane.timeOfEntry(_kernel.shape, _quickDistance, _motion);
                 if (_triangleMotion.earliest > limit)
                 {
                     continue;
@@ -126,13 +128,13 @@ package starlogo.solid
                 _counts.triangleTests++;
                 if (isStill)
                 {
-                    _triangleMotion.time = _kernel.areTouching() ? 0 : RelativeMotion.NEVER;
+                    _triangleMotion.time = _kernel.areTouching(_corners) ? 0 : RelativeMotion.NEVER;
                 }
                 else
                 {
-                    _kernel.findTime(_triangleMotion);
+                    _kernel.findTime(_corners, _triangleMotion);
                 }
-                if (_firstImpact.offer(_triangleMotion, _kernel.plane))
+                if (_firstImpact.offer(_triangleMotion, _plane))
                 {
                     _found = i;
                 }
@@ -157,9 +159,9 @@ package starlogo.solid
         public function findContact(slot:int, motion:RelativeMotion, out:ContactPoint):void
         {
             _mesh.readTriangle(slot, _corners);
-            _kernel.setTriangle(_corners);
-            _kernel.findContact(motion, out);
-            _kernel.plane.alignContact(_kernel.shape, motion, out);
+            _kernel.findContact(_corners, motion, out);
+            _plane.setTriangle(_corners, 0);
+            _plane.alignContact(_kernel.shape, motion, out);
         }
     }
 }

@@ -8,6 +8,7 @@ package starlogo.solid
     import starlogo.geometry.placePoints;
     import starlogo.hierarchy.BestPair;
     import starlogo.hierarchy.NodePairKernel;
+    import starlogo.hierarchy.PosedTrees;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.hierarchy.TriangleMesh;
     import starlogo.intersection.TriangleKernel;
@@ -26,8 +27,9 @@ package starlogo.solid
         private var _meshA:TriangleMesh = null;
         private var _meshB:TriangleMesh = null;
 
-        // The corners of a's current triangle.
+        // The corners of a's current triangle and its plane.
         private var _cornersOfA:Vector.<Number> = new Vector.<Number>(9, true);
+        private var _planeOfA:TrianglePlane = new TrianglePlane();
 
         // The placement of b in a's space, and the motion of b, which ends at the first touch so far.
         private var _placement:Placement = null;
@@ -47,7 +49,7 @@ package starlogo.solid
 
         private var _counts:TreeCounts;
 
-        // The largest distance at which triangles touch, and the largest one at which quick tests let them pass: see TreeTreeQuery.
+        // The largest distance at which triangles touch, and the largest one at which quick tests let them pass: see PosedTrees.
         private var _tolerance:Number = 0;
         private var _quickDistance:Number = 0;
 
@@ -66,21 +68,23 @@ package starlogo.solid
         /**
          * Begins with two trees that have triangles.
          *
-         * @param query its pose is where b is at time 0
+         * @param a the triangles of the first tree
+         * @param b those of the second
+         * @param trees the two; the pose is where b is at time 0
          * @param motion of b in a's space; RelativeMotion.NONE if it stands
          * @return this
          */
-        public function begin(query:TreeTreeQuery, motion:RelativeMotion):NodePairKernel
+        public function begin(a:TriangleMesh, b:TriangleMesh, trees:PosedTrees, motion:RelativeMotion):NodePairKernel
         {
-            _placement = query.pose.placement;
-            _meshA = query.a.mesh;
-            _meshB = query.b.mesh;
+            _placement = trees.pose.placement;
+            _meshA = a;
+            _meshB = b;
             _motion.copyVector(motion);
             _motion.latest = motion.latest;
             _firstImpact.reset(motion.latest);
             _firstPlaced = NONE;
-            _tolerance = query.triangleTolerance;
-            _quickDistance = query.quickDistance(motion);
+            _tolerance = trees.triangleTolerance;
+            _quickDistance = trees.quickDistance(motion);
             return this;
         }
 
@@ -97,7 +101,7 @@ package starlogo.solid
                     if (areExtentsNear(slot))
                     {
                         _counts.triangleTests++;
-                        if (isTouching(slot))
+                        if (!staysOnOneSide(slot) && _kernel.areTouching(_cornersOfA))
                         {
                             return true;
                         }
@@ -126,7 +130,7 @@ package starlogo.solid
                     _counts.triangleTests++;
                     if (findTime(slot))
                     {
-                        if (_firstImpact.offer(_motion, _kernel.plane, _planeOfB))
+                        if (_firstImpact.offer(_motion, _planeOfA, _planeOfB))
                         {
                             best.a = slot;
                             best.b = _firstPlaced + i;
@@ -199,12 +203,6 @@ package starlogo.solid
             _extents[int(to + 1)] = travel > 0 ? high + travel : high;
         }
 
-        // Whether a triangle of a touches b's current triangle.
-        private function isTouching(slot:int):Boolean
-        {
-            return !staysOnOneSide(slot) && _kernel.areTouching();
-        }
-
         // Finds when b's current triangle first touches a triangle of a. Sets the motion's time if that is no later than its latest time, and returns
         // whether it is.
         private function findTime(slot:int):Boolean
@@ -213,16 +211,16 @@ package starlogo.solid
             {
                 return false;
             }
-            _kernel.findTime(_motion);
+            _kernel.findTime(_cornersOfA, _motion);
             return _motion.time <= _motion.latest;
         }
 
-        // Reads a triangle of a for the kernel. Returns whether b's current triangle stays on one side of its plane.
+        // Makes a triangle of a the current one. Returns whether b's current triangle stays on one side of its plane.
         private function staysOnOneSide(slot:int):Boolean
         {
             _meshA.readTriangle(slot, _cornersOfA);
-            _kernel.setTriangle(_cornersOfA);
-            return _kernel.plane.timeOfEntry(_kernel.shape, _quickDistance, _motion) > _motion.latest;
+            _planeOfA.setTriangle(_cornersOfA, 0);
+            return _planeOfA.timeOfEntry(_kernel.shape, _quickDistance, _motion) > _motion.latest;
         }
 
         // Finds the closest points of a triangle of a, and of b's triangle by its index in the node, if they are nearer than those so far.

@@ -45,6 +45,38 @@ package starlogo.convex
             assertTrue(apart + " are apart", apart > 100 && apart < 500);
         }
 
+        /** If a search ends before its first corner, the next one goes on without corners. What was searched before does not count then. */
+        [Test]
+        public function aSearchThatGoesOnWithoutCornersDependsOnNothingBefore():void
+        {
+            for (var i:int = 0; i < 300; i++)
+            {
+                var a:ConvexShape = ellipsoid(20, 1, 1, 1);
+                var b:ConvexShape = ellipsoid(20, 1, 2, 1);
+                var search:CoreDistance = new CoreDistance();
+                b.x = _random.between(-4, 4);
+                b.y = _random.between(-2, 2);
+                _cores.setShapes(a, b);
+                search.find(_cores, _witness);
+                b.x = 10;
+                var expected:String = findAfterEmpty(new CoreDistance(), a, b);
+                var found:String = findAfterEmpty(search, a, b);
+                _wrong.addIf(found != expected, "other result", found + " for " + expected);
+            }
+            _wrong.assertNone();
+        }
+
+        private function findAfterEmpty(search:CoreDistance, a:ConvexShape, b:ConvexShape):String
+        {
+            _cores.setShapes(a, b);
+            _cores.maxDistance = 1;
+            search.find(_cores, _witness);
+            _cores.maxDistance = Infinity;
+            _cores.x *= 0.4;
+            search.findAfterMove(_cores, _witness);
+            return [_witness.distance, _witness.gap.x, _witness.gap.y, _witness.gap.z, _witness.separation].join();
+        }
+
         // The hull of points on an ellipsoid around the origin.
         private function ellipsoid(count:int, radiusX:Number, radiusY:Number, radiusZ:Number):ConvexShape
         {

@@ -12,6 +12,7 @@ package starlogo.intersection
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
+    import starlogo.convex.TrianglePlane;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import support.Complaints;
@@ -32,6 +33,7 @@ package starlogo.intersection
 
         private var _random:SeededRandom = new SeededRandom(3806);
         private var _structures:RandomStructures = new RandomStructures(_random);
+        private var _plane:TrianglePlane = new TrianglePlane();
         private var _wrong:Complaints = new Complaints();
 
         [Test]
@@ -134,7 +136,7 @@ package starlogo.intersection
                 for (var k:int = -4; k <= 4 && first > 0 && first < 1; k++)
                 {
                     var time:Number = timeOf(sweep, moved(structure, motion, first - k * _random.logBetween(1e-16, 1e-12)), corners, motion);
-                    apart += sweep.areTouching() ? 0 : 1;
+                    apart += sweep.areTouching(corners) ? 0 : 1;
                     _wrong.addIf(!(time < 1e-9), "not met", structure + ", triangle " + corners + ", motion " + [motion.x, motion.y, motion.z]
                             + ", from " + first + ", step " + k + ": " + time);
                 }
@@ -159,8 +161,8 @@ package starlogo.intersection
                     corners[3 + k] = _random.between(-5, 5);
                     corners[6 + k] = corners[k] + share * (corners[3 + k] - corners[k]);
                 }
-                kernel.setTriangle(corners);
-                kernel.plane.findBehind(kernel.shape, new RelativeMotion(0), out);
+                _plane.setTriangle(corners, 0);
+                _plane.findBehind(kernel.shape, new RelativeMotion(0), out);
                 _wrong.addIf(out.depth >= 0, "behind", "triangle " + corners);
             }
             _wrong.assertNone();
@@ -173,27 +175,27 @@ package starlogo.intersection
             var kernel:TriangleKernel = new TriangleKernel();
             var corners:Vector.<Number> = new <Number>[-10, -10, 0, 10, -10, 0, 0, 10, 0];
             kernel.setStructure(new Sphere(new Vector3D(0, 0, -0.5), 1), new Placement());
-            kernel.setTriangle(corners);
+            _plane.setTriangle(corners, 0);
             for (var up:int = -1; up <= 1; up++)
             {
                 var motion:RelativeMotion = new RelativeMotion(0);
                 motion.z = up;
                 var out:ContactPoint = new ContactPoint();
-                kernel.findContact(motion, out);
+                kernel.findContact(corners, motion, out);
                 assertEquals(-1, out.normalZ);
-                kernel.plane.leadOutside(kernel.shape, motion, out);
+                _plane.leadOutside(kernel.shape, motion, out);
                 assertEquals("moves by " + up, "1,1.5", [out.normalZ, out.depth].join());
             }
         }
 
-        private static function timeOf(sweep:TriangleKernel, structure:BoundingStructure, corners:Vector.<Number>, motion:RelativeMotion):Number
+        private function timeOf(sweep:TriangleKernel, structure:BoundingStructure, corners:Vector.<Number>, motion:RelativeMotion):Number
         {
             sweep.setStructure(structure, new Placement());
-            sweep.setTriangle(corners);
+            _plane.setTriangle(corners, 0);
             motion.time = RelativeMotion.NEVER;
-            if (!sweep.plane.areApart(sweep.shape, motion))
+            if (!_plane.areApart(sweep.shape, motion))
             {
-                sweep.findTime(motion);
+                sweep.findTime(corners, motion);
             }
             return motion.time;
         }
@@ -203,7 +205,7 @@ package starlogo.intersection
             var there:BoundingStructure = moved(structure, motion, motion.time);
             _wrong.addIf(!areTouching(there, corners, NEAR), "no touch", message);
             var out:ContactPoint = new ContactPoint();
-            sweep.findContact(motion, out);
+            sweep.findContact(corners, motion, out);
             var point:Vector3D = new Vector3D(out.x, out.y, out.z);
             var normal:Vector3D = new Vector3D(out.normalX, out.normalY, out.normalZ);
             var onStructure:Number = SurfaceDistance.of(there, point);

@@ -87,7 +87,7 @@ package starlogo.solid
                     _corners = new <Number>[corner.x, corner.y, corner.z, corner.x + 1e-3 * along.x, corner.y + 1e-3 * along.y, corner.z + 1e-3 * along.z,
                             corner.x + 1e-3 * motion.x, corner.y + 1e-3 * motion.y, corner.z + 1e-3 * motion.z];
                     _axes.setTo(box, 0, _motion);
-                    _wrong.addIf(!_axes.areApart(_corners, _motion), "not ruled out", "edge " + edge + " of " + i);
+                    _wrong.addIf(!_axes.areApart(_corners), "not ruled out", "edge " + edge + " of " + i);
                 }
             }
             _wrong.assertNone();
@@ -205,7 +205,7 @@ package starlogo.solid
             var size:Number = 3 * shape.margin + Math.abs(_motion.x) + Math.abs(_motion.y) + Math.abs(_motion.z) + Math.abs(shape.x) + Math.abs(shape.y)
                 + Math.abs(shape.z) + shape.extent;
             _axes.setTo(shape, shape.radius + shape.margin + Tolerances.EXTENTS * size, _motion);
-            var isRuledOut:Boolean = _axes.areApart(_corners, _motion);
+            var isRuledOut:Boolean = _axes.areApart(_corners);
             var isTouched:Boolean = touches(shape);
             _wrong.addIf(isRuledOut && isTouched, "ruled out, but touched", what);
             _touched += int(isTouched);

@@ -25,9 +25,6 @@ package starlogo.intersection.boxes
         public var m21:Number = 0;
         public var m22:Number = 1;
 
-        /** The length of the axes. */
-        public var length:Number = 1;
-
         /** The absolute values of the axes. */
         public var abs00:Number = 1;
         public var abs01:Number = 0;
@@ -46,7 +43,6 @@ package starlogo.intersection.boxes
             var bY:Vector3D = b.axisY;
             var bZ:Vector3D = b.axisZ;
             var axis:Vector3D = a.axisX;
-            length = 1;
             m00 = axis.x * bX.x + axis.y * bX.y + axis.z * bX.z;
             m01 = axis.x * bY.x + axis.y * bY.y + axis.z * bY.z;
             m02 = axis.x * bZ.x + axis.y * bZ.y + axis.z * bZ.z;
@@ -62,22 +58,21 @@ package starlogo.intersection.boxes
         }
 
         /**
-         * Reads the axes of b from its rotation in the space of a, whose axes are those of the space, and multiplies them by a length.
+         * Reads the axes of b from its rotation in the space of a, whose axes are those of the space.
          *
          * @param slack is added to the absolute values
          */
-        public function setAxes(rotation:Placement, length:Number, slack:Number = 0):void
+        public function setAxes(rotation:Placement, slack:Number = 0):void
         {
-            this.length = length;
-            m00 = rotation.r00 * length;
-            m01 = rotation.r01 * length;
-            m02 = rotation.r02 * length;
-            m10 = rotation.r10 * length;
-            m11 = rotation.r11 * length;
-            m12 = rotation.r12 * length;
-            m20 = rotation.r20 * length;
-            m21 = rotation.r21 * length;
-            m22 = rotation.r22 * length;
+            m00 = rotation.r00;
+            m01 = rotation.r01;
+            m02 = rotation.r02;
+            m10 = rotation.r10;
+            m11 = rotation.r11;
+            m12 = rotation.r12;
+            m20 = rotation.r20;
+            m21 = rotation.r21;
+            m22 = rotation.r22;
             measureAxes(slack);
         }
 

@@ -7,7 +7,7 @@ package starlogo.intersection.boxes
      */
     public final class BoxSeparation
     {
-        /** Whether two boxes overlap along the normals of a's faces. The axes have length 1. */
+        /** Whether two boxes overlap along the normals of a's faces. */
         public static function overlapAlongFacesOfA(pair:BoxPair):Boolean
         {
             var axes:BoxAxes = pair.axes;
@@ -33,13 +33,13 @@ package starlogo.intersection.boxes
             var aHalfY:Number = pair.halfYA;
             var aHalfZ:Number = pair.halfZA;
             var projection:Number = x * axes.m00 + y * axes.m10 + z * axes.m20;
-            var radius:Number = axes.length * pair.halfXB + aHalfX * axes.abs00 + aHalfY * axes.abs10 + aHalfZ * axes.abs20;
+            var radius:Number = pair.halfXB + aHalfX * axes.abs00 + aHalfY * axes.abs10 + aHalfZ * axes.abs20;
             var isOverlapping:Boolean = projection <= radius && projection >= -radius;
             projection = x * axes.m01 + y * axes.m11 + z * axes.m21;
-            radius = axes.length * pair.halfYB + aHalfX * axes.abs01 + aHalfY * axes.abs11 + aHalfZ * axes.abs21;
+            radius = pair.halfYB + aHalfX * axes.abs01 + aHalfY * axes.abs11 + aHalfZ * axes.abs21;
             isOverlapping = isOverlapping && projection <= radius && projection >= -radius;
             projection = x * axes.m02 + y * axes.m12 + z * axes.m22;
-            radius = axes.length * pair.halfZB + aHalfX * axes.abs02 + aHalfY * axes.abs12 + aHalfZ * axes.abs22;
+            radius = pair.halfZB + aHalfX * axes.abs02 + aHalfY * axes.abs12 + aHalfZ * axes.abs22;
             return isOverlapping && projection <= radius && projection >= -radius;
         }
 

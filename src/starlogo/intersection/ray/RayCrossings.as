@@ -26,7 +26,7 @@ package starlogo.intersection.ray
         public var distances:Vector.<Number> = new Vector.<Number>();
 
         /** How far the distance may be wrong because of rounding. */
-        public var slacks:Vector.<Number> = new Vector.<Number>();
+        public var roundings:Vector.<Number> = new Vector.<Number>();
 
         /** The distance at which a triangle ends that the ray runs along. For others it is that of the crossing. */
         public var ends:Vector.<Number> = new Vector.<Number>();
@@ -51,7 +51,7 @@ package starlogo.intersection.ray
         public function add(entry:RayEntry, slack:Number, end:Number, side:int):void
         {
             distances[count] = entry.distance;
-            slacks[count] = slack;
+            roundings[count] = slack;
             ends[count] = end;
             sides[count] = side;
             triangles[count] = entry.triangle;

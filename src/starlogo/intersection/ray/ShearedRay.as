@@ -129,7 +129,7 @@ package starlogo.intersection.ray
             if (findCrossing(corners, 0, 3, 6, _crossing) && _crossing.distance <= _ray.to)
             {
                 writeEntry(corners, _crossing, triangle, _entry);
-                out.add(_entry, _crossing.slack, _crossing.end, _crossing.side);
+                out.add(_entry, _crossing.rounding, _crossing.end, _crossing.side);
             }
         }
 
@@ -160,8 +160,8 @@ package starlogo.intersection.ray
             {
                 return crossing.distance <= _ray.to;
             }
-            var latest:Number = first.side == RayCrossings.EDGE_ON ? first.distance + first.slack : first.distance;
-            var distance:Number = crossing.side == RayCrossings.EDGE_ON ? crossing.distance + crossing.slack : crossing.distance;
+            var latest:Number = first.side == RayCrossings.EDGE_ON ? first.distance + first.rounding : first.distance;
+            var distance:Number = crossing.side == RayCrossings.EDGE_ON ? crossing.distance + crossing.rounding : crossing.distance;
             return distance < Math.min(_ray.to, latest);
         }
 
@@ -213,8 +213,8 @@ package starlogo.intersection.ray
             }
             if (isEdgeOn)
             {
-                out.slack = Tolerances.ROUNDING * Math.abs(out.distance) + SLACK_TOLERANCES * EDGE_ON_TOLERANCES * _tolerance;
-                out.end = Math.max(out.end, out.distance) + out.slack;
+                out.rounding = Tolerances.ROUNDING * Math.abs(out.distance) + SLACK_TOLERANCES * EDGE_ON_TOLERANCES * _tolerance;
+                out.end = Math.max(out.end, out.distance) + out.rounding;
                 out.side = RayCrossings.EDGE_ON;
                 return true;
             }
@@ -222,7 +222,7 @@ package starlogo.intersection.ray
             // along the ray.
             var depth:Number = Math.abs(_inverseSpeed) * (Math.abs(aW - bW) + Math.abs(bW - cW));
             out.end = out.distance;
-            out.slack = Tolerances.ROUNDING * Math.abs(out.distance) + SLACK_TOLERANCES * _tolerance * (1 + width * depth / Math.abs(sum));
+            out.rounding = Tolerances.ROUNDING * Math.abs(out.distance) + SLACK_TOLERANCES * _tolerance * (1 + width * depth / Math.abs(sum));
             out.side = sum > 0 ? RayCrossings.ENTERS : RayCrossings.LEAVES;
             return true;
         }

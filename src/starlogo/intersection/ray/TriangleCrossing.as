@@ -14,7 +14,7 @@ package starlogo.intersection.ray
         public var distance:Number = 0;
 
         /** How far the distance may be wrong because of rounding. */
-        public var slack:Number = 0;
+        public var rounding:Number = 0;
 
         /** Where the ray leaves a triangle that it sees edge on, or where it meets any other one. */
         public var end:Number = 0;
@@ -27,7 +27,7 @@ package starlogo.intersection.ray
         {
             slot = other.slot;
             distance = other.distance;
-            slack = other.slack;
+            rounding = other.rounding;
             end = other.end;
             side = other.side;
         }

@@ -34,7 +34,7 @@ package starlogo.queries.rays
             {
                 // nodes that touch up to rounding overlap
                 var isEntry:Boolean = !areTriangles && crossings.sides[i] == RayCrossings.ENTERS;
-                _all.add(i, isEntry ? crossings.distances[i] - crossings.slacks[i] : crossings.distances[i]);
+                _all.add(i, isEntry ? crossings.distances[i] - crossings.roundings[i] : crossings.distances[i]);
             }
             _all.sortFirst(_all.count);
             if (areTriangles)
@@ -99,7 +99,7 @@ package starlogo.queries.rays
                 if (!joinKept(crossings, index, side, mostSlack))
                 {
                     _sides[indices.count] = side;
-                    mostSlack = Math.max(mostSlack, crossings.slacks[index]);
+                    mostSlack = Math.max(mostSlack, crossings.roundings[index]);
                     indices.add(index);
                 }
             }
@@ -110,7 +110,7 @@ package starlogo.queries.rays
         private function joinKept(crossings:RayCrossings, index:int, side:int, mostSlack:Number):Boolean
         {
             var distance:Number = crossings.distances[index];
-            var slack:Number = crossings.slacks[index];
+            var slack:Number = crossings.roundings[index];
             for (var k:int = indices.count - 1; k >= 0; k--)
             {
                 var other:int = indices.values[k];
@@ -119,13 +119,13 @@ package starlogo.queries.rays
                 {
                     return false;
                 }
-                if (areOneSurface(side, _sides[k]) && gap <= slack + crossings.slacks[other])
+                if (areOneSurface(side, _sides[k]) && gap <= slack + crossings.roundings[other])
                 {
                     if (_sides[k] == RayCrossings.EDGE_ON && side != RayCrossings.EDGE_ON)
                     {
                         _sides[k] = side;
                         // none is kept between the two, because it would have joined the other one
-                        indices.values[k] = gap <= crossings.slacks[other] ? index : other;
+                        indices.values[k] = gap <= crossings.roundings[other] ? index : other;
                     }
                     return true;
                 }

@@ -36,7 +36,7 @@ package starlogo.solid.interior
         /** For each vertex, the vertex to whose place it is welded. Null if all vertices of each seam are at one place. */
         public var welded:Vector.<int>;
 
-        // How often each shell winds around the point of the last count(), or 0 if a cavity of it does. Null before the first count.
+        // How often each shell winds around the point of the last countWindings(), or 0 if a cavity of it does. Null before that.
         private var _windings:Vector.<int> = null;
 
         // The shells of the triangles that the ray from that point crosses, and how many they are. Shells of points before may come after them.
@@ -98,7 +98,7 @@ package starlogo.solid.interior
          */
         public function isInside(point:Vector3D):Boolean
         {
-            count(point.x, point.y, point.z);
+            countWindings(point.x, point.y, point.z);
             for (var i:int = 0; i < _crossedCount; i++)
             {
                 if (encloses(_crossed[i]))
@@ -117,7 +117,7 @@ package starlogo.solid.interior
          */
         public function findEnclosing(x:Number, y:Number, z:Number, out:Vector.<int>):int
         {
-            count(x, y, z);
+            countWindings(x, y, z);
             out.length = 0;
             for (var i:int = 0; i < _crossedCount; i++)
             {
@@ -129,7 +129,7 @@ package starlogo.solid.interior
             return _crossedCount;
         }
 
-        // Whether the point of the last count() is inside of a shell, and not in a cavity of it.
+        // Whether the point of the last countWindings() is inside of a shell, and not in a cavity of it.
         private function encloses(shell:int):Boolean
         {
             var state:int = surface.shellStates[shell];
@@ -141,7 +141,7 @@ package starlogo.solid.interior
         // triangles are, counts the triangles that it crosses.
         // Seen along the ray, an edge is crossed by a half-line across the ray, or it is not. The two triangles at the edge have the same answer to the
         // last bit, because they have the same corners. So a ray through an edge or a corner needs no special case.
-        private function count(x:Number, y:Number, z:Number):void
+        private function countWindings(x:Number, y:Number, z:Number):void
         {
             _windings ||= new Vector.<int>(surface.shellStates.length, true);
             for (var before:int = 0; before < _crossedCount; before++)

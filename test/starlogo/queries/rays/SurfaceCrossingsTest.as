@@ -32,7 +32,7 @@ package starlogo.queries.rays
                 }
                 _surfaces.find(crossings, true);
                 joined += crossings.count - _surfaces.indices.count;
-                var said:String = "crossings " + i + ": " + crossings.distances.join() + " with " + crossings.slacks.join() + " from " + crossings.sides.join() + ", left "
+                var said:String = "crossings " + i + ": " + crossings.distances.join() + " with " + crossings.roundings.join() + " from " + crossings.sides.join() + ", left "
                     + _surfaces.indices.values.slice(0, _surfaces.indices.count).join();
                 wrong.addIf(!areInOrder(crossings), "the order", said);
                 for (k = 0; k < crossings.count; k++)

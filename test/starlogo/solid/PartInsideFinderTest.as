@@ -20,7 +20,7 @@ package starlogo.solid
     use namespace engine;
 
     /** What is wholly inside of a turned model collides: boxes say what is right. */
-    public class TreeContainmentQueryTest
+    public class PartInsideFinderTest
     {
         [Test]
         public function aTurnedModelOfCubesCollidesWhereOneOfItsCubesDoes():void

@@ -47,11 +47,12 @@ package starlogo.search
         /**
          * Begins a search.
          *
+         * @param isSwept whether an agent sweeps
          * @param out receives the pairs, row by row. They are not in order then
          */
-        public function begin(input:SearchInput, out:FoundPairs):void
+        public function begin(input:SearchInput, isSwept:Boolean, out:FoundPairs):void
         {
-            out.begin(_sweptTests.isSwept);
+            out.begin(isSwept);
             _input = input;
             _out = out;
         }

@@ -12,6 +12,7 @@ package starlogo.search
 {
     import starlogo.agents.Agent;
     import starlogo.broadphase.Bins;
+    import starlogo.broadphase.Extents;
     import starlogo.data.IntList;
     import starlogo.engine;
     import starlogo.search.table.AgentTable;
@@ -178,9 +179,14 @@ package starlogo.search
         private function findOfAll(input:SearchInput, isPrepared:Boolean):void
         {
             var members:IntList = input.allMembers(table, _members);
-            _motions.findExtents(table.list.rows);
-            _tests.begin(input, _pairs);
-            _bins.findPairs(_motions.searchExtents, members, _tests);
+            var extents:Extents = table.extents;
+            if (_motions.isSwept)
+            {
+                _motions.findExtents(table.list.rows);
+                extents = _motions.searchExtents;
+            }
+            _tests.begin(input, _motions.isSwept, _pairs);
+            _bins.findPairs(extents, members, _tests);
             _tests.testWithWorldAgent(ListedAgents.GROUND_ROW, members);
             _tests.testWithWorldAgent(ListedAgents.EDGES_ROW, members);
             _order.putInOrder(_pairs);
@@ -195,7 +201,7 @@ package starlogo.search
         // all members. Here the row that has changed comes first, but a test gives the same answer in either order of the two.
         private function findOfChanged(input:SearchInput):void
         {
-            _tests.begin(input, _pairsOfChanged);
+            _tests.begin(input, _motions.isSwept, _pairsOfChanged);
             _changedRows.findPairs(_tests);
             _tests.testWithWorldAgent(ListedAgents.GROUND_ROW, _changedRows.rowsToTestWith(ListedAgents.GROUND_ROW));
             _tests.testWithWorldAgent(ListedAgents.EDGES_ROW, _changedRows.rowsToTestWith(ListedAgents.EDGES_ROW));

@@ -24,7 +24,7 @@ const from = (file) => JSON.stringify(path.join(root, 'js/playground', file));
 // words come before what is made of them
 const english = write('english.mjs', `import { texts } from ${from('languages/en.js')};\nimport { texts as further } from ${from('languages/game/en.js')};\nimport { speak } from ${from('shared/language.js')};\nspeak(texts);\nspeak(further);\n`);
 const { outputFiles: [{ text }] } = buildSync({
-	stdin: { contents: [`import ${JSON.stringify(english)};`, ...MODULES.map((file) => `export * from "./${file}";`), 'import "./play/lateengine.js";', 'export * as notation from "./play/notation.js";', 'export * from "starlogo-collision";'].join('\n'), resolveDir: path.join(root, 'js/playground') },
+	stdin: { contents: [`import ${JSON.stringify(english)};`, ...MODULES.map((file) => `export * from "./${file}";`), 'import "./play/game/lateengine.js";', 'export * as notation from "./play/brought/notation.js";', 'export * from "starlogo-collision";'].join('\n'), resolveDir: path.join(root, 'js/playground') },
 	bundle: true, format: 'esm', write: false, logLevel: 'warning', nodePaths: [path.join(root, 'js/playground/node_modules')],
 	alias: { 'starlogo-collision/three': path.join(root, 'bin/module', exports['./three'].default), 'starlogo-collision': path.join(root, 'bin/module', exports['.'].default) },
 });

@@ -15,19 +15,25 @@ package starlogo.models.building
     {
         const VERTICES_PER_STEP:int = 4000;
         const CORNERS_PER_STEP:int = 20000;
-        return new StepSequence().begin(function():Steps
-            {
-                // by vertex: 1 if a triangle uses it, otherwise 0; then its new index
-                var newIndices:Vector.<int> = new Vector.<int>(triangles.length == 0 ? 0 : vertices.length / 3);
-                var count:int = 0;
-                var work:StepSequence = new StepSequence();
-                return triangles.length == 0 ? null : work.slices(triangles.length, CORNERS_PER_STEP, function(first:int, end:int):void
+        // by vertex: 1 if a triangle uses it, otherwise 0; then its new index
+        var newIndices:Vector.<int>;
+        var count:int = 0;
+        var marking:Function = function():Steps
+        {
+            newIndices = new Vector.<int>(vertices.length / 3);
+            return triangles.length == 0 ? null : new StepSequence().slices(triangles.length, CORNERS_PER_STEP, function(first:int, end:int):void
+                {
+                    for (var i:int = first; i < end; i++)
                     {
-                        for (var i:int = first; i < end; i++)
-                        {
-                            newIndices[triangles[i]] = 1;
-                        }
-                    }).slices(newIndices.length, VERTICES_PER_STEP, function(first:int, end:int):void
+                        newIndices[triangles[i]] = 1;
+                    }
+                });
+        };
+        var closing:Function = function():Steps
+        {
+            // mostly all vertices are used
+            return triangles.length == 0 || newIndices.indexOf(0) < 0 ? null : new StepSequence()
+                .slices(newIndices.length, VERTICES_PER_STEP, function(first:int, end:int):void
                     {
                         for (var i:int = first; i < end; i++)
                         {
@@ -49,6 +55,7 @@ package starlogo.models.building
                             triangles[i] = newIndices[triangles[i]];
                         }
                     });
-            });
+        };
+        return new StepSequence().begin(marking).begin(closing);
     }
 }

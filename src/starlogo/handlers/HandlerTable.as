@@ -156,12 +156,7 @@ package starlogo.handlers
         /** The breeds that handlers of the last frame name, and that none of these agents has. An agent may be null. */
         public function breedsWithout(agents:Vector.<Agent>):Vector.<String>
         {
-            var isThere:Vector.<Boolean> = new Vector.<Boolean>(Breeds.NAMES.count);
-            for each (var agent:Agent in agents)
-            {
-                isThere[agent == null ? Breeds.ANY : agent.breedNumber] = true;
-            }
-            isThere[Breeds.ANY] = true;
+            var isThere:Vector.<Boolean> = breedsAmong(agents);
             var missing:Vector.<String> = new Vector.<String>();
             for (var number:int = 0; number < Breeds.NAMES.count; number++)
             {

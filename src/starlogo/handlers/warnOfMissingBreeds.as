@@ -3,9 +3,6 @@ package starlogo.handlers
     import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
     import starlogo.data.warn;
-    import starlogo.engine;
-
-    use namespace engine;
 
     /**
      * Warns if a breed that new handlers name is probably misspelled: no agent has it, and agents have a breed of a similar name, or its name is
@@ -22,15 +19,10 @@ package starlogo.handlers
         {
             return;
         }
-        var isThere:Vector.<Boolean> = new Vector.<Boolean>(Breeds.NAMES.count);
-        for each (var agent:Agent in agents)
-        {
-            isThere[agent == null ? Breeds.ANY : agent.breedNumber] = true;
-        }
-        for (var number:int = 0; number <= Breeds.ANY; number++)
-        {
-            isThere[number] = true;
-        }
+        // handlers may name the ground and the edges too
+        var isThere:Vector.<Boolean> = breedsAmong(agents);
+        isThere[Breeds.NAMES.knownNumberOf(Breeds.TERRAIN)] = true;
+        isThere[Breeds.NAMES.knownNumberOf(Breeds.EDGE)] = true;
         // a few, because each is compared with all breeds and agents
         var maxHints:int = 20;
         var missing:Vector.<String> = new Vector.<String>();

@@ -9,7 +9,6 @@ package starlogo.search.pairs
     import starlogo.hierarchy.TriangleMesh;
     import starlogo.search.Body;
     import starlogo.search.TreeLimits;
-    import starlogo.solid.ModelTree;
 
     use namespace engine;
 

@@ -8,7 +8,6 @@ package starlogo.search.table
     import starlogo.broadphase.Points;
     import starlogo.data.IntList;
     import starlogo.engine;
-    import starlogo.geometry.Placement;
     import starlogo.search.BaseShapeChoice;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;

@@ -110,10 +110,10 @@ package starlogo.models.building
             return _isComplete ? 1 : READING * _data.readShare;
         }
 
-        /** The model, always the same one. Steps that are left are done first. */
+        /** The model, always the same one. Read it when no step is left. */
         public function get model():Model
         {
-            return _model ||= new Model(name, null, null, null, build());
+            return _model ||= new Model(name, null, null, null, _data);
         }
 
         private function checkData():void

@@ -2,6 +2,7 @@ package starlogo.models.gltf
 {
     import flash.utils.ByteArray;
     import flash.utils.Endian;
+    import starlogo.data.keyOf;
     import starlogo.models.files.FileAddress;
     import starlogo.models.files.FileLimits;
     import starlogo.models.files.FileText;
@@ -25,7 +26,7 @@ package starlogo.models.gltf
         private static const HEADER_LENGTH:int = 12;
         private static const CHUNK_HEADER_LENGTH:int = 8;
 
-        // the most buffers in files beside this one
+        // the most files beside this one
         private static const MAX_FILES:int = 100;
 
         private static const READ_VERSION:RegExp = /^2\.0/;
@@ -53,8 +54,9 @@ package starlogo.models.gltf
         // gives the content of another file
         private var _fetch:Function;
 
-        // the indices of the buffers in other files
-        private var _others:Vector.<int> = new Vector.<int>();
+        // the addresses of the other files, and the indices of the buffers that each has, by keyOf() the address
+        private var _uris:Vector.<String> = new Vector.<String>();
+        private var _buffersOf:Object = {};
 
         // the bytes of each buffer (null if it is missing), and the binary chunk of a .glb file
         private var _buffers:Vector.<ByteArray> = new Vector.<ByteArray>();
@@ -66,7 +68,7 @@ package starlogo.models.gltf
 
         /**
          * @param file the file; the endianness of its bytes is set
-         * @param fetch <code>function(uri:String, take:Function):void</code>; is asked for each other file. It calls <code>take(bytes, problem)</code>,
+         * @param fetch <code>function(uri:String, take:Function):void</code>; is asked once for each other file. It calls <code>take(bytes, problem)</code>,
          * at once or before the next step. The bytes' endianness is set. If the file is missing they are null, and the problem says why
          * @throws ModelError if there is no JSON
          */
@@ -226,20 +228,23 @@ package starlogo.models.gltf
 
         private function fetchOthers():void
         {
-            for each (var index:int in _others)
+            for each (var uri:String in _uris)
             {
-                _fetch(json.fileEntry("buffers", index).text("uri"), takerOf(index));
+                _fetch(uri, takerOf(_buffersOf[keyOf(uri)]));
             }
         }
 
-        // The function that takes the content of the file with a buffer.
-        private function takerOf(index:int):Function
+        // The function that takes the content of the file with some buffers.
+        private function takerOf(indices:Array):Function
         {
             return function(bytes:ByteArray, problem:String):void
             {
-                json.refuseIf(bytes == null, problem, "buffers[" + index + "].uri");
-                keep(index, bytes);
+                json.refuseIf(bytes == null, problem, "buffers[" + indices[0] + "].uri");
                 limits.addBytes(bytes.length);
+                for each (var index:int in indices)
+                {
+                    keep(index, bytes);
+                }
             };
         }
 
@@ -278,8 +283,13 @@ package starlogo.models.gltf
             else
             {
                 buffer.refuseIf(!FileAddress.isWithin(uri), "expected data, or a path from the file's folder on, but found " + GltfJson.shown(uri), "uri");
-                buffer.refuseIf(_others.length == MAX_FILES, "it has more than " + MAX_FILES + " buffers in other files", "uri");
-                _others.push(index);
+                if (!(keyOf(uri) in _buffersOf))
+                {
+                    buffer.refuseIf(_uris.length == MAX_FILES, "its buffers are in more than " + MAX_FILES + " other files", "uri");
+                    _uris.push(uri);
+                    _buffersOf[keyOf(uri)] = [];
+                }
+                _buffersOf[keyOf(uri)].push(index);
             }
             return work;
         }

@@ -28,15 +28,10 @@ package starlogo.models.animation
             _first = first;
         }
 
-        /** Moves the numbers. @param moved takes the numbers of targets @param time seconds */
-        public function move(moved:Object, time:Number):void
+        /** Sets the numbers of a pose to those at a time. @param time seconds */
+        public function setPose(pose:Pose, time:Number):void
         {
-            var values:Vector.<Number> = keys.valueAt(time);
-            var numbers:Vector.<Number> = moved[_target] ||= _numbers.slice();
-            for (var i:int = 0; i < values.length; i++)
-            {
-                numbers[_first + i] = values[i];
-            }
+            pose.setNumbers(_target, _numbers, _first, keys.valueAt(time));
         }
     }
 }

@@ -1,5 +1,6 @@
 package starlogo.models.animation
 {
+    import starlogo.data.areFinite;
     import starlogo.data.lastNotAfter;
     import starlogo.geometry.Trigonometry;
     import starlogo.models.ModelError;
@@ -100,12 +101,7 @@ package starlogo.models.animation
             {
                 goStraight(result, ofKey(next), share);
             }
-            var areFinite:Boolean = true;
-            for each (var number:Number in result)
-            {
-                areFinite &&= isFinite(number);
-            }
-            refuseIf(!areFinite, _modelName, "its numbers at " + time + " seconds are not finite", _place);
+            refuseIf(!areFinite(result), _modelName, "its numbers at " + time + " seconds are not finite", _place);
             if (_areRotations)
             {
                 normalise(result);

@@ -2,6 +2,7 @@ package starlogo.models.collada
 {
     import starlogo.models.animation.AnimationChannel;
     import starlogo.models.animation.FileAnimation;
+    import starlogo.models.animation.Pose;
     import starlogo.models.building.ModelReader;
     import starlogo.steps.finish;
 
@@ -26,10 +27,10 @@ package starlogo.models.collada
             finish(document);
             document.limits.restart();
             var read:Object = {};
-            var newReader:Function = function(moved:Object):ModelReader
+            var newReader:Function = function(pose:Pose):ModelReader
             {
                 document.limits.restart();
-                return new ColladaReader(document, upAxis, null, moved);
+                return new ColladaReader(document, upAxis, null, pose);
             };
             var animations:Vector.<FileAnimation> = new Vector.<FileAnimation>();
             var all:Vector.<ColladaElement> = document.entriesOf("library_animations", "animation");

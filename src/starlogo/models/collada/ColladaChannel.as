@@ -119,7 +119,7 @@ package starlogo.models.collada
             if (sampler.child("input", "INTERPOLATION") != null)
             {
                 var list:ColladaAccessor = listOf(sampler, "INTERPOLATION", ColladaAccessor.NAMES, times.length);
-                sampler.refuseIf(list.width != 1, "expected one interpolation for each key");
+                sampler.refuseIf(list.stride != 1, "expected one interpolation for each key");
                 interpolations = list.words;
             }
             var known:Array = [KeyFrames.LINEAR, KeyFrames.STEP, BEZIER];
@@ -133,7 +133,7 @@ package starlogo.models.collada
             var hasCurves:Boolean = interpolations.indexOf(BEZIER) >= 0;
             var after:ColladaAccessor = hasCurves ? controlPoints(sampler, "OUT_TANGENT", values) : null;
             var before:ColladaAccessor = hasCurves ? controlPoints(sampler, "IN_TANGENT", values) : null;
-            sampler.refuseIf(hasCurves && before.width != after.width, "its tangents are of different kinds");
+            sampler.refuseIf(hasCurves && before.stride != after.stride, "its tangents are of different kinds");
             return new KeyFrames(sampler.limits.modelName, sampler, times, values.numbers, interpolations, hasCurves ? after.numbers : null,
                     hasCurves ? before.numbers : null);
         }
@@ -142,8 +142,8 @@ package starlogo.models.collada
         private static function controlPoints(sampler:ColladaElement, semantic:String, values:ColladaAccessor):ColladaAccessor
         {
             var list:ColladaAccessor = listOf(sampler, semantic, ColladaAccessor.NUMBERS, values.count);
-            sampler.refuseIf(list.width != values.width && list.width != 2 * values.width, "expected " + values.width + " or " + 2 * values.width +
-                    " numbers in each " + semantic + ", but found " + list.width);
+            sampler.refuseIf(list.stride != values.stride && list.stride != 2 * values.stride, "expected " + values.stride + " or " + 2 * values.stride +
+                    " numbers in each " + semantic + ", but found " + list.stride);
             return list;
         }
 

@@ -24,7 +24,7 @@ package starlogo.models.collada
         private var _bound:AffineTransform; // takes the points of the geometry to where its skins were bound
 
         /**
-         * @param scene knows where joints are, and what moves
+         * @param scene knows where joints are, and the pose
          * @param instance the element that places the geometry
          * @param place where it is
          * @param mesh the geometry, which is read before the first step
@@ -104,8 +104,8 @@ package starlogo.models.collada
             var inputs:ColladaElement = morph.requiredChild("targets");
             var targets:ColladaAccessor = ColladaAccessor.read(inputs, "MORPH_TARGET", ColladaAccessor.NAMES, morph);
             var list:ColladaAccessor = ColladaAccessor.read(inputs, "MORPH_WEIGHT", ["float_array"], morph);
-            var moved:Vector.<Number> = _scene.movedNumbersOf(list.array);
-            var weights:Vector.<Number> = moved == null ? list.numbers : list.partOf(moved);
+            var posed:Vector.<Number> = _scene.posedNumbersOf(list.array);
+            var weights:Vector.<Number> = posed == null ? list.numbers : list.partOf(posed);
             morph.refuseIf(targets.words.length > weights.length, "it has " + targets.words.length + " targets, but " + weights.length + " weights");
             var base:Vector.<Number> = morph.attribute("method") == "RELATIVE" ? new Vector.<Number>(points.length) : points.slice();
             return new StepSequence().beginEach(targets.words.length, function(index:int):Steps

@@ -1,6 +1,7 @@
 package starlogo.models.collada
 {
     import starlogo.geometry.AffineTransform;
+    import starlogo.models.animation.Pose;
     import starlogo.models.files.shortened;
     import starlogo.steps.StepSequence;
 
@@ -25,8 +26,7 @@ package starlogo.models.collada
 
         private var _places:Object = {}; // lists of the places of a node, in their order, by the node's index
 
-        // the numbers that count in place of an element's own, by the element's index; null at rest
-        private var _moved:Object;
+        private var _pose:Pose;
 
         // The innermost place around the next element, null at the end; and how many there were so far.
         private var _place:ColladaPlace = null;
@@ -34,12 +34,12 @@ package starlogo.models.collada
 
         /**
          * @param document the document; all its steps must be done
-         * @param moved the numbers that count in place of an element's own, by the element's index; null at rest
+         * @param pose the pose, whose targets are the elements' indices; null at rest
          */
-        public function ColladaScene(document:ColladaDocument, moved:Object)
+        public function ColladaScene(document:ColladaDocument, pose:Pose)
         {
             this.document = document;
-            _moved = moved;
+            _pose = pose;
             var scene:ColladaElement = document.root.child("scene");
             var instance:ColladaElement = scene == null ? null : scene.child("instance_visual_scene");
             if (instance != null)
@@ -56,16 +56,16 @@ package starlogo.models.collada
             }
         }
 
-        /** Whether nothing moves. */
+        /** Whether there is no pose. */
         public function get isAtRest():Boolean
         {
-            return _moved == null;
+            return _pose == null;
         }
 
-        /** The numbers that count in place of an element's own; null for its own. */
-        public function movedNumbersOf(element:ColladaElement):Vector.<Number>
+        /** The numbers of an element in the pose; null if they are its own. */
+        public function posedNumbersOf(element:ColladaElement):Vector.<Number>
         {
-            return isAtRest ? null : _moved[element.index];
+            return isAtRest ? null : _pose.numbersOf(String(element.index));
         }
 
         /**
@@ -141,7 +141,7 @@ package starlogo.models.collada
         // The transform that an element is; null if it is none.
         private function transformOf(element:ColladaElement):AffineTransform
         {
-            var numbers:Vector.<Number> = movedNumbersOf(element);
+            var numbers:Vector.<Number> = posedNumbersOf(element);
             return numbers == null ? element.toTransform() : ColladaTransform.of(element, numbers);
         }
 

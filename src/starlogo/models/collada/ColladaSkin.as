@@ -85,12 +85,12 @@ package starlogo.models.collada
         {
             _names = ColladaAccessor.read(joints, "JOINT", ColladaAccessor.NAMES, element);
             var matrices:ColladaAccessor = ColladaAccessor.read(joints, "INV_BIND_MATRIX", ["float_array"], element);
-            joints.refuseIf(_names.words.length == 0 || matrices.count != _names.words.length || matrices.width != ColladaTransform.MATRIX_SIZE,
+            joints.refuseIf(_names.words.length == 0 || matrices.count != _names.words.length || matrices.stride != ColladaTransform.MATRIX_SIZE,
                     "expected at least one joint, and a matrix for each, but found " + _names.words.length + " and " + matrices.count);
             _inverses = new Vector.<AffineTransform>();
             for (var i:int = 0; i < _names.words.length; i++)
             {
-                var numbers:Vector.<Number> = matrices.numbers.slice(i * matrices.width, (i + 1) * matrices.width);
+                var numbers:Vector.<Number> = matrices.numbers.slice(i * matrices.stride, (i + 1) * matrices.stride);
                 _inverses.push(ColladaTransform.matrix(matrices.array, numbers, LAST_ROW_TOLERANCE));
             }
         }

@@ -3,6 +3,7 @@ package starlogo.models.gltf
     import starlogo.models.animation.AnimationChannel;
     import starlogo.models.animation.FileAnimation;
     import starlogo.models.animation.KeyFrames;
+    import starlogo.models.animation.Pose;
     import starlogo.models.building.ModelReader;
     import starlogo.steps.finish;
 
@@ -26,10 +27,10 @@ package starlogo.models.gltf
         public static function allIn(file:GltfFile, upAxis:Object):Vector.<FileAnimation>
         {
             var animations:Vector.<FileAnimation> = new Vector.<FileAnimation>();
-            var newReader:Function = function(moved:Object):ModelReader
+            var newReader:Function = function(pose:Pose):ModelReader
             {
                 file.limits.restart();
-                return new GltfReader(file, upAxis, null, moved);
+                return new GltfReader(file, upAxis, null, pose);
             };
             for (var i:int = 0; i < file.json.count("animations"); i++)
             {

@@ -1,5 +1,6 @@
 package starlogo.models.gltf
 {
+    import starlogo.models.animation.Pose;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.ModelReader;
     import starlogo.models.building.removingUnusedVertices;
@@ -14,8 +15,6 @@ package starlogo.models.gltf
      * primitive of a mesh, GltfVertices and GltfTriangles add what its GltfAccessors say to the model. The
      * scene has the joints of a skin, and GltfSkinWeights say how much vertices follow them.</p>
      *
-     * <p>The reader of a pose gets the numbers that a FileAnimation has moved, which count in place of those in the file.</p>
-     *
      * @private
      */
     public final class GltfReader extends StepSequence implements ModelReader
@@ -28,15 +27,15 @@ package starlogo.models.gltf
          * @param file the file; its steps may be done
          * @param upAxis "x", "y" or "z"; a ModelTransform leaves the file as it is; null for y
          * @param scaling as for Model's constructor; null if the vertices are not normalised
-         * @param moved the numbers that count in place of a node's own, by <code>GltfScene.targetOf()</code> the property; null at rest
+         * @param pose the pose, whose targets are what <code>GltfScene.targetOf()</code> returns; null at rest
          */
-        public function GltfReader(file:GltfFile, upAxis:Object, scaling:String, moved:Object = null)
+        public function GltfReader(file:GltfFile, upAxis:Object, scaling:String, pose:Pose = null)
         {
             _data = ModelData.forFile(file.limits.modelName, upAxis, scaling, "y");
             _file = file;
             add(file).begin(function():Steps
                 {
-                    _scene = new GltfScene(file, moved);
+                    _scene = new GltfScene(file, pose);
                     return _scene;
                 }).begin(readingNodes).call(endReading).add(removingUnusedVertices(_data.vertices, _data.triangles));
         }

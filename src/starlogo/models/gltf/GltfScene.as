@@ -2,6 +2,7 @@ package starlogo.models.gltf
 {
     import starlogo.geometry.AffineTransform;
     import starlogo.geometry.Placement;
+    import starlogo.models.animation.Pose;
     import starlogo.steps.StepSequence;
 
     /** The scene of a glTF file, at rest or in a pose. Its steps find the nodes with meshes. */
@@ -13,7 +14,7 @@ package starlogo.models.gltf
         public var nodes:Vector.<int> = new Vector.<int>();
 
         private var _file:GltfFile;
-        private var _moved:Object;
+        private var _pose:Pose;
         private var _parents:Vector.<int>;
         private var _globalTransforms:Vector.<AffineTransform>;
         private var _pending:Vector.<int> = new Vector.<int>();
@@ -22,12 +23,12 @@ package starlogo.models.gltf
 
         /**
          * @param file the file; all its steps must be done
-         * @param moved the numbers that count in place of a node's own, by <code>targetOf()</code> the property; null at rest
+         * @param pose the pose, whose targets are what <code>targetOf()</code> returns; null at rest
          */
-        public function GltfScene(file:GltfFile, moved:Object)
+        public function GltfScene(file:GltfFile, pose:Pose)
         {
             _file = file;
-            _moved = moved;
+            _pose = pose;
             var count:int = file.json.count("nodes");
             _parents = new Vector.<int>(count);
             _globalTransforms = new Vector.<AffineTransform>(count);
@@ -99,7 +100,7 @@ package starlogo.models.gltf
         {
             var node:GltfJson = _file.json.fileEntry("nodes", index);
             var mesh:GltfJson = node.fileEntry("meshes", node.reference("mesh", "meshes"));
-            return moved(index, "weights") || node.numbers("weights", GltfJson.ANY_LENGTH) || mesh.numbers("weights", GltfJson.ANY_LENGTH, new Vector.<Number>());
+            return posed(index, "weights") || node.numbers("weights", GltfJson.ANY_LENGTH) || mesh.numbers("weights", GltfJson.ANY_LENGTH, new Vector.<Number>());
         }
 
         private function findParents(first:int, end:int):void
@@ -177,18 +178,18 @@ package starlogo.models.gltf
                 node.refuseIf(m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1, "expected 0, 0, 0 and 1 as every fourth number", "matrix");
                 return ofColumns(m, 0);
             }
-            var t:Vector.<Number> = moved(index, "translation") || node.numbers("translation", 3, new <Number>[0, 0, 0]);
-            var r:Vector.<Number> = moved(index, "rotation") || node.numbers("rotation", 4, new <Number>[0, 0, 0, 1]);
-            var s:Vector.<Number> = moved(index, "scale") || node.numbers("scale", 3, new <Number>[1, 1, 1]);
+            var t:Vector.<Number> = posed(index, "translation") || node.numbers("translation", 3, new <Number>[0, 0, 0]);
+            var r:Vector.<Number> = posed(index, "rotation") || node.numbers("rotation", 4, new <Number>[0, 0, 0, 1]);
+            var s:Vector.<Number> = posed(index, "scale") || node.numbers("scale", 3, new <Number>[1, 1, 1]);
             var turn:Placement = new Placement();
             turn.setQuaternion(r[0], r[1], r[2], r[3]);
             return AffineTransform.of(turn, s[0], s[1], s[2], t[0], t[1], t[2]);
         }
 
         // The numbers of a node's property in the pose; null if they are those in the file.
-        private function moved(node:int, path:String):Vector.<Number>
+        private function posed(node:int, path:String):Vector.<Number>
         {
-            return _moved == null ? null : _moved[targetOf(node, path)];
+            return _pose == null ? null : _pose.numbersOf(targetOf(node, path));
         }
 
         /** The target of an animation that moves a property of a node. @param path "translation", "rotation", "scale" or "weights" */

@@ -25,9 +25,8 @@ package starlogo.models.obj
         private var _lines:LineReader;
         private var _limits:FileLimits;
 
-        // Faces with more than three corners, each with the labels of its material and mesh. They are kept until all vertices are known.
-        // Then the most triangles that they are cut into.
-        private var _polygons:Array = [];
+        // The polygons are kept until all vertices are known. Then the most triangles that they are cut into.
+        private var _polygons:Vector.<ObjPolygon> = new Vector.<ObjPolygon>();
         private var _polygonTriangles:int = 0;
 
         // The highest index of a vertex in a face, and its line.
@@ -111,7 +110,7 @@ package starlogo.models.obj
             }
             else if (corners.length > 3)
             {
-                _polygons.push({"corners": corners, "material": _data.materials.current, "mesh": _data.meshes.current});
+                _polygons.push(new ObjPolygon(corners, _data.materials.current, _data.meshes.current));
                 _polygonTriangles += corners.length - 2;
             }
         }
@@ -154,10 +153,10 @@ package starlogo.models.obj
             var triangulator:Triangulator = new Triangulator(_limits, _data.vertices, _data.triangles);
             return triangulator.addingEach(_polygons.length, function(index:int):Steps
                 {
-                    var polygon:Object = _polygons[index];
-                    _data.materials.beginRun(polygon["material"], _data.triangles.length / 3);
-                    _data.meshes.beginRun(polygon["mesh"], _data.triangles.length / 3);
-                    return triangulator.addPolygon(polygon["corners"]);
+                    var polygon:ObjPolygon = _polygons[index];
+                    _data.materials.beginRun(polygon.material, _data.triangles.length / 3);
+                    _data.meshes.beginRun(polygon.mesh, _data.triangles.length / 3);
+                    return triangulator.addPolygon(polygon.corners);
                 });
         }
     }

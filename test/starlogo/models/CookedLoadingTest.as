@@ -261,7 +261,7 @@ package starlogo.models
         public function aManifestThatHasNotComeNamesNothingYet():void
         {
             var manifest:CookedManifest = new CookedManifest("a/m.json");
-            assertFalse(manifest.isUnderWay);
+            assertFalse(manifest.isRunning);
             assertEquals(null, manifest.addressFor("a/bear.obj"));
             fetch(manifest, "x");
             assertEquals("a/x", manifest.addressFor("a/bear.obj"));

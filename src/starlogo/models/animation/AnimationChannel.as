@@ -8,7 +8,7 @@ package starlogo.models.animation
     public final class AnimationChannel
     {
         /** How the numbers move. Read only. */
-        public var keys:KeyFrames;
+        public var sampler:AnimationSampler;
 
         private var _target:String;
         private var _numbers:Vector.<Number>;
@@ -16,13 +16,13 @@ package starlogo.models.animation
 
         /**
          * @param target the thing in the file whose numbers move
-         * @param keys how they move
+         * @param sampler how they move
          * @param numbers all numbers of the target, as they are in the file
          * @param first the index of the first one that moves
          */
-        public function AnimationChannel(target:String, keys:KeyFrames, numbers:Vector.<Number>, first:int = 0)
+        public function AnimationChannel(target:String, sampler:AnimationSampler, numbers:Vector.<Number>, first:int = 0)
         {
-            this.keys = keys;
+            this.sampler = sampler;
             _target = target;
             _numbers = numbers;
             _first = first;
@@ -31,7 +31,7 @@ package starlogo.models.animation
         /** Sets the numbers of a pose to those at a time. @param time seconds */
         public function setPose(pose:Pose, time:Number):void
         {
-            pose.setNumbers(_target, _numbers, _first, keys.valueAt(time));
+            pose.setNumbers(_target, _numbers, _first, sampler.valueAt(time));
         }
     }
 }

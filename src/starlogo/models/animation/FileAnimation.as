@@ -23,7 +23,7 @@ package starlogo.models.animation
          * @param name its name; "" if it has none
          * @param channels what moves
          * @param newReader <code>function(pose:Pose):ModelReader</code>; reads the file in a pose
-         * @param start when it starts, in the time of the channels' keys
+         * @param start when it starts, in the time of the samplers' keys
          * @param end when it ends, in the same time; NaN for the last key
          */
         public function FileAnimation(name:String, channels:Vector.<AnimationChannel>, newReader:Function, start:Number = 0, end:Number = NaN)
@@ -35,7 +35,7 @@ package starlogo.models.animation
             var last:Number = start;
             for each (var channel:AnimationChannel in channels)
             {
-                last = Math.max(last, channel.keys.end);
+                last = Math.max(last, channel.sampler.end);
             }
             duration = (isNaN(end) ? last : end) - start;
         }

@@ -108,7 +108,7 @@ package starlogo.models.collada
         private function columnsOf(step:Number):Vector.<int>
         {
             var names:Array = [];
-            element.limits.spendElements(element.children.length, element);
+            element.budget.spendElements(element.children.length, element);
             for each (var param:ColladaElement in element.childrenNamed("param"))
             {
                 names.push(param.attribute("name"));

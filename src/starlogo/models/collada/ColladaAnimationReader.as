@@ -25,11 +25,11 @@ package starlogo.models.collada
         {
             var document:ColladaDocument = new ColladaDocument(name, text);
             finish(document);
-            document.limits.restart();
+            document.budget.restart();
             var read:Object = {};
             var newReader:Function = function(pose:Pose):ModelReader
             {
-                document.limits.restart();
+                document.budget.restart();
                 return new ColladaReader(document, upAxis, null, pose);
             };
             var animations:Vector.<FileAnimation> = new Vector.<FileAnimation>();
@@ -67,7 +67,7 @@ package starlogo.models.collada
             while (pending.length > 0)
             {
                 var element:ColladaElement = pending.pop();
-                element.limits.spendElements(1 + element.children.length, element);
+                element.budget.spendElements(1 + element.children.length, element);
                 for each (var channel:ColladaElement in element.childrenNamed("channel"))
                 {
                     var isRead:Boolean = channel.index in read;

@@ -1,7 +1,7 @@
 package starlogo.models.collada
 {
     import starlogo.models.animation.AnimationChannel;
-    import starlogo.models.animation.KeyFrames;
+    import starlogo.models.animation.AnimationSampler;
     import starlogo.models.files.shortened;
 
     /** Reads the channels of COLLADA animations: which numbers of the document move, and how. */
@@ -45,7 +45,7 @@ package starlogo.models.collada
             {
                 return null;
             }
-            var keys:KeyFrames = keysOf(channel.target("source", ["sampler"], channel.parent));
+            var keys:AnimationSampler = samplerOf(channel.target("source", ["sampler"], channel.parent));
             var movesAll:Boolean = named == null && !parts[3];
             // an index may be larger than an int
             var index:Number = movesAll ? 0 : (named == null ? indexAt(element, parts[3], parts[4]) : indexNamed(element, named[2]));
@@ -80,7 +80,7 @@ package starlogo.models.collada
             var pending:Vector.<ColladaElement> = new <ColladaElement>[around];
             for (var i:int = 0; i < pending.length; i++)
             {
-                channel.limits.spendElements(pending[i].children.length, channel);
+                channel.budget.spendElements(pending[i].children.length, channel);
                 for each (var child:ColladaElement in pending[i].children)
                 {
                     if (child.attribute("sid") == sid)
@@ -111,18 +111,18 @@ package starlogo.models.collada
         }
 
         // Reads the keys of a sampler.
-        private static function keysOf(sampler:ColladaElement):KeyFrames
+        private static function samplerOf(sampler:ColladaElement):AnimationSampler
         {
             var times:Vector.<Number> = listOf(sampler, "INPUT", ColladaAccessor.NUMBERS).numbers;
             var values:ColladaAccessor = listOf(sampler, "OUTPUT", ColladaAccessor.NUMBERS, times.length);
-            var interpolations:Array = [KeyFrames.LINEAR];
+            var interpolations:Array = [AnimationSampler.LINEAR];
             if (sampler.child("input", "INTERPOLATION") != null)
             {
                 var list:ColladaAccessor = listOf(sampler, "INTERPOLATION", ColladaAccessor.NAMES, times.length);
                 sampler.refuseIf(list.stride != 1, "expected one interpolation for each key");
                 interpolations = list.words;
             }
-            var known:Array = [KeyFrames.LINEAR, KeyFrames.STEP, BEZIER];
+            var known:Array = [AnimationSampler.LINEAR, AnimationSampler.STEP, BEZIER];
             for each (var name:String in interpolations)
             {
                 if (known.indexOf(name) < 0)
@@ -134,7 +134,7 @@ package starlogo.models.collada
             var after:ColladaAccessor = hasCurves ? controlPoints(sampler, "OUT_TANGENT", values) : null;
             var before:ColladaAccessor = hasCurves ? controlPoints(sampler, "IN_TANGENT", values) : null;
             sampler.refuseIf(hasCurves && before.stride != after.stride, "its tangents are of different kinds");
-            return new KeyFrames(sampler.limits.modelName, sampler, times, values.numbers, interpolations, hasCurves ? after.numbers : null,
+            return new AnimationSampler(sampler.budget.modelName, sampler, times, values.numbers, interpolations, hasCurves ? after.numbers : null,
                     hasCurves ? before.numbers : null);
         }
 

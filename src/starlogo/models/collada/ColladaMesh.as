@@ -31,7 +31,7 @@ package starlogo.models.collada
         {
             this.geometry = geometry;
             _meshElement = geometry.child("mesh") || geometry.child("convex_mesh");
-            var triangulator:Triangulator = new Triangulator(geometry.limits, points, triangles);
+            var triangulator:Triangulator = new Triangulator(geometry.budget, points, triangles);
             for each (var element:ColladaElement in _meshElement == null ? null : _meshElement.children)
             {
                 if (ColladaPrimitive.isSurface(element))

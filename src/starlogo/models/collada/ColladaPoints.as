@@ -25,7 +25,7 @@ package starlogo.models.collada
                 {
                     first = points.length / 3;
                     count = entries.count;
-                    entries.array.limits.spendNumbers(3 * count, entries.element);
+                    entries.array.budget.spendNumbers(3 * count, entries.element);
                     return new StepSequence().slices(count, POINTS_PER_STEP, function(from:int, end:int):void
                         {
                             for (var i:int = from; i < end; i++)

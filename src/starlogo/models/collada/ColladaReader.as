@@ -15,8 +15,8 @@ package starlogo.models.collada
      * Reads a COLLADA document. ColladaModel says which parts.
      *
      * <p>A ColladaDocument has an XmlReader, which makes ColladaElements of the text, and keeps what several poses share. A ColladaScene visits
-     * the nodes. Each node at one of its places is a ColladaPlace, whose transform comes from ColladaTransforms. Each geometry is a ColladaMesh,
-     * with ColladaPoints, which a ColladaAccessor finds, and the triangles of ColladaPrimitives. Each place of a geometry is a ColladaInstance, which
+     * the ColladaNodes, whose transforms come from ColladaTransforms. Each geometry is a ColladaMesh,
+     * with ColladaPoints, which a ColladaAccessor finds, and the triangles of ColladaPrimitives. Each instance of a geometry is a ColladaInstance, which
      * adds the mesh to the model.</p>
      *
      * <p>Before that, a ColladaDeformation moves the points of a geometry that a controller places. It does so by morphs and by ColladaSkins. A
@@ -36,7 +36,7 @@ package starlogo.models.collada
          */
         public function ColladaReader(document:ColladaDocument, upAxis:Object, scaling:String, pose:Pose = null)
         {
-            _data = ModelData.forFile(document.limits.modelName, upAxis, scaling, "y");
+            _data = ModelData.forFile(document.budget.modelName, upAxis, scaling, "y");
             var scene:ColladaScene;
             add(document).begin(function():Steps
                 {
@@ -67,15 +67,15 @@ package starlogo.models.collada
             // all geometries come first, so skins only have what these leave of the limits
             return new StepSequence().beginEach(instances.length, function(index:int):Steps
                 {
-                    _data.readShare = index / instances.length / 2;
+                    _data.readProgress = index / instances.length / 2;
                     return instances[index].mesh;
                 }).beginEach(instances.length, function(index:int):Steps
                 {
-                    _data.readShare = (1 + index / instances.length) / 2;
+                    _data.readProgress = (1 + index / instances.length) / 2;
                     return instances[index].adding(_data);
                 }).call(function():void
                 {
-                    _data.readShare = 1;
+                    _data.readProgress = 1;
                     refuseIf(_data.vertices.length == 0, _data.name, "no vertices: expected a scene or a library with a geometry in it");
                 });
         }

@@ -39,7 +39,7 @@ package starlogo.models.files
         /** Throws if a file has too many bytes. */
         public static function checkSize(name:String, bytes:ByteArray):void
         {
-            refuseIf(bytes.length > FileLimits.MOST_BYTES, name, "the file has " + bytes.length + " bytes: expected at most " + FileLimits.MOST_BYTES);
+            refuseIf(bytes.length > FileBudget.MAX_BYTES, name, "the file has " + bytes.length + " bytes: expected at most " + FileBudget.MAX_BYTES);
         }
 
         private static function decoded(name:String, bytes:ByteArray, expected:String):String

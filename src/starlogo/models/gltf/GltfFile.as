@@ -3,8 +3,8 @@ package starlogo.models.gltf
     import flash.utils.ByteArray;
     import flash.utils.Endian;
     import starlogo.data.keyOf;
-    import starlogo.models.files.FileAddress;
-    import starlogo.models.files.FileLimits;
+    import starlogo.models.files.FileUrl;
+    import starlogo.models.files.FileBudget;
     import starlogo.models.files.FileText;
     import starlogo.models.files.ModelFile;
     import starlogo.models.files.refuseIf;
@@ -49,7 +49,7 @@ package starlogo.models.gltf
         internal var json:GltfJson = null;
 
         /** What the file may have and cost. It grows with the buffers in other files. */
-        internal var limits:FileLimits;
+        internal var budget:FileBudget;
 
         // gives the content of another file
         private var _fetch:Function;
@@ -76,8 +76,8 @@ package starlogo.models.gltf
         {
             _fetch = fetch;
             var text:String = file.bytes != null && isBinary(file.bytes) ? openChunks(file.name, file.bytes) : file.textOf("glTF file");
-            limits = new FileLimits(file.name, text.length);
-            var reader:JsonReader = new JsonReader(text, limits);
+            budget = new FileBudget(file.name, text.length);
+            var reader:JsonReader = new JsonReader(text, budget);
             add(reader).call(function():void
                 {
                     json = new GltfJson(file.name, reader.root);
@@ -118,7 +118,7 @@ package starlogo.models.gltf
          */
         internal function accessor(index:int, type:String):GltfAccessor
         {
-            var found:GltfJson = json.fileEntry("accessors", index);
+            var found:GltfJson = json.rootEntry("accessors", index);
             found.refuseIf(found.value.type !== type, "expected \"" + type + "\", but found " + GltfJson.shown(found.value.type), "type");
             return _accessors[index] ||= GltfAccessor.of(this, found);
         }
@@ -132,7 +132,7 @@ package starlogo.models.gltf
          */
         internal function skinWeights(attributes:GltfJson, vertexCount:int, skin:int):GltfSkinWeights
         {
-            return _skinWeights[attributes.place + " " + skin] ||= new GltfSkinWeights(this, attributes, vertexCount, json.fileEntry("skins", skin).count("joints"));
+            return _skinWeights[attributes.place + " " + skin] ||= new GltfSkinWeights(this, attributes, vertexCount, json.rootEntry("skins", skin).count("joints"));
         }
 
         /**
@@ -143,7 +143,7 @@ package starlogo.models.gltf
          */
         internal function openView(index:int, offset:Number, length:Number, user:GltfJson):ByteArray
         {
-            var view:GltfJson = json.fileEntry("bufferViews", index);
+            var view:GltfJson = json.rootEntry("bufferViews", index);
             var buffer:int = view.reference("buffer", "buffers");
             view.refuseIf(buffer < 0, "it names no buffer");
             var start:int = view.integer("byteOffset", int.MAX_VALUE, 0);
@@ -152,7 +152,7 @@ package starlogo.models.gltf
             if (_buffers[buffer] == null)
             {
                 view.refuseIf(view.hasExtension("EXT_meshopt_compression") || view.hasExtension("KHR_meshopt_compression"), "its data are " + MESHOPT_PROBLEM);
-                throw json.fileEntry("buffers", buffer).error("its data are missing");
+                throw json.rootEntry("buffers", buffer).error("its data are missing");
             }
             view.refuseIf(Number(start) + size > _buffers[buffer].length, "it ends at byte " + (Number(start) + size) + " of buffers[" + buffer +
                     "], which has " + _buffers[buffer].length);
@@ -240,7 +240,7 @@ package starlogo.models.gltf
             return function(bytes:ByteArray, problem:String):void
             {
                 json.refuseIf(bytes == null, problem, "buffers[" + indices[0] + "].uri");
-                limits.addBytes(bytes.length);
+                budget.addBytes(bytes.length);
                 for each (var index:int in indices)
                 {
                     keep(index, bytes);
@@ -252,17 +252,17 @@ package starlogo.models.gltf
         private function readingBuffer(index:int):Steps
         {
             var work:StepSequence = new StepSequence();
-            var buffer:GltfJson = json.fileEntry("buffers", index);
+            var buffer:GltfJson = json.rootEntry("buffers", index);
             _buffers.push(null);
             // keep() reads the length; here a wrong one is refused before the buffer is fetched or decoded
-            buffer.requiredInteger("byteLength", FileLimits.MOST_BYTES);
+            buffer.requiredInteger("byteLength", FileBudget.MAX_BYTES);
             var uri:* = buffer.value.uri;
             buffer.refuseIf(uri !== undefined && !(uri is String), "expected an address", "uri");
             if (uri === undefined)
             {
                 if (index == 0 && _chunk != null)
                 {
-                    limits.addBytes(_chunk.length);
+                    budget.addBytes(_chunk.length);
                     keep(0, _chunk);
                 }
             }
@@ -275,14 +275,14 @@ package starlogo.models.gltf
                     uri = uri.substring(0, comma + 1) + unescape(uri.substring(comma + 1));
                 }
                 var bytes:ByteArray = new ByteArray();
-                work.add(Base64.decoding(limits.modelName, uri, comma + 1, buffer.place + ".uri", bytes)).call(function():void
+                work.add(Base64.decoding(budget.modelName, uri, comma + 1, buffer.place + ".uri", bytes)).call(function():void
                     {
                         keep(index, bytes);
                     });
             }
             else
             {
-                buffer.refuseIf(!FileAddress.isWithin(uri), "expected data, or a path from the file's folder on, but found " + GltfJson.shown(uri), "uri");
+                buffer.refuseIf(!FileUrl.isWithin(uri), "expected data, or a path from the file's folder on, but found " + GltfJson.shown(uri), "uri");
                 if (!(keyOf(uri) in _buffersOf))
                 {
                     buffer.refuseIf(_uris.length == MAX_FILES, "its buffers are in more than " + MAX_FILES + " other files", "uri");
@@ -296,8 +296,8 @@ package starlogo.models.gltf
 
         private function keep(index:int, bytes:ByteArray):void
         {
-            var buffer:GltfJson = json.fileEntry("buffers", index);
-            var wanted:int = buffer.requiredInteger("byteLength", FileLimits.MOST_BYTES);
+            var buffer:GltfJson = json.rootEntry("buffers", index);
+            var wanted:int = buffer.requiredInteger("byteLength", FileBudget.MAX_BYTES);
             buffer.refuseIf(bytes.length < wanted, "it should have " + wanted + " bytes, but has " + bytes.length);
             bytes.endian = Endian.LITTLE_ENDIAN;
             _buffers[index] = bytes;

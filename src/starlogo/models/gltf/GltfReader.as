@@ -31,7 +31,7 @@ package starlogo.models.gltf
          */
         public function GltfReader(file:GltfFile, upAxis:Object, scaling:String, pose:Pose = null)
         {
-            _data = ModelData.forFile(file.limits.modelName, upAxis, scaling, "y");
+            _data = ModelData.forFile(file.budget.modelName, upAxis, scaling, "y");
             _file = file;
             add(file).begin(function():Steps
                 {
@@ -51,7 +51,7 @@ package starlogo.models.gltf
             var json:GltfJson = _file.json;
             for (var i:int = 0; i < json.count("materials"); i++)
             {
-                _data.materials.addLabel(json.fileEntry("materials", i).text("name"));
+                _data.materials.addLabel(json.rootEntry("materials", i).text("name"));
             }
             return new StepSequence().beginEach(_scene.nodes.length, readingNode);
         }
@@ -60,14 +60,14 @@ package starlogo.models.gltf
         private function readingNode(index:int):Steps
         {
             var nodeIndex:int = _scene.nodes[index];
-            var node:GltfJson = _file.json.fileEntry("nodes", nodeIndex);
-            var mesh:GltfJson = node.fileEntry("meshes", node.reference("mesh", "meshes"));
+            var node:GltfJson = _file.json.rootEntry("nodes", nodeIndex);
+            var mesh:GltfJson = node.rootEntry("meshes", node.reference("mesh", "meshes"));
             var name:String = node.text("name") || mesh.text("name");
             // The vertices of this node so far. The key is everything that they depend on.
             var placed:Object = {};
-            _data.readShare = index / _scene.nodes.length;
+            _data.readProgress = index / _scene.nodes.length;
             // each primitive may have a target for each weight
-            _file.limits.spendElements((1 + _scene.weightsOf(nodeIndex).length) * (1 + mesh.count("primitives")), mesh.place);
+            _file.budget.spendElements((1 + _scene.weightsOf(nodeIndex).length) * (1 + mesh.count("primitives")), mesh.place);
             return new StepSequence().beginEach(mesh.count("primitives"), function(primitive:int):Steps
                 {
                     return readingPrimitive(nodeIndex, name, mesh.element("primitives", primitive), placed);
@@ -103,7 +103,7 @@ package starlogo.models.gltf
 
         private function endReading():void
         {
-            _data.readShare = 1;
+            _data.readProgress = 1;
             refuseIf(_data.vertices.length == 0, _data.name, "no vertices: expected a mesh in the scene");
         }
     }

@@ -19,7 +19,7 @@ package starlogo.models.gltf
         private var _globalTransforms:Vector.<AffineTransform>;
         private var _pending:Vector.<int> = new Vector.<int>();
         private var _isVisited:Vector.<Boolean>;
-        private var _palettes:Array = []; // the palettes so far, by the skin's index
+        private var _jointMatrices:Array = []; // lists of those so far, by the skin's index
 
         /**
          * @param file the file; all its steps must be done
@@ -64,9 +64,9 @@ package starlogo.models.gltf
         }
 
         /** The inverse bind matrices of a skin's joints; null if it has none. */
-        public function matricesOf(skin:int):GltfAccessor
+        public function inverseBindMatricesOf(skin:int):GltfAccessor
         {
-            var json:GltfJson = _file.json.fileEntry("skins", skin);
+            var json:GltfJson = _file.json.rootEntry("skins", skin);
             var count:int = json.count("joints");
             json.refuseIf(count == 0, "expected at least one joint", "joints");
             var index:int = json.reference("inverseBindMatrices", "accessors");
@@ -79,27 +79,27 @@ package starlogo.models.gltf
         }
 
         /** What each joint of a skin does to points. It is the same for all that use the skin. Its matrices must be read. */
-        public function paletteOf(skin:int):Vector.<AffineTransform>
+        public function jointMatricesOf(skin:int):Vector.<AffineTransform>
         {
-            return _palettes[skin] ||= newPalette(_file.json.fileEntry("skins", skin), matricesOf(skin));
+            return _jointMatrices[skin] ||= newJointMatrices(_file.json.rootEntry("skins", skin), inverseBindMatricesOf(skin));
         }
 
-        private function newPalette(skin:GltfJson, matrices:GltfAccessor):Vector.<AffineTransform>
+        private function newJointMatrices(skin:GltfJson, matrices:GltfAccessor):Vector.<AffineTransform>
         {
-            var palette:Vector.<AffineTransform> = new Vector.<AffineTransform>();
+            var jointMatrices:Vector.<AffineTransform> = new Vector.<AffineTransform>();
             for (var i:int = 0; i < skin.count("joints"); i++)
             {
                 var transform:AffineTransform = globalTransformOf(skin.indexIn("joints", i, "nodes"));
-                palette.push(matrices == null ? transform : transform.after(ofColumns(matrices.numbers, 16 * i)));
+                jointMatrices.push(matrices == null ? transform : transform.after(ofColumns(matrices.numbers, 16 * i)));
             }
-            return palette;
+            return jointMatrices;
         }
 
         /** The weights of the morph targets of a node's mesh: those of the pose, otherwise of the node, otherwise of the mesh. */
         public function weightsOf(index:int):Vector.<Number>
         {
-            var node:GltfJson = _file.json.fileEntry("nodes", index);
-            var mesh:GltfJson = node.fileEntry("meshes", node.reference("mesh", "meshes"));
+            var node:GltfJson = _file.json.rootEntry("nodes", index);
+            var mesh:GltfJson = node.rootEntry("meshes", node.reference("mesh", "meshes"));
             return posed(index, "weights") || node.numbers("weights", GltfJson.ANY_LENGTH) || mesh.numbers("weights", GltfJson.ANY_LENGTH, new Vector.<Number>());
         }
 
@@ -107,7 +107,7 @@ package starlogo.models.gltf
         {
             for (var i:int = first; i < end; i++)
             {
-                var node:GltfJson = _file.json.fileEntry("nodes", i);
+                var node:GltfJson = _file.json.rootEntry("nodes", i);
                 var count:int = node.count("children");
                 for (var k:int = 0; k < count; k++)
                 {
@@ -125,7 +125,7 @@ package starlogo.models.gltf
             var sceneCount:int = _file.json.count("scenes");
             for (var index:int = Math.max(shown, 0); index < (shown < 0 ? sceneCount : shown + 1); index++)
             {
-                var scene:GltfJson = _file.json.fileEntry("scenes", index);
+                var scene:GltfJson = _file.json.rootEntry("scenes", index);
                 var rootCount:int = scene.count("nodes");
                 for (var i:int = 0; i < rootCount; i++)
                 {
@@ -156,7 +156,7 @@ package starlogo.models.gltf
             for (var i:int = 0; i < NODES_PER_STEP && _pending.length > 0; i++)
             {
                 var node:int = _pending.pop();
-                var entry:GltfJson = _file.json.fileEntry("nodes", node);
+                var entry:GltfJson = _file.json.rootEntry("nodes", node);
                 if (entry.has("mesh"))
                 {
                     nodes.push(node);
@@ -171,7 +171,7 @@ package starlogo.models.gltf
 
         private function localTransformOf(index:int):AffineTransform
         {
-            var node:GltfJson = _file.json.fileEntry("nodes", index);
+            var node:GltfJson = _file.json.rootEntry("nodes", index);
             var m:Vector.<Number> = node.numbers("matrix", 16);
             if (m != null)
             {

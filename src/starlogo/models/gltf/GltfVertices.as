@@ -24,7 +24,7 @@ package starlogo.models.gltf
         // the points before the node places them
         private var _points:Vector.<Number>;
         // What moves the points: the joints of a skin, or the transform of the node.
-        private var _palette:Vector.<AffineTransform> = null;
+        private var _jointMatrices:Vector.<AffineTransform> = null;
         private var _transform:AffineTransform;
 
         /**
@@ -37,12 +37,12 @@ package starlogo.models.gltf
         public function GltfVertices(file:GltfFile, scene:GltfScene, node:int, primitive:GltfJson, vertices:Vector.<Number>)
         {
             var attributes:GltfJson = primitive.object("attributes");
-            _node = file.json.fileEntry("nodes", node);
+            _node = file.json.rootEntry("nodes", node);
             _positions = file.accessor(attributes.reference("POSITION", "accessors"), "VEC3");
             _vertices = vertices;
             firstVertex = vertices.length / 3;
             count = _positions.count;
-            file.limits.requireMesh(firstVertex + Number(count), 0, primitive.place);
+            file.budget.requireMesh(firstVertex + Number(count), 0, primitive.place);
             add(_positions).call(function():void
                 {
                     // other nodes may have the same mesh
@@ -53,20 +53,20 @@ package starlogo.models.gltf
             var isSkinned:Boolean = skin >= 0 && attributes.has("JOINTS_0");
             if (isSkinned)
             {
-                var matrices:GltfAccessor = scene.matricesOf(skin);
+                var matrices:GltfAccessor = scene.inverseBindMatricesOf(skin);
                 if (matrices != null)
                 {
                     add(matrices);
                 }
                 call(function():void
                     {
-                        _palette = scene.paletteOf(skin);
+                        _jointMatrices = scene.jointMatricesOf(skin);
                     });
                 var read:GltfSkinWeights = file.skinWeights(attributes, count, skin);
-                file.limits.spendNumbers(read.mostInfluences, attributes.place);
+                file.budget.spendNumbers(read.mostInfluences, attributes.place);
                 add(read).slices(count, SKINNED_PER_STEP, function(first:int, end:int):void
                     {
-                        read.influences.move(_points, _palette, first, end);
+                        read.influences.skinPoints(_points, _jointMatrices, first, end);
                     });
             }
             _transform = isSkinned ? new AffineTransform() : scene.globalTransformOf(node);
@@ -76,7 +76,7 @@ package starlogo.models.gltf
         /** Whether the node mirrors, or the first joint of its skin. Read it when no step is left. */
         public function get isMirror():Boolean
         {
-            return (_palette == null ? _transform : _palette[0]).isMirror;
+            return (_jointMatrices == null ? _transform : _jointMatrices[0]).isMirror;
         }
 
         private function addTargets(file:GltfFile, primitive:GltfJson, weights:Vector.<Number>):void
@@ -88,7 +88,7 @@ package starlogo.models.gltf
                 if (index >= 0 && weights[i] != 0)
                 {
                     addTarget(file.accessor(index, "VEC3"), weights[i]);
-                    file.limits.spendNumbers(3 * Number(count), primitive.place);
+                    file.budget.spendNumbers(3 * Number(count), primitive.place);
                 }
             }
         }

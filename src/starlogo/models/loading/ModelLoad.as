@@ -9,7 +9,7 @@ package starlogo.models.loading
     import starlogo.models.building.ModelBuilder;
     import starlogo.models.cooked.CookedFile;
     import starlogo.models.cooked.CookedReader;
-    import starlogo.models.files.FileAddress;
+    import starlogo.models.files.FileUrl;
     import starlogo.models.files.ModelFile;
     import starlogo.models.files.refuseIf;
     import starlogo.steps.StepSequence;
@@ -87,7 +87,7 @@ package starlogo.models.loading
         /** Whether the load can go on: no download is running. */
         public function get isReady():Boolean
         {
-            return !_downloads.some(isUnderWay) && (_manifest == null || !_manifest.isUnderWay);
+            return !_downloads.some(isRunning) && (_manifest == null || !_manifest.isRunning);
         }
 
         /** The share of the load that is done, from 0 to 1. */
@@ -114,7 +114,7 @@ package starlogo.models.loading
         {
             _url = url || "";
             _usesTransforms = usesTransforms && !(_upAxis is ModelTransform);
-            if (manifest == null || !FileAddress.hasFolder(_url))
+            if (manifest == null || !FileUrl.hasFolder(_url))
             {
                 fetchFile();
                 return;
@@ -155,9 +155,9 @@ package starlogo.models.loading
             }
         }
 
-        private static function isUnderWay(download:FileDownload, index:int, all:Vector.<FileDownload>):Boolean
+        private static function isRunning(download:FileDownload, index:int, all:Vector.<FileDownload>):Boolean
         {
-            return download.isUnderWay;
+            return download.isRunning;
         }
 
         private function fetchCooked():void
@@ -199,7 +199,7 @@ package starlogo.models.loading
         {
             _downloads.length = 0;
             var file:FileDownload = _url == "" ? null : download(_url);
-            var address:String = _usesTransforms && FileAddress.hasFolder(_url) ? FileAddress.besideOf(_url, ".slb") : null;
+            var address:String = _usesTransforms && FileUrl.hasFolder(_url) ? FileUrl.besideOf(_url, ".slb") : null;
             var transformFile:FileDownload = address == null ? null : download(address);
             call(function():void
                 {
@@ -233,9 +233,9 @@ package starlogo.models.loading
         // Starts to fetch a file that the model's file names. The maker's next step is done when it has come.
         private function fetchBeside(uri:String, take:Function):void
         {
-            if (FileAddress.hasFolder(_url))
+            if (FileUrl.hasFolder(_url))
             {
-                var file:FileDownload = download(FileAddress.folderOf(_url) + uri);
+                var file:FileDownload = download(FileUrl.folderOf(_url) + uri);
                 _deliveries.push(function():void
                     {
                         take(file.bytes, file.problem);

@@ -5,7 +5,7 @@ package starlogo.models.obj
     import starlogo.models.building.ModelReader;
     import starlogo.models.building.TriangleLabels;
     import starlogo.models.building.removingUnusedVertices;
-    import starlogo.models.files.FileLimits;
+    import starlogo.models.files.FileBudget;
     import starlogo.models.files.refuseIf;
     import starlogo.models.files.shortened;
     import starlogo.models.polygons.Triangulator;
@@ -23,7 +23,7 @@ package starlogo.models.obj
     {
         private var _data:ModelData;
         private var _lines:LineReader;
-        private var _limits:FileLimits;
+        private var _budget:FileBudget;
 
         // The polygons are kept until all vertices are known. Then the most triangles that they are cut into.
         private var _polygons:Vector.<ObjPolygon> = new Vector.<ObjPolygon>();
@@ -41,7 +41,7 @@ package starlogo.models.obj
             refuseIf(text.indexOf("\u0000") >= 0, name, "this is a binary file, not OBJ text");
             refuseMarkup(name, text);
             _lines = new LineReader(name, text);
-            _limits = new FileLimits(name, text.length);
+            _budget = new FileBudget(name, text.length);
             repeat(readSome).call(checkIndices).begin(cutting).add(removingUnusedVertices(_data.vertices, _data.triangles));
         }
 
@@ -64,8 +64,8 @@ package starlogo.models.obj
 
         private function readSome():Boolean
         {
-            _data.readShare = _lines.readStatements(readStatement);
-            _limits.requireMesh(_data.vertices.length / 3, _data.triangles.length / 3 + _polygonTriangles, _lines.place);
+            _data.readProgress = _lines.readStatements(readStatement);
+            _budget.requireMesh(_data.vertices.length / 3, _data.triangles.length / 3 + _polygonTriangles, _lines.place);
             return _lines.hasMore;
         }
 
@@ -150,7 +150,7 @@ package starlogo.models.obj
         // The steps that cut all polygons.
         private function cutting():Steps
         {
-            var triangulator:Triangulator = new Triangulator(_limits, _data.vertices, _data.triangles);
+            var triangulator:Triangulator = new Triangulator(_budget, _data.vertices, _data.triangles);
             return triangulator.addingEach(_polygons.length, function(index:int):Steps
                 {
                     var polygon:ObjPolygon = _polygons[index];

@@ -1,6 +1,6 @@
 package starlogo.models.polygons
 {
-    import starlogo.models.files.FileLimits;
+    import starlogo.models.files.FileBudget;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -24,17 +24,17 @@ package starlogo.models.polygons
         /** Three indices for each triangle, in the direction of its polygon. */
         public var triangles:Vector.<uint>;
 
-        private var _limits:FileLimits;
+        private var _budget:FileBudget;
         private var _vertices:Vector.<Number>;
 
         /**
-         * @param limits limit the tests of corners
+         * @param budget limits the tests of corners
          * @param vertices x, y, z, ...; the polygons' corners are indices of these
          * @param triangles takes the triangles
          */
-        public function Triangulator(limits:FileLimits, vertices:Vector.<Number>, triangles:Vector.<uint>)
+        public function Triangulator(budget:FileBudget, vertices:Vector.<Number>, triangles:Vector.<uint>)
         {
-            _limits = limits;
+            _budget = budget;
             _vertices = vertices;
             this.triangles = triangles;
         }
@@ -81,7 +81,7 @@ package starlogo.models.polygons
                 addSmall(outline);
                 return null;
             }
-            var rings:PolygonRings = new PolygonRings(_limits, _vertices, outline);
+            var rings:PolygonRings = new PolygonRings(_budget, _vertices, outline);
             if (!rings.hasArea)
             {
                 return null;

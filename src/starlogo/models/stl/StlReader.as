@@ -6,7 +6,7 @@ package starlogo.models.stl
     import starlogo.models.ModelError;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.ModelReader;
-    import starlogo.models.files.FileLimits;
+    import starlogo.models.files.FileBudget;
     import starlogo.models.files.FileText;
     import starlogo.models.files.ModelFile;
     import starlogo.models.files.refuseIf;
@@ -27,7 +27,7 @@ package starlogo.models.stl
         private static const FACETS_PER_STEP:int = 300;
 
         private var _data:ModelData;
-        private var _limits:FileLimits;
+        private var _budget:FileBudget;
         private var _points:PointTable;
 
         // of a text file; null for a binary one
@@ -64,8 +64,8 @@ package starlogo.models.stl
 
         private function addText(text:String):void
         {
-            _limits = new FileLimits(_data.name, text.length);
-            _points = new PointTable(Math.min(text.length / 20, FileLimits.MOST_VERTICES));
+            _budget = new FileBudget(_data.name, text.length);
+            _points = new PointTable(Math.min(text.length / 20, FileBudget.MAX_VERTICES));
             _lines = new LineReader(_data.name, text);
             repeat(readSome);
         }
@@ -73,16 +73,16 @@ package starlogo.models.stl
         private function addBinary(bytes:ByteArray):void
         {
             FileText.checkSize(_data.name, bytes);
-            _limits = new FileLimits(_data.name, bytes.length);
+            _budget = new FileBudget(_data.name, bytes.length);
             bytes.endian = Endian.LITTLE_ENDIAN;
             var count:int = countIn(bytes);
-            _limits.requireMesh(0, count);
-            _points = new PointTable(Math.min(3 * count, FileLimits.MOST_VERTICES));
+            _budget.requireMesh(0, count);
+            _points = new PointTable(Math.min(3 * count, FileBudget.MAX_VERTICES));
             slices(count, FACETS_PER_STEP, function(first:int, end:int):void
                 {
                     readFacets(bytes, first, end);
-                    _limits.requireMesh(_data.vertices.length / 3, _data.triangles.length / 3, "triangle " + end);
-                    _data.readShare = end / Math.max(1, count);
+                    _budget.requireMesh(_data.vertices.length / 3, _data.triangles.length / 3, "triangle " + end);
+                    _data.readProgress = end / Math.max(1, count);
                 });
         }
 
@@ -131,8 +131,8 @@ package starlogo.models.stl
 
         private function readSome():Boolean
         {
-            _data.readShare = _lines.readStatements(readStatement);
-            _limits.requireMesh(_data.vertices.length / 3, _data.triangles.length / 3, _lines.place);
+            _data.readProgress = _lines.readStatements(readStatement);
+            _budget.requireMesh(_data.vertices.length / 3, _data.triangles.length / 3, _lines.place);
             return _lines.hasMore;
         }
 

@@ -6,7 +6,7 @@ package starlogo.models.files
      *
      * @private
      */
-    public final class FileAddress
+    public final class FileUrl
     {
         private static const LONGEST:int = 2000;
         private static const FOLDER:RegExp = /^([a-z][a-z0-9+.\-]*:)?(\/\/[^\/?#]*)?([^?#]*\/)?/i;

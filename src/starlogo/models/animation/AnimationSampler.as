@@ -68,7 +68,7 @@ package starlogo.models.animation
         }
 
         /** How many numbers a key has. */
-        public function get width():int
+        public function get componentCount():int
         {
             return _values.length / _times.length;
         }
@@ -111,7 +111,7 @@ package starlogo.models.animation
 
         private function valuesOf(key:int):Vector.<Number>
         {
-            return _values.slice(key * width, (key + 1) * width);
+            return _values.slice(key * componentCount, (key + 1) * componentCount);
         }
 
         // Interpolates numbers to the next key. By the differences, so that equal numbers stay exactly as they are.
@@ -163,8 +163,8 @@ package starlogo.models.animation
             var hasTimes:Boolean = _after.length > _values.length;
             for (var i:int = 0; i < numbers.length; i++)
             {
-                var out:int = key * width + i;
-                var into:int = out + width;
+                var out:int = key * componentCount + i;
+                var into:int = out + componentCount;
                 var at:Number = hasTimes ? parameterAt(fraction, (_after[2 * out] - start) / length, (_before[2 * into] - start) / length) : fraction;
                 numbers[i] = bezier(numbers[i], _after[hasTimes ? 2 * out + 1 : out], _before[hasTimes ? 2 * into + 1 : into], to[i], at);
             }

@@ -25,11 +25,11 @@ package starlogo.models.collada
         {
             var document:ColladaDocument = new ColladaDocument(name, text);
             finish(document);
-            document.budget.restart();
+            document.budget.reset();
             var read:Object = {};
             var newReader:Function = function(pose:Pose):ModelReader
             {
-                document.budget.restart();
+                document.budget.reset();
                 return new ColladaReader(document, upAxis, null, pose);
             };
             var animations:Vector.<FileAnimation> = new Vector.<FileAnimation>();

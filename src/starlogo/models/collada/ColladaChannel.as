@@ -51,7 +51,7 @@ package starlogo.models.collada
             var index:Number = movesAll ? 0 : (named == null ? indexAt(element, parts[3], parts[4]) : indexNamed(element, named[2]));
             var width:int = movesAll ? size : 1;
             channel.refuseIf(!(index >= 0 && index < size), "there is no such number in the <" + element.name + ">");
-            channel.refuseIf(keys.width != width, "its sampler has " + keys.width + " numbers for each key, but expected " + width);
+            channel.refuseIf(keys.componentCount != width, "its sampler has " + keys.componentCount + " numbers for each key, but expected " + width);
             return new AnimationChannel(String(element.index), keys, element.numbers(size), index);
         }
 

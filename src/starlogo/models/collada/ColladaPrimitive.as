@@ -23,7 +23,7 @@ package starlogo.models.collada
         /**
          * @param element the primitive's element
          * @param points its points; their steps come before this one's
-         * @param triangulator takes the triangles, and cuts polygons
+         * @param triangulator takes the triangles and the polygons
          */
         public function ColladaPrimitive(element:ColladaElement, points:ColladaPoints, triangulator:Triangulator)
         {

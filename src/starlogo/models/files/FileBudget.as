@@ -29,7 +29,7 @@ package starlogo.models.files
         private static const MAX_ELEMENTS:int = 500000;
         private static const ZEROS_PER_BYTE:int = 1;
 
-        // The most tests of corners while polygons are cut: FREE_CORNER_TESTS, and CORNER_TESTS_PER_BYTE more for each byte.
+        // The most tests of corners while polygons are triangulated: FREE_CORNER_TESTS, and CORNER_TESTS_PER_BYTE more for each byte.
         private static const CORNER_TESTS_PER_BYTE:Number = 40;
         private static const FREE_CORNER_TESTS:Number = 100000;
 
@@ -37,7 +37,7 @@ package starlogo.models.files
         public var modelName:String;
 
         /**
-         * The tests of corners that are left for cutting polygons. If there are none, corners are cut off without a test, and holes are filled.
+         * The tests of corners that are left for triangulating polygons. If there are none, corners are cut off without a test, and holes are filled.
          * Read only.
          */
         public var cornerTestsLeft:Number;
@@ -55,11 +55,11 @@ package starlogo.models.files
         {
             this.modelName = modelName;
             _bytes = bytes;
-            restart();
+            reset();
         }
 
-        /** Counts anew, because what the file has is read once more. */
-        public function restart():void
+        /** Begins anew, because what the file has is read once more. */
+        public function reset():void
         {
             _numbers = _zeros = _elements = 0;
             cornerTestsLeft = FREE_CORNER_TESTS + CORNER_TESTS_PER_BYTE * _bytes;

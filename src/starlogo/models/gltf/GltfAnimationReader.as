@@ -29,7 +29,7 @@ package starlogo.models.gltf
             var animations:Vector.<FileAnimation> = new Vector.<FileAnimation>();
             var newReader:Function = function(pose:Pose):ModelReader
             {
-                file.budget.restart();
+                file.budget.reset();
                 return new GltfReader(file, upAxis, null, pose);
             };
             for (var i:int = 0; i < file.json.count("animations"); i++)
@@ -56,7 +56,7 @@ package starlogo.models.gltf
                     target.refuseIf(file.json.rootEntry("nodes", node).has("matrix") && path != "weights", "a node with a matrix can't be animated");
                     var sampler:int = channel.requiredInteger("sampler", animation.count("samplers") - 1);
                     var keys:AnimationSampler = samplerOf(file, animation.element("samplers", sampler), path);
-                    channels.push(new AnimationChannel(GltfScene.targetOf(node, path), keys, new Vector.<Number>(keys.width)));
+                    channels.push(new AnimationChannel(GltfScene.targetOf(node, path), keys, new Vector.<Number>(keys.componentCount)));
                 }
             }
             return channels;

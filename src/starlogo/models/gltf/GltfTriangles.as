@@ -60,14 +60,14 @@ package starlogo.models.gltf
                 var b:int = a + 1;
                 var c:int = mode == FAN ? 0 : a + 2;
                 var isReversed:Boolean = isMirror != (mode == STRIP && (i & 1) == 1);
-                to[at] = cornerAt(a);
-                to[int(at + 1)] = cornerAt(isReversed ? c : b);
-                to[int(at + 2)] = cornerAt(isReversed ? b : c);
+                to[at] = vertexAt(a);
+                to[int(at + 1)] = vertexAt(isReversed ? c : b);
+                to[int(at + 2)] = vertexAt(isReversed ? b : c);
                 at += 3;
             }
         }
 
-        private function cornerAt(corner:int):int
+        private function vertexAt(corner:int):int
         {
             if (_indices == null)
             {

@@ -48,7 +48,7 @@ package starlogo.models.gltf
                     // other nodes may have the same mesh
                     _points = _positions.numbers.slice();
                 });
-            addTargets(file, primitive, scene.weightsOf(node));
+            addMorphTargets(file, primitive, scene.weightsOf(node));
             var skin:int = _node.reference("skin", "skins");
             var isSkinned:Boolean = skin >= 0 && attributes.has("JOINTS_0");
             if (isSkinned)
@@ -70,7 +70,7 @@ package starlogo.models.gltf
                     });
             }
             _transform = isSkinned ? new AffineTransform() : scene.globalTransformOf(node);
-            slices(count, VERTICES_PER_STEP, placeVertices);
+            slices(count, VERTICES_PER_STEP, transformVertices);
         }
 
         /** Whether the node mirrors, or the first joint of its skin. Read it when no step is left. */
@@ -79,7 +79,7 @@ package starlogo.models.gltf
             return (_jointMatrices == null ? _transform : _jointMatrices[0]).isMirror;
         }
 
-        private function addTargets(file:GltfFile, primitive:GltfJson, weights:Vector.<Number>):void
+        private function addMorphTargets(file:GltfFile, primitive:GltfJson, weights:Vector.<Number>):void
         {
             var targetCount:int = primitive.count("targets");
             for (var i:int = 0; i < targetCount && i < weights.length; i++)
@@ -87,13 +87,13 @@ package starlogo.models.gltf
                 var index:int = primitive.element("targets", i).reference("POSITION", "accessors");
                 if (index >= 0 && weights[i] != 0)
                 {
-                    addTarget(file.accessor(index, "VEC3"), weights[i]);
+                    addMorphTarget(file.accessor(index, "VEC3"), weights[i]);
                     file.budget.spendNumbers(3 * Number(count), primitive.place);
                 }
             }
         }
 
-        private function addTarget(target:GltfAccessor, weight:Number):void
+        private function addMorphTarget(target:GltfAccessor, weight:Number):void
         {
             target.requireCount(count);
             add(target).slices(3 * count, 3 * VERTICES_PER_STEP, function(first:int, end:int):void
@@ -105,7 +105,7 @@ package starlogo.models.gltf
                 });
         }
 
-        private function placeVertices(first:int, end:int):void
+        private function transformVertices(first:int, end:int):void
         {
             if (!_transform.transformPoints(_points, first, end, _vertices, firstVertex + first))
             {

@@ -25,7 +25,7 @@ package starlogo.models.obj
         private var _lines:LineReader;
         private var _budget:FileBudget;
 
-        // The polygons are kept until all vertices are known. Then the most triangles that they are cut into.
+        // The polygons are kept until all vertices are known. Then the most triangles that they can have.
         private var _polygons:Vector.<ObjPolygon> = new Vector.<ObjPolygon>();
         private var _polygonTriangles:int = 0;
 
@@ -42,7 +42,7 @@ package starlogo.models.obj
             refuseMarkup(name, text);
             _lines = new LineReader(name, text);
             _budget = new FileBudget(name, text.length);
-            repeat(readSome).call(checkIndices).begin(cutting).add(removingUnusedVertices(_data.vertices, _data.triangles));
+            repeat(readSome).call(checkIndices).begin(triangulating).add(removingUnusedVertices(_data.vertices, _data.triangles));
         }
 
         /** @inheritDoc */
@@ -147,8 +147,8 @@ package starlogo.models.obj
             refuseIf(_highestIndex >= vertexCount, _data.name, "there is no vertex " + (_highestIndex + 1) + ": the file has " + vertexCount, LineReader.placeOf(_highestLine));
         }
 
-        // The steps that cut all polygons.
-        private function cutting():Steps
+        // The steps that triangulate all polygons.
+        private function triangulating():Steps
         {
             var triangulator:Triangulator = new Triangulator(_budget, _data.vertices, _data.triangles);
             return triangulator.addingEach(_polygons.length, function(index:int):Steps

@@ -5,7 +5,6 @@ package starlogo.models.gltf
     import starlogo.data.keyOf;
     import starlogo.models.files.FileUrl;
     import starlogo.models.files.FileBudget;
-    import starlogo.models.files.FileText;
     import starlogo.models.files.ModelFile;
     import starlogo.models.files.refuseIf;
     import starlogo.models.files.shortened;
@@ -75,7 +74,7 @@ package starlogo.models.gltf
         public function GltfFile(file:ModelFile, fetch:Function)
         {
             _fetch = fetch;
-            var text:String = file.bytes != null && isBinary(file.bytes) ? openChunks(file.name, file.bytes) : file.textOf("glTF file");
+            var text:String = file.bytes != null && isBinary(file.bytes) ? openChunks(file) : file.textOf("glTF file");
             budget = new FileBudget(file.name, text.length);
             var reader:JsonReader = new JsonReader(text, budget);
             add(reader).call(function():void
@@ -161,11 +160,13 @@ package starlogo.models.gltf
         }
 
         // Keeps the binary chunk of a .glb file. Returns its JSON.
-        private function openChunks(name:String, bytes:ByteArray):String
+        private function openChunks(file:ModelFile):String
         {
+            var name:String = file.name;
+            var bytes:ByteArray = file.bytes;
             var text:String = null;
             var length:int = bytes.length;
-            FileText.checkSize(name, bytes);
+            file.checkSize();
             refuseIf(length < HEADER_LENGTH + CHUNK_HEADER_LENGTH, name, "the file is cut off: it has " + length + " bytes");
             bytes.endian = Endian.LITTLE_ENDIAN;
             var version:uint = wordAt(bytes, 4);

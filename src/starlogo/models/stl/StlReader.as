@@ -7,7 +7,6 @@ package starlogo.models.stl
     import starlogo.models.building.ModelData;
     import starlogo.models.building.ModelReader;
     import starlogo.models.files.FileBudget;
-    import starlogo.models.files.FileText;
     import starlogo.models.files.ModelFile;
     import starlogo.models.files.refuseIf;
     import starlogo.models.text.LineReader;
@@ -46,7 +45,7 @@ package starlogo.models.stl
             _data = ModelData.forFile(file.name, upAxis, scaling);
             if (file.bytes != null && isBinary(file.bytes))
             {
-                addBinary(file.bytes);
+                addBinary(file);
             }
             else
             {
@@ -70,9 +69,10 @@ package starlogo.models.stl
             repeat(readSome);
         }
 
-        private function addBinary(bytes:ByteArray):void
+        private function addBinary(file:ModelFile):void
         {
-            FileText.checkSize(_data.name, bytes);
+            var bytes:ByteArray = file.bytes;
+            file.checkSize();
             _budget = new FileBudget(_data.name, bytes.length);
             bytes.endian = Endian.LITTLE_ENDIAN;
             var count:int = countIn(bytes);

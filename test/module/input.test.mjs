@@ -231,6 +231,12 @@ test("systems, models, files and settings are of their classes", () => {
 	filter.breeds = null;
 });
 
+test("the data of a model comes from the engine alone", () => {
+	const model = (data) => new Model("corner", [0, 0, 0, 1, 0, 0, 0, 1, 0], [0, 1, 2], Model.AS_GIVEN, data);
+	for (const none of [undefined, null]) assert.equal(model(none).name, "corner");
+	for (const other of ["y", 7, {}, [0]]) assert.throws(() => model(other), /^ArgumentError: new Model: argument 5 must be left out, not /);
+});
+
 test("a fitter has to find a structure", () => {
 	const { BoundingStructuresLibrary, Fitter } = engine;
 	class AnyFitter extends Fitter {

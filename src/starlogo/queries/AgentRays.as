@@ -90,7 +90,7 @@ package starlogo.queries
             {
                 return null;
             }
-            var first:RayHit = fillHit(hits, 0, hit || new RayHit());
+            var first:RayHit = hits.writeHit(0, hit || new RayHit());
             if (first.distance == 0)
             {
                 warnOfSender(first.agent, origin);
@@ -139,7 +139,7 @@ package starlogo.queries
             _spare.resize(listed, hits.end(collector));
             for (var i:int = 0; i < listed.length; i++)
             {
-                fillHit(hits, i, listed[i]);
+                hits.writeHit(i, listed[i]);
             }
             return listed;
         }
@@ -171,7 +171,7 @@ package starlogo.queries
             var rowA:int = _seen.rowOf(a);
             var rowB:int = _seen.rowOf(b);
             var collector:Collector = begin(1, from, towards, distance, filter);
-            for (var row:int = collector.nextCandidate(_search); row >= 0; row = collector.nextCandidate(_search))
+            for (var row:int = _search.next(collector); row >= 0; row = _search.next(collector))
             {
                 if (row != rowA && row != rowB && _rowRays.findRayEntry(row, _ray, _entry))
                 {
@@ -224,12 +224,12 @@ package starlogo.queries
         // Finds the rows that the ray meets, and keeps how it meets them.
         private function collect(collector:Collector, out:Hits):void
         {
-            for (var row:int = collector.nextCandidate(_search); row >= 0; row = collector.nextCandidate(_search))
+            for (var row:int = _search.next(collector); row >= 0; row = _search.next(collector))
             {
                 if (_rowRays.findRayEntry(row, _ray, _entry))
                 {
                     collector.add(row, _entry.distance);
-                    out.addEntry(row, _ray, _entry);
+                    out.add(row, _ray, _entry);
                     _ray.to = collector.limit;
                 }
             }
@@ -238,21 +238,13 @@ package starlogo.queries
         // Finds the rows that the ray meets, and keeps all surfaces that it crosses.
         private function collectSurfaces(collector:Collector, out:Hits):void
         {
-            for (var row:int = collector.nextCandidate(_search); row >= 0; row = collector.nextCandidate(_search))
+            for (var row:int = _search.next(collector); row >= 0; row = _search.next(collector))
             {
                 if (_rowSurfaces.findSurfaces(row, _ray, out))
                 {
-                    collector.add(row, out.firstKeyOf(row));
+                    collector.add(row, out.firstDistanceOf(row));
                 }
             }
-        }
-
-        // Writes how the ray meets a row of the answer.
-        private function fillHit(hits:Hits, index:int, hit:RayHit):RayHit
-        {
-            hits.fillHit(index, hit);
-            hit.distance = hits.keyOf(index);
-            return hit;
         }
     }
 }

@@ -1,33 +1,58 @@
 package starlogo.queries.rays
 {
     import flash.geom.Vector3D;
+    import starlogo.convex.ContactPoint;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.BoxTree;
     import starlogo.models.building.TriangleLabels;
     import starlogo.queries.CastHit;
+    import starlogo.queries.SeenAgents;
     import starlogo.search.Body;
 
     use namespace engine;
 
     /**
-     * Writes what a hit tells of the triangle that is met: its mesh, its material, and where on it the point is.
+     * Writes what a ray or a cast tells of a row that it meets: the agent, the point and the normal, and the triangle there, with its mesh, its
+     * material, and where on it the point is.
      *
      * @private
      */
-    public final class TriangleOfHit
+    public final class HitWriter
     {
+        private var _seen:SeenAgents;
+
         // From the point to each corner, and the weights of the corners.
         private var _corners:Vector.<Vector3D> = new <Vector3D>[new Vector3D(), new Vector3D(), new Vector3D()];
         private var _weights:Vector.<Number> = new Vector.<Number>(3, true);
 
+        /** @param seen has the rows */
+        public function HitWriter(seen:SeenAgents)
+        {
+            _seen = seen;
+        }
+
         /**
-         * Writes the mesh, the material and the weights.
+         * Writes a hit, all but its distance or time.
          *
-         * @param body the body that is met
-         * @param hit has the number of the triangle and the point
+         * @param row the row that is met
+         * @param contact where it is met
          */
-        public function fillTriangle(body:Body, hit:CastHit):void
+        public function write(row:int, contact:ContactPoint, hit:CastHit):void
+        {
+            hit.agent = _seen.table.list.agentsByRow[row];
+            // not setTo, because a game in JavaScript may have given a hit any objects with x, y and z
+            hit.point.x = contact.x;
+            hit.point.y = contact.y;
+            hit.point.z = contact.z;
+            hit.normal.x = contact.normalX;
+            hit.normal.y = contact.normalY;
+            hit.normal.z = contact.normalZ;
+            hit.triangle = contact.triangle;
+            writeTriangle(_seen.table.bodyOf(row), hit);
+        }
+
+        private function writeTriangle(body:Body, hit:CastHit):void
         {
             hit.mesh = hit.material = -1;
             hit.meshName = hit.materialName = null;
@@ -46,7 +71,6 @@ package starlogo.queries.rays
                 readCorners(body.shape.tree.boxTree, 3 * hit.triangle, body.placement, hit.point);
                 weigh();
             }
-            // not setTo, because a game in JavaScript may have given a hit any object with x, y and z
             hit.weights.x = _weights[0];
             hit.weights.y = _weights[1];
             hit.weights.z = _weights[2];

@@ -2,6 +2,8 @@ package starlogo.queries.rays
 {
     import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
+    import starlogo.convex.NearestPoint;
+    import starlogo.convex.SimplexPart;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.BoxTree;
@@ -22,9 +24,9 @@ package starlogo.queries.rays
     {
         private var _seen:SeenAgents;
 
-        // From the point to each corner, and the weights of the corners.
-        private var _corners:Vector.<Vector3D> = new <Vector3D>[new Vector3D(), new Vector3D(), new Vector3D()];
-        private var _weights:Vector.<Number> = new Vector.<Number>(3, true);
+        // From the point to each corner of the triangle: x, y, z of each; and the triangle's point that is nearest to the point.
+        private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
+        private var _nearest:NearestPoint = new NearestPoint();
 
         /** @param seen has the rows */
         public function HitWriter(seen:SeenAgents)
@@ -56,7 +58,7 @@ package starlogo.queries.rays
         {
             hit.mesh = hit.material = -1;
             hit.meshName = hit.materialName = null;
-            _weights[0] = _weights[1] = _weights[2] = 0;
+            _nearest.clearWeights();
             if (hit.triangle >= 0)
             {
                 if (body.shape.model != null)
@@ -69,11 +71,12 @@ package starlogo.queries.rays
                     hit.materialName = materials.nameOf(hit.material);
                 }
                 readCorners(body.shape.tree.boxTree, 3 * hit.triangle, body.placement, hit.point);
-                weigh();
+                _nearest.squaredDistance = Infinity;
+                SimplexPart.tryTriangle(_corners, 0, 1, 2, -1, _nearest);
             }
-            hit.weights.x = _weights[0];
-            hit.weights.y = _weights[1];
-            hit.weights.z = _weights[2];
+            hit.weights.x = _nearest.weights[0];
+            hit.weights.y = _nearest.weights[1];
+            hit.weights.z = _nearest.weights[2];
         }
 
         private function readCorners(tree:BoxTree, corner:int, placement:Placement, point:Vector3D):void
@@ -87,70 +90,10 @@ package starlogo.queries.rays
             for (var i:int = 0; i < 3; i++)
             {
                 var vertex:int = 3 * tree.triangles[corner + i];
-                _corners[i].setTo(tree.vertices[vertex] - inX, tree.vertices[int(vertex + 1)] - inY, tree.vertices[int(vertex + 2)] - inZ);
+                _corners[int(3 * i)] = tree.vertices[vertex] - inX;
+                _corners[int(3 * i + 1)] = tree.vertices[int(vertex + 1)] - inY;
+                _corners[int(3 * i + 2)] = tree.vertices[int(vertex + 2)] - inZ;
             }
-        }
-
-        // Weighs the corners from the longest edge, because along it even a narrow triangle has digits.
-        private function weigh():void
-        {
-            var start:int = 0;
-            var longest:Number = -1;
-            for (var i:int = 0; i < 3; i++)
-            {
-                var square:Number = squaredDistance(_corners[i], _corners[(i + 1) % 3]);
-                if (square > longest)
-                {
-                    longest = square;
-                    start = i;
-                }
-            }
-            weighFrom(start, (start + 1) % 3, (start + 2) % 3, longest);
-        }
-
-        private static function squaredDistance(u:Vector3D, v:Vector3D):Number
-        {
-            var x:Number = v.x - u.x;
-            var y:Number = v.y - u.y;
-            var z:Number = v.z - u.z;
-            return x * x + y * y + z * z;
-        }
-
-        // Finds the weights of an edge's ends and of the corner over it. The point's height over the edge, as a part of the corner's, is the
-        // weight of the corner. Its place along the edge divides the rest. What is beyond an edge of the triangle counts as on it.
-        private function weighFrom(first:int, second:int, third:int, squaredLength:Number):void
-        {
-            var start:Vector3D = _corners[first];
-            var end:Vector3D = _corners[second];
-            var over:Vector3D = _corners[third];
-            var edgeX:Number = end.x - start.x;
-            var edgeY:Number = end.y - start.y;
-            var edgeZ:Number = end.z - start.z;
-            var x:Number = over.x - start.x;
-            var y:Number = over.y - start.y;
-            var z:Number = over.z - start.z;
-            // the places along the edge of the point and of the corner
-            var along:Number = 0;
-            var alongOver:Number = 0;
-            if (squaredLength > 0)
-            {
-                along = Math.max(0, Math.min(1, -(start.x * edgeX + start.y * edgeY + start.z * edgeZ) / squaredLength));
-                alongOver = (x * edgeX + y * edgeY + z * edgeZ) / squaredLength;
-            }
-            x -= alongOver * edgeX;
-            y -= alongOver * edgeY;
-            z -= alongOver * edgeZ;
-            var height:Number = -(x * (start.x + along * edgeX) + y * (start.y + along * edgeY) + z * (start.z + along * edgeZ));
-            var squaredHeight:Number = x * x + y * y + z * z;
-            var weight:Number = squaredHeight > 0 ? Math.max(0, height / squaredHeight) : 0;
-            // the triangle's height there, as a part of the corner's, is room / side
-            var room:Number = along < alongOver ? along : 1 - along;
-            var side:Number = along < alongOver ? alongOver : 1 - alongOver;
-            weight = weight * side > room ? room / side : Math.min(1, weight);
-            var weightOfEnd:Number = Math.max(0, Math.min(1 - weight, along - weight * alongOver));
-            _weights[third] = weight;
-            _weights[second] = weightOfEnd;
-            _weights[first] = 1 - weight - weightOfEnd;
         }
     }
 }

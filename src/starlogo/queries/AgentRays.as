@@ -83,9 +83,7 @@ package starlogo.queries
         public function cast(origin:Vector3D, direction:Vector3D, maxDistance:Number = Infinity, filter:AgentFilter = null, hit:RayHit = null):RayHit
         {
             var collector:Collector = begin(1, requireOrigin(origin), direction, maxDistance, filter);
-            var hits:Hits = Hits(_hits.current);
-            hits.clear();
-            collect(collector, hits);
+            var hits:Hits = collect(collector);
             if (hits.end(collector) == 0)
             {
                 return null;
@@ -126,16 +124,7 @@ package starlogo.queries
         {
             var collector:Collector = begin(Collector.ALL, requireOrigin(origin), direction, maxDistance, filter);
             var listed:Vector.<RayHit> = out || new Vector.<RayHit>();
-            var hits:Hits = Hits(_hits.current);
-            hits.clear();
-            if (allSurfaces)
-            {
-                collectSurfaces(collector, hits);
-            }
-            else
-            {
-                collect(collector, hits);
-            }
+            var hits:Hits = allSurfaces ? collectSurfaces(collector) : collect(collector);
             _spare.resize(listed, hits.end(collector));
             for (var i:int = 0; i < listed.length; i++)
             {
@@ -162,7 +151,7 @@ package starlogo.queries
             var from:Vector3D = isReversed ? _middleB : _middleA;
             var towards:Vector3D = isReversed ? _middleA : _middleB;
             towards.decrementBy(from);
-            var distance:Number = Math.sqrt(towards.x * towards.x + towards.y * towards.y + towards.z * towards.z);
+            var distance:Number = towards.length;
             if (distance == 0)
             {
                 // any direction will do
@@ -221,30 +210,36 @@ package starlogo.queries
             return collector;
         }
 
-        // Finds the rows that the ray meets, and keeps how it meets them.
-        private function collect(collector:Collector, out:Hits):void
+        // Finds the rows that the ray meets. Returns how it meets them.
+        private function collect(collector:Collector):Hits
         {
+            var hits:Hits = Hits(_hits.current);
+            hits.clear();
             for (var row:int = _search.next(collector); row >= 0; row = _search.next(collector))
             {
                 if (_rowRays.findRayEntry(row, _ray, _entry))
                 {
                     collector.add(row, _entry.distance);
-                    out.add(row, _ray, _entry);
+                    hits.add(row, _ray, _entry);
                     _ray.to = collector.limit;
                 }
             }
+            return hits;
         }
 
-        // Finds the rows that the ray meets, and keeps all surfaces that it crosses.
-        private function collectSurfaces(collector:Collector, out:Hits):void
+        // Finds the rows that the ray meets. Returns all surfaces of them that it crosses.
+        private function collectSurfaces(collector:Collector):Hits
         {
+            var hits:Hits = Hits(_hits.current);
+            hits.clear();
             for (var row:int = _search.next(collector); row >= 0; row = _search.next(collector))
             {
-                if (_rowSurfaces.findSurfaces(row, _ray, out))
+                if (_rowSurfaces.findSurfaces(row, _ray, hits))
                 {
-                    collector.add(row, out.firstDistanceOf(row));
+                    collector.add(row, hits.firstDistanceOf(row));
                 }
             }
+            return hits;
         }
     }
 }

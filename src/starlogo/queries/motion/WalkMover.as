@@ -55,9 +55,6 @@ package starlogo.queries.motion
         private var _slid:MotionResult = new MotionResult();
         private var _vertical:MotionResult = new MotionResult();
 
-        // Where a fall has come.
-        private var _fallen:Vector3D = new Vector3D();
-
         /** @param seen has the rows */
         public function WalkMover(seen:SeenAgents)
         {
@@ -282,32 +279,32 @@ package starlogo.queries.motion
                 return false;
             }
             var left:Number = walk.options.fall;
+            var place:Vector3D = walk.place;
             var isStopped:Boolean = false;
             var down:MotionResult = null;
-            _fallen.copyFrom(walk.place);
             for (var drop:Number = 1; left > 0 && !isStopped; drop *= 2)
             {
                 var depth:Number = Math.min(left, drop);
-                if (_fallen.z - depth < -Agent.LARGEST_COORDINATE)
+                if (place.z - depth < -Agent.LARGEST_COORDINATE)
                 {
                     return false;
                 }
-                down = moveVertically(walk, _fallen, -depth);
+                down = moveVertically(walk, place, -depth);
                 left -= down.fraction * depth;
                 isStopped = down.hasContact;
-                _fallen.copyFrom(down.place);
+                place = down.place;
             }
             if (!isStopped)
             {
                 // a fall can also end where the ground begins, without being stopped
-                walk.place.copyFrom(_fallen);
+                walk.place.copyFrom(place);
                 return standBelow(walk, walk.place, walk.closeDepth);
             }
-            if (standOn(walk, down, _fallen))
+            if (standOn(walk, down, place))
             {
                 return true;
             }
-            var slid:MotionResult = slideDown(walk, _fallen, Math.min(left, depthAfterFall(walk)), widthAfterFall(walk));
+            var slid:MotionResult = slideDown(walk, place, Math.min(left, depthAfterFall(walk)), widthAfterFall(walk));
             if (!(walk.place.z - slid.place.z < MIN_FALL * walk.body.extent))
             {
                 walk.place.copyFrom(slid.place);

@@ -145,9 +145,9 @@ package starlogo.queries.trees
                     _tree.countExcluded(1);
                 }
             }
-            var ground:int = _isGroundLeft ? ListedAgents.GROUND_ROW : -1;
+            var isGround:Boolean = _isGroundLeft && collector.isCandidate(ListedAgents.GROUND_ROW) && filter.mayAdmit(ListedAgents.GROUND_ROW);
             _isGroundLeft = false;
-            return ground >= 0 && collector.isCandidate(ground) && filter.mayAdmit(ground) ? ground : -1;
+            return isGround ? ListedAgents.GROUND_ROW : -1;
         }
 
         /**

@@ -70,7 +70,7 @@ package starlogo.queries.rays
                 }
                 if (_entry.distance <= ray.to)
                 {
-                    out.addEntry(row, ray, _entry);
+                    out.add(row, ray, _entry);
                     isMet = true;
                 }
             }

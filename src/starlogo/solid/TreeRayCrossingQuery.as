@@ -25,18 +25,18 @@ package starlogo.solid
          * @param out the crossings are added to it
          * @return whether they are those of triangles, otherwise those of nodes
          */
-        public function findAll(model:ModelTree, depth:int, isExact:Boolean, ray:Ray, out:RayCrossings):Boolean
+        public function findAll(model:ModelTree, depth:int, ray:Ray, out:RayCrossings):Boolean
         {
             if (TreeRayEntryQuery.beginsInside(model, ray))
             {
                 out.addInside(ray);
             }
-            if (isExact && model.hasTriangles)
+            if (depth == BoxTree.EXACT)
             {
                 _triangles.addCrossings(model, ray, out);
                 return true;
             }
-            _nodes.addCrossings(model.boxTree, isExact ? BoxTree.EXACT : depth, ray, out);
+            _nodes.addCrossings(model.boxTree, depth, ray, out);
             return false;
         }
     }

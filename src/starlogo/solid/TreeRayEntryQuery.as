@@ -30,24 +30,23 @@ package starlogo.solid
          * Finds where a ray first meets a model.
          *
          * @param model the model
-         * @param depth how many of its levels are visited
-         * @param isExact whether the triangles decide, or the leaves if there are none; the depth has no meaning then
+         * @param depth how many of its levels are visited; BoxTree.EXACT if its triangles decide
          * @param ray in the model's space
          * @param out receives the distance, the normal and the triangle
          * @return whether there is a hit
          */
-        public function find(model:ModelTree, depth:int, isExact:Boolean, ray:Ray, out:RayEntry):Boolean
+        public function find(model:ModelTree, depth:int, ray:Ray, out:RayEntry):Boolean
         {
             out.setToStart(ray);
             if (beginsInside(model, ray))
             {
                 return true;
             }
-            if (isExact && model.hasTriangles)
+            if (depth == BoxTree.EXACT)
             {
                 return _triangles.findRayEntry(model, ray, out);
             }
-            return _nodes.findRayEntry(model.boxTree, isExact ? BoxTree.EXACT : depth, ray, out);
+            return _nodes.findRayEntry(model.boxTree, depth, ray, out);
         }
 
         /** Whether a ray begins inside of the surface of a model. */

@@ -113,8 +113,9 @@ package starlogo.solid
         // The second model is a tree or a structure, and stands at the origin.
         private function queryOf(a:ModelTree, at:Placement, b:ModelTree, structure:BoundingStructure, isExact:Boolean):TreeQuery
         {
-            return b != null ? _trees.setTo(a, at, BoxTree.EXACT, b, new Placement(), BoxTree.EXACT, isExact)
-                : _treeAndStructure.setTo(a, at, BoxTree.EXACT, structure, new Placement(), isExact);
+            var depth:int = isExact ? BoxTree.EXACT : BoxTree.MAX_DEPTH;
+            return b != null ? _trees.setTo(a, at, depth, b, new Placement(), depth)
+                : _treeAndStructure.setTo(a, at, depth, structure, new Placement());
         }
 
         // Adds the corners of a block to a list.

@@ -57,7 +57,6 @@ package starlogo.solid
             var hierarchy:ModelTree = hierarchyOf(model);
             var mesh:TriangleMesh = hierarchy.mesh;
             var corners:Vector.<Number> = new Vector.<Number>(9);
-            var triangles:TriangleRayEntryVisitor = new TriangleRayEntryVisitor();
             var hit:RayEntry = new RayEntry();
             var ray:Ray = new Ray();
             var origin:Vector3D = new Vector3D();
@@ -93,7 +92,7 @@ package starlogo.solid
                 var direction:Vector3D = new Vector3D(x, y, z).subtract(origin);
                 ray.aim(origin, direction);
                 hit.distance = NaN;
-                triangles.findRayEntry(hierarchy, ray, hit);
+                _rays.findOnSurface(hierarchy, BoxTree.EXACT, ray, hit);
                 if (!(hit.distance <= direction.length + 1e-12))
                 {
                     assertTrue(model.name + ", " + i + (isFromInside ? " from inside, " : " from outside, ") + origin + " to " + new Vector3D(x, y, z) + ": " + hit.distance, false);

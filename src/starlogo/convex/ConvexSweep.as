@@ -1,5 +1,7 @@
 package starlogo.convex
 {
+    import starlogo.geometry.Tolerances;
+
     /** Finds when a moving shape first touches another one, step by step: see advance(). */
     internal final class ConvexSweep
     {
@@ -8,6 +10,7 @@ package starlogo.convex
         private var _step:AdvancementStep = new AdvancementStep();
         private var _witness:CoreWitness = new CoreWitness();
         private var _overlapWitness:CoreWitness = new CoreWitness();
+        private var _balls:CoreGap = new CoreGap();
 
         /**
          * @param distance finds the gap of each step
@@ -27,17 +30,39 @@ package starlogo.convex
          */
         public function findTime(cores:CorePair, motion:RelativeMotion):void
         {
-            _step.reset();
-            motion.time = motion.earliest;
-            cores.setMotion(motion);
-            cores.limitToTouching();
-            cores.maxDistance += motion.margin;
+            begin(cores, motion);
+            if (!(motion.time <= motion.latest))
+            {
+                motion.time = RelativeMotion.NEVER;
+                return;
+            }
+            cores.moveTo(motion);
             _distance.find(cores, _witness);
             while (advance(measure(cores), motion))
             {
                 cores.moveTo(motion);
                 _distance.findAfterMove(cores, _witness);
             }
+        }
+
+        // Begins at the motion's earliest time, or when balls around the two first meet if that is later.
+        private function begin(cores:CorePair, motion:RelativeMotion):void
+        {
+            _step.reset();
+            motion.time = 0;
+            cores.setMotion(motion);
+            cores.limitToTouching();
+            cores.maxDistance += motion.margin;
+            var balls:CoreGap = _balls;
+            // the motion is that of a
+            var side:int = cores.isSwapped ? -1 : 1;
+            balls.x = side * cores.x;
+            balls.y = side * cores.y;
+            balls.z = side * cores.z;
+            balls.radiusA = Tolerances.OUTER * (cores.maxDistance + cores.first.extent + cores.second.extent);
+            balls.radiusB = 0;
+            findTimeOfSpheres(balls, motion);
+            motion.time = motion.earliest > motion.time ? motion.earliest : motion.time;
         }
 
         // Returns the step, from the distance at the motion's time.

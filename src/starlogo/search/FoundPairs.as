@@ -1,7 +1,6 @@
 package starlogo.search
 {
     import starlogo.agents.Agent;
-    import starlogo.data.IntList;
     import starlogo.engine;
     import starlogo.search.table.ListedAgents;
 
@@ -33,26 +32,23 @@ package starlogo.search
         /** Has the agent of each row, and its rank in the list of the search. */
         public var list:ListedAgents;
 
-        /** In place of the index of a pair's touch: none has begun yet, or it is not known. */
-        public static const NO_TOUCH:int = -1;
+        /** In place of the origin of a pair: it was not among the pairs before. */
+        public static const NEW:int = -1;
 
-        /** The TouchTracker that has found the touches of the pairs, before the last searches replaced some pairs; null after a search of all rows. */
-        public var touchOwner:Object = null;
+        /** How often the pairs were found or updated. */
+        public var version:int = 0;
 
-        /** By pair, if there is a touchOwner: the index of the pair's touch. A number less than 0 stands for none. It is NO_TOUCH for a new pair. */
-        public var touches:Vector.<int> = new Vector.<int>();
+        /** Whether the pairs are those of the version before, except for some that were replaced. Only then they have origins. */
+        public var isUpdate:Boolean = false;
 
-        /** If there is a touchOwner: the touches of pairs that are gone since it has looked. */
-        public var droppedTouches:IntList = new IntList();
+        /** By pair: the index that it had in the version before, or NEW. Kept pairs keep their order. */
+        public var origins:Vector.<int> = new Vector.<int>();
 
         /** The list to which pairs are written when they or their order change: see <code>exchangeLists()</code>. */
         internal var spareRows:Vector.<int> = new Vector.<int>();
 
         /** The same for their times, if they have any. */
         internal var spareTimes:Vector.<Number> = new Vector.<Number>();
-
-        /** The same for their touches. */
-        internal var spareTouches:Vector.<int> = new Vector.<int>();
 
         /** @param list has the agent of each row */
         public function FoundPairs(list:ListedAgents)
@@ -65,7 +61,20 @@ package starlogo.search
         {
             this.haveTimes = haveTimes;
             count = 0;
-            touchOwner = null;
+            version++;
+            isUpdate = false;
+        }
+
+        /** Begins to write another version of the pairs to the spare lists, with so many pairs at most. */
+        internal function beginUpdate(maxCount:int):void
+        {
+            version++;
+            isUpdate = true;
+            makeRoom(maxCount);
+            if (origins.length < maxCount)
+            {
+                origins.length = maxCount + (maxCount >> 3);
+            }
         }
 
         /** Makes room for a number of pairs in the spare lists. */
@@ -80,10 +89,6 @@ package starlogo.search
             {
                 spareTimes.length = pairCount + (pairCount >> 3);
             }
-            if (touchOwner != null && spareTouches.length < pairCount)
-            {
-                spareTouches.length = pairCount + (pairCount >> 3);
-            }
         }
 
         /** Exchanges the lists of the pairs and the spare ones. */
@@ -95,9 +100,6 @@ package starlogo.search
             var timesBefore:Vector.<Number> = times;
             times = spareTimes;
             spareTimes = timesBefore;
-            var touchesBefore:Vector.<int> = touches;
-            touches = spareTouches;
-            spareTouches = touchesBefore;
         }
 
         /** Adds a pair of two rows. */

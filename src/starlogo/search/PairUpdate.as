@@ -6,7 +6,7 @@ package starlogo.search
     internal final class PairUpdate
     {
         /**
-         * Replaces the pairs of changed rows. The touches of pairs go with them.
+         * Replaces the pairs of changed rows, and notes the origins of the others.
          *
          * @param changed these rows
          * @param pairs the pairs of the last search, in order. They become those of the next
@@ -15,7 +15,7 @@ package starlogo.search
          */
         public function replacePairsOf(changed:IntSet, pairs:FoundPairs, found:FoundPairs, earlyCount:int):void
         {
-            pairs.makeRoom(pairs.count + found.count);
+            pairs.beginUpdate(pairs.count + found.count);
             var rows:Vector.<int> = pairs.rows;
             var added:int = 0;
             var kept:int = 0;
@@ -25,7 +25,6 @@ package starlogo.search
                 var b:int = rows[int(2 * i + 1)];
                 if (changed.has(a) || changed.has(b))
                 {
-                    dropTouch(pairs, i);
                     continue;
                 }
                 while (added < found.count && (added < earlyCount || isBefore(found, added, a, b)))
@@ -35,10 +34,7 @@ package starlogo.search
                 }
                 pairs.spareRows[int(2 * (kept + added))] = a;
                 pairs.spareRows[int(2 * (kept + added) + 1)] = b;
-                if (pairs.touchOwner != null)
-                {
-                    pairs.spareTouches[int(kept + added)] = pairs.touches[i];
-                }
+                pairs.origins[int(kept + added)] = i;
                 kept++;
             }
             for (; added < found.count; added++)
@@ -62,18 +58,7 @@ package starlogo.search
         {
             pairs.spareRows[2 * to] = found.rows[2 * pair];
             pairs.spareRows[2 * to + 1] = found.rows[2 * pair + 1];
-            if (pairs.touchOwner != null)
-            {
-                pairs.spareTouches[to] = FoundPairs.NO_TOUCH;
-            }
-        }
-
-        private static function dropTouch(pairs:FoundPairs, pair:int):void
-        {
-            if (pairs.touchOwner != null && pairs.touches[pair] >= 0)
-            {
-                pairs.droppedTouches.add(pairs.touches[pair]);
-            }
+            pairs.origins[to] = FoundPairs.NEW;
         }
     }
 }

@@ -29,6 +29,12 @@ package starlogo.search
             _maxDepth = value;
         }
 
+        /** The number of levels to which trees are tested if their agents have no limits; BoxTree.EXACT if the triangles decide. */
+        public function get depth():int
+        {
+            return isExact ? BoxTree.EXACT : Math.min(_maxDepth, BoxTree.MAX_DEPTH);
+        }
+
         /** The number of levels to which the tree of a body is tested. */
         public function depthOf(body:Body):int
         {

@@ -66,7 +66,7 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override protected function findTime(a:Body, b:Body, motion:RelativeMotion):void
+        override public function findFirstTouch(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             var tolerance:Number = toleranceOf(a);
             findPenetrations(a, b, motion, tolerance, _penetrations);
@@ -84,6 +84,7 @@ package starlogo.search.pairs
                     motion.time = Math.min(motion.time, start / (start - end));
                 }
             }
+            findContactIfNeeded(a, b, motion, out);
         }
 
         /**

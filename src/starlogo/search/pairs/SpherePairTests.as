@@ -106,10 +106,11 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override protected function findTime(a:Body, b:Body, motion:RelativeMotion):void
+        override public function findFirstTouch(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             readGap(a, b, _gap);
             sweep(_gap, motion);
+            findContactIfNeeded(a, b, motion, out);
         }
 
         /**

@@ -19,6 +19,7 @@ package starlogo.collision
     import starlogo.data.requireGiven;
     import starlogo.data.textOf;
     import starlogo.engine;
+    import starlogo.ground.HeightGrid;
     import starlogo.handlers.CollisionHandler;
     import starlogo.handlers.HandlerTable;
     import starlogo.handlers.TouchTracker;
@@ -96,6 +97,12 @@ package starlogo.collision
 
         // The one of the frame under way, or null.
         private var _frameSystem:BaseCollider = null;
+
+        /** @private Whether the frame under way searches for its pairs. */
+        engine var isSearching:Boolean = false;
+
+        // Whether the handlers of the frame under way run.
+        private var _isHandling:Boolean = false;
 
         private var _statistics:CollisionStatistics = new CollisionStatistics();
         private var _handlers:HandlerTable = new HandlerTable();
@@ -292,9 +299,8 @@ package starlogo.collision
             }
             finally
             {
-                _calls.end();
                 _frameSystem = null;
-                system.enterPhase(Collider.IDLE);
+                isSearching = false;
             }
             _statistics.frameMs = getTimer() - start;
             system.onFrame(_statistics);
@@ -356,6 +362,12 @@ package starlogo.collision
             return _system.ownedCollider === collider || _frameSystem != null && _frameSystem.ownedCollider === collider;
         }
 
+        /** @private Whether handlers run for pairs that a collider has found. */
+        engine function isHandling(collider:Collider):Boolean
+        {
+            return _isHandling && _frameSystem.ownedCollider === collider;
+        }
+
         /** @private */
         override engine function findNarrowPhase():NarrowPhase
         {
@@ -377,14 +389,38 @@ package starlogo.collision
             // The filter may have called reset(), which forgets the frames before this one. The touches of this frame do not count then
             var lastFrame:LastFrame = _lastFrame;
             lastFrame.hasFailed = true;
-            system.enterPhase(Collider.SEARCHING);
+            isSearching = true;
             var pairs:FoundPairs = system.findPairs(_input, _pairReader, _statistics);
+            isSearching = false;
             var searched:Collider = system.equivalentCollider;
             lastFrame.agents = copyAgents(_input.agents, lastFrame.agents);
             lastFrame.search = searched == null ? null : searched.search;
-            system.enterPhase(Collider.HANDLING);
-            _statistics.handlerCalls = _calls.make(pairs, system, _handlers, tracker, agents, _handlerErrors);
+            callHandlers(pairs, system, tracker, agents);
             lastFrame.hasFailed = false;
+        }
+
+        // Calls the handlers of a frame. They see the ground as the search has, even if they change it. The edges never change.
+        private function callHandlers(pairs:FoundPairs, system:BaseCollider, tracker:TouchTracker, agents:Vector.<Agent>):void
+        {
+            var grid:HeightGrid = _input.ground == null ? null : _input.ground.surface.grid;
+            if (grid != null)
+            {
+                grid.hold();
+            }
+            _isHandling = true;
+            try
+            {
+                _statistics.handlerCalls = _calls.make(pairs, system, _handlers, tracker, agents, _handlerErrors);
+            }
+            finally
+            {
+                _isHandling = false;
+                _calls.end();
+                if (grid != null)
+                {
+                    grid.release();
+                }
+            }
         }
 
         private function requireIdle(what:String):void

@@ -100,16 +100,10 @@ package starlogo.search
             // A search prepares the cells only if it is like the one before, because the next is then probably like it too. So the third of three like
             // searches is the first that begins with the pairs of the last one.
             var isPrepared:Boolean = takeConditions(input) && areFew(readCount, input);
-            var beginsWithLast:Boolean = isPrepared && _isPrepared;
+            var mayUpdate:Boolean = isPrepared && _isPrepared;
             // if the search throws, the next one is of all rows, because the table has been read
             _isPrepared = false;
-            var canUpdate:Boolean = false;
-            if (beginsWithLast)
-            {
-                _changedRows.find(input);
-                canUpdate = areFew(_changedRows.rows.count, input) && _changedRows.moveToCells(input);
-            }
-            if (canUpdate)
+            if (mayUpdate && moveChanged(input))
             {
                 findOfChanged(input);
             }
@@ -119,6 +113,13 @@ package starlogo.search
             }
             _isPrepared = isPrepared;
             return _pairs;
+        }
+
+        // Finds the changed rows, and moves them to their cells. Returns false if the search has to be one of all rows.
+        private function moveChanged(input:SearchInput):Boolean
+        {
+            _changedRows.find(input);
+            return areFew(_changedRows.rows.count, input) && _changedRows.moveToCells(input);
         }
 
         /** The table was read without a search: the next search is one of all rows. */

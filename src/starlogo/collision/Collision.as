@@ -104,6 +104,9 @@ package starlogo.collision
         // Whether the handlers of the frame under way run.
         private var _isHandling:Boolean = false;
 
+        // The heights that handlers see, even if they change the ground; null if none run, or without ground. The edges never change.
+        private var _heldGround:HeightGrid = null;
+
         private var _statistics:CollisionStatistics = new CollisionStatistics();
         private var _handlers:HandlerTable = new HandlerTable();
         private var _handlerErrors:Vector.<Error> = new Vector.<Error>();
@@ -299,8 +302,14 @@ package starlogo.collision
             }
             finally
             {
+                _calls.end();
                 _frameSystem = null;
-                isSearching = false;
+                isSearching = _isHandling = false;
+                if (_heldGround != null)
+                {
+                    _heldGround.release();
+                    _heldGround = null;
+                }
             }
             _statistics.frameMs = getTimer() - start;
             system.onFrame(_statistics);
@@ -395,32 +404,14 @@ package starlogo.collision
             var searched:Collider = system.equivalentCollider;
             lastFrame.agents = copyAgents(_input.agents, lastFrame.agents);
             lastFrame.search = searched == null ? null : searched.search;
-            callHandlers(pairs, system, tracker, agents);
-            lastFrame.hasFailed = false;
-        }
-
-        // Calls the handlers of a frame. They see the ground as the search has, even if they change it. The edges never change.
-        private function callHandlers(pairs:FoundPairs, system:BaseCollider, tracker:TouchTracker, agents:Vector.<Agent>):void
-        {
-            var grid:HeightGrid = _input.ground == null ? null : _input.ground.surface.grid;
-            if (grid != null)
-            {
-                grid.hold();
-            }
             _isHandling = true;
-            try
+            if (_input.ground != null)
             {
-                _statistics.handlerCalls = _calls.make(pairs, system, _handlers, tracker, agents, _handlerErrors);
+                _heldGround = _input.ground.surface.grid;
+                _heldGround.hold();
             }
-            finally
-            {
-                _isHandling = false;
-                _calls.end();
-                if (grid != null)
-                {
-                    grid.release();
-                }
-            }
+            _statistics.handlerCalls = _calls.make(pairs, system, _handlers, tracker, agents, _handlerErrors);
+            lastFrame.hasFailed = false;
         }
 
         private function requireIdle(what:String):void

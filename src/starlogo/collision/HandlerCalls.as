@@ -60,24 +60,23 @@ package starlogo.collision
             _table = table;
             _gameList.begin(agents);
             _count = 0;
-            var isTracked:Boolean = tracker.touches.count > 0 || table.tracksTouches;
-            var starting:IntList = isTracked ? tracker.findStarting(pairs, table) : null;
+            _tracker = tracker.touches.count > 0 || table.tracksTouches ? tracker : null;
+            var starting:IntList = _tracker == null ? null : tracker.findStarting(pairs, table);
             if (table.contactKinds != 0)
             {
                 // before touches end, because a game's own contactOf may throw. Then the next frame ends them
                 _contacts.setTo(system, pairs);
-                findContacts(tracker, starting);
+                findContacts(starting);
             }
-            if (isTracked)
+            if (_tracker != null)
             {
-                _tracker = tracker;
                 tracker.endOthers();
             }
             callAll((table.kinds & CollisionHandler.COLLISION) == 0 ? starting : null, errors);
             return _count;
         }
 
-        /** Ends the calls of a frame, also if <code>make()</code> has thrown an error. */
+        /** Ends the calls of a frame, also if <code>make()</code> has thrown an error or was not called. */
         public function end():void
         {
             if (_tracker != null)
@@ -88,7 +87,7 @@ package starlogo.collision
         }
 
         // Computes the contacts that handlers take, before a handler moves an agent. Handlers for starts take none of a touch that goes on.
-        private function findContacts(tracker:TouchTracker, starting:IntList):void
+        private function findContacts(starting:IntList):void
         {
             var chosen:IntList = (_table.contactKinds & CollisionHandler.COLLISION) == 0 ? starting : null;
             var end:int = chosen == null ? _pairs.count : chosen.count;
@@ -96,7 +95,7 @@ package starlogo.collision
             {
                 var pair:int = chosen == null ? i : chosen.values[i];
                 var kinds:int = _table.handlersOfPair(_pairs, pair).contactKinds;
-                if ((kinds & CollisionHandler.COLLISION) != 0 || kinds != 0 && tracker.touchAt(pair) == null)
+                if ((kinds & CollisionHandler.COLLISION) != 0 || kinds != 0 && _tracker.touchAt(pair) == null)
                 {
                     _contacts.find(pair);
                 }

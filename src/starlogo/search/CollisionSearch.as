@@ -4,7 +4,7 @@
 // and what is near them.
 // 3. CandidateTests keeps the pairs that touch, or SweptTests those that touch on their motions. The NarrowPhase has a PairTests for each kind of
 // pairs (pairs/).
-// 4. PairOrder puts the FoundPairs into the order of the list. PairUpdate puts the pairs of changed rows between those of the last search.
+// 4. PairOrder puts the FoundPairs into the order of the list. The pairs of changed rows are put between those of the last search.
 // A Body is a shape (ModelShape) at a place. A BaseShapeChoice says which shape a model has, SearchInput who takes part, BreedInterests which breeds
 // count.
 // Read this file first, then AgentTable, CandidateTests and NarrowPhase. TwoAgents answers about two agents, with ExitSearch (penetration/) for depths.
@@ -49,7 +49,6 @@ package starlogo.search
         private var _motions:RowMotions;
         private var _changedRows:ChangedRows;
         private var _order:PairOrder = new PairOrder();
-        private var _update:PairUpdate = new PairUpdate();
 
         // The pairs of the search.
         private var _pairs:FoundPairs;
@@ -201,7 +200,7 @@ package starlogo.search
             _tests.testWithWorldAgent(ListedAgents.GROUND_ROW, _changedRows.rowsToTestWith(ListedAgents.GROUND_ROW));
             _tests.testWithWorldAgent(ListedAgents.EDGES_ROW, _changedRows.rowsToTestWith(ListedAgents.EDGES_ROW));
             var earlyCount:int = _order.putInOrder(_pairsOfChanged);
-            _update.replacePairsOf(_changedRows.rowsAndWorld, _pairs, _pairsOfChanged, earlyCount);
+            _pairs.replacePairsOf(_changedRows.rowsAndWorld, _pairsOfChanged, earlyCount);
             narrowPhase.counts.members = _changedRows.memberCount;
         }
 

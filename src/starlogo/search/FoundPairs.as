@@ -1,6 +1,7 @@
 package starlogo.search
 {
     import starlogo.agents.Agent;
+    import starlogo.data.IntSet;
     import starlogo.engine;
     import starlogo.search.table.ListedAgents;
 
@@ -11,7 +12,8 @@ package starlogo.search
      * second's. The ground and the edges of the world come after all agents. If an agent sweeps, pairs come by their times, and pairs of the same
      * time in the order of the list. The pairs of a collision system that is not the engine's come in its own order.
      *
-     * <p>Tests add pairs row by row, and PairOrder puts them into order. PairUpdate makes the pairs of a search from those of the last one.</p>
+     * <p>Tests add pairs row by row, and PairOrder puts them into order. If few rows have changed since the last search, their pairs are put between
+     * the others (<code>replacePairsOf()</code>).</p>
      *
      * @private
      */
@@ -65,8 +67,45 @@ package starlogo.search
             isUpdate = false;
         }
 
-        /** Begins to write another version of the pairs to the spare lists, with so many pairs at most. */
-        internal function beginUpdate(maxCount:int):void
+        /**
+         * Becomes the pairs of a search that is an update of the last one: drops the pairs of changed rows, and puts those between the others that were
+         * found now.
+         *
+         * @param changed the changed rows
+         * @param found their pairs, in order
+         * @param earlyCount how many of the found pairs touch before the end of their motions. All others touch at the end
+         */
+        internal function replacePairsOf(changed:IntSet, found:FoundPairs, earlyCount:int):void
+        {
+            beginUpdate(count + found.count);
+            var added:int = 0;
+            var kept:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var a:int = rows[int(2 * i)];
+                var b:int = rows[int(2 * i + 1)];
+                if (changed.has(a) || changed.has(b))
+                {
+                    continue;
+                }
+                while (added < found.count && (added < earlyCount || found.isBefore(added, a, b)))
+                {
+                    write(kept + added, found.rows[int(2 * added)], found.rows[int(2 * added + 1)], NEW);
+                    added++;
+                }
+                write(kept + added, a, b, i);
+                kept++;
+            }
+            for (; added < found.count; added++)
+            {
+                write(kept + added, found.rows[int(2 * added)], found.rows[int(2 * added + 1)], NEW);
+            }
+            exchangeLists();
+            count = kept + added;
+        }
+
+        // Begins to write another version of the pairs to the spare lists, with so many pairs at most.
+        private function beginUpdate(maxCount:int):void
         {
             version++;
             isUpdate = true;
@@ -75,6 +114,22 @@ package starlogo.search
             {
                 origins.length = maxCount + (maxCount >> 3);
             }
+        }
+
+        // Writes a pair of two rows to the spare list, with its origin.
+        private function write(to:int, a:int, b:int, origin:int):void
+        {
+            spareRows[int(2 * to)] = a;
+            spareRows[int(2 * to + 1)] = b;
+            origins[to] = origin;
+        }
+
+        // Whether a pair comes before a pair of two rows in the order of the list.
+        private function isBefore(pair:int, a:int, b:int):Boolean
+        {
+            var ranks:Vector.<int> = list.ranks;
+            var rank:int = ranks[rows[int(2 * pair)]];
+            return rank < ranks[a] || rank == ranks[a] && ranks[rows[int(2 * pair + 1)]] < ranks[b];
         }
 
         /** Makes room for a number of pairs in the spare lists. */

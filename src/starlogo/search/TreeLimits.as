@@ -38,8 +38,8 @@ package starlogo.search
         /** The number of levels to which the tree of a body is tested. */
         public function depthOf(body:Body):int
         {
-            var depth:int = body.depthLimit == 0 ? maxDepth : body.depthLimit;
-            return isExact || depth > BoxTree.MAX_DEPTH ? BoxTree.MAX_DEPTH : depth;
+            var levels:int = body.depthLimit == 0 ? maxDepth : body.depthLimit;
+            return isExact || levels > BoxTree.MAX_DEPTH ? BoxTree.MAX_DEPTH : levels;
         }
     }
 }

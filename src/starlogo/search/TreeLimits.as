@@ -32,6 +32,12 @@ package starlogo.search
             _maxDepth = value;
         }
 
+        /** The number of levels to which trees are tested if their agents have no limits; BoxTree.EXACT if the triangles decide. */
+        public function get depth():int
+        {
+            return isExact ? BoxTree.EXACT : Math.min(_maxDepth, BoxTree.MAX_DEPTH);
+        }
+
         /** The number of levels to which the tree of a body is tested; BoxTree.EXACT if its triangles decide. */
         public function depthOf(body:Body):int
         {
@@ -39,8 +45,8 @@ package starlogo.search
             {
                 return BoxTree.EXACT;
             }
-            var depth:int = body.depthLimit == 0 ? maxDepth : body.depthLimit;
-            return isExact || depth > BoxTree.MAX_DEPTH ? BoxTree.MAX_DEPTH : depth;
+            var levels:int = body.depthLimit == 0 ? maxDepth : body.depthLimit;
+            return isExact || levels > BoxTree.MAX_DEPTH ? BoxTree.MAX_DEPTH : levels;
         }
     }
 }

@@ -79,8 +79,7 @@ package starlogo.models
          */
         public function Model(name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null, scaling:String = FOOTPRINT, data:ModelData = null)
         {
-            // in JavaScript a fifth argument may be anything
-            _data = data is ModelData ? data : ModelBuilder.dataOf(name, vertices, triangles, scaling);
+            _data = data || ModelBuilder.dataOf(name, vertices, triangles, scaling);
         }
 
         /** The model's place and scale in its source, for a renderer that draws the source. Shared with the model. */

@@ -1,6 +1,9 @@
 package starlogo.queries
 {
     import starlogo.agents.Agent;
+    import starlogo.engine;
+
+    use namespace engine;
 
     /** How an agent walks. If a property refuses a number, it keeps its old value. */
     public final class WalkOptions
@@ -90,6 +93,17 @@ package starlogo.queries
         public function set fall(value:Number):void
         {
             _fall = value == Infinity ? value : checked("fall (if it is not Infinity)", value);
+        }
+
+        /** @private Becomes a copy of other options. */
+        engine function copyFrom(other:WalkOptions):void
+        {
+            _stepHeight = other.stepHeight;
+            _slopeDegrees = other.slopeDegrees;
+            _snap = other.snap;
+            _fall = other.fall;
+            filter = other.filter;
+            carried = other.carried;
         }
 
         private static function checked(name:String, value:Number):Number

@@ -396,6 +396,35 @@ package starlogo.queries
             assertTrue([_walker.x, _walker.heading, _footing.pushed].join(), Math.abs(_walker.heading - 20) < NEAR && !_queries.touchesAny(_walker));
         }
 
+        // The rows near a walk are those that its options reach when it begins.
+        [Test]
+        public function optionsThatAcceptsChangesCountInTheNextWalk():void
+        {
+            for each (var property:String in ["fall", "snap", "stepHeight", "slopeDegrees", "filter"])
+            {
+                var ends:Array = [];
+                for each (var value:Number in [0.25, 20])
+                {
+                    begin("tightest fits");
+                    _walker.moveTo(0, 0, 5);
+                    _wall.moveTo(0.9, 0, 5);
+                    _queries.update(_agents);
+                    _options = new WalkOptions();
+                    _options.filter = new AgentFilter();
+                    _options.filter.accepts = accepts;
+                    _queries.walk(_walker, 0.1, 0, _options, _footing);
+                    ends.push([_walker.x, _walker.z, _footing.stands].join());
+                }
+                assertEquals(property, ends[0], ends[1]);
+            }
+
+            function accepts(agent:Agent):Boolean
+            {
+                _options[property] = property == "filter" ? null : value;
+                return true;
+            }
+        }
+
         private function carryOnce(x:Number):void
         {
             _floor.moveTo(x, 0, -4);

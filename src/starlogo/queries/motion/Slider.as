@@ -106,6 +106,13 @@ package starlogo.queries.motion
             ShrunkSweep.setAlong(_state.start, motion, end, out.place);
         }
 
+        /** The slop of a motion of a body among its rows. */
+        public function slopOf(body:MovingBody, from:Vector3D, motion:Vector3D):Number
+        {
+            _state.shrunk.begin(body, body.rows, from, motion);
+            return _state.shrunk.slop;
+        }
+
         /** Whether a row, one of those near the way of a body, would stop a straight motion. */
         public function meets(body:MovingBody, row:int, from:Vector3D, motion:Vector3D):Boolean
         {

@@ -13,8 +13,8 @@ package starlogo.queries.motion
      */
     public final class Walk
     {
-        /** The options of the walk. */
-        public var options:WalkOptions;
+        /** The options of the walk, a copy: a filter's <code>accepts</code> may change those of the game. */
+        public var options:WalkOptions = new WalkOptions();
 
         /** The body of the agent, and the rows near the walk. */
         public var body:MovingBody;
@@ -29,7 +29,7 @@ package starlogo.queries.motion
         /** The least z of the normal of a surface that is not too steep to stand on. */
         public var walkableZ:Number = 1;
 
-        /** The agent stands on ground that is at most this far below it. */
+        /** The agent stands on ground that is at most this far below it. The shrunk body meets such ground. */
         public var closeDepth:Number = 0;
 
         /** How the platform that the agent stood on carries it: the motion, and the turn in degrees. Both are 0 if none does. */

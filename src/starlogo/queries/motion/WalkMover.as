@@ -30,8 +30,10 @@ package starlogo.queries.motion
         // A leg of a walk is as long as the agent, or longer if the walk would have more legs than this.
         private static const MAX_LEGS:int = 64;
 
-        // Walk.closeDepth, as a part of the extent.
+        // Walk.closeDepth is this part of the extent, or this many slops if they are more: near what is far larger, and far from the origin. A walk ends a
+        // clearance above the ground, and the shrunk body meets the ground up to ten slops farther down.
         private static const CLOSE_DEPTH:Number = 1e-6;
+        private static const CLOSE_SLOPS:Number = 20;
 
         // The least way down of a fall with the slide after it. A shorter one is undone. A part of the extent.
         private static const MIN_FALL:Number = 1e-8;
@@ -87,7 +89,7 @@ package starlogo.queries.motion
             var size:Number = _seen.placementOf(agent).size;
             requireMotion(dx, dy, 0, agent);
             var length:Number = Math.sqrt(dx * dx + dy * dy);
-            walk.options = options;
+            walk.options.copyFrom(options);
             walk.walkableZ = (1 - SLOPE_ROUNDING) * Trigonometry.cosine(options.slopeDegrees);
             walk.legCount = Math.min(MAX_LEGS, Math.max(1, Math.ceil(length / size)));
             walk.legMotion.setTo(dx / walk.legCount, dy / walk.legCount, 0);
@@ -95,7 +97,6 @@ package starlogo.queries.motion
             var platform:int = _platforms.find(agent, walk);
             walk.body.setToAgent(agent, walk.carryTurn);
             walk.place.copyFrom(walk.body.from);
-            walk.closeDepth = CLOSE_DEPTH * walk.body.extent;
             collectRows(walk, 0);
             if (platform >= 0)
             {
@@ -113,13 +114,14 @@ package starlogo.queries.motion
             copyVector(stands ? walk.floorNormal : UP, out.normal);
         }
 
-        // Finds the rows near a walk, and up to a distance from it.
-        private static function collectRows(walk:Walk, distance:Number):void
+        // Finds the rows near a walk, and up to a distance from it, and how close to them it stands.
+        private function collectRows(walk:Walk, distance:Number):void
         {
             var options:WalkOptions = walk.options;
             // the way on the steepest slope, how far a slide after a fall goes sideways, and the way of the platform, whatever their directions
             var range:Number = walk.legCount * walk.legLength / walk.walkableZ + widthAfterFall(walk) + walk.carry.length;
             walk.body.collectRowsWithin(range + distance, walk.legCount * options.stepHeight, walk.legCount * options.snap + options.fall, options.filter);
+            walk.closeDepth = Math.max(CLOSE_DEPTH * walk.body.extent, CLOSE_SLOPS * _slider.slopOf(walk.body, walk.place, walk.legMotion));
         }
 
         // Pushes the agent out of what it overlaps. Returns whether it stands then.

@@ -166,8 +166,11 @@ package starlogo.queries
          */
         engine function needTests(addTo:Function):void
         {
-            _needs.push(addTo);
-            addTo(narrowPhase);
+            if (_needs.indexOf(addTo) < 0)
+            {
+                _needs.push(addTo);
+                addTo(narrowPhase);
+            }
         }
 
         /** @private Begins the search of a question, and returns what collects its rows: see Collector.begin. */
@@ -282,7 +285,11 @@ package starlogo.queries
             {
                 tree.build(table.list.rows.values, table.list.rows.count, points, sizes);
             }
-            tree.learnBreeds(table.list.agentsByRow);
+            if (nesting == 0)
+            {
+                // the set of breeds of a question under way may lack a breed that its accepts has made
+                tree.learnBreeds(table.list.agentsByRow);
+            }
             return tree;
         }
 

@@ -127,6 +127,50 @@ package starlogo.queries
             assertStrictlyEquals(only, _places.nearestToPoint(new Vector3D(), Infinity, filter));
         }
 
+        // A question in accepts makes the nodes learn their breeds, when one of them has a new breed with the bit of an excepted one.
+        [Test]
+        public function aBreedThatAcceptsMakesIsNotExceptedByItsBit():void
+        {
+            while (Breeds.NAMES.count < 32)
+            {
+                Breeds.NAMES.numberOf("breed " + Breeds.NAMES.count);
+            }
+            var excepted:String = Breeds.NAMES.nameOf(4);
+            var agents:Vector.<Agent> = new Vector.<Agent>();
+            for (var i:int = 0; i < 200; i++)
+            {
+                var agent:Agent = new Agent("sphere", Breeds.NAMES.nameOf(5));
+                agent.x = i;
+                agents.push(agent);
+            }
+            _seen.update(agents);
+            var asked:int = 0;
+            var filter:AgentFilter = new AgentFilter();
+            filter.exceptBreeds = new <String>[excepted];
+            filter.accepts = function(agent:Agent):Boolean
+            {
+                if (asked == 0)
+                {
+                    while (RowTree.breedBit(Breeds.NAMES.count) != RowTree.breedBit(4))
+                    {
+                        Breeds.NAMES.numberOf("breed " + Breeds.NAMES.count);
+                    }
+                    for (var last:int = 0; last < 100; last++)
+                    {
+                        agents[100 + last].breed = "the newest";
+                    }
+                    // the first two pass over all, and the last lets the nodes learn
+                    for (var question:int = 0; question < 3; question++)
+                    {
+                        _places.countNear(agent, Infinity, AgentFilter.ofBreeds(excepted));
+                    }
+                }
+                asked++;
+                return agent.breed == "the newest";
+            };
+            assertStrictlyEquals(agents[100], _places.nearestToPoint(new Vector3D(), Infinity, filter));
+        }
+
         // Asks for all sheep: how many rows that do not count are looked at.
         private function assertFew(tree:RowTree, ask:Function):void
         {

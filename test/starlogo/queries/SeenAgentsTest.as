@@ -173,6 +173,20 @@ package starlogo.queries
         }
 
         [Test]
+        public function whatTwoNeedIsAddedOnce():void
+        {
+            var seen:SeenAgents = new SeenAgents(new BinCollider());
+            var added:int = 0;
+            var add:Function = function(narrowPhase:Object):void
+            {
+                added++;
+            };
+            seen.needTests(add);
+            seen.needTests(add);
+            assertEquals(1, added);
+        }
+
+        [Test]
         public function oneAgentIsReadAgain():void
         {
             var seen:SeenAgents = new SeenAgents(new BinCollider());

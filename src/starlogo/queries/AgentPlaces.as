@@ -16,6 +16,9 @@ package starlogo.queries
      */
     public final class AgentPlaces
     {
+        // The square of a computed distance and a computed square of it differ by some rounding errors. A radius reaches as far as the game computes it.
+        private static const SQUARE_ROUNDING:Number = 1 + 2e-15;
+
         private var _seen:SeenAgents;
 
         // The search of a question.
@@ -176,7 +179,7 @@ package starlogo.queries
         {
             requireNotNegative("radius", radius);
             var search:NearSearch = NearSearch(_searches.current);
-            return search.begin(_seen.beginSearch(maxCount, radius * radius, asker, filter), x, y, z);
+            return search.begin(_seen.beginSearch(maxCount, SQUARE_ROUNDING * radius * radius, asker, filter), x, y, z);
         }
     }
 }

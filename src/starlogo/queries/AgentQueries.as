@@ -30,7 +30,7 @@ package starlogo.queries
      *
      * <p>Every list is complete, and sorted by distance. Agents at the same distance keep the order of the list given to <code>update()</code>.
      * The distance of two agents is the distance of their places <code>(x, y, z)</code>. An agent exactly on the border of a radius or a cone is
-     * in the answer. Distances have the rounding errors of Numbers: 4.4 - 1.1 is not within 3.3. An agent whose
+     * in the answer. A radius reaches 1e-15 of its length farther, so a distance that a game has computed is a radius that reaches as far. An agent whose
      * model is loading has a place, but touches nothing.</p>
      *
      * <p>The agents of the ground and of the edges of the world have no place. Questions that begin at an agent's place refuse them with an

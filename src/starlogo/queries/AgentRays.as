@@ -135,7 +135,8 @@ package starlogo.queries
 
         /**
          * Whether no agent is between two agents. It tests the line between the middles of their extents. Both agents are seen where they are
-         * now, and need not be in the list. While an agent's model is loading, its place is used as its middle.
+         * now, and need not be in the list. While an agent's model is loading, its place is used as its middle. An
+         * agent sees itself. If one of the middles is inside a third agent, that agent is between the two.
          *
          * @param a one of them
          * @param b the other
@@ -146,6 +147,10 @@ package starlogo.queries
         {
             findMiddle(a, _middleA);
             findMiddle(b, _middleB);
+            if (a === b)
+            {
+                return true;
+            }
             // the ray always starts at the same place of the two, because rounding may let a ray that grazes something pass in one direction only
             var isReversed:Boolean = compareVectors(_middleA, _middleB) > 0;
             var from:Vector3D = isReversed ? _middleB : _middleA;

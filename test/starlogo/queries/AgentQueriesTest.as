@@ -280,6 +280,54 @@ package starlogo.queries
         }
 
         [Test]
+        public function aComputedDistanceIsARadiusThatReaches():void
+        {
+            var random:SeededRandom = new SeededRandom(911);
+            var asker:Agent = new Agent("cube");
+            var other:Agent = new Agent("cube");
+            var queries:AgentQueries = new AgentQueries(new BinCollider(sGreatLand));
+            for (var i:int = 0; i < 2000; i++)
+            {
+                var scale:Number = random.logBetween(1e-6, 1e8);
+                asker.moveTo(random.between(-scale, scale), random.between(-scale, scale), random.between(-scale, scale));
+                other.moveTo(asker.x + random.normal(), asker.y + random.normal() * scale, asker.z - random.normal() * scale);
+                queries.update(new <Agent>[asker, other]);
+                var x:Number = other.x - asker.x;
+                var y:Number = other.y - asker.y;
+                var z:Number = other.z - asker.z;
+                var at:Vector3D = new Vector3D(asker.x, asker.y, asker.z);
+                asker.heading = Math.atan2(y, x) * 180 / Math.PI;
+                for each (var distance:Number in [Math.sqrt(x * x + y * y + z * z), Math.sqrt(z * z + y * y + x * x), at.subtract(new Vector3D(other.x, other.y, other.z)).length])
+                {
+                    var message:String = i + ": " + distance;
+                    assertEquals(message, 1, queries.near(asker, distance).length);
+                    assertEquals(message, 1, queries.countNear(asker, distance));
+                    assertEquals(message, other, queries.nearest(asker, distance));
+                    assertEquals(message, 1, queries.nearestFew(asker, 2, distance).length);
+                    assertEquals(message, 1, queries.inCone(asker, distance, 181).length);
+                    assertEquals(message, 2, queries.nearPoint(at, distance).length);
+                    assertEquals(message, 2, queries.countNearPoint(at, distance));
+                    assertEquals(message, 0, queries.countNear(asker, distance * (1 - 1e-14)));
+                }
+            }
+        }
+
+        [Test]
+        public function anAgentSeesItselfInsideOfAnother():void
+        {
+            var inside:Agent = new Agent("sphere");
+            var other:Agent = new Agent("sphere");
+            var around:Agent = new Agent("cube");
+            other.x = 0.5;
+            around.size = 9;
+            around.z = -4;
+            var queries:AgentQueries = new AgentQueries(new TightestFitCollider(sGreatLand));
+            queries.update(new <Agent>[inside, other, around]);
+            assertTrue(queries.canSee(inside, inside));
+            assertFalse(queries.canSee(inside, other));
+        }
+
+        [Test]
         public function aNewBreedWhileAFilterIsAsked():void
         {
             var agents:Vector.<Agent> = new <Agent>[new Agent("cube", "sheep")];

@@ -10,6 +10,9 @@ package starlogo.queries
         // Of an angle between vectors, in radians. Agents exactly on the border of a cone are in it.
         private static const ROUNDING:Number = 2e-15;
 
+        // Of the square of a radius, which reaches as far as a computed distance.
+        private static const REACH:Number = 1 + 2e-15;
+
         private var _agents:Vector.<Agent>;
         private var _places:Vector.<Vector3D>;
 
@@ -42,7 +45,7 @@ package starlogo.queries
             var near:Vector.<Agent> = new Vector.<Agent>();
             for (var i:int = 0; i < _agents.length; i++)
             {
-                if (_agents[i] != asker && square(x, y, z, i) <= radius * radius)
+                if (_agents[i] != asker && square(x, y, z, i) <= REACH * radius * radius)
                 {
                     near.push(_agents[i]);
                 }

@@ -39,8 +39,8 @@ package starlogo.queries.trees
         /** The set of all breeds. */
         public static const ALL_BREEDS:int = -1;
 
-        // After this many refreshes per row the tree has to be built again, because its boxes have grown too much.
-        private static const REFRESHES_PER_ROW:Number = 0.5;
+        // After this many refreshes per row that make a leaf's box grow, the tree has to be built again.
+        private static const GROWTHS_PER_ROW:Number = 0.5;
 
         /** The number of rows. Read only. */
         public var count:int = 0;
@@ -66,8 +66,8 @@ package starlogo.queries.trees
         private var _breedSets:Vector.<int> = new Vector.<int>();
         private var _breedsAsOf:int = -1;
 
-        // How many rows may still be refreshed. If it is less than 0, the tree is stale.
-        private var _refreshesLeft:int = -1;
+        // How many refreshes may still make a leaf's box grow. If it is less than 0, the tree is stale.
+        private var _growthsLeft:int = -1;
 
         // By row: its slot.
         private var _slots:Vector.<int> = new Vector.<int>();
@@ -86,7 +86,7 @@ package starlogo.queries.trees
          */
         public function build(rows:Vector.<int>, count:int, points:Points, sizes:Extents):void
         {
-            _refreshesLeft = REFRESHES_PER_ROW * count;
+            _growthsLeft = GROWTHS_PER_ROW * count;
             excludedCount = 0;
             _breedsAsOf = -1;
             this.count = count;
@@ -109,13 +109,13 @@ package starlogo.queries.trees
         /** Whether the tree must be built again before the next search. */
         public function get isStale():Boolean
         {
-            return _refreshesLeft < 0;
+            return _growthsLeft < 0;
         }
 
         /** The rows have changed: the tree is built again before it is asked. */
         public function makeStale():void
         {
-            _refreshesLeft = -1;
+            _growthsLeft = -1;
         }
 
         /** The bit of a breed in a set of breeds. Breeds with the same remainder share one. */
@@ -191,19 +191,20 @@ package starlogo.queries.trees
         /** Reads the box of one row again, unless the tree is stale. The boxes around the row grow, so searches stay correct, but take more time. */
         public function refresh(row:int):void
         {
-            _refreshesLeft--;
-            if (_refreshesLeft < 0)
+            if (isStale)
             {
                 return;
             }
             var slot:int = _slots[row];
-            var node:int = leafOf(row);
+            var leaf:int = leafOf(row);
+            var node:int = leaf;
             boundRow(slot);
             // if a box does not grow, the boxes around it do not grow either
             while (node > 0 && widen(PER_BOX * node, rowBoxes, PER_BOX * slot))
             {
                 node >>= 1;
             }
+            _growthsLeft -= node < leaf ? 1 : 0;
         }
 
         private function grow(rowCount:int):void

@@ -27,7 +27,7 @@ package starlogo.queries.motion
         }
 
         /** The result that <code>add()</code> would add. The caller writes to it. */
-        public function get next():CastResult
+        public function next():CastResult
         {
             if (count == _results.length)
             {
@@ -39,7 +39,7 @@ package starlogo.queries.motion
         /** Adds the next result at the end. */
         public function add():void
         {
-            _order.add(count, next.time);
+            _order.add(count, next().time);
         }
 
         /** Sorts the results by time. Results with the same time keep their order. */
@@ -51,7 +51,7 @@ package starlogo.queries.motion
         /** A result. The index <code>count</code> is that of the next one. */
         public function at(index:int):CastResult
         {
-            return index == count ? next : _results[_order.values[index]];
+            return index == count ? next() : _results[_order.values[index]];
         }
     }
 }

@@ -21,7 +21,7 @@ package starlogo.queries.motion
          * motion, unless <code>time</code> is 0. So if a corner of the shrunk body enters a floor exactly between two tiles, along the side of one of
          * them, the top of the other stops it.
          */
-        public var comparedTime:Number = Infinity;
+        public var orderTime:Number = Infinity;
 
         /** The contact of the shrunk body at <code>time</code>. Its normal points against the motion. */
         public var contact:ContactPoint = new ContactPoint();
@@ -40,7 +40,7 @@ package starlogo.queries.motion
         {
             row = other.row;
             time = other.time;
-            comparedTime = other.comparedTime;
+            orderTime = other.orderTime;
             contact.copyFrom(other.contact);
             isNormalFallback = other.isNormalFallback;
         }

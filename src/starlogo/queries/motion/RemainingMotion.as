@@ -29,7 +29,7 @@ package starlogo.queries.motion
         public var motion:Vector3D = new Vector3D();
 
         /** The length of the way so far. Read only. */
-        public var gone:Number = 0;
+        public var travelled:Number = 0;
 
         private var _limits:SlideLimits = SlideLimits.NONE;
 
@@ -52,7 +52,7 @@ package starlogo.queries.motion
             _maxHorizontal = limits.maxHorizontal;
             _desired.copyFrom(desired);
             motion.copyFrom(desired);
-            gone = 0;
+            travelled = 0;
             shorten();
         }
 
@@ -68,7 +68,7 @@ package starlogo.queries.motion
         /** Moves a place by a fraction of the remaining motion, from 0 to 1, and takes this fraction off it. */
         public function advance(place:Vector3D, fraction:Number):void
         {
-            gone += fraction * motion.length;
+            travelled += fraction * motion.length;
             _maxHorizontal -= fraction * horizontalLength();
             place.x += fraction * motion.x;
             place.y += fraction * motion.y;

@@ -80,7 +80,7 @@ package starlogo.queries.motion
         }
 
         /**
-         * Finds which row a shrunk body meets first: none, if the motion has no length. Of rows with the same <code>comparedTime</code>, the first
+         * Finds which row a shrunk body meets first: none, if the motion has no length. Of rows with the same <code>orderTime</code>, the first
          * one in their order counts.
          *
          * @param from where the motion begins
@@ -90,11 +90,11 @@ package starlogo.queries.motion
         public function findFirstImpact(shrunk:ShrunkBody, rows:IntList, from:Vector3D, motion:Vector3D, out:Impact):Boolean
         {
             out.row = -1;
-            out.time = out.comparedTime = RelativeMotion.NEVER;
+            out.time = out.orderTime = RelativeMotion.NEVER;
             var end:int = hasLength(motion) ? rows.count : 0;
-            for (var i:int = 0; i < end && out.comparedTime > 0; i++)
+            for (var i:int = 0; i < end && out.orderTime > 0; i++)
             {
-                if (findImpact(shrunk, rows.values[i], from, motion, _met) && _met.comparedTime < out.comparedTime)
+                if (findImpact(shrunk, rows.values[i], from, motion, _met) && _met.orderTime < out.orderTime)
                 {
                     out.copyFrom(_met);
                 }
@@ -211,7 +211,7 @@ package starlogo.queries.motion
                     out.contact.copyFrom(planes.contacts[i]);
                 }
             }
-            out.time = out.comparedTime = 0;
+            out.time = out.orderTime = 0;
             out.isNormalFallback = false;
             out.contact.triangle = -1;
             return out.isMet;
@@ -245,13 +245,13 @@ package starlogo.queries.motion
                 out.time = beyond + rest * _relative.time;
             }
             out.row = row;
-            out.comparedTime = out.time;
+            out.orderTime = out.time;
             out.isNormalFallback = !(contact.along(motion) < against);
             if (out.isNormalFallback)
             {
                 contact.setNormal(-motion.x, -motion.y, -motion.z);
                 contact.normalise();
-                out.comparedTime = out.time > 0 ? out.time + clearanceTime : 0;
+                out.orderTime = out.time > 0 ? out.time + clearanceTime : 0;
             }
             return true;
         }

@@ -80,7 +80,7 @@ package starlogo.queries.motion
                 _remaining.advance(out.place, 1);
             }
             var wantedLength:Number = motion.length;
-            out.fraction = _remaining.gone < wantedLength ? _remaining.gone / wantedLength : 1;
+            out.fraction = _remaining.travelled < wantedLength ? _remaining.travelled / wantedLength : 1;
         }
 
         /**

@@ -77,7 +77,7 @@ package starlogo.queries.motion
             // what stops the body at once does not end the loop, because a row behind it may push the body
             for (var i:int = 0; i < body.rows.count; i++)
             {
-                var touch:CastResult = out.next;
+                var touch:CastResult = out.next();
                 findTouch(body, body.rows.values[i], start, _alone, touch);
                 // the row alone pushes the body, or stops it at once in a shallow overlap
                 mayPush ||= !_alone.start.equals(start.start) || (touch.time == 0 && !touch.hasPlane);
@@ -86,7 +86,7 @@ package starlogo.queries.motion
                     out.add();
                 }
             }
-            var free:CastResult = out.next;
+            var free:CastResult = out.next();
             free.row = -1;
             free.time = 1;
             free.hasPlane = false;

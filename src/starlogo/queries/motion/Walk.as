@@ -43,7 +43,7 @@ package starlogo.queries.motion
         public var place:Vector3D = new Vector3D();
 
         /** The contact of the deepest overlap where the walk begins. A filter may walk another agent before the push. */
-        public var deepest:ContactPoint = new ContactPoint();
+        public var deepestOverlap:ContactPoint = new ContactPoint();
 
         /** The row that the agent stood on last, and the normal of its surface there. */
         public var floorRow:int = -1;

@@ -18,7 +18,7 @@ package starlogo.queries.motion
      * <code>go()</code> shows the order.
      *
      * <p>Steps take the walk to its next place, <code>Walk.place</code>, and return whether the agent stands there. Then the walk has the floor too. If the
-     * agent does not stand after <code>stepUp()</code>, or a method that begins with "stand", the walk is where it was.</p>
+     * agent does not stand after a method that begins with "try", the walk is where it was.</p>
      *
      * @private
      */
@@ -132,7 +132,7 @@ package starlogo.queries.motion
             var down:MotionResult = moveVertically(walk, walk.place, -walk.closeDepth);
             if (!down.hasPlanes)
             {
-                return standAtEnd(walk, down);
+                return tryStandAtEnd(walk, down);
             }
             pushOut(walk);
             var x:Number = walk.place.x - walk.legStart.x;
@@ -140,14 +140,14 @@ package starlogo.queries.motion
             var z:Number = walk.place.z - walk.legStart.z;
             walk.footing.pushed = Math.sqrt(x * x + y * y + z * z);
             walk.legStart.copyFrom(walk.place);
-            return standBelow(walk, walk.place, walk.closeDepth);
+            return tryStandBelow(walk, walk.place, walk.closeDepth);
         }
 
         // Pushes the agent out of what it overlaps deeply. The deepest overlap comes first. A push is a slide, so it leads through nothing else. All pushes
         // together are as long as the depths of all overlaps at the beginning.
         private function pushOut(walk:Walk):void
         {
-            var left:Number = _recovery.measureOverlaps(walk.body, walk.place, walk.deepest);
+            var left:Number = _recovery.measureOverlaps(walk.body, walk.place, walk.deepestOverlap);
             if (!(left > 0))
             {
                 return;
@@ -156,15 +156,15 @@ package starlogo.queries.motion
             var pushes:int = 0;
             do
             {
-                var length:Number = Math.min(left, walk.deepest.depth);
+                var length:Number = Math.min(left, walk.deepestOverlap.depth);
                 left -= length;
                 _motion.setTo(0, 0, 0);
-                walk.deepest.movePoint(_motion, length);
+                walk.deepestOverlap.movePoint(_motion, length);
                 _slider.slide(walk.body, walk.body.rows, walk.place, _motion, SlideLimits.NONE, _slid);
                 walk.place.copyFrom(_slid.place);
                 pushes++;
             }
-            while (pushes < MAX_PUSHES && left > 0 && _recovery.measureOverlaps(walk.body, walk.place, walk.deepest) > 0);
+            while (pushes < MAX_PUSHES && left > 0 && _recovery.measureOverlaps(walk.body, walk.place, walk.deepestOverlap) > 0);
         }
 
         // Goes all legs: along the ground if the agent stands, else straight on through the air. Returns whether it stands at the end.
@@ -180,7 +180,7 @@ package starlogo.queries.motion
                 {
                     walk.legStart.copyFrom(walk.place);
                     // beyond a gap there may be ground again
-                    stands ||= beginsStanding && standBelow(walk, walk.place, walk.closeDepth);
+                    stands ||= beginsStanding && tryStandBelow(walk, walk.place, walk.closeDepth);
                 }
                 if (stands)
                 {
@@ -214,14 +214,14 @@ package starlogo.queries.motion
             var wallBefore:int = walk.wallRow;
             var slid:MotionResult = slideAlong(walk, walk.place, rise, walk.walkableZ);
             endLeg(walk, slid);
-            if (slid.wallRow >= 0 && stepUp(walk))
+            if (slid.wallRow >= 0 && tryStepUp(walk))
             {
                 walk.wallRow = wallBefore;
                 return true;
             }
             // the ground may have led up only for a part of the leg: on a ramp, and over the edge of a step
             var height:Number = Math.max(0, walk.place.z - walk.legStart.z);
-            return standBelow(walk, walk.place, height + walk.options.snap + walk.closeDepth);
+            return tryStandBelow(walk, walk.place, height + walk.options.snap + walk.closeDepth);
         }
 
         // Ends a leg where its slide ended.
@@ -235,7 +235,7 @@ package starlogo.queries.motion
         }
 
         // Tries a leg again a step higher, and goes down again. Returns whether the agent comes farther than without the step, and stands.
-        private function stepUp(walk:Walk):Boolean
+        private function tryStepUp(walk:Walk):Boolean
         {
             var up:MotionResult = moveVertically(walk, walk.legStart, walk.options.stepHeight);
             var height:Number = up.place.z - walk.legStart.z;
@@ -251,7 +251,7 @@ package starlogo.queries.motion
             var depth:Number = height + walk.options.snap + walk.closeDepth;
             var top:Number = slid.place.z;
             var down:MotionResult = moveVertically(walk, slid.place, -depth);
-            return standAtEnd(walk, down) || (down.hasContact && slideOff(walk, down.place, depth - (top - down.place.z)));
+            return tryStandAtEnd(walk, down) || (down.hasContact && trySlideOff(walk, down.place, depth - (top - down.place.z)));
         }
 
         // Whether a place is farther along the leg than where the walk is.
@@ -263,12 +263,12 @@ package starlogo.queries.motion
 
         // Slides down what is too steep to stand on, from the end of the way down: a round agent that has met the edge of the next step hangs on it. Returns
         // whether the agent comes farther than without the step, but no farther from where the leg began than the leg is long, and stands.
-        private function slideOff(walk:Walk, from:Vector3D, depth:Number):Boolean
+        private function trySlideOff(walk:Walk, from:Vector3D, depth:Number):Boolean
         {
             var place:Vector3D = slideDown(walk, from, depth, walk.legLength).place;
             var dx:Number = place.x - walk.legStart.x;
             var dy:Number = place.y - walk.legStart.y;
-            return dx * dx + dy * dy <= walk.legLength * walk.legLength && isFarther(walk, place) && standBelow(walk, place, walk.closeDepth);
+            return dx * dx + dy * dy <= walk.legLength * walk.legLength && isFarther(walk, place) && tryStandBelow(walk, place, walk.closeDepth);
         }
 
         // Falls until something stops the agent, and slides down what is too steep. It falls in drops that get longer, because rounding
@@ -300,9 +300,9 @@ package starlogo.queries.motion
             {
                 // a fall can also end where the ground begins, without being stopped
                 walk.place.copyFrom(place);
-                return standBelow(walk, walk.place, walk.closeDepth);
+                return tryStandBelow(walk, walk.place, walk.closeDepth);
             }
-            if (standOn(walk, down, place))
+            if (tryStandOn(walk, down, place))
             {
                 return true;
             }
@@ -311,7 +311,7 @@ package starlogo.queries.motion
             {
                 walk.place.copyFrom(slid.place);
             }
-            return standBelow(walk, walk.place, walk.closeDepth);
+            return tryStandBelow(walk, walk.place, walk.closeDepth);
         }
 
         // How far down the slide after a fall may lead.
@@ -328,25 +328,25 @@ package starlogo.queries.motion
 
         // Lets the agent stand on the ground below a place, if the ground is no deeper than this depth, and not too steep. Otherwise the agent stays where it
         // is. Returns whether it stands.
-        private function standBelow(walk:Walk, place:Vector3D, depth:Number):Boolean
+        private function tryStandBelow(walk:Walk, place:Vector3D, depth:Number):Boolean
         {
-            return standAtEnd(walk, moveVertically(walk, place, -depth));
+            return tryStandAtEnd(walk, moveVertically(walk, place, -depth));
         }
 
         // Lets the agent stand where a way down has ended, on what has stopped it or on what else it touches there. Otherwise the agent stays where it is.
         // Returns whether it stands.
-        private function standAtEnd(walk:Walk, down:MotionResult):Boolean
+        private function tryStandAtEnd(walk:Walk, down:MotionResult):Boolean
         {
-            if (!down.hasContact || standOn(walk, down, down.place))
+            if (!down.hasContact || tryStandOn(walk, down, down.place))
             {
                 return down.hasContact;
             }
             var slid:MotionResult = slideDown(walk, down.place, walk.closeDepth, walk.body.extent);
-            return slid.hasContact && standOn(walk, slid, down.place);
+            return slid.hasContact && tryStandOn(walk, slid, down.place);
         }
 
         // Lets the agent stand at a place, on the row that a motion has met there, if the row carries it. Returns whether it does.
-        private function standOn(walk:Walk, met:MotionResult, place:Vector3D):Boolean
+        private function tryStandOn(walk:Walk, met:MotionResult, place:Vector3D):Boolean
         {
             if (!_foothold.findSurface(walk, met.contact, met.row, place, walk.floorNormal))
             {

@@ -28,7 +28,7 @@ package starlogo.queries.rays
         private var _contacts:Vector.<ContactPoint> = new Vector.<ContactPoint>();
 
         // By row: its first hit.
-        private var _firsts:Vector.<int> = new Vector.<int>();
+        private var _firstHitByRow:Vector.<int> = new Vector.<int>();
 
         // The hits of the answer, in their order.
         private var _answer:SortableIntList = new SortableIntList();
@@ -51,13 +51,13 @@ package starlogo.queries.rays
         public function add(row:int, ray:Ray, entry:RayEntry):void
         {
             var index:int = _hits.count;
-            if (_firsts.length <= row)
+            if (_firstHitByRow.length <= row)
             {
-                _firsts.length = row + 1;
+                _firstHitByRow.length = row + 1;
             }
             if (index == 0 || _hits.values[int(index - 1)] != row)
             {
-                _firsts[row] = index;
+                _firstHitByRow[row] = index;
             }
             if (index == _contacts.length)
             {
@@ -76,7 +76,7 @@ package starlogo.queries.rays
         /** The distance of the first hit of a row that has one. */
         public function firstDistanceOf(row:int):Number
         {
-            return _hits.keys[_firsts[row]];
+            return _hits.keys[_firstHitByRow[row]];
         }
 
         /** Ends a collector's search. The answer has the hits of the rows that it has found, sorted by distance. Returns how many they are. */
@@ -87,7 +87,7 @@ package starlogo.queries.rays
             for (var i:int = 0; i < rows; i++)
             {
                 var row:int = collector.rowAt(i);
-                for (var hit:int = _firsts[row]; hit < _hits.count && _hits.values[hit] == row; hit++)
+                for (var hit:int = _firstHitByRow[row]; hit < _hits.count && _hits.values[hit] == row; hit++)
                 {
                     _answer.add(hit, _hits.keys[hit]);
                 }

@@ -12,8 +12,9 @@ package starlogo.queries.trees
      * The answer of a question while it is searched for: the rows with the smallest keys, as many as are wanted. A key is a distance, a squared
      * distance or a time. Rows with the same key are in the order of the list.
      *
-     * <p>A question takes one row after the other from a SweptBoxSearch, tests it, and adds it with its key. A NearSearch adds rows itself. The limit is the largest key of a row that is still wanted. It shrinks when enough rows are found, so the search visits less. One of the methods
-     * that begin with "end" makes the answer.</p>
+     * <p>A question takes one row after the other from a SweptBoxSearch, tests it, and adds it with its key. A NearSearch adds rows itself. The limit is
+     * the largest key of a row that is still wanted. It shrinks when enough rows are found, so the search visits less. One of the methods that begin with
+     * "end" makes the answer.</p>
      *
      * <p>Rows that a filter excludes are left out before they are tested. The filter's own function, <code>accepts</code>, is called
      * for rows that pass all tests, in the order of their keys, and no oftener than the answer needs. Motions and casts of shapes call it for all rows

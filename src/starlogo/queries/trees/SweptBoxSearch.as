@@ -8,8 +8,8 @@ package starlogo.queries.trees
     use namespace engine;
 
     /**
-     * Finds the rows of a tree whose boxes a moving box meets, and that a Collector wants. It returns one row at a time. If the box moves, nearer nodes come first. The rows
-     * of a leaf come in no order. A ray is a moving box without size. A box that stands still has a motion without length.
+     * Finds the rows of a tree whose boxes a moving box meets, and that a Collector wants. It returns one row at a time. If the box moves, nearer nodes come
+     * first. The rows of a leaf come in no order. A ray is a moving box without size. A box that stands still has a motion without length.
      *
      * @private
      */
@@ -19,9 +19,6 @@ package starlogo.queries.trees
 
         // Whether the row of the ground has not been returned yet.
         private var _isGroundLeft:Boolean = false;
-
-        // How much of the motion is still searched, as a multiple of its vector.
-        private var _limit:Number = 1;
 
         private var _isMoving:Boolean = false;
 
@@ -158,7 +155,6 @@ package starlogo.queries.trees
          */
         public function nextInTree(breedSet:int, limit:Number):int
         {
-            _limit = limit;
             while (_waiting > 0)
             {
                 _waiting--;
@@ -177,18 +173,18 @@ package starlogo.queries.trees
                 }
                 if (next < _tree.firstLeaf)
                 {
-                    push(_tree.nodeBoxes, next << 1, (next << 1) + 2, false);
+                    push(_tree.nodeBoxes, next << 1, (next << 1) + 2, false, limit);
                 }
                 else
                 {
-                    push(_tree.rowBoxes, _tree.startOf(next), _tree.startOf(next + 1), true);
+                    push(_tree.rowBoxes, _tree.startOf(next), _tree.startOf(next + 1), true, limit);
                 }
             }
             return -1;
         }
 
         // Lets those of some boxes wait that the box meets on its way. Of two, the nearer one comes next.
-        private function push(boxes:Vector.<Number>, first:int, end:int, areSlots:Boolean):void
+        private function push(boxes:Vector.<Number>, first:int, end:int, areSlots:Boolean, limit:Number):void
         {
             var minX:Number = _around[0];
             var minY:Number = _around[1];
@@ -205,7 +201,7 @@ package starlogo.queries.trees
                 {
                     continue;
                 }
-                if (!_isMoving || findEntry(boxes, box, _entries, count))
+                if (!_isMoving || findEntry(boxes, box, limit, _entries, count))
                 {
                     _stack[count] = areSlots ? -1 - i : i;
                     count++;
@@ -225,10 +221,10 @@ package starlogo.queries.trees
 
         // Finds where on the way the box meets another (the method of slabs: Kay and Kajiya, "Ray Tracing Complex Scenes", 1986). A list receives it, because
         // V8 would box a Number that is returned. Returns whether it is within the limit.
-        private function findEntry(boxes:Vector.<Number>, box:int, out:Vector.<Number>, index:int):Boolean
+        private function findEntry(boxes:Vector.<Number>, box:int, limit:Number, out:Vector.<Number>, index:int):Boolean
         {
             var enters:Number = 0;
-            var leaves:Number = _limit;
+            var leaves:Number = limit;
             for (var axis:int = 0; axis < 3; axis++)
             {
                 var along:Number = _along[axis];

@@ -60,7 +60,7 @@ package starlogo.queries.motion
                     var alone:Impact = new Impact();
                     row.count = 0;
                     row.add(body.rows.values[k]);
-                    if (new ShrunkSweep().findFirstImpact(shrunk, row, from, motion, alone) && alone.comparedTime < expected.comparedTime)
+                    if (new ShrunkSweep().findFirstImpact(shrunk, row, from, motion, alone) && alone.orderTime < expected.orderTime)
                     {
                         expected = alone;
                     }

@@ -58,6 +58,9 @@ package starlogo.models
          */
         engine static const SCALINGS:Vector.<String> = new <String>[FOOTPRINT, VOLUME, AS_GIVEN];
 
+        /** @private How often it was posed. Read only. */
+        engine var poseCount:int = 0;
+
         private var _data:ModelData;
 
         // The functions that are called after each pose; and the vertices of the next pose until they are checked, null before the first.
@@ -207,6 +210,7 @@ package starlogo.models
                 own[i] = _posed[i];
             }
             _data.cooked = null;
+            poseCount++;
             for each (var listener:Function in _listeners)
             {
                 listener();

@@ -113,7 +113,8 @@ package starlogo.libraries
 
         private function followPose():void
         {
-            if (tree != null)
+            // a hierarchy that a game has made of other vertices stays as it is
+            if (tree != null && tree.boxTree.vertices == model.vertices)
             {
                 tree.refit();
             }

@@ -61,7 +61,8 @@ package starlogo.queries.rays
             _nearest.clearWeights();
             if (hit.triangle >= 0)
             {
-                if (body.shape.model != null)
+                // the labels are those of the model's triangles, and a game may have made the hierarchy of other ones
+                if (body.shape.model != null && body.shape.model.triangles == body.shape.tree.boxTree.triangles)
                 {
                     var meshes:TriangleLabels = body.shape.model.data.meshes;
                     var materials:TriangleLabels = body.shape.model.data.materials;

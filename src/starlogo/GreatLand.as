@@ -187,13 +187,13 @@ package starlogo
         /** @inheritDoc */
         public function expect(name:String):void
         {
-            models.entryToWrite(name).expect();
+            models.entryToWrite(name).beginLoad();
         }
 
         /** @inheritDoc */
         public function expectNoMore(name:String, problem:String = null):void
         {
-            models.entryToWrite(name).expectNoMore(problem);
+            models.entryToWrite(name).endLoad(problem);
         }
 
         /** @private Why there is no model of a name, as the end of a message: what was wrong when its load failed, or else what to do. */

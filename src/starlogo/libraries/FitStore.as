@@ -101,7 +101,7 @@ package starlogo.libraries
             requireGiven("the settings", settings);
             var geometryKey:Fingerprint = geometryKeyOf(model);
             bytes.position = 0;
-            return isEntryOf(geometryKey, bytes) && keep(geometryKey, settings, bytes);
+            return isEntryOf(geometryKey, bytes) && save(geometryKey, settings, bytes);
         }
 
         /** Removes all entries. */
@@ -119,7 +119,7 @@ package starlogo.libraries
          *
          * @private
          */
-        engine function fileOf(geometryKey:Fingerprint, settings:FitSettings):CookedFile
+        engine function load(geometryKey:Fingerprint, settings:FitSettings):CookedFile
         {
             return new CookedFile(readAsUsed(geometryKey, settings));
         }
@@ -138,7 +138,7 @@ package starlogo.libraries
         }
 
         /**
-         * Keeps the file of a geometry key. It removes the least recently used entries until there is room. A storage that refuses the file has
+         * Saves the file of a geometry key. It removes the least recently used entries until there is room. A storage that refuses the file has
          * less room than the store was told. It has room for the entries that are there, and perhaps for smaller ones than this.
          *
          * @param geometryKey the fingerprint of the model's vertices and triangles
@@ -146,7 +146,7 @@ package starlogo.libraries
          *
          * @private
          */
-        engine function keep(geometryKey:Fingerprint, settings:FitSettings, bytes:ByteArray):Boolean
+        engine function save(geometryKey:Fingerprint, settings:FitSettings, bytes:ByteArray):Boolean
         {
             var name:String = nameOf(geometryKey, settings);
             var lines:Array = linesBut(name);

@@ -110,7 +110,7 @@ package starlogo.libraries
         private function get isComplete():Boolean
         {
             return (_structuresBuilder == null || structures != null) && (tree == null || isTreeStored)
-                && (!_settings.wantsSurface || _model.triangles == null || tree.surface != null);
+                && (!_settings.preparesExact || _model.triangles == null || tree.surface != null);
         }
 
         // Adds the parts that take results from a store, compute what it does not have, and store all.
@@ -121,7 +121,7 @@ package starlogo.libraries
             var isStoring:Boolean;
             add(geometryKey.addingLists(_model.vertices, _model.triangles)).begin(function():Steps
                 {
-                    return stored = store.fileOf(geometryKey, _settings);
+                    return stored = store.load(geometryKey, _settings);
                 }).call(function():void
                 {
                     if (stored.isOf(geometryKey))
@@ -135,7 +135,7 @@ package starlogo.libraries
                     // results that cannot be stored are computed each time
                     if (isStoring && stored.isChangedBy(bytes))
                     {
-                        store.keep(geometryKey, _settings, bytes);
+                        store.save(geometryKey, _settings, bytes);
                     }
                 });
         }
@@ -151,7 +151,7 @@ package starlogo.libraries
                         structures = _structuresBuilder.structures;
                     });
             }
-            if (tree != null && (_settings.wantsSurface || !isTreeStored))
+            if (tree != null && (_settings.preparesExact || !isTreeStored))
             {
                 work.add(tree.building);
             }

@@ -270,7 +270,7 @@ package starlogo.models
                     labels.beginRun(numbers[i], i);
                 }
             }
-            labels.close(count);
+            labels.seal(count);
             return labels;
         }
     }

@@ -270,8 +270,8 @@ package starlogo.models.building
 
         private function close():void
         {
-            _data.materials.close(_data.triangles.length / 3);
-            _data.meshes.close(_data.triangles.length / 3);
+            _data.materials.seal(_data.triangles.length / 3);
+            _data.meshes.seal(_data.triangles.length / 3);
             _data.vertices.fixed = _data.triangles.fixed = true;
             _data.triangles = _data.triangles.length == 0 ? null : _data.triangles;
             _isComplete = true;

@@ -226,7 +226,8 @@ package starlogo.libraries
                 {
                     var sphere:BoundingStructure = structures.smallest[BoundingStructure.SPHERE];
                     // the vertices may have been posed since the sphere was found
-                    structures.setHull(StructuresBuilder.widened(hullFitter.fit(vertices)), sphere != null && StructuresBuilder.encloses(sphere, vertices));
+                    sphere = sphere != null && StructuresBuilder.encloses(sphere, vertices) ? sphere : null;
+                    structures.setHull(StructuresBuilder.widened(hullFitter.fit(vertices)), sphere);
                 }
                 return structures.hullOrSphere;
             }

@@ -70,11 +70,7 @@ package starlogo.libraries
         public static function requireSize(name:String, vertices:Vector.<Number>):Number
         {
             var largest:Number = VertexBounds.of(vertices).largest;
-            var problem:String = VertexBounds.sizeProblem(largest);
-            if (problem != null)
-            {
-                throw errorOf(name, problem);
-            }
+            VertexBounds.requireWithin(largest, problemOf(name, ""));
             return largest;
         }
 

@@ -192,19 +192,21 @@ package starlogo.models
         public function pose(vertices:Vector.<Number>):void
         {
             var own:Vector.<Number> = _data.vertices;
+            var beginning:String = "model \"" + name + "\": ";
             if (vertices == null || vertices.length != own.length)
             {
-                throw new ArgumentError("model \"" + name + "\": a pose needs its " + own.length / 3 + " vertices with three coordinates each, not "
+                throw new ArgumentError(beginning + "a pose needs its " + own.length / 3 + " vertices with three coordinates each, not "
                         + (vertices == null ? "null" : vertices.length + " numbers"));
             }
             _posed ||= new Vector.<Number>(own.length, true);
             source.toModel(vertices, _posed);
             var bounds:VertexBounds = VertexBounds.of(_posed);
-            var problem:String = bounds.areFinite ? VertexBounds.sizeProblem(bounds.largest) : vertexProblem(vertices) || vertexProblem(_posed);
+            var problem:String = bounds.areFinite ? null : vertexProblem(vertices) || vertexProblem(_posed);
             if (problem != null)
             {
-                throw new ArgumentError("model \"" + name + "\": " + problem);
+                throw new ArgumentError(beginning + problem);
             }
+            VertexBounds.requireWithin(bounds.largest, beginning);
             for (var i:int = 0; i < _posed.length; i++)
             {
                 own[i] = _posed[i];

@@ -256,6 +256,7 @@ package starlogo.queries
         }
 
         // The corners of the triangle with the weights make the point.
+
         /** Labels number the triangles of the model, not those of a hierarchy that a game has made of other ones. */
         [Test]
         public function otherTrianglesHaveNoLabels():void

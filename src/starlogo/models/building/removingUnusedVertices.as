@@ -15,31 +15,29 @@ package starlogo.models.building
     {
         const VERTICES_PER_STEP:int = 4000;
         const CORNERS_PER_STEP:int = 20000;
-        // by vertex
-        var isUsed:Vector.<Boolean>;
+        // by vertex: 1 if a triangle uses it, otherwise 0; then its new index
         var newIndices:Vector.<int>;
         var count:int = 0;
         var marking:Function = function():Steps
         {
-            isUsed = new Vector.<Boolean>(vertices.length / 3);
+            newIndices = new Vector.<int>(vertices.length / 3);
             return triangles.length == 0 ? null : new StepSequence().slices(triangles.length, CORNERS_PER_STEP, function(first:int, end:int):void
                 {
                     for (var i:int = first; i < end; i++)
                     {
-                        isUsed[triangles[i]] = true;
+                        newIndices[triangles[i]] = 1;
                     }
                 });
         };
         var closing:Function = function():Steps
         {
-            newIndices = new Vector.<int>(isUsed.length);
             // mostly all vertices are used
-            return triangles.length == 0 || isUsed.indexOf(false) < 0 ? null : new StepSequence()
+            return triangles.length == 0 || newIndices.indexOf(0) < 0 ? null : new StepSequence()
                 .slices(newIndices.length, VERTICES_PER_STEP, function(first:int, end:int):void
                     {
                         for (var i:int = first; i < end; i++)
                         {
-                            if (isUsed[i])
+                            if (newIndices[i] != 0)
                             {
                                 vertices[3 * count] = vertices[3 * i];
                                 vertices[3 * count + 1] = vertices[3 * i + 1];

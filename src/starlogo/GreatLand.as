@@ -147,8 +147,8 @@ package starlogo
          * fitter that does not support steps does all its work in one step. Nothing changes before the last step, or if a step throws. The
          * flags and the settings of the libraries and their fitters are read now; later changes have no effect.
          *
-         * @param model its name is the shape's name for agents; it must not change meanwhile
-         * @throws ArgumentError if it is null; now or in a step, as <code>add</code> of BoundingStructuresLibrary and HierarchiesLibrary
+         * @param model its name is the shape's name for agents; it must not be posed meanwhile
+         * @throws ArgumentError if it is null; in a step, if it was posed since; now or in a step, as <code>add</code> of BoundingStructuresLibrary and HierarchiesLibrary
          * @throws RangeError in a step, as <code>add</code> of BoundingStructuresLibrary
          */
         public function receive(model:Model):Steps
@@ -187,13 +187,13 @@ package starlogo
         /** @inheritDoc */
         public function expect(name:String):void
         {
-            models.entryToWrite(name).expect();
+            models.entryToWrite(name).beginLoad();
         }
 
         /** @inheritDoc */
         public function expectNoMore(name:String, problem:String = null):void
         {
-            models.entryToWrite(name).expectNoMore(problem);
+            models.entryToWrite(name).endLoad(problem);
         }
 
         /** @private Why there is no model of a name, as the end of a message: what was wrong when its load failed, or else what to do. */

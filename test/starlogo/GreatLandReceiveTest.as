@@ -10,6 +10,7 @@ package starlogo
     import starlogo.fitting.MinimalSphereFitter;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
+    import starlogo.queries.LevelShapes;
     import starlogo.steps.Steps;
     import support.CountingFitter;
     import support.FailingFitter;
@@ -35,6 +36,17 @@ package starlogo
             var expected:GreatLand = withFlags(7);
             expected.addModel(turnedBox());
             assertEquals(LibraryContents.of(expected, "turned"), LibraryContents.of(greatLand, "turned"));
+        }
+
+        [Test]
+        public function whatIsTooLargeIsNamedWhateverIsComputed():void
+        {
+            var huge:Model = new Model("huge", new <Number>[0, 0, 0, 1e61, 0, 0], null, Model.AS_GIVEN);
+            for (var flags:int = 1; flags < 8; flags++)
+            {
+                assertThrows(ArgumentError, /^shape "huge": coordinates must be at most 1e\+60/, withFlags(flags).addModel, huge);
+            }
+            assertThrows(ArgumentError, /^shape "huge": coordinates must be at most 1e\+60/, new LevelShapes().addModel, huge);
         }
 
         [Test]

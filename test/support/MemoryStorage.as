@@ -15,6 +15,9 @@ package support
         /** How often something was refused. */
         public var refusalCount:int = 0;
 
+        /** How many fits were written. */
+        public var writeCount:int = 0;
+
         /** Takes so many bytes. */
         public function MemoryStorage(room:Number = Infinity)
         {
@@ -55,6 +58,7 @@ package support
                 refusalCount++;
                 return false;
             }
+            writeCount += name.length == 32 ? 1 : 0;
             entries[name] = copyOf(bytes);
             return true;
         }

@@ -15,7 +15,7 @@ package starlogo.data
         {
             return ", which is empty";
         }
-        var shown:Vector.<String> = names.sort(Array.CASEINSENSITIVE).slice(0, MOST);
+        var shown:Vector.<String> = names.concat().sort(Array.CASEINSENSITIVE).slice(0, MOST);
         return "; it has \"" + shown.join("\", \"") + "\"" + (names.length > MOST ? " and " + (names.length - MOST) + " more" : "");
     }
 }

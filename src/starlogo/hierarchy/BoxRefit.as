@@ -18,7 +18,7 @@ package starlogo.hierarchy
         // The extents of the parts of all nodes: minX, maxX, minY, maxY, minZ, maxZ of each.
         private var _extents:Vector.<Number>;
 
-        /** @param tree its nodes are made. The steps throw an ArgumentError if a coordinate is larger than 1e60 */
+        /** @param tree its nodes are made. */
         public function BoxRefit(tree:BoxTree)
         {
             _tree = tree;

@@ -3,7 +3,6 @@ package starlogo.hierarchy
     import flash.geom.Vector3D;
     import starlogo.bounding.Box;
     import starlogo.geometry.Tolerances;
-    import starlogo.geometry.vertices.VertexBounds;
 
     /**
      * A model's tree of boxes (thesis §4.3). Its items are the model's triangles, or its vertices if it has no triangles.
@@ -81,7 +80,7 @@ package starlogo.hierarchy
         /**
          * Creates a tree without nodes. A BoxTreeBuilder makes them, or a CookedTree.
          *
-         * @param vertices x, y, z of each
+         * @param vertices x, y, z of each, at most 1e60
          * @param triangles three vertex indices each, or null if the vertices are the items
          */
         public function BoxTree(vertices:Vector.<Number>, triangles:Vector.<uint>)
@@ -222,7 +221,6 @@ package starlogo.hierarchy
          * Measures the radius about the origin, on which the boxes' margins depend. Must be called before <code>enclose()</code>.
          *
          * @param extents the extents of the whole model; begins with minX, maxX, minY, maxY, minZ, maxZ
-         * @throws ArgumentError if a coordinate is larger than 1e60
          */
         internal function measureRadiusAboutOrigin(extents:Vector.<Number>):void
         {
@@ -231,7 +229,6 @@ package starlogo.hierarchy
             {
                 largest = Math.max(largest, Math.abs(extents[i]));
             }
-            VertexBounds.requireWithin(largest);
             radiusAboutOrigin = largest == 0 ? 0 : Math.max(MIN_COORDINATE, largest) * Math.sqrt(3);
         }
 

@@ -18,8 +18,7 @@ package starlogo.hierarchy
      * the smallest number that is split. A node with exactly that many vertices is a leaf here, as in §4.4, because §4.4 describes the
      * algorithm and §4.8 only lists its parameters.</p>
      *
-     * <p>It works in steps, each of one or two milliseconds for thousands of items. The steps throw an ArgumentError if a coordinate is
-     * larger than 1e60.</p>
+     * <p>It works in steps, each of one or two milliseconds for thousands of items.</p>
      *
      * @private
      */

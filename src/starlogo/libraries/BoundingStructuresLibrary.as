@@ -224,7 +224,10 @@ package starlogo.libraries
             {
                 if (structures.hullOrSphere == null)
                 {
-                    structures.setHull(StructuresBuilder.widened(hullFitter.fit(vertices)));
+                    var sphere:BoundingStructure = structures.smallest[BoundingStructure.SPHERE];
+                    // the vertices may have been posed since the sphere was found
+                    sphere = sphere != null && StructuresBuilder.encloses(sphere, vertices) ? sphere : null;
+                    structures.setHull(StructuresBuilder.widened(hullFitter.fit(vertices)), sphere);
                 }
                 return structures.hullOrSphere;
             }

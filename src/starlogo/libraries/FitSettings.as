@@ -20,8 +20,8 @@ package starlogo.libraries
         // For each section of a cooked file, the settings of what is in it, as a text. Null if that is not wanted, or cannot be kept.
         private var _texts:Vector.<String> = new Vector.<String>(CookedFile.SECTION_COUNT, true);
 
-        /** @private Whether the surface for exact colliders is wanted. */
-        engine var wantsSurface:Boolean = false;
+        /** @private The library's <code>prepareExact</code>. */
+        engine var preparesExact:Boolean = false;
 
         /** @private The library's <code>keepAll</code>. */
         engine var keepsAll:Boolean = false;
@@ -49,7 +49,7 @@ package starlogo.libraries
             {
                 _texts[CookedFile.HIERARCHY] = _texts[CookedFile.SURFACE] =
                     ["hierarchy", hierarchies.minVerticesToSplit, hierarchies.maxDepth, hierarchies.splitByMean].join();
-                wantsSurface = hierarchies.prepareExact;
+                preparesExact = hierarchies.prepareExact;
                 maxDepth = hierarchies.maxDepth;
             }
         }
@@ -63,7 +63,7 @@ package starlogo.libraries
         /** All settings as sixteen hexadecimal digits. */
         public function toString():String
         {
-            var all:Array = [fingerprintOf(CookedFile.STRUCTURES), fingerprintOf(CookedFile.HIERARCHY), wantsSurface];
+            var all:Array = [fingerprintOf(CookedFile.STRUCTURES), fingerprintOf(CookedFile.HIERARCHY), preparesExact];
             var hull:Fingerprint = fingerprintOf(CookedFile.HULL);
             return fingerprintOfText((hull == null ? all : all.concat(hull)).join()).toString();
         }

@@ -100,7 +100,8 @@ package starlogo.libraries
             requireGiven("the bytes", bytes);
             requireGiven("the settings", settings);
             var geometryKey:Fingerprint = geometryKeyOf(model);
-            return isEntryOf(geometryKey, bytes) && keep(geometryKey, settings, bytes);
+            bytes.position = 0;
+            return isEntryOf(geometryKey, bytes) && save(geometryKey, settings, bytes);
         }
 
         /** Removes all entries. */
@@ -118,7 +119,7 @@ package starlogo.libraries
          *
          * @private
          */
-        engine function fileOf(geometryKey:Fingerprint, settings:FitSettings):CookedFile
+        engine function load(geometryKey:Fingerprint, settings:FitSettings):CookedFile
         {
             return new CookedFile(readAsUsed(geometryKey, settings));
         }
@@ -137,7 +138,7 @@ package starlogo.libraries
         }
 
         /**
-         * Keeps the file of a geometry key. It removes the least recently used entries until there is room. A storage that refuses the file has
+         * Saves the file of a geometry key. It removes the least recently used entries until there is room. A storage that refuses the file has
          * less room than the store was told. It has room for the entries that are there, and perhaps for smaller ones than this.
          *
          * @param geometryKey the fingerprint of the model's vertices and triangles
@@ -145,7 +146,7 @@ package starlogo.libraries
          *
          * @private
          */
-        engine function keep(geometryKey:Fingerprint, settings:FitSettings, bytes:ByteArray):Boolean
+        engine function save(geometryKey:Fingerprint, settings:FitSettings, bytes:ByteArray):Boolean
         {
             var name:String = nameOf(geometryKey, settings);
             var lines:Array = linesBut(name);
@@ -156,12 +157,12 @@ package starlogo.libraries
                 {
                     _storage.remove(nameIn(lines.shift()));
                 }
-                isStored = _storage.write(name, bytes);
-                var isListed:Boolean = writeList(isStored ? lines.concat(lineOf(name, bytes)) : lines);
+                isStored = _storage.write(name, bytes) && writeList(lines.concat(lineOf(name, bytes)));
                 if (!isStored)
                 {
+                    _storage.remove(name);
                     // a storage that refuses even the list is switched off
-                    _room = isListed ? Math.max(lengthOf(lines), bytes.length - 1) : 0;
+                    _room = keepList(lines) ? Math.max(lengthOf(lines), bytes.length - 1) : 0;
                 }
             }
             return isStored;
@@ -174,7 +175,7 @@ package starlogo.libraries
             var bytes:ByteArray = bytesOf(name);
             if (bytes != null)
             {
-                writeList(linesBut(name).concat(lineOf(name, bytes)));
+                keepList(linesBut(name).concat(lineOf(name, bytes)));
             }
             return bytes;
         }
@@ -194,10 +195,6 @@ package starlogo.libraries
         {
             var file:CookedFile = new CookedFile(bytes);
             finish(file);
-            if (bytes != null)
-            {
-                bytes.position = 0;
-            }
             return file.isOf(geometryKey);
         }
 
@@ -225,7 +222,20 @@ package starlogo.libraries
             return lines;
         }
 
+        // Writes the list. A storage that refuses it has lost it too, so the least recently used entries are removed until there is room for it.
         // Returns whether it is stored.
+        private function keepList(lines:Array):Boolean
+        {
+            var isStored:Boolean = writeList(lines);
+            while (!isStored && lines.length > 0)
+            {
+                _storage.remove(nameIn(lines.shift()));
+                isStored = writeList(lines);
+            }
+            return isStored;
+        }
+
+        // Returns whether it is stored. If not, there is no list.
         private function writeList(lines:Array):Boolean
         {
             var text:ByteArray = new ByteArray();

@@ -1,12 +1,12 @@
 package starlogo.libraries
 {
     import starlogo.engine;
-    import starlogo.geometry.vertices.VertexBounds;
     import starlogo.geometry.vertices.triangleProblem;
     import starlogo.geometry.vertices.vertexProblem;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.BoxTreeBuilder;
     import starlogo.hierarchy.HierarchyNode;
+    import starlogo.models.Model;
     import starlogo.solid.ModelTree;
 
     use namespace engine;
@@ -92,9 +92,12 @@ package starlogo.libraries
          * Builds and stores the hierarchy of a model. It replaces the one stored under the same name. If it throws, nothing has changed.
          * The time is proportional to the number of triangles or vertices times the number of levels.
          *
+         * <p>If the vertices are the list <code>vertices</code> of the GreatLand's model of this name, the hierarchy follows its poses. If
+         * the triangles are the model's list, hits tell their materials and meshes. Otherwise the lists are copied.</p>
+         *
          * @param name the shape's name
-         * @param vertices x, y, z of each vertex, in the model's space; copied
-         * @param triangles three vertex indices each; null or empty if only vertices are known; copied. Triangles without area are allowed
+         * @param vertices x, y, z of each vertex, in the model's space
+         * @param triangles three vertex indices each; null or empty if only vertices are known. Triangles without area are allowed
          * @throws ArgumentError if the name is null or empty; if the vertices are null or empty, or a coordinate is missing, not finite or beyond 1e60;
          * if a triangle names a vertex that does not exist
          */
@@ -102,13 +105,17 @@ package starlogo.libraries
         {
             ModelTable.checkName(name);
             var hasTriangles:Boolean = triangles != null && triangles.length > 0;
-            var problem:String = vertexProblem(vertices) || (hasTriangles ? triangleProblem(triangles, vertices.length / 3) : null)
-                || VertexBounds.sizeProblem(VertexBounds.of(vertices).largest);
+            var problem:String = vertexProblem(vertices) || (hasTriangles ? triangleProblem(triangles, vertices.length / 3) : null);
             if (problem != null)
             {
                 throw ModelTable.errorOf(name, problem);
             }
-            var tree:ModelTree = newTree(vertices.concat(), hasTriangles ? triangles.concat() : null);
+            ModelTable.requireSize(name, vertices);
+            var model:Model = _models.entryOf(name).model;
+            var hasOwnVertices:Boolean = model != null && vertices == model.vertices;
+            var hasOwnTriangles:Boolean = model != null && triangles == model.triangles;
+            var keptTriangles:Vector.<uint> = hasTriangles && !hasOwnTriangles ? triangles.concat() : triangles;
+            var tree:ModelTree = newTree(hasOwnVertices ? vertices : vertices.concat(), hasTriangles ? keptTriangles : null);
             tree.finishBuilding();
             _models.entryToWrite(name).setTree(tree);
         }

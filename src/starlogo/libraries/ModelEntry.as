@@ -92,14 +92,14 @@ package starlogo.libraries
         }
 
         /** Counts one more model of this name that is loading. */
-        public function expect():void
+        public function beginLoad():void
         {
             _loadingCount++;
             loadProblem = null;
         }
 
         /** Counts one less, if one is loading. @param problem why its load failed; null if it did not */
-        public function expectNoMore(problem:String):void
+        public function endLoad(problem:String):void
         {
             _loadingCount = Math.max(0, _loadingCount - 1);
             loadProblem = problem || loadProblem;
@@ -113,7 +113,8 @@ package starlogo.libraries
 
         private function followPose():void
         {
-            if (tree != null)
+            // a hierarchy that a game has made of other vertices stays as it is
+            if (tree != null && tree.boxTree.vertices == model.vertices)
             {
                 tree.refit();
             }

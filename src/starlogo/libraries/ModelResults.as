@@ -4,7 +4,6 @@ package starlogo.libraries
     import starlogo.bounding.BoundingStructure;
     import starlogo.data.Fingerprint;
     import starlogo.engine;
-    import starlogo.geometry.vertices.VertexBounds;
     import starlogo.libraries.cooked.CookedStructures;
     import starlogo.libraries.cooked.CookedTree;
     import starlogo.models.Model;
@@ -33,6 +32,11 @@ package starlogo.libraries
         public var tree:ModelTree = null;
 
         private var _model:Model;
+
+        // how often the model was posed before this work, and its largest coordinate
+        private var _poseCount:int;
+        private var _size:Number;
+
         private var _settings:FitSettings;
         private var _structuresBuilder:StructuresBuilder = null;
 
@@ -44,10 +48,13 @@ package starlogo.libraries
          * @param structuresLibrary wants structures; null if none are wanted. Its settings count as they are now
          * @param hierarchiesLibrary wants a hierarchy; null if none is wanted. Its settings count as they are now
          * @param store null for none
+         * @throws ArgumentError if a coordinate of the model is beyond 1e60
          */
         public function ModelResults(model:Model, structuresLibrary:BoundingStructuresLibrary, hierarchiesLibrary:HierarchiesLibrary, store:FitStore)
         {
             _model = model;
+            _poseCount = model.poseCount;
+            _size = ModelTable.requireSize(model.name, model.vertices);
             _settings = new FitSettings(structuresLibrary, hierarchiesLibrary);
             tree = hierarchiesLibrary == null ? null : hierarchiesLibrary.newTree(model.vertices, model.triangles);
             if (model.data.cooked != null)
@@ -58,7 +65,24 @@ package starlogo.libraries
             {
                 _structuresBuilder = structuresLibrary.newBuilder(model.name, model.vertices);
             }
-            add(store == null || isComplete ? computing() : readingAndStoring(store));
+            if (store == null || isComplete)
+            {
+                begin(computing);
+            }
+            else
+            {
+                addStoring(store);
+            }
+        }
+
+        /** @inheritDoc @throws ArgumentError if the model was posed since this work was created, or as its parts */
+        override public function step():Boolean
+        {
+            if (_model.poseCount != _poseCount)
+            {
+                throw ModelTable.errorOf(_model.name, "it was posed while it was being added: pose it before or afterwards");
+            }
+            return super.step();
         }
 
         /** Whether the hierarchy is made from a stored division. It becomes false if the division does not fit the model. */
@@ -86,32 +110,38 @@ package starlogo.libraries
         private function get isComplete():Boolean
         {
             return (_structuresBuilder == null || structures != null) && (tree == null || isTreeStored)
-                && (!_settings.wantsSurface || _model.triangles == null || tree.surface != null);
+                && (!_settings.preparesExact || _model.triangles == null || tree.surface != null);
         }
 
-        // The work that takes results from a store, computes what it does not have, and stores all.
-        private function readingAndStoring(store:FitStore):Steps
+        // Adds the parts that take results from a store, compute what it does not have, and store all.
+        private function addStoring(store:FitStore):void
         {
             var geometryKey:Fingerprint = new Fingerprint();
             var stored:CookedFile;
-            return new StepSequence().add(geometryKey.addingLists(_model.vertices, _model.triangles)).begin(function():Steps
+            var isStoring:Boolean;
+            add(geometryKey.addingLists(_model.vertices, _model.triangles)).begin(function():Steps
                 {
-                    return stored = store.fileOf(geometryKey, _settings);
-                }).begin(function():Steps
+                    return stored = store.load(geometryKey, _settings);
+                }).call(function():void
                 {
                     if (stored.isOf(geometryKey))
                     {
                         takeFrom(stored);
                     }
-                    return isComplete || !store.hasRoomFor(_model, tree != null) ? computing() : computing().call(function():void
-                        {
-                            store.keep(geometryKey, _settings, bytesOfResults(geometryKey, null));
-                        });
+                    isStoring = !isComplete && store.hasRoomFor(_model, tree != null);
+                }).begin(computing).call(function():void
+                {
+                    var bytes:ByteArray = isStoring ? bytesOfResults(geometryKey, null) : null;
+                    // results that cannot be stored are computed each time
+                    if (isStoring && stored.isChangedBy(bytes))
+                    {
+                        store.save(geometryKey, _settings, bytes);
+                    }
                 });
         }
 
         // The work that computes what is missing.
-        private function computing():StepSequence
+        private function computing():Steps
         {
             var work:StepSequence = new StepSequence();
             if (structures == null && _structuresBuilder != null)
@@ -121,7 +151,7 @@ package starlogo.libraries
                         structures = _structuresBuilder.structures;
                     });
             }
-            if (tree != null && (_settings.wantsSurface || !isTreeStored))
+            if (tree != null && (_settings.preparesExact || !isTreeStored))
             {
                 work.add(tree.building);
             }
@@ -131,13 +161,7 @@ package starlogo.libraries
         // Takes the results that are missing from a file of the model.
         private function takeFrom(file:CookedFile):void
         {
-            var size:Number = VertexBounds.of(_model.vertices).largest;
-            // no fitter accepts a larger model, so its file is wrong
-            if (size > VertexBounds.LARGEST_VERTEX)
-            {
-                return;
-            }
-            structures ||= structuresIn(file, size);
+            structures ||= structuresIn(file);
             var division:ByteArray = _settings.sectionOf(file, CookedFile.HIERARCHY);
             if (division != null && _cookedTree == null)
             {
@@ -153,12 +177,20 @@ package starlogo.libraries
         }
 
         // The structures in a file; null if it does not have all that are wanted. The smallest sphere may be in the hull's place.
-        private function structuresIn(file:CookedFile, size:Number):ModelStructures
+        private function structuresIn(file:CookedFile):ModelStructures
         {
-            var found:Vector.<BoundingStructure> = CookedStructures.read(_settings.sectionOf(file, CookedFile.STRUCTURES), BoundingStructure.BOX, size);
-            var hulls:Vector.<BoundingStructure> = CookedStructures.read(_settings.sectionOf(file, CookedFile.HULL), BoundingStructure.HULL, size);
+            var found:Vector.<BoundingStructure> = CookedStructures.read(_settings.sectionOf(file, CookedFile.STRUCTURES), BoundingStructure.BOX, _size);
+            var hulls:Vector.<BoundingStructure> = CookedStructures.read(_settings.sectionOf(file, CookedFile.HULL), BoundingStructure.HULL, _size);
             var hull:BoundingStructure = hulls == null ? null : hulls[BoundingStructure.HULL] || hulls[BoundingStructure.SPHERE];
             return found == null || hulls == null && _settings.storesHull ? null : new ModelStructures(found, hull, _settings.keepsAll);
+        }
+
+        // The section with structures; null if there are none, or reading would refuse them, because one is much larger than the model.
+        private function sectionOf(found:Vector.<BoundingStructure>, last:int):ByteArray
+        {
+            var bytes:ByteArray = CookedStructures.write(found);
+            var isAccepted:Boolean = CookedStructures.read(bytes, last, _size) != null;
+            return isAccepted ? bytes : null;
         }
 
         // The bytes of a file with the results. It has the surface if that is prepared. @param model the bytes of the model; null for none
@@ -168,8 +200,8 @@ package starlogo.libraries
             sections[CookedFile.MODEL] = model;
             if (structures != null)
             {
-                sections[CookedFile.STRUCTURES] = CookedStructures.write(structures.smallest);
-                sections[CookedFile.HULL] = structures.hullOrSphere == null ? null : CookedStructures.write(new <BoundingStructure>[structures.hullOrSphere]);
+                sections[CookedFile.STRUCTURES] = sectionOf(structures.smallest, BoundingStructure.BOX);
+                sections[CookedFile.HULL] = sectionOf(new <BoundingStructure>[structures.hullOrSphere], BoundingStructure.HULL);
             }
             if (tree != null)
             {

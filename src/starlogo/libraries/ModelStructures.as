@@ -56,7 +56,7 @@ package starlogo.libraries
                     tightest = structure;
                 }
             }
-            setHull(hull);
+            setHull(hull, smallest[BoundingStructure.SPHERE]);
         }
 
         /** One structure that is given, not found. It is the tightest, and the smallest of no kind. */
@@ -67,10 +67,9 @@ package starlogo.libraries
             return given;
         }
 
-        /** Sets the hull, or null. If the smallest sphere is not larger, it takes the hull's place. */
-        public function setHull(found:BoundingStructure):void
+        /** Sets the hull, or null. If a sphere around the same vertices, or null, is not larger, it takes the hull's place. */
+        public function setHull(found:BoundingStructure, sphere:BoundingStructure):void
         {
-            var sphere:BoundingStructure = smallest[BoundingStructure.SPHERE];
             hullOrSphere = found != null && sphere != null && sphere.volume <= found.volume ? sphere : found;
         }
     }

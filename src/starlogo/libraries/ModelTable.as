@@ -2,6 +2,7 @@ package starlogo.libraries
 {
     import starlogo.data.hintOfName;
     import starlogo.data.keyOf;
+    import starlogo.geometry.vertices.VertexBounds;
 
     /**
      * The data of a game under the names of shapes. Its revision increases when data is replaced, removed or posed. Results derived from the
@@ -63,6 +64,14 @@ package starlogo.libraries
             {
                 throw new ArgumentError("a shape must have a name: " + name);
             }
+        }
+
+        /** Returns the largest coordinate of a shape's vertices. Throws an ArgumentError if it is beyond 1e60. */
+        public static function requireSize(name:String, vertices:Vector.<Number>):Number
+        {
+            var largest:Number = VertexBounds.of(vertices).largest;
+            VertexBounds.requireWithin(largest, problemOf(name, ""));
+            return largest;
         }
 
         /** The error for something that is wrong with a shape. */

@@ -70,6 +70,14 @@ package starlogo.libraries
                 });
         }
 
+        /** Whether a structure encloses all vertices, as it must if it was fitted to them. */
+        public static function encloses(structure:BoundingStructure, vertices:Vector.<Number>):Boolean
+        {
+            var wider:BoundingStructure = structure.clone();
+            wider.widen(toleranceFor(vertices));
+            return firstOutside(wider, vertices, 0, vertices.length / 3) < 0;
+        }
+
         /** A copy of a fitted structure, enlarged by the distance at which surfaces still touch. */
         public static function widened(structure:BoundingStructure):BoundingStructure
         {
@@ -113,8 +121,7 @@ package starlogo.libraries
         private function checking():Steps
         {
             var vertices:Vector.<Number> = _session.vertices;
-            // how far outside of a structure vertices may be
-            var tolerance:Number = Tolerances.CONTAINMENT * EnclosingStructures.sphere(vertices, vertices[0], vertices[1], vertices[2]).radius;
+            var tolerance:Number = toleranceFor(vertices);
             return new StepSequence().beginEach(_fits.length, function(index:int):Steps
                 {
                     return checkingOf(_fitters[index], _fits[index].structure, tolerance);
@@ -131,19 +138,36 @@ package starlogo.libraries
             var vertices:Vector.<Number> = _session.vertices;
             var wider:BoundingStructure = structure.clone();
             wider.widen(tolerance);
-            var vertex:Vector3D = new Vector3D();
             return new StepSequence().slices(vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
-                    for (var i:int = first; i < end; i++)
+                    var outside:int = firstOutside(wider, vertices, first, end);
+                    if (outside >= 0)
                     {
-                        vertex.setTo(vertices[3 * i], vertices[3 * i + 1], vertices[3 * i + 2]);
-                        if (!wider.contains(vertex))
-                        {
-                            throw new ArgumentError(fitter + " found a structure that does not enclose vertex " + i + " at ("
-                                    + vertices.slice(3 * i, 3 * i + 3).join(", ") + "): " + structure);
-                        }
+                        throw new ArgumentError(fitter + " found a structure that does not enclose vertex " + outside + " at ("
+                                + vertices.slice(3 * outside, 3 * outside + 3).join(", ") + "): " + structure);
                     }
                 });
+        }
+
+        // how far outside of a structure vertices may be
+        private static function toleranceFor(vertices:Vector.<Number>):Number
+        {
+            return Tolerances.CONTAINMENT * EnclosingStructures.sphere(vertices, vertices[0], vertices[1], vertices[2]).radius;
+        }
+
+        // The index of the first of some vertices that is outside of a structure; -1 if there is none.
+        private static function firstOutside(structure:BoundingStructure, vertices:Vector.<Number>, first:int, end:int):int
+        {
+            var vertex:Vector3D = new Vector3D();
+            for (var i:int = first; i < end; i++)
+            {
+                vertex.setTo(vertices[3 * i], vertices[3 * i + 1], vertices[3 * i + 2]);
+                if (!structure.contains(vertex))
+                {
+                    return i;
+                }
+            }
+            return -1;
         }
 
         private function choose(hullFit:Fit, keepsAll:Boolean):void

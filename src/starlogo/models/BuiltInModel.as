@@ -54,7 +54,7 @@ package starlogo.models
             }
             vertices.push(0, 0, 1);
 
-            addPoles(triangles, SPHERE_RINGS, SPHERE_SEGMENTS + 1, SPHERE_SEGMENTS);
+            joinRings(triangles, SPHERE_RINGS, SPHERE_SEGMENTS + 1, SPHERE_SEGMENTS);
             return new BuiltInModel("sphere", vertices, triangles);
         }
 
@@ -121,7 +121,7 @@ package starlogo.models
             addCap(vertices, radius, height - radius, height > 2 * radius ? CAPSULE_RINGS : CAPSULE_RINGS + 1, 2 * CAPSULE_RINGS - 1);
             vertices.push(0, 0, height);
 
-            addPoles(triangles, (vertices.length / 3 - 2) / CAPSULE_SEGMENTS, CAPSULE_SEGMENTS, CAPSULE_SEGMENTS);
+            joinRings(triangles, (vertices.length / 3 - 2) / CAPSULE_SEGMENTS, CAPSULE_SEGMENTS, CAPSULE_SEGMENTS);
             return new BuiltInModel(name, vertices, triangles, AS_GIVEN);
         }
 
@@ -201,7 +201,7 @@ package starlogo.models
         }
 
         // Joins the first vertex to the first ring, the rings to each other, and the last ring to the last vertex.
-        private static function addPoles(triangles:Vector.<uint>, ringCount:int, ringSize:int, segments:int):void
+        private static function joinRings(triangles:Vector.<uint>, ringCount:int, ringSize:int, segments:int):void
         {
             var lastRing:int = 1 + (ringCount - 1) * ringSize;
             for (var segment:int = 0; segment < segments; segment++)

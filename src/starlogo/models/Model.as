@@ -58,6 +58,9 @@ package starlogo.models
          */
         engine static const SCALINGS:Vector.<String> = new <String>[FOOTPRINT, VOLUME, AS_GIVEN];
 
+        /** @private How often it was posed. Read only. */
+        engine var poseCount:int = 0;
+
         private var _data:ModelData;
 
         // The functions that are called after each pose; and the vertices of the next pose until they are checked, null before the first.
@@ -189,24 +192,27 @@ package starlogo.models
         public function pose(vertices:Vector.<Number>):void
         {
             var own:Vector.<Number> = _data.vertices;
+            var beginning:String = "model \"" + name + "\": ";
             if (vertices == null || vertices.length != own.length)
             {
-                throw new ArgumentError("model \"" + name + "\": a pose needs its " + own.length / 3 + " vertices with three coordinates each, not "
+                throw new ArgumentError(beginning + "a pose needs its " + own.length / 3 + " vertices with three coordinates each, not "
                         + (vertices == null ? "null" : vertices.length + " numbers"));
             }
             _posed ||= new Vector.<Number>(own.length, true);
             source.toModel(vertices, _posed);
             var bounds:VertexBounds = VertexBounds.of(_posed);
-            var problem:String = bounds.areFinite ? VertexBounds.sizeProblem(bounds.largest) : vertexProblem(vertices) || vertexProblem(_posed);
+            var problem:String = bounds.areFinite ? null : vertexProblem(vertices) || vertexProblem(_posed);
             if (problem != null)
             {
-                throw new ArgumentError("model \"" + name + "\": " + problem);
+                throw new ArgumentError(beginning + problem);
             }
+            VertexBounds.requireWithin(bounds.largest, beginning);
             for (var i:int = 0; i < _posed.length; i++)
             {
                 own[i] = _posed[i];
             }
             _data.cooked = null;
+            poseCount++;
             for each (var listener:Function in _listeners)
             {
                 listener();
@@ -266,7 +272,7 @@ package starlogo.models
                     labels.beginRun(numbers[i], i);
                 }
             }
-            labels.close(count);
+            labels.seal(count);
             return labels;
         }
     }

@@ -28,10 +28,10 @@ package starlogo.models
      */
     [Event(name="progress", type="flash.events.ProgressEvent")]
 
-    /** No model is left to load. Each was loaded or has failed. @eventType flash.events.Event.COMPLETE */
+    /** No model is left to load. Some were loaded or have failed; others may have been cancelled. @eventType flash.events.Event.COMPLETE */
     [Event(name="complete", type="flash.events.Event")]
 
-    /** All loads were cancelled. @eventType flash.events.Event.CANCEL */
+    /** No model is left to load, because all loads were cancelled: none was loaded, and none has failed. @eventType flash.events.Event.CANCEL */
     [Event(name="cancel", type="flash.events.Event")]
 
     /**
@@ -246,8 +246,7 @@ package starlogo.models
             callWhenOver(load, null, null);
             if (_loads.length == 0)
             {
-                stopListening();
-                dispatchEvent(new Event(Event.CANCEL));
+                end();
             }
         }
 
@@ -272,10 +271,13 @@ package starlogo.models
             return added;
         }
 
-        private function stopListening():void
+        // Says that no work is left.
+        private function end():void
         {
+            var type:String = _doneCount > 0 ? Event.COMPLETE : Event.CANCEL;
             sFrames.removeEventListener(Event.ENTER_FRAME, onFrame);
             _doneCount = 0;
+            dispatchEvent(new Event(type));
         }
 
         private function onFrame(event:Event):void
@@ -293,7 +295,11 @@ package starlogo.models
             }
             _longestFrame = Math.max(_longestFrame, time - start);
             reportProgress();
-            finishIfDone();
+            // a handler that has cancelled the last load has ended the work
+            if (_loads.length == 0 && _doneCount > 0)
+            {
+                end();
+            }
         }
 
         private function nextReady():ModelLoad
@@ -371,16 +377,6 @@ package starlogo.models
             }
             var total:Number = 100 * (_doneCount + _loads.length);
             dispatchEvent(new ProgressEvent(ProgressEvent.PROGRESS, false, false, Math.floor(100 * done), total));
-        }
-
-        // Says that the work is over, unless all of it was cancelled.
-        private function finishIfDone():void
-        {
-            if (_loads.length == 0 && _doneCount > 0)
-            {
-                stopListening();
-                dispatchEvent(new Event(Event.COMPLETE));
-            }
         }
     }
 }

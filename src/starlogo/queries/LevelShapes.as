@@ -50,11 +50,12 @@ package starlogo.queries
          * Adds a model. It replaces a model or a structure of the same name. Its tree is built at once.
          *
          * @param model its name is the shape's name for agents
-         * @throws ArgumentError if it is null
+         * @throws ArgumentError if it is null, or a coordinate is beyond 1e60
          */
         public function addModel(model:Model):void
         {
             requireGiven("model", model);
+            ModelTable.requireSize(model.name, model.vertices);
             var tree:ModelTree = new ModelTree(new BoxTree(model.vertices, model.triangles));
             tree.beginBuilding(BoxTreeBuilder.MAX_VERTICES_OF_LEAF, BoxTreeBuilder.MAX_DEPTH, false, prepareExact);
             tree.finishBuilding();

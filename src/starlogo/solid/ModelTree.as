@@ -73,8 +73,7 @@ package starlogo.solid
         }
 
         /**
-         * @private Begins the work that makes the nodes. <code>finishBuilding()</code> does what is left of it. Its steps throw an
-         *     ArgumentError if a coordinate is larger than 1e60.
+         * @private Begins the work that makes the nodes. <code>finishBuilding()</code> does what is left of it.
          *
          * @param mostVerticesOfLeaf a node with at most this many vertices is a leaf
          * @param maxDepth a node on this level is a leaf

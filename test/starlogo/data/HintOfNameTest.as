@@ -12,6 +12,14 @@ package starlogo.data
     public class HintOfNameTest
     {
         [Test]
+        public function theCallersListKeepsItsOrder():void
+        {
+            var names:Vector.<String> = new <String>["Tree", "bear"];
+            hintOfName("beer", names);
+            assertEquals("Tree,bear", names.join());
+        }
+
+        [Test]
         public function theNamesAreTold():void
         {
             assertEquals(", which is empty", hintOfName("beer", new Vector.<String>()));

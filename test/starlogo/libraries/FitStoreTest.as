@@ -2,11 +2,13 @@ package starlogo.libraries
 {
     import evaluation.pairs.SeededRandom;
     import flash.utils.ByteArray;
+    import flash.utils.Endian;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertNull;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
+    import starlogo.fitting.Fitter;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import support.CountingFitter;
@@ -194,6 +196,86 @@ package starlogo.libraries
             assertEquals("the large one is not tried again", refusals, _storage.refusalCount);
         }
 
+        /** An entry that is not listed never counts, is never removed to make room, and stays when the store is cleared. */
+        [Test]
+        public function whereverTheRoomEndsEachEntryIsListed():void
+        {
+            var models:Vector.<Model> = someModels(5);
+            newGame(_store).addModel(models[0]);
+            var size:int = _store.length;
+            for (var room:int = 0; room < 4 * size; room += 7)
+            {
+                _storage = new MemoryStorage(room);
+                _store = new FitStore(1e6, _storage);
+                for each (var model:Model in models.concat(models))
+                {
+                    newGame(_store).addModel(model);
+                    assertEquals("room " + room, sizeOfEntries(), _store.length);
+                }
+                _store.clear();
+                assertEquals("room " + room, 0, sizeOfEntries());
+            }
+        }
+
+        [Test]
+        public function anEntryThatMakesTheListTooLongCostsOnlyTheOldest():void
+        {
+            var models:Vector.<Model> = someModels(3);
+            newGame(_store).addModel(models[0]);
+            newGame(_store).addModel(models[1]);
+            // another game writes the list as it was before the third entry came
+            var before:ByteArray = _storage.read("index");
+            newGame(_store).addModel(models[2]);
+            _storage.write("index", before);
+            _storage.room = sizeOfEntries() + before.length;
+            newGame(_store).addModel(models[2]);
+            assertEquals(2, listedCount());
+            assertEquals(sizeOfEntries(), _store.length);
+        }
+
+        [Test]
+        public function whatCannotBeReadAgainIsNotStored():void
+        {
+            _fitter = new UnsignedFitter();
+            for each (var hasHierarchy:Boolean in [false, true])
+            {
+                _storage.writeCount = 0;
+                for (var i:int = 0; i < 3; i++)
+                {
+                    var game:GreatLand = newGame(_store);
+                    game.loadHierarchies = hasHierarchy;
+                    game.addModel(BuiltInModel.cube());
+                }
+                assertEquals("its hierarchy alone, once", hasHierarchy ? 1 : 0, _storage.names.length);
+                assertEquals(hasHierarchy ? 1 : 0, _storage.writeCount);
+            }
+        }
+
+        [Test]
+        public function aFitMuchLargerThanTheModelIsNotStored():void
+        {
+            for (var i:int = 0; i < 3; i++)
+            {
+                var game:GreatLand = new GreatLand();
+                game.boundingStructures.fitters = new <Fitter>[new LargeFitter()];
+                game.fitStore = _store;
+                game.loadHierarchies = false;
+                game.addModel(BuiltInModel.cube());
+            }
+            assertEquals(0, _storage.names.length);
+        }
+
+        [Test]
+        public function theCallersBytesKeepTheirByteOrder():void
+        {
+            newGame(_store).addModel(BuiltInModel.cube());
+            var settings:FitSettings = settingsOf(newGame(null));
+            var bytes:ByteArray = _store.read(BuiltInModel.cube(), settings);
+            bytes.endian = Endian.BIG_ENDIAN;
+            assertTrue(_store.write(BuiltInModel.cube(), settings, bytes));
+            assertEquals(Endian.BIG_ENDIAN, bytes.endian);
+        }
+
         [Test]
         public function anEntryWithoutAHierarchyNeedsLittleRoom():void
         {
@@ -298,6 +380,16 @@ package starlogo.libraries
             return game;
         }
 
+        private function sizeOfEntries():Number
+        {
+            var sum:Number = 0;
+            for each (var name:String in _storage.names)
+            {
+                sum += _storage.entries[name].length;
+            }
+            return sum;
+        }
+
         private static function settingsOf(game:GreatLand):FitSettings
         {
             return new FitSettings(game.boundingStructures, game.hierarchies);
@@ -347,8 +439,44 @@ package starlogo.libraries
     }
 }
 
+import flash.geom.Vector3D;
 import flash.utils.ByteArray;
+import starlogo.bounding.BoundingStructure;
+import starlogo.bounding.Sphere;
+import starlogo.fitting.Fit;
+import starlogo.fitting.FitSession;
+import starlogo.fitting.Fitter;
+import support.CountingFitter;
 import support.MemoryStorage;
+
+/** Its structures are not stored. */
+class UnsignedFitter extends CountingFitter
+{
+    /** @inheritDoc */
+    override public function get signature():String
+    {
+        return null;
+    }
+}
+
+/** Finds a sphere that is much larger than any model. */
+class LargeFitter extends Fitter
+{
+    /** @inheritDoc */
+    override public function get signature():String
+    {
+        return "large";
+    }
+
+    /** @inheritDoc */
+    override public function fitting(session:FitSession):Fit
+    {
+        return new Fit(session, function(session:FitSession):BoundingStructure
+            {
+                return new Sphere(new Vector3D(), 100);
+            });
+    }
+}
 
 /** Its copies stand at their end, as bytes do that were just written. */
 class StorageOfFreshCopies extends MemoryStorage

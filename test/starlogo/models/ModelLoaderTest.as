@@ -192,6 +192,28 @@ package starlogo.models
             assertEquals(1, cancelled);
         }
 
+        /** A game that starts on COMPLETE starts with what there is. */
+        [Test(async, timeout="150000")]
+        public function isCompleteIfTheRestIsCancelled():void
+        {
+            var cancelled:int = 0;
+            _loader.addEventListener(Event.CANCEL, function(event:Event):void
+                {
+                    cancelled++;
+                });
+            _loader.loadText("a", OBJ);
+            _loader.load("b", "/fixtures/models/expected.json");
+            _loader.addEventListener(ModelEvent.LOADED, function(event:ModelEvent):void
+                {
+                    _loader.cancel("b");
+                });
+            whenComplete(function():void
+                {
+                    assertEquals("a", _log.join());
+                    assertEquals(0, cancelled);
+                });
+        }
+
         [Test(async, timeout="150000")]
         public function cancelsOneAmongOthers():void
         {

@@ -2,16 +2,23 @@ package starlogo.models
 {
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertNull;
     import org.flexunit.asserts.assertStrictlyEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
+    import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.collision.HierarchicalCollider;
     import starlogo.data.areSameNumbers;
     import starlogo.engine;
     import starlogo.hierarchy.HierarchyNode;
+    import starlogo.libraries.FitStore;
+    import starlogo.solid.ModelTree;
+    import starlogo.steps.Steps;
+    import starlogo.steps.finish;
+    import support.MemoryStorage;
     import support.assertClose;
     import support.assertThrows;
     import support.landOf;
@@ -163,6 +170,96 @@ package starlogo.models
             land.boundingStructures.add(model.name, model.vertices);
             assertTrue(land.boundingStructures.tightestFit("pyramid").volume > 1.5 * before);
             assertTrue(land.boundingStructures.hull("pyramid").volume > 1.5 * hull);
+        }
+
+        /** A hierarchy that a game has made of the model's own vertices. */
+        [Test]
+        public function aHierarchyOfTheSameVerticesFollows():void
+        {
+            var model:Model = new Model("pyramid", CORNERS, FACES);
+            var land:GreatLand = landOf(model);
+            land.hierarchies.add("pyramid", model.vertices, model.triangles);
+            model.pose(moved(CORNERS, 5));
+            assertClose(5, Box(land.hierarchies.root("pyramid").bounds).center.x, 1e-6);
+            var collider:HierarchicalCollider = new HierarchicalCollider(land);
+            var there:Agent = new Agent("pyramid");
+            var other:Agent = new Agent("other");
+            land.addModel(new Model("other", CORNERS, FACES));
+            other.moveTo(5, 0, 0);
+            assertTrue(collider.areColliding(there, other));
+        }
+
+        [Test]
+        public function aHierarchyOfOtherVerticesStays():void
+        {
+            var model:Model = new Model("pyramid", CORNERS, FACES);
+            var land:GreatLand = landOf(model);
+            land.hierarchies.add("pyramid", model.vertices.slice(), model.triangles);
+            var tree:ModelTree = land.hierarchies.treeOf("pyramid");
+            tree.prepareExact();
+            model.pose(moved(CORNERS, 5));
+            assertClose(0, Box(land.hierarchies.root("pyramid").bounds).center.x, 1e-6);
+            assertTrue(tree.isExactPrepared);
+        }
+
+        /** The sphere that was found before the pose does not enclose the model. */
+        [Test]
+        public function aHullThatIsFoundLaterIsAroundThePose():void
+        {
+            for each (var factor:Number in [1, 20])
+            {
+                var vertices:Vector.<Number> = BuiltInModel.cube().vertices.slice();
+                var model:Model = new Model("cube", vertices, BuiltInModel.cube().triangles, Model.AS_GIVEN);
+                var land:GreatLand = landOf(model);
+                for (var i:int = 0; i < vertices.length; i += 3)
+                {
+                    vertices[i] *= factor;
+                }
+                model.pose(vertices);
+                var hull:BoundingStructure = land.structureOfKind("cube", BoundingStructure.HULL);
+                for (i = 0; i < vertices.length; i += 3)
+                {
+                    assertTrue(hull.contains(new Vector3D(vertices[i], vertices[i + 1], vertices[i + 2])));
+                }
+            }
+        }
+
+        /** Whenever it is posed while it is added, nothing of a mixture is added or stored. */
+        [Test]
+        public function aModelIsNotPosedWhileItIsAdded():void
+        {
+            for (var before:int = 0, hasMore:Boolean = true; hasMore; before++)
+            {
+                var model:Model = new Model("pyramid", CORNERS, FACES);
+                var land:GreatLand = new GreatLand();
+                var storage:MemoryStorage = new MemoryStorage();
+                land.fitStore = new FitStore(1e6, storage);
+                var work:Steps = land.receive(model);
+                hasMore = true;
+                for (var i:int = 0; i < before && hasMore; i++)
+                {
+                    hasMore = work.step();
+                }
+                if (hasMore)
+                {
+                    var storedCount:int = storage.names.length;
+                    model.pose(moved(CORNERS, 5));
+                    assertThrows(ArgumentError, /"pyramid".*posed/, finish, work);
+                    assertFalse(land.hasModel("pyramid"));
+                    assertEquals(storedCount, storage.names.length);
+                }
+            }
+        }
+
+        private static function moved(vertices:Vector.<Number>, x:Number):Vector.<Number>
+        {
+            // the pyramid is divided by 4
+            var all:Vector.<Number> = vertices.slice();
+            for (var i:int = 0; i < all.length; i += 3)
+            {
+                all[i] += 4 * x;
+            }
+            return all;
         }
 
         [Test]

@@ -179,6 +179,17 @@ package starlogo.models
             assertTrue("some are mirrored: " + _mirrored, _mirrored > 3 && _mirrored < 17);
         }
 
+        /** A model promises finite coordinates. */
+        [Test]
+        public function noTranslationMakesACoordinateInfinite():void
+        {
+            var far:ModelTransform = new ModelTransform(null, null, new Vector3D(1e308, 0, 1e308));
+            assertThrows(ModelError, /"a".*x coordinate of vertex 0.*Infinity/, modelOf, new <Number>[1e308, 0, 0], far, Model.AS_GIVEN);
+            var tall:Vector.<Number> = new <Number>[0, 0, 0, 1, 1, 1];
+            var stretched:ModelTransform = new ModelTransform(null, new Vector3D(1, 1, 1.5e308), far.translation);
+            assertThrows(ModelError, /"a".*z coordinate of vertex 1.*Infinity/, modelOf, tall, stretched, Model.VOLUME);
+        }
+
         private function randomTransform(random:SeededRandom, i:int):ModelTransform
         {
             var isRight:Boolean = i % 3 == 0;

@@ -9,6 +9,7 @@ package starlogo.queries
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.bounding.Sphere;
+    import starlogo.collision.HierarchicalCollider;
     import starlogo.models.BuiltInModel;
     import starlogo.models.ColladaModel;
     import starlogo.models.CookedModel;
@@ -22,6 +23,7 @@ package starlogo.queries
     import support.Effort;
     import support.Gltf;
     import support.assertThrows;
+    import support.landOf;
 
     /** What hits tell of triangles: meshes, materials and weights; and where models have these from. */
     public class HitTrianglesTest
@@ -254,6 +256,37 @@ package starlogo.queries
         }
 
         // The corners of the triangle with the weights make the point.
+
+        /** Labels number the triangles of the model, not those of a hierarchy that a game has made of other ones. */
+        [Test]
+        public function otherTrianglesHaveNoLabels():void
+        {
+            var cube:Model = BuiltInModel.cube();
+            cube.setMaterials(new Vector.<int>(12), new <String>["wood"]);
+            cube.setMeshes(new Vector.<int>(12), new <String>["crate"]);
+            var sphere:Model = BuiltInModel.sphere();
+            var few:Vector.<uint> = cube.triangles.slice(6);
+            var land:GreatLand = landOf(cube);
+            for each (var proxy:Array in [[sphere.vertices, sphere.triangles, -1], [cube.vertices, few, -1], [cube.vertices, cube.triangles, 0]])
+            {
+                land.hierarchies.add("cube", proxy[0], proxy[1]);
+                var collider:HierarchicalCollider = new HierarchicalCollider(land);
+                collider.exact = true;
+                var queries:AgentQueries = new AgentQueries(collider);
+                queries.update(new <Agent>[new Agent("cube")]);
+                var hit:RayHit = null;
+                for each (var direction:Vector3D in [new Vector3D(1, 0, 0), new Vector3D(0, 1, 0), new Vector3D(0, 0, 1)])
+                {
+                    hit ||= queries.cast(new Vector3D(0.1 - 3 * direction.x, 0.2 - 3 * direction.y, 0.3 - 3 * direction.z), direction);
+                }
+                assertTrue(hit.triangle >= 0);
+                assertEquals(proxy[2], hit.material);
+                assertEquals(proxy[2], hit.mesh);
+                assertEquals(proxy[2] < 0 ? null : "wood", hit.materialName);
+                assertEquals(proxy[2] < 0 ? null : "crate", hit.meshName);
+            }
+        }
+
         private static function checkTriangle(model:Model, agent:Agent, triangle:int, point:Vector3D, weights:Vector3D):void
         {
             var made:Vector3D = new Vector3D();

@@ -77,19 +77,12 @@ package starlogo.geometry.vertices
             return Math.max(-minX, -minY, -minZ, maxX, maxY, maxZ);
         }
 
-        /** What is wrong if the largest absolute coordinate is too large; otherwise null. */
-        public static function sizeProblem(largest:Number):String
+        /** Throws an ArgumentError if the largest absolute coordinate is too large. @param beginning the beginning of its message */
+        public static function requireWithin(largest:Number, beginning:String = ""):void
         {
-            return largest <= LARGEST_VERTEX ? null : "coordinates must be at most " + LARGEST_VERTEX + ": " + largest;
-        }
-
-        /** Throws an ArgumentError if an absolute coordinate is too large. */
-        public static function requireWithin(largest:Number):void
-        {
-            var problem:String = sizeProblem(largest);
-            if (problem != null)
+            if (!(largest <= LARGEST_VERTEX))
             {
-                throw new ArgumentError(problem);
+                throw new ArgumentError(beginning + "coordinates must be at most " + LARGEST_VERTEX + ": " + largest);
             }
         }
 

@@ -49,6 +49,7 @@ package starlogo.libraries.cooked
             }
             out.position = 0;
             out.writeInt(kinds);
+            out.position = 0;
             return out;
         }
 

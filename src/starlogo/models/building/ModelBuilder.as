@@ -222,7 +222,7 @@ package starlogo.models.building
         // Moves by the transform. With the scaling VOLUME the lowest vertex is put at z = 0 first.
         private function translating():Steps
         {
-            return placing(new Vector3D(0, 0, _data.scaling == Model.VOLUME ? _bounds.minZ : 0), _data.transform == null ? new Vector3D() : _data.transform.translation, 1);
+            return placing(new Vector3D(0, 0, _data.scaling == Model.VOLUME ? _bounds.minZ : 0), _data.transform == null ? new Vector3D() : _data.transform.translation, 1).begin(measuring);
         }
 
         // The steps that put a low corner at the origin, move, and divide by a divisor. The differences from the corner come first and the division
@@ -270,8 +270,8 @@ package starlogo.models.building
 
         private function close():void
         {
-            _data.materials.close(_data.triangles.length / 3);
-            _data.meshes.close(_data.triangles.length / 3);
+            _data.materials.seal(_data.triangles.length / 3);
+            _data.meshes.seal(_data.triangles.length / 3);
             _data.vertices.fixed = _data.triangles.fixed = true;
             _data.triangles = _data.triangles.length == 0 ? null : _data.triangles;
             _isComplete = true;

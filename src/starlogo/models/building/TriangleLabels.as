@@ -15,7 +15,7 @@ package starlogo.models.building
         public var names:Vector.<String>;
 
         /**
-         * Triangles that follow one another and have the same label are a run. This is the first triangle of each run. <code>close()</code> adds the
+         * Triangles that follow one another and have the same label are a run. This is the first triangle of each run. <code>seal()</code> adds the
          * number of triangles, so each run ends where the next entry begins. They are Numbers, as <code>lastNotAfter()</code> takes them. Read only.
          */
         public var starts:Vector.<Number> = new <Number>[0];
@@ -76,14 +76,14 @@ package starlogo.models.building
         }
 
         /** Ends the last run. If then no triangle has a label, there are no names either. @param count the number of triangles */
-        public function close(count:int):void
+        public function seal(count:int):void
         {
             endRun(count);
             starts.push(count);
             names = labelsOfRuns.length == 1 ? null : names;
         }
 
-        /** The label of each triangle, -1 for none, after <code>close()</code>. Always the same list. Null if no triangle has a label. */
+        /** The label of each triangle, -1 for none, after <code>seal()</code>. Always the same list. Null if no triangle has a label. */
         public function get labels():Vector.<int>
         {
             if (_labels == null && labelsOfRuns.length > 1)
@@ -100,7 +100,7 @@ package starlogo.models.building
             return _labels;
         }
 
-        /** The label of a triangle, after <code>close()</code>; -1 if it has none. */
+        /** The label of a triangle, after <code>seal()</code>; -1 if it has none. */
         public function labelOf(triangle:int):int
         {
             return labelsOfRuns[lastNotAfter(starts, triangle)];

@@ -64,22 +64,21 @@ package starlogo.models.cooked
         // whether the file is complete and unchanged; false until all steps are done
         private var _isComplete:Boolean = false;
 
-        /** @param bytes a possible cooked file; it is copied; only its position and byte order change; null for no file */
+        /** @param bytes a possible cooked file; it is copied; null for no file */
         public function CookedFile(bytes:ByteArray)
         {
             if (bytes == null || !isCookedFile(bytes))
             {
                 return;
             }
-            bytes.endian = Endian.LITTLE_ENDIAN;
-            bytes.position = VERSION_AT;
-            isOfOtherVersion = bytes.readInt() != VERSION;
-            if (!isOfOtherVersion && hasRightLength(bytes))
+            _bytes.writeBytes(bytes);
+            _bytes.position = VERSION_AT;
+            isOfOtherVersion = _bytes.readInt() != VERSION;
+            if (!isOfOtherVersion && hasRightLength(_bytes))
             {
-                _bytes.writeBytes(bytes);
                 _bytes.position = 0;
                 var whole:Fingerprint = new Fingerprint();
-                slices(bytes.length / Fingerprint.LENGTH - 1, WORDS_PER_STEP, function(first:int, end:int):void
+                slices(_bytes.length / Fingerprint.LENGTH - 1, WORDS_PER_STEP, function(first:int, end:int):void
                     {
                         whole.addBytes(_bytes, end - first);
                     }).call(function():void
@@ -181,6 +180,18 @@ package starlogo.models.cooked
             bytes.writeBytes(_bytes, start, length);
             bytes.position = 0;
             return bytes;
+        }
+
+        /** Whether the file that these bytes are has other sections. A file that is missing or damaged counts as one without sections. */
+        public function isChangedBy(bytes:ByteArray):Boolean
+        {
+            var sealAt:int = bytes.length - Fingerprint.LENGTH;
+            var isChanged:Boolean = _isComplete ? bytes.length != _bytes.length : sealAt > HEAD_LENGTH;
+            for (var i:int = sealAt; i < bytes.length && _isComplete && !isChanged; i++)
+            {
+                isChanged = bytes[i] != _bytes[i];
+            }
+            return isChanged;
         }
 
         private function hasSettings(index:int, settings:Fingerprint):Boolean

@@ -7,6 +7,7 @@ package starlogo.queries.rays
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.BoxTree;
+    import starlogo.models.Model;
     import starlogo.models.building.TriangleLabels;
     import starlogo.queries.CastHit;
     import starlogo.queries.SeenAgents;
@@ -61,16 +62,19 @@ package starlogo.queries.rays
             _nearest.clearWeights();
             if (hit.triangle >= 0)
             {
-                if (body.shape.model != null)
+                var model:Model = body.shape.model;
+                var tree:BoxTree = body.shape.tree.boxTree;
+                // the labels are those of the model's triangles, and a game may have made the hierarchy of other ones
+                if (model != null && model.triangles == tree.triangles)
                 {
-                    var meshes:TriangleLabels = body.shape.model.data.meshes;
-                    var materials:TriangleLabels = body.shape.model.data.materials;
+                    var meshes:TriangleLabels = model.data.meshes;
+                    var materials:TriangleLabels = model.data.materials;
                     hit.mesh = meshes.labelOf(hit.triangle);
                     hit.meshName = meshes.nameOf(hit.mesh);
                     hit.material = materials.labelOf(hit.triangle);
                     hit.materialName = materials.nameOf(hit.material);
                 }
-                readCorners(body.shape.tree.boxTree, 3 * hit.triangle, body.placement, hit.point);
+                readCorners(tree, 3 * hit.triangle, body.placement, hit.point);
                 _nearest.squaredDistance = Infinity;
                 SimplexPart.tryTriangle(_corners, 0, 1, 2, -1, _nearest);
             }

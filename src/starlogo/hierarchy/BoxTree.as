@@ -72,7 +72,7 @@ package starlogo.hierarchy
         /** The radius of a sphere around the origin that contains the model. Rounding errors are relative to it. Complete with the root's box. */
         public var radiusAboutOrigin:Number = 0;
 
-        // The number of nodes while they are made.
+        // The number of nodes while they are made; 0 before and after.
         private var _count:int = 0;
 
         // The result of boxOf().
@@ -90,10 +90,10 @@ package starlogo.hierarchy
             this.triangles = triangles;
         }
 
-        /** Whether there are nodes. */
+        /** Whether there are nodes, all of them. */
         public function get isMade():Boolean
         {
-            return left.length > 0;
+            return _count == 0 && left.length > 0;
         }
 
         /** Whether the items are triangles; otherwise they are vertices. */
@@ -320,6 +320,7 @@ package starlogo.hierarchy
                 splits = splits.slice(0, _count);
             }
             setRoom(_count);
+            _count = 0;
         }
 
         /** Removes all nodes. */

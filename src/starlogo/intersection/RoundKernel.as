@@ -65,6 +65,7 @@ package starlogo.intersection
             var least:Number = Tolerances.DIRECTION * found.extent;
             if (found.squaredLength > least * least)
             {
+                _finder.moveToMiddle(first, second, found.gap);
                 out.setFromGap(found.gap, motion);
             }
             else

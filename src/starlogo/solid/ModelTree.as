@@ -191,7 +191,6 @@ package starlogo.solid
         {
             surface = null;
             _interior = null;
-            _root = null;
             if (boxTree.isMade)
             {
                 finish(new BoxRefit(boxTree));

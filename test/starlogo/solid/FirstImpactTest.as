@@ -1,12 +1,16 @@
 package starlogo.solid
 {
     import evaluation.pairs.SeededRandom;
+    import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.collision.Collision;
     import starlogo.collision.CombinationCollider;
     import starlogo.collision.Contact;
+    import starlogo.convex.RelativeMotion;
+    import starlogo.convex.TrianglePlane;
+    import starlogo.geometry.Tolerances;
     import starlogo.models.BuiltInModel;
     import starlogo.terrain.Terrain;
     import support.Complaints;
@@ -86,6 +90,41 @@ package starlogo.solid
                 _contact = null;
                 _collision.update(new <Agent>[mover]);
                 note(-side, 0, mover.toString() + " " + mover.collideAs + " " + i);
+            }
+            _wrong.assertNone();
+        }
+
+        /** Touches at about the same time come in the order of the tree. The same one counts in every order. */
+        [Test]
+        public function theOrderOfTheTouchesDoesNotMatter():void
+        {
+            var first:FirstImpact = new FirstImpact();
+            var motion:RelativeMotion = new RelativeMotion();
+            motion.x = 3;
+            for (var i:int = 0; i < 2000; i++)
+            {
+                var touches:Array = [];
+                for (var k:int = 0; k < 4; k++)
+                {
+                    touches.push({time: 0.5 + _random.integer(0, 9) * 3e-10, squareness: _random.between(0.01, 1)});
+                }
+                var chosen:Object = null;
+                for (var order:int = 0; order < 6; order++)
+                {
+                    touches.push(touches.splice(_random.integer(0, 3), 1)[0]);
+                    var last:Object = null;
+                    first.reset(1);
+                    for each (var touch:Object in touches)
+                    {
+                        var plane:TrianglePlane = new TrianglePlane();
+                        plane.normal.setTo(-touch.squareness, Math.sqrt(1 - touch.squareness * touch.squareness), 0);
+                        motion.time = touch.time;
+                        last = first.offer(motion, plane) ? touch : last;
+                    }
+                    chosen ||= last;
+                    assertEquals("the squareness of touch set " + i, chosen.squareness, last.squareness);
+                    _wrong.addIf(!(chosen.time <= first.time + Tolerances.SAME_TIME), "later", "set " + i);
+                }
             }
             _wrong.assertNone();
         }

@@ -6,7 +6,8 @@ package starlogo.convex
      * from the left never steps over its first zero. A sweep measures the shapes at the motion's time, and asks for the next time, as long as there is
      * one.
      *
-     * <p>If the shapes touch across the margins only, one more step leads to where they touch without them. It counts if they still touch there.</p>
+     * <p>If the shapes touch across the margins only, one more step leads to where they touch without them. It counts if they still touch there. The gap
+     * leaves the margins out. So the steps may pass two shapes that touch across the margins alone, if they part again before the motion ends.</p>
      *
      * <p>Each step shrinks the product of the gap and its slope to at most a quarter, and both are numbers of 53 bits. So AdvancementStep.MAX_STEPS steps are
      * enough. Should rounding need more, the time is that of the last step: the shapes do not touch before, and their gap is at most rounding.</p>

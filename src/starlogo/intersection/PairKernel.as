@@ -25,7 +25,7 @@ package starlogo.intersection
 
         /**
          * Finds when a moving structure first touches another one: the first moment at which <code>intersects()</code> would return true, except
-         * for rounding. The motion's start and end are included.
+         * for rounding. The motion's start and end are included. A touch between them across the margins of Touching alone may be missed.
          *
          * @param a the one that moves
          * @param b in the same space

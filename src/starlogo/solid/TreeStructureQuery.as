@@ -118,7 +118,6 @@ package starlogo.solid
 
         private function findContactOfNode(node:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            out.triangle = -1;
             StructurePairs.findContact(pose.place(_structure), _tree.boxTree.boxOf(node), motion, out);
         }
 

@@ -133,6 +133,24 @@ package starlogo.intersection
                     x * frame[0].z + y * frame[1].z + z * frame[2].z);
         }
 
+        /** A contact's object may have been that of a contact with the ground, or of a model's triangle. */
+        [Test]
+        public function nothingOfAnEarlierContactIsLeft():void
+        {
+            var shapes:RandomStructures = new RandomStructures(new SeededRandom(404));
+            for each (var kindA:int in KINDS.concat(BoundingStructure.HULL))
+            {
+                for each (var kindB:int in KINDS.concat(BoundingStructure.HULL))
+                {
+                    _touch.triangle = 3;
+                    _touch.isDeepestOfA = true;
+                    _touch.exitBound = 2;
+                    StructurePairs.findContact(shapes.ofKind(kindA, 1, 0.1), shapes.ofKind(kindB, 1, 0.1), _displacement, _touch);
+                    assertTrue(kindA + " and " + kindB, _touch.triangle == -1 && !_touch.isDeepestOfA && _touch.exitBound == 0);
+                }
+            }
+        }
+
         /** Structures may be as large as 1e70, though nothing in a game is. */
         [Test]
         public function contactsOfHugeStructuresAreThoseOfSmallOnes():void

@@ -12,6 +12,7 @@ package starlogo.solid
     import starlogo.convex.TrianglePlane;
     import starlogo.geometry.Tolerances;
     import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
     import starlogo.terrain.Terrain;
     import support.Complaints;
     import support.Effort;
@@ -25,6 +26,7 @@ package starlogo.solid
 
         private var _random:SeededRandom = new SeededRandom(88);
         private var _wrong:Complaints = new Complaints();
+        private var _land:GreatLand = new GreatLand();
         private var _collider:CombinationCollider;
         private var _collision:Collision;
         private var _contact:Contact;
@@ -32,12 +34,11 @@ package starlogo.solid
         [Before]
         public function setUp():void
         {
-            var land:GreatLand = new GreatLand();
-            land.loadHulls = true;
-            land.addModel(BuiltInModel.box(1, 3, 3, "wall"));
-            land.addModel(BuiltInModel.box(1, 1, 1, "cube"));
-            land.addModel(BuiltInModel.box(1, 2, 3, "block"));
-            _collider = new CombinationCollider(land);
+            _land.loadHulls = true;
+            _land.addModel(BuiltInModel.box(1, 3, 3, "wall"));
+            _land.addModel(BuiltInModel.box(1, 1, 1, "cube"));
+            _land.addModel(BuiltInModel.box(1, 2, 3, "block"));
+            _collider = new CombinationCollider(_land);
             _collider.exact = true;
             _collision = new Collision(_collider);
             _collision.onCollision("movers", Collision.ANY_BREED, keep);
@@ -90,6 +91,29 @@ package starlogo.solid
                 _contact = null;
                 _collision.update(new <Agent>[mover]);
                 note(-side, 0, mover.toString() + " " + mover.collideAs + " " + i);
+            }
+            _wrong.assertNone();
+        }
+
+        /** What is beside a contact does not turn it, however large the triangles are: here a roof above the cube, near beside the plate's size. */
+        [Test]
+        public function theBorderOfAHugePlateUnderARoof():void
+        {
+            var plate:Vector.<Number> = new <Number>[0, -1, 0, 1, -1, 0, 1, 1, 0, 0, 1, 0, -1, -1, 5e-5, 1, -1, 5e-5, 1, 1, 5e-5, -1, 1, 5e-5];
+            _land.addModel(new Model("plate", plate, new <uint>[0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7], Model.AS_GIVEN));
+            for (var i:int = 0; i < 50; i++)
+            {
+                var mover:Agent = new Agent("cube", "movers");
+                var other:Agent = new Agent("plate", "walls");
+                var y:Number = _random.between(-400, 400);
+                mover.hierarchical = other.hierarchical = mover.sweeps = true;
+                other.size = 1000;
+                mover.moveTo(-6, y, -1);
+                _collision.update(new <Agent>[mover, other]);
+                mover.moveTo(-0.2, y, -1);
+                _contact = null;
+                _collision.update(new <Agent>[mover, other]);
+                note(-1, 0, "at " + y);
             }
             _wrong.assertNone();
         }

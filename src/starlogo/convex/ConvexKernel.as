@@ -13,7 +13,7 @@ package starlogo.convex
      * here for all packages, because the others that fill them may use this one.</p>
      *
      * <p>areTouching and findTime agree about what touches (see Touching), except that findTime may miss a touch across the margins alone: see
-     * advance(). findTime adds the margin of the motion. The distance and the depth leave
+     * AdvancementStep. findTime adds the margin of the motion. The distance and the depth leave
      * all margins out, so shapes that touch may have a distance as small as the margins, and the depth 0. CorePair says how far the order of the
      * two matters. Memory is allocated only for lists that grow with the largest hull so far.</p>
      *

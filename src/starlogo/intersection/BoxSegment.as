@@ -16,7 +16,7 @@ package starlogo.intersection
     internal final class BoxSegment
     {
         /** The segment that <code>capsuleBox()</code> sets, of a capsule that stands. */
-        public static const STANDING:BoxSegment = new BoxSegment();
+        public static const SCRATCH:BoxSegment = new BoxSegment();
 
         /** The segment's start, as seen from the box's middle. */
         public var x:Number = 0;

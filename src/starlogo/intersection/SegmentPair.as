@@ -9,7 +9,7 @@ package starlogo.intersection
     internal final class SegmentPair
     {
         /** The pair that <code>capsuleCapsule()</code> sets, whose capsules stand. */
-        public static const STANDING:SegmentPair = new SegmentPair();
+        public static const SCRATCH:SegmentPair = new SegmentPair();
 
         /** u is the axis of a, and v the axis of b, each from its start to its end. All fields are read only. */
         public var uX:Number = 0;

@@ -83,7 +83,7 @@ package starlogo.solid
         /** @inheritDoc */
         override internal function findImpactInPose(motion:RelativeMotion, out:ContactPoint):void
         {
-            var best:BestPair = _impact.findImpact(_trees, motion, kernelFor(motion));
+            var best:BestPair = _impact.findFirstPair(_trees, motion, kernelFor(motion));
             motion.time = best.time;
             if (out == null || motion.time == RelativeMotion.NEVER)
             {

@@ -62,7 +62,7 @@ package starlogo.solid
         public function find(a:ModelTree, b:ModelTree, trees:PosedTrees, best:BestPair, motion:RelativeMotion, out:ContactPoint):void
         {
             var placement:Placement = trees.pose.placement;
-            var quickDistance:Number = trees.quickDistance(motion);
+            var cullDistance:Number = trees.cullDistance(motion);
             var plane:TrianglePlane = _plane;
             a.mesh.readTriangle(best.a, _cornersOfA);
             b.mesh.readTriangle(best.b, _cornersOfB);
@@ -74,7 +74,7 @@ package starlogo.solid
             _kernel.findContact(_cornersOfA, motion, out);
             Placement.invert(placement, _inB.placement);
             plane.setTriangle(_cornersOfA, 0);
-            if (plane.isHitFromFront(_kernel.shape, quickDistance, motion, out) && !hasTriangleBehind(b, _inB, trees.triangleTolerance, motion, out))
+            if (plane.isHitFromFront(_kernel.shape, cullDistance, motion, out) && !hasTriangleBehind(b, _inB, trees.triangleMargin, motion, out))
             {
                 out.setNormal(plane.normal.x, plane.normal.y, plane.normal.z);
                 return;
@@ -82,21 +82,21 @@ package starlogo.solid
             plane.setTriangle(_cornersOfB, 0);
             _kernel.shape.setTriangle(_cornersOfA, 0);
             _reversed.setReversed(motion);
-            if (plane.isHitFromFront(_kernel.shape, quickDistance, _reversed, out) && !hasTriangleBehind(a, _inA, trees.triangleTolerance, RelativeMotion.NONE, out))
+            if (plane.isHitFromFront(_kernel.shape, cullDistance, _reversed, out) && !hasTriangleBehind(a, _inA, trees.triangleMargin, RelativeMotion.NONE, out))
             {
                 out.setNormal(-plane.normal.x, -plane.normal.y, -plane.normal.z);
             }
         }
 
         // Whether a model has a triangle at a contact that is, at least in part, behind the plane.
-        private function hasTriangleBehind(model:ModelTree, pose:RelativePose, triangleTolerance:Number, motion:RelativeMotion, contact:ContactPoint):Boolean
+        private function hasTriangleBehind(model:ModelTree, pose:RelativePose, triangleMargin:Number, motion:RelativeMotion, contact:ContactPoint):Boolean
         {
-            var back:Number = (1 + PROBE_GAP) * _probe.radius + 2 * triangleTolerance;
+            var back:Number = (1 + PROBE_GAP) * _probe.radius + 2 * triangleMargin;
             var normal:Vector3D = _plane.normal;
             _probe.center.x = contact.x - motion.time * motion.x - back * normal.x;
             _probe.center.y = contact.y - motion.time * motion.y - back * normal.y;
             _probe.center.z = contact.z - motion.time * motion.z - back * normal.z;
-            return _triangleImpact.findImpact(model, _probe, pose, _still) >= 0;
+            return _triangleImpact.findFirstSlot(model, _probe, pose, _still) >= 0;
         }
     }
 }

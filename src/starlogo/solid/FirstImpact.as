@@ -58,7 +58,8 @@ package starlogo.solid
                 speed = (speed + squarenessOf(other.normal, motion, 1)) / 2;
             }
             var length:Number = Math.sqrt(motion.x * motion.x + motion.y * motion.y + motion.z * motion.z);
-            var countedTime:Number = motion.time - Tolerances.SAME_TIME * (length > 0 ? speed / length : 0);
+            var squareness:Number = length > 0 ? speed / length : 0;
+            var countedTime:Number = motion.time - Tolerances.SAME_TIME * squareness;
             if (!(countedTime < _countedTime))
             {
                 return false;

@@ -1,15 +1,22 @@
 package starlogo.convex
 {
     /**
-     * A step on the way to the time of impact, as a record: what a sweep has found at the motion's time, and what advance() has to know of the steps
-     * before.
+     * Moves the time of a motion towards the time of impact, by conservative advancement (van den Bergen, "Ray casting against general convex objects with
+     * application to continuous collision detection", 2004). The distance of two convex shapes is a convex function of the time. So Newton's method
+     * from the left never steps over its first zero. A sweep measures the shapes at the motion's time, writes what it finds here, and asks for the
+     * next time, as long as there is one.
+     *
+     * <p>If the shapes touch across the margins only, one more step leads to where they touch without them. It counts if they still touch there. The gap
+     * leaves the margins out. So the steps may pass two shapes that touch across the margins alone, if they part again before the motion ends.</p>
+     *
+     * <p>Each step shrinks the product of the gap and its slope to at most a quarter, and both are numbers of 53 bits. So MAX_STEPS steps are
+     * enough. Should rounding need more, the time is that of the last step: the shapes do not touch before, and their gap is at most rounding.</p>
      *
      * @private
      */
     public final class AdvancementStep
     {
-        /** How many steps a sweep makes at most: see advance(). */
-        public static const MAX_STEPS:int = 80;
+        private static const MAX_STEPS:int = 80;
 
         /** The gap between the two shapes along a direction that keeps them apart. No gap is left if it is not above 0. */
         public var gap:Number = 0;
@@ -20,17 +27,46 @@ package starlogo.convex
         /** Whether the shapes touch, with all margins: see Touching. */
         public var isTouching:Boolean = false;
 
-        /** The number of steps before this one. */
-        public var count:int = 0;
+        // The number of steps before this one.
+        private var _count:int = 0;
 
-        /** The time of an earlier step at which the shapes touched, but only across the margins; RelativeMotion.NEVER if there was none. */
-        public var marginTouchTime:Number = RelativeMotion.NEVER;
+        // The time of an earlier step at which the shapes touched, but only across the margins; RelativeMotion.NEVER if there was none.
+        private var _marginTouchTime:Number = RelativeMotion.NEVER;
 
         /** Begins with the first step. */
         public function reset():void
         {
-            count = 0;
-            marginTouchTime = RelativeMotion.NEVER;
+            _count = 0;
+            _marginTouchTime = RelativeMotion.NEVER;
+        }
+
+        /**
+         * Moves to the next step.
+         *
+         * @param motion receives the time of the next step. If there is none, receives the answer: when the shapes touch, or RelativeMotion.NEVER
+         * @return whether there is another step
+         */
+        public function advance(motion:RelativeMotion):Boolean
+        {
+            var wasTouching:Boolean = _marginTouchTime != RelativeMotion.NEVER;
+            if (isTouching)
+            {
+                if (wasTouching || motion.time == 0)
+                {
+                    return false;
+                }
+                _marginTouchTime = motion.time;
+            }
+            var next:Number = motion.time + gap / speed;
+            if (wasTouching || !(speed > 0 && next > motion.time && next <= motion.latest))
+            {
+                // the step after a touch has led out of it, or there is none in time
+                motion.time = _marginTouchTime;
+                return false;
+            }
+            motion.time = next;
+            _count++;
+            return _count < MAX_STEPS;
         }
     }
 }

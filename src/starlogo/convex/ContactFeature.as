@@ -8,9 +8,9 @@ package starlogo.convex
         // How many numbers an edge has: three for each of its corners. A face has more.
         private static const EDGE:int = 6;
 
-        /** The corners: x, y, z of each. <code>end</code> is the count of these numbers. Read only. */
+        /** The corners: x, y, z of each. <code>length</code> is the count of these numbers. Read only. */
         public var points:Vector.<Number> = new Vector.<Number>();
-        public var end:int = 0;
+        public var length:int = 0;
 
         /** How far the core extends along the direction. Read only. */
         public var farthest:Number = 0;
@@ -27,13 +27,13 @@ package starlogo.convex
         /** Whether the feature is a corner. */
         public function get isCorner():Boolean
         {
-            return end == 3;
+            return length == 3;
         }
 
         /** Whether the feature is a face. */
         public function get isFace():Boolean
         {
-            return end > EDGE;
+            return length > EDGE;
         }
 
         /** Finds the corners of a core that are farthest along a contact's normal, or against it if the side is -1. They are in any order. */
@@ -52,7 +52,7 @@ package starlogo.convex
             farthest = most;
             _rounding = Tolerances.DIRECTION * shape.extent;
             most -= _rounding;
-            end = 0;
+            length = 0;
             for (var k:int = 0; k < shape.pointsEnd; k += 3)
             {
                 if (x * p[k] + y * p[int(k + 1)] + z * p[int(k + 2)] >= most)
@@ -65,7 +65,7 @@ package starlogo.convex
         /** Moves all corners by a vector. */
         public function move(x:Number, y:Number, z:Number):void
         {
-            for (var at:int = 0; at < end; at += 3)
+            for (var at:int = 0; at < length; at += 3)
             {
                 points[at] += x;
                 points[int(at + 1)] += y;
@@ -80,10 +80,10 @@ package starlogo.convex
         public function makeOutline(contact:ContactPoint):void
         {
             var found:Vector.<Number> = points;
-            var foundEnd:int = end;
+            var foundEnd:int = length;
             points = _spare;
             _spare = found;
-            end = 0;
+            length = 0;
             // the first is farthest from another one
             var first:int = farthestFrom(0, found, foundEnd);
             var last:int = farthestFrom(first, found, foundEnd);
@@ -97,7 +97,7 @@ package starlogo.convex
                 add(found, last);
                 return;
             }
-            for (var at:int = nextOf(first, found, foundEnd, contact); !areInOnePlace(at, first, found) && end < foundEnd; at = nextOf(at, found, foundEnd, contact))
+            for (var at:int = nextOf(first, found, foundEnd, contact); !areInOnePlace(at, first, found) && length < foundEnd; at = nextOf(at, found, foundEnd, contact))
             {
                 add(found, at);
             }
@@ -117,14 +117,14 @@ package starlogo.convex
             _sideRounding = Tolerances.ROUNDING * (Math.abs(sides[3] - sides[0]) + Math.abs(sides[4] - sides[1]) + Math.abs(sides[5] - sides[2])
                     + Math.abs(sides[6] - sides[3]) + Math.abs(sides[7] - sides[4]) + Math.abs(sides[8] - sides[5]));
             var areAllCut:Boolean = true;
-            var last:int = face.end - 3;
-            for (var at:int = 0; at < face.end; at += 3)
+            var last:int = face.length - 3;
+            for (var at:int = 0; at < face.length; at += 3)
             {
                 areAllCut = cut(sides, last, at, contact, false) && areAllCut;
                 last = at;
             }
             // what is nearest to a side may be beside the face, so these sides come last
-            for (at = 0; at < face.end && !areAllCut; at += 3)
+            for (at = 0; at < face.length && !areAllCut; at += 3)
             {
                 cut(sides, last, at, contact, true);
                 last = at;
@@ -133,10 +133,10 @@ package starlogo.convex
 
         private function add(from:Vector.<Number>, at:int):void
         {
-            points[end] = from[at];
-            points[int(end + 1)] = from[int(at + 1)];
-            points[int(end + 2)] = from[int(at + 2)];
-            end += 3;
+            points[length] = from[at];
+            points[int(length + 1)] = from[int(at + 1)];
+            points[int(length + 2)] = from[int(at + 2)];
+            length += 3;
         }
 
         // Whether all corners are as near to the line through two of them as rounding.
@@ -235,7 +235,7 @@ package starlogo.convex
             var kept:Vector.<Number> = _spare;
             var before:Vector.<Number> = points;
             var innermost:Number = -Infinity;
-            for (var i:int = 0; i < end; i += 3)
+            for (var i:int = 0; i < length; i += 3)
             {
                 var projection:Number = inX * before[i] + inY * before[int(i + 1)] + inZ * before[int(i + 2)];
                 innermost = projection > innermost ? projection : innermost;
@@ -252,11 +252,11 @@ package starlogo.convex
             }
             border -= rounding;
             var count:int = 0;
-            var last:int = end - 3;
+            var last:int = length - 3;
             var lastInwards:Number = inX * before[last] + inY * before[int(last + 1)] + inZ * before[int(last + 2)] - border;
             // an edge is not a closed outline
-            var isEdge:Boolean = end == EDGE;
-            for (var at:int = 0; at < end; at += 3)
+            var isEdge:Boolean = length == EDGE;
+            for (var at:int = 0; at < length; at += 3)
             {
                 var inwards:Number = inX * before[at] + inY * before[int(at + 1)] + inZ * before[int(at + 2)] - border;
                 if (inwards >= 0 != lastInwards >= 0 && !(isEdge && at == 0))
@@ -279,7 +279,7 @@ package starlogo.convex
             }
             points = kept;
             _spare = before;
-            end = count;
+            length = count;
             return !isAllOutside;
         }
     }

@@ -24,14 +24,13 @@ package starlogo.convex
 
         /**
          * The number of the tree's triangle if one of a and b is a tree, the other a structure, and this triangle decides. -1 if none does. Tests of
-         * trees and of rays write it. Other tests and kernels leave it as it was, so there it means nothing.
+         * trees and of rays write it after a kernel has found the contact.
          */
         public var triangle:int = -1;
 
         /**
-         * Whether the deepest point is known to be a point of a, so that it has to get out of b. Tests of the ground write it. It counts until the two are
-         * separated, and means nothing in other contacts. Kernels leave it and the bound as they were. So call forgetDeepest() for an object
-         * that may have been that of a contact with the ground.
+         * Whether the deepest point is known to be a point of a, so that it has to get out of b. Tests of the ground write it and the bound after a kernel
+         * has found the contact. It counts until the two are separated.
          */
         public var isDeepestOfA:Boolean = false;
 
@@ -60,6 +59,13 @@ package starlogo.convex
             out.x = x - back * normalX;
             out.y = y - back * normalY;
             out.z = z - back * normalZ;
+        }
+
+        /** Makes all unknown that a kernel does not find: the triangle, and whether the deepest point is one of a. Each kernel begins with it. */
+        public function forget():void
+        {
+            triangle = -1;
+            forgetDeepest();
         }
 
         /** Makes the deepest point unknown: it need not be a point of a. */
@@ -101,6 +107,7 @@ package starlogo.convex
             depth = gap.radiusA + gap.radiusB - length;
             // rounding can make it negative
             depth = depth > 0 ? depth : 0;
+            forget();
             var back:Number = gap.radiusA - depth / 2;
             x = gap.pointX + (motion.startX + time * motion.x) - back * normalX;
             y = gap.pointY + (motion.startY + time * motion.y) - back * normalY;

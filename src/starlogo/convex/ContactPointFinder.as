@@ -71,19 +71,19 @@ package starlogo.convex
         private static function writeMean(feature:ContactFeature, out:ContactPoint):void
         {
             var points:Vector.<Number> = feature.points;
-            var end:int = feature.end;
+            var length:int = feature.length;
             var x:Number = 0;
             var y:Number = 0;
             var z:Number = 0;
-            for (var at:int = 0; at < end; at += 3)
+            for (var at:int = 0; at < length; at += 3)
             {
                 x += points[at];
                 y += points[int(at + 1)];
                 z += points[int(at + 2)];
             }
-            out.x = x * (3 / end);
-            out.y = y * (3 / end);
-            out.z = z * (3 / end);
+            out.x = x * (3 / length);
+            out.y = y * (3 / length);
+            out.z = z * (3 / length);
         }
 
         // Writes where two segments cross, seen along the normal, or the point of the first one that is nearest to an end of the second. If they are

@@ -12,7 +12,8 @@ package starlogo.convex
      * of the call; a is the one that moves. The records of questions and answers (RelativeMotion, ClosestPoints, ContactPoint) stand
      * here for all packages, because the others that fill them may use this one.</p>
      *
-     * <p>areTouching and findTime agree about what touches: see Touching. findTime adds the margin of the motion. The distance and the depth leave
+     * <p>areTouching and findTime agree about what touches (see Touching), except that findTime may miss a touch across the margins alone: see
+     * AdvancementStep. findTime adds the margin of the motion. The distance and the depth leave
      * all margins out, so shapes that touch may have a distance as small as the margins, and the depth 0. CorePair says how far the order of the
      * two matters. Memory is allocated only for lists that grow with the largest hull so far.</p>
      *
@@ -140,6 +141,7 @@ package starlogo.convex
         // Makes the contact of the axis of the cores, by their radii.
         private function finishContact(motion:RelativeMotion, out:ContactPoint):void
         {
+            out.forget();
             out.setNormal(_witness.normalX, _witness.normalY, _witness.normalZ);
             var depth:Number = _cores.first.radius + _cores.second.radius - _witness.separation;
             out.depth = depth > 0 ? depth : 0;

@@ -2,7 +2,7 @@ package starlogo.convex
 {
     import starlogo.geometry.Tolerances;
 
-    /** Finds when a moving shape first touches another one, step by step: see advance(). */
+    /** Finds when a moving shape first touches another one, step by step: see AdvancementStep. */
     internal final class ConvexSweep
     {
         private var _distance:CoreDistance;
@@ -38,7 +38,7 @@ package starlogo.convex
             }
             cores.moveTo(motion);
             _distance.find(cores, _witness);
-            while (advance(measure(cores), motion))
+            while (measure(cores).advance(motion))
             {
                 cores.moveTo(motion);
                 _distance.findAfterMove(cores, _witness);

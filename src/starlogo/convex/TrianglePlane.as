@@ -34,7 +34,7 @@ package starlogo.convex
         private var _ofShape:Interval = new Interval();
 
         // How far from the plane the last shape's core may be if it touches the triangle, with all that is rounded.
-        private var _quickDistance:Number = 0;
+        private var _cullDistance:Number = 0;
 
         /** Whether the triangle is flat. */
         public function get isFlat():Boolean
@@ -87,13 +87,13 @@ package starlogo.convex
          * is apart from the triangle until then.
          *
          * @param shape where it is at time 0
-         * @param quickDistance how far from the plane the shape's core may be if it touches the triangle, with all that is rounded
+         * @param cullDistance how far from the plane the shape's core may be if it touches the triangle, with all that is rounded
          * @param motion its vector; nothing else of it counts
          * @return at least 0. 0 for a flat triangle too. RelativeMotion.NEVER if the shape moves away from the plane or beside it
          */
-        public function timeOfEntry(shape:ConvexShape, quickDistance:Number, motion:RelativeMotion):Number
+        public function timeOfEntry(shape:ConvexShape, cullDistance:Number, motion:RelativeMotion):Number
         {
-            _quickDistance = quickDistance;
+            _cullDistance = cullDistance;
             return timeToPlane(shape, motion);
         }
 
@@ -104,8 +104,8 @@ package starlogo.convex
             var projection:Number = normal.x * shape.x + normal.y * shape.y + normal.z * shape.z;
             var speed:Number = normal.x * motion.x + normal.y * motion.y + normal.z * motion.z;
             // how far in front of the plane all of the shape is, and how far behind
-            var above:Number = projection - max + _ofShape.min - _quickDistance;
-            var below:Number = -(projection - min + _ofShape.max + _quickDistance);
+            var above:Number = projection - max + _ofShape.min - _cullDistance;
+            var below:Number = -(projection - min + _ofShape.max + _cullDistance);
             return above > 0 ? (speed < 0 ? above / -speed : RelativeMotion.NEVER)
                 : below > 0 ? (speed > 0 ? below / speed : RelativeMotion.NEVER) : 0;
         }
@@ -120,7 +120,7 @@ package starlogo.convex
         {
             var size:Number = shape.extent + Math.abs(shape.x) + Math.abs(shape.y) + Math.abs(shape.z) + Math.abs(offset)
                 + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z);
-            _quickDistance = (shape.radius + shape.margin) * Tolerances.OUTER + Tolerances.EXTENTS * size;
+            _cullDistance = (shape.radius + shape.margin) * Tolerances.OUTER + Tolerances.EXTENTS * size;
             return timeToPlane(shape, motion) > motion.latest;
         }
 

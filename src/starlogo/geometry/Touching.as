@@ -19,11 +19,13 @@ package starlogo.geometry
      * </ul>
      *
      * <p>These lengths decide whether two shapes touch at all. The other answers leave them out: they are the time at which the distance of the cores is
-     * the sum of the radii, the distance, and the depth. There are three exceptions. They are as small as rounding.</p>
+     * the sum of the radii, the distance, and the depth. There are four exceptions. They are as small as rounding.</p>
      *
      * <ul>
      * <li>A structure of a game is placed in the world once for all questions (<code>Body.worldStructure()</code>). It is widened there by the margin
      *     of its place, so all its answers include that margin</li>
+     * <li>Where nodes of a tree decide about a structure, or give a distance, RelativePose.placeWidened() has widened one of the two by the margins of
+     *     both places. So times and distances include these</li>
      * <li>The times of two agents that are spheres (SpherePairTests) and of an agent and an edge of the world (EdgePairTests) include all that decides,
      *     because one closed form gives both</li>
      * <li>SpherePairTests counts one vector of the motion: the other one is 0 or its reverse. EdgePairTests counts Tolerances.ROUNDING of the extent

@@ -135,8 +135,8 @@ package starlogo.ground
             var left:int = tree.left[node];
             if (left == 0)
             {
-                _nextTriangle = tree.first[node];
-                _trianglesEnd = tree.end[node];
+                _nextTriangle = tree.firstSlot[node];
+                _trianglesEnd = tree.endSlot[node];
                 return;
             }
             var isLeftLower:Boolean = heightOf(left) < heightOf(left + 1);
@@ -169,7 +169,7 @@ package starlogo.ground
             }
             var tree:BoxTree = _tree.boxTree;
             var nodeBox:Box = tree.boxOf(node);
-            isDivisible = _depth == BoxTree.EXACT || tree.endsUpToDepth[node] < _depth;
+            isDivisible = _depth == BoxTree.EXACT || tree.stopDepth[node] < _depth;
             if (!isDivisible)
             {
                 takeStructure(nodeBox);

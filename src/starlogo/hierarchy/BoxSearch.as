@@ -144,7 +144,7 @@ package starlogo.hierarchy
             var absZ:Number = inverseZ < 0 ? -inverseZ : inverseZ;
             var boxes:Vector.<Number> = tree.boxes;
             var children:Vector.<int> = tree.left;
-            var ends:Vector.<int> = tree.endsUpToDepth;
+            var ends:Vector.<int> = tree.stopDepth;
             // An exact visit ends at the nodes without children. It need not read another column.
             var isLimited:Boolean = depth < BoxTree.EXACT;
             var nodes:Vector.<int> = _nodes;
@@ -276,7 +276,7 @@ package starlogo.hierarchy
                     continue;
                 }
                 _counts.nodeVisits++;
-                if (tree.endsUpToDepth[node] >= depth)
+                if (tree.stopDepth[node] >= depth)
                 {
                     visitor.visit(tree, node);
                     continue;

@@ -16,7 +16,7 @@ package starlogo.hierarchy
      * tree is made, only a BoxRefit changes it: it gives all nodes new boxes. Clients see a node as a HierarchyNode.</p>
      *
      * <p>A leaf is a leaf of the thesis's tree. A tree of triangles goes on below its leaves, down to nodes with a few triangles, for exact tests.
-     * A visit ends at the nodes that its depth limit says (<code>endsUpToDepth</code>). They are the nodes that decide, by their boxes or their
+     * A visit ends at the nodes that its depth limit says (<code>stopDepth</code>). They are the nodes that decide, by their boxes or their
      * items.</p>
      *
      * @private
@@ -51,16 +51,16 @@ package starlogo.hierarchy
         public var left:Vector.<int> = new Vector.<int>();
 
         /** For each node, the slot of its first item. */
-        public var first:Vector.<int> = new Vector.<int>();
+        public var firstSlot:Vector.<int> = new Vector.<int>();
 
         /** For each node, the slot after its last item. */
-        public var end:Vector.<int> = new Vector.<int>();
+        public var endSlot:Vector.<int> = new Vector.<int>();
 
         /**
          * For each node, the largest depth limit for which a visit ends at it: EXACT for a node without children, MAX_DEPTH for any other
          * leaf or node below one, its level for a node above the leaves.
          */
-        public var endsUpToDepth:Vector.<int> = new Vector.<int>();
+        public var stopDepth:Vector.<int> = new Vector.<int>();
 
         /** For each node, four times its level plus the axis along which it is split: see <code>levelOf()</code> and <code>axisOf()</code>. */
         internal var splits:Vector.<int> = new Vector.<int>();
@@ -71,7 +71,7 @@ package starlogo.hierarchy
         /** The radius of a sphere around the origin that contains the model. Rounding errors are relative to it. Complete with the root's box. */
         public var radiusAboutOrigin:Number = 0;
 
-        // The number of nodes while they are made.
+        // The number of nodes while they are made; 0 before and after.
         private var _count:int = 0;
 
         // The result of boxOf().
@@ -89,10 +89,10 @@ package starlogo.hierarchy
             this.triangles = triangles;
         }
 
-        /** Whether there are nodes. */
+        /** Whether there are nodes, all of them. */
         public function get isMade():Boolean
         {
-            return left.length > 0;
+            return _count == 0 && left.length > 0;
         }
 
         /** Whether the items are triangles; otherwise they are vertices. */
@@ -110,7 +110,7 @@ package starlogo.hierarchy
         /** Whether a node is a leaf, or below one. */
         public function isLeafOrBelow(node:int):Boolean
         {
-            return endsUpToDepth[node] >= MAX_DEPTH;
+            return stopDepth[node] >= MAX_DEPTH;
         }
 
         /** The axis along which a node is split: 0, 1 or 2. */
@@ -149,11 +149,11 @@ package starlogo.hierarchy
         {
             if (!hasTriangles)
             {
-                return end[node] - first[node];
+                return endSlot[node] - firstSlot[node];
             }
             var isCounted:Object = {};
             var count:int = 0;
-            for (var i:int = first[node]; i < end[node] && count <= enough; i++)
+            for (var i:int = firstSlot[node]; i < endSlot[node] && count <= enough; i++)
             {
                 for (var corner:int = 3 * items[i]; corner < 3 * items[i] + 3; corner++)
                 {
@@ -276,9 +276,9 @@ package starlogo.hierarchy
             var room:int = Math.min(2 * itemCount, 0.4 * itemCount + 1000);
             boxes = new Vector.<Number>(6 * room);
             left = new Vector.<int>(room);
-            first = new Vector.<int>(room);
-            end = new Vector.<int>(room);
-            endsUpToDepth = new Vector.<int>(room);
+            firstSlot = new Vector.<int>(room);
+            endSlot = new Vector.<int>(room);
+            stopDepth = new Vector.<int>(room);
             splits = new Vector.<int>(room);
             _count = 0;
             addNode(0, itemCount, 1);
@@ -297,10 +297,10 @@ package starlogo.hierarchy
             var level:int = levelOf(node);
             var child:int = _count;
             left[node] = child;
-            endsUpToDepth[node] = isLeafOrBelow ? MAX_DEPTH : level;
+            stopDepth[node] = isLeafOrBelow ? MAX_DEPTH : level;
             splits[node] = level << 2 | axis;
-            addNode(first[node], splitIndex, level + 1);
-            addNode(splitIndex, end[node], level + 1);
+            addNode(firstSlot[node], splitIndex, level + 1);
+            addNode(splitIndex, endSlot[node], level + 1);
             return child;
         }
 
@@ -311,12 +311,13 @@ package starlogo.hierarchy
             {
                 boxes = boxes.slice(0, 6 * _count);
                 left = left.slice(0, _count);
-                first = first.slice(0, _count);
-                end = end.slice(0, _count);
-                endsUpToDepth = endsUpToDepth.slice(0, _count);
+                firstSlot = firstSlot.slice(0, _count);
+                endSlot = endSlot.slice(0, _count);
+                stopDepth = stopDepth.slice(0, _count);
                 splits = splits.slice(0, _count);
             }
             setRoom(_count);
+            _count = 0;
         }
 
         /** Removes all nodes. */
@@ -333,9 +334,9 @@ package starlogo.hierarchy
             {
                 setRoom(2 * node);
             }
-            first[node] = from;
-            end[node] = to;
-            endsUpToDepth[node] = EXACT;
+            firstSlot[node] = from;
+            endSlot[node] = to;
+            stopDepth[node] = EXACT;
             splits[node] = level << 2;
             _count = node + 1;
         }
@@ -343,7 +344,7 @@ package starlogo.hierarchy
         private function setRoom(count:int):void
         {
             boxes.length = 6 * count;
-            left.length = first.length = end.length = endsUpToDepth.length = splits.length = count;
+            left.length = firstSlot.length = endSlot.length = stopDepth.length = splits.length = count;
         }
     }
 }

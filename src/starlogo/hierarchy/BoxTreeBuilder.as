@@ -68,7 +68,7 @@ package starlogo.hierarchy
         /** Whether a node of a tree has so many triangles that it must be divided, below the leaves too. */
         public static function isLarge(tree:BoxTree, node:int):Boolean
         {
-            return tree.hasTriangles && tree.end[node] - tree.first[node] > MAX_TRIANGLES;
+            return tree.hasTriangles && tree.endSlot[node] - tree.firstSlot[node] > MAX_TRIANGLES;
         }
 
         /**
@@ -101,7 +101,7 @@ package starlogo.hierarchy
             while (rest > 0 && _waiting.length > 0)
             {
                 var node:int = _waiting[_waiting.length - 1];
-                rest -= _isDividing ? _tree.end[node] - _tree.first[node] : ITEMS_PER_NODE;
+                rest -= _isDividing ? _tree.endSlot[node] - _tree.firstSlot[node] : ITEMS_PER_NODE;
                 _isDividing = _isDividing ? advance(node) : beginNode(node);
                 if (!_isDividing)
                 {
@@ -137,16 +137,16 @@ package starlogo.hierarchy
             var split:Number = 2 * _tree.boxes[6 * node + axis];
             if (_splitByMean && !_areLeavesOrBelow[top])
             {
-                split = _items.meanOf(_tree.first[node], _tree.end[node], axis);
+                split = _items.meanOf(_tree.firstSlot[node], _tree.endSlot[node], axis);
             }
-            _items.beginDivision(_tree.first[node], _tree.end[node], axis, split);
+            _items.beginDivision(_tree.firstSlot[node], _tree.endSlot[node], axis, split);
             return true;
         }
 
         // Whether the thesis splits a node.
         private function isSplit(node:int):Boolean
         {
-            return _tree.levelOf(node) < _maxDepth && _tree.end[node] - _tree.first[node] > 1
+            return _tree.levelOf(node) < _maxDepth && _tree.endSlot[node] - _tree.firstSlot[node] > 1
                 && _tree.countVertices(node, _mostVerticesOfLeaf) > _mostVerticesOfLeaf;
         }
 
@@ -177,12 +177,12 @@ package starlogo.hierarchy
                 return true;
             }
             var splitIndex:int = _items.splitIndex;
-            if (splitIndex > _tree.first[node] && splitIndex < _tree.end[node])
+            if (splitIndex > _tree.firstSlot[node] && splitIndex < _tree.endSlot[node])
             {
                 makeChildren(node);
                 return false;
             }
-            if (_items.beginWhereCentresSpread(_tree.first[node], _tree.end[node]))
+            if (_items.beginWhereCentresSpread(_tree.firstSlot[node], _tree.endSlot[node]))
             {
                 return true;
             }
@@ -198,7 +198,7 @@ package starlogo.hierarchy
         // Divides a node by the number of its items.
         private function halve(node:int):void
         {
-            _items.halve(_tree.first[node], _tree.end[node], longestAxisOf(node));
+            _items.halve(_tree.firstSlot[node], _tree.endSlot[node], longestAxisOf(node));
             makeChildren(node);
         }
 

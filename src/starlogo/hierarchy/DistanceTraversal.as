@@ -75,7 +75,7 @@ package starlogo.hierarchy
             distance -= pair.halfZA + axes.abs20 * pair.halfXB + axes.abs21 * pair.halfYB + axes.abs22 * pair.halfZB;
             distance = distance > 0 ? distance : 0;
             squared += distance * distance;
-            var far:Number = out.limit + trees.pose.tolerance + 2 * SLACK * (out.limit + _radii);
+            var far:Number = out.limit + trees.pose.margin + 2 * SLACK * (out.limit + _radii);
             if (squared > far * far)
             {
                 out.bound = out.limit;
@@ -142,7 +142,7 @@ package starlogo.hierarchy
         // Raises the bound to a computed distance, less its rounding error.
         private function raise(distance:Number, pose:RelativePose, out:BestPair):void
         {
-            var bound:Number = distance - SLACK * (distance + _radii) - pose.tolerance;
+            var bound:Number = distance - SLACK * (distance + _radii) - pose.margin;
             if (bound > out.bound)
             {
                 out.bound = bound;

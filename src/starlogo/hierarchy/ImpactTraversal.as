@@ -30,7 +30,7 @@ package starlogo.hierarchy
          * @param kernel decides about nodes that decide; null if their boxes do
          * @return the nodes or items that touch first, and the time; the next search overwrites it
          */
-        public function findImpact(trees:PosedTrees, motion:RelativeMotion, kernel:NodePairKernel):BestPair
+        public function findFirstPair(trees:PosedTrees, motion:RelativeMotion, kernel:NodePairKernel):BestPair
         {
             var relative:Placement = trees.pose.placement;
             _pair.axes.setAxes(relative);
@@ -38,7 +38,7 @@ package starlogo.hierarchy
             _pair.motionX = motion.x;
             _pair.motionY = motion.y;
             _pair.motionZ = motion.z;
-            _pair.tolerance = trees.pose.tolerance + Touching.marginOfMotion(relative.x, relative.y, relative.z)
+            _pair.margin = trees.pose.margin + Touching.marginOfMotion(relative.x, relative.y, relative.z)
                 + Touching.marginOfMotion(motion.x, motion.y, motion.z);
             return find(trees, kernel);
         }

@@ -40,7 +40,7 @@ package starlogo.hierarchy
          *     structure touches at time 0 or never
          * @return the node, or -1
          */
-        public function findImpact(tree:BoxTree, depth:int, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):int
+        public function findFirstNode(tree:BoxTree, depth:int, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):int
         {
             _structure = pose.placeWidened(structure);
             _motion = motion;

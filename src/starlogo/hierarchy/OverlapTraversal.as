@@ -54,9 +54,9 @@ package starlogo.hierarchy
         public function find(trees:PosedTrees, kernel:NodePairKernel):int
         {
             var pair:BoxPair = _pair;
-            var tolerance:Number = trees.pose.tolerance;
-            var endsA:Vector.<int> = trees.a.endsUpToDepth;
-            var endsB:Vector.<int> = trees.b.endsUpToDepth;
+            var tolerance:Number = trees.pose.margin;
+            var endsA:Vector.<int> = trees.a.stopDepth;
+            var endsB:Vector.<int> = trees.b.stopDepth;
             var depthA:int = trees.depthA;
             var depthB:int = trees.depthB;
             var stack:Vector.<int> = _nodes;

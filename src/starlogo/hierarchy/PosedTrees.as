@@ -52,19 +52,19 @@ package starlogo.hierarchy
             out.halfZA = boxes[int(at + 5)];
         }
 
-        /** The largest distance at which triangles of the two touch: the pose's tolerance, and the margins of both surfaces. */
-        public function get triangleTolerance():Number
+        /** The largest distance at which triangles of the two touch: the pose's margin, and the margins of both surfaces. */
+        public function get triangleMargin():Number
         {
-            return pose.tolerance + Touching.marginOfSurface(a.radius + b.radius * pose.placement.size);
+            return pose.margin + Touching.marginOfSurface(a.radius + b.radius * pose.placement.size);
         }
 
         /**
          * The largest distance at which quick tests let two triangles pass. It is larger, because it includes the margin of a motion and Tolerances.CORES
-         * of two triangles. It is twice the tolerance: the second one has SURFACES of the radii, which is more than the CORES of two triangles.
+         * of two triangles. It is twice the margin: the second one has SURFACES of the radii, which is more than the CORES of two triangles.
          */
-        public function quickDistance(motion:RelativeMotion):Number
+        public function cullDistance(motion:RelativeMotion):Number
         {
-            return 2 * triangleTolerance + Tolerances.EXTENTS * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
+            return 2 * triangleMargin + Tolerances.EXTENTS * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
         }
 
         /**

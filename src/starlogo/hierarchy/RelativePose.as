@@ -20,7 +20,7 @@ package starlogo.hierarchy
         public var placement:Placement = new Placement();
 
         /** The largest distance at which the two models still touch, in a's space: the rounding error of their places. */
-        public var tolerance:Number = 0;
+        public var margin:Number = 0;
 
         // For each kind, a structure of b in a's space.
         private var _placed:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(BoundingStructure.KIND_COUNT, true);
@@ -50,7 +50,7 @@ package starlogo.hierarchy
             var x:Number = (b.x - aX) / a.size;
             var y:Number = (b.y - aY) / a.size;
             var z:Number = (b.z - aZ) / a.size;
-            tolerance = (Touching.marginOfPlace(aX, aY, aZ) + Touching.marginOfPlace(b.x, b.y, b.z)) / a.size;
+            margin = (Touching.marginOfPlace(aX, aY, aZ) + Touching.marginOfPlace(b.x, b.y, b.z)) / a.size;
             relative.size = b.size / a.size;
             relative.x = a.r00 * x + a.r10 * y + a.r20 * z;
             relative.y = a.r01 * x + a.r11 * y + a.r21 * z;
@@ -118,13 +118,13 @@ package starlogo.hierarchy
         }
 
         /**
-         * The structure of <code>place()</code>, enlarged by the tolerance. It is enlarged here, because V8 would allocate an object for a tolerance
+         * The structure of <code>place()</code>, enlarged by the margin. It is enlarged here, because V8 would allocate an object for a margin
          * that other classes pass.
          */
         public function placeWidened(structure:BoundingStructure):BoundingStructure
         {
             var placed:BoundingStructure = place(structure);
-            placed.widen(tolerance);
+            placed.widen(margin);
             return placed;
         }
     }

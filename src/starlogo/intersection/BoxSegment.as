@@ -4,6 +4,7 @@ package starlogo.intersection
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
     import starlogo.convex.RelativeMotion;
+    import starlogo.geometry.Tolerances;
 
     /**
      * A capsule's axis as seen from a box, and its point that is nearest to the box. All numbers are in the box's axes, mirrored so that no component
@@ -15,7 +16,7 @@ package starlogo.intersection
     internal final class BoxSegment
     {
         /** The segment that <code>capsuleBox()</code> sets, of a capsule that stands. */
-        public static const STANDING:BoxSegment = new BoxSegment();
+        public static const SCRATCH:BoxSegment = new BoxSegment();
 
         /** The segment's start, as seen from the box's middle. */
         public var x:Number = 0;
@@ -32,7 +33,7 @@ package starlogo.intersection
         public var signY:int = 1;
         public var signZ:int = 1;
 
-        /** Where the segment's closest point is: from 0 at its start to 1 at its end. If several are closest, it is in the middle of them. */
+        /** Where the segment's closest point is: from 0 at its start to 1 at its end. */
         public var fraction:Number = 0;
 
         /** Whether a part of the segment is inside of all slabs of the box that it crosses. Slabs parallel to the segment are not tested. */
@@ -144,6 +145,33 @@ package starlogo.intersection
             // The comparison is false for NaN too.
             closest = closest > 0 ? closest : 0;
             fraction = closest < 1 ? closest : 1;
+        }
+
+        /**
+         * The middle of the closest points, as <code>findClosest()</code> found them. If the segment is parallel to a face or an edge up to rounding, all of
+         * the part beside it is equally close, and it is the middle of that part.
+         */
+        public function middleIn(box:Box):Number
+        {
+            var least:Number = Tolerances.DIRECTION * (alongX + alongY + alongZ);
+            var begin:Number = 0;
+            var end:Number = 1;
+            if (alongX > least)
+            {
+                begin = Math.max(begin, (-box.halfX - x) / alongX);
+                end = Math.min(end, (box.halfX - x) / alongX);
+            }
+            if (alongY > least)
+            {
+                begin = Math.max(begin, (-box.halfY - y) / alongY);
+                end = Math.min(end, (box.halfY - y) / alongY);
+            }
+            if (alongZ > least)
+            {
+                begin = Math.max(begin, (-box.halfZ - z) / alongZ);
+                end = Math.min(end, (box.halfZ - z) / alongZ);
+            }
+            return begin < end ? (begin + end) / 2 : fraction;
         }
     }
 }

@@ -45,6 +45,32 @@ package starlogo.intersection
             }
         }
 
+        /**
+         * Moves the closest point of a to the middle of those that are equally close. Only contacts need it.
+         *
+         * @param a one of the structures whose gap was found last
+         * @param b the other one
+         * @param gap the gap that was found
+         */
+        public function moveToMiddle(a:BoundingStructure, b:BoundingStructure, gap:CoreGap):void
+        {
+            var capsule:Capsule = a as Capsule;
+            if (capsule != null)
+            {
+                setPoint(capsule, b.kind == BoundingStructure.CAPSULE ? _segments.middleOfU : _segment.middleIn(b as Box), gap);
+            }
+        }
+
+        // Sets the closest point of a capsule's axis.
+        private static function setPoint(capsule:Capsule, fraction:Number, gap:CoreGap):void
+        {
+            var start:Vector3D = capsule.start;
+            var end:Vector3D = capsule.end;
+            gap.pointX = start.x + fraction * (end.x - start.x);
+            gap.pointY = start.y + fraction * (end.y - start.y);
+            gap.pointZ = start.z + fraction * (end.z - start.z);
+        }
+
         // The axis of a sphere is its centre, a segment without length.
         private function findFromAxis(a:BoundingStructure, b:Capsule, motion:RelativeMotion, out:RoundGap):void
         {
@@ -106,11 +132,7 @@ package starlogo.intersection
             place.y = segment.signY * (segment.y + fraction * segment.alongY);
             place.z = segment.signZ * (segment.z + fraction * segment.alongZ);
             measureToBox(place, box, motion, out);
-            var start:Vector3D = capsule.start;
-            var end:Vector3D = capsule.end;
-            gap.pointX = start.x + fraction * (end.x - start.x);
-            gap.pointY = start.y + fraction * (end.y - start.y);
-            gap.pointZ = start.z + fraction * (end.z - start.z);
+            setPoint(capsule, fraction, gap);
             gap.radiusA = capsule.radius;
             out.extent = segment.alongX + segment.alongY + segment.alongZ + box.halfX + box.halfY + box.halfZ + capsule.radius;
         }

@@ -25,7 +25,7 @@ package starlogo.intersection
 
         /**
          * Finds when a moving structure first touches another one: the first moment at which <code>intersects()</code> would return true, except
-         * for rounding. The motion's start and end are included.
+         * for rounding. The motion's start and end are included. A touch between them across the margins of Touching alone may be missed.
          *
          * @param a the one that moves
          * @param b in the same space
@@ -49,7 +49,8 @@ package starlogo.intersection
          *
          * <p>The normal is the direction of the shortest displacement that separates a from b. The depth is its length: after that displacement the
          * two just touch. The point is in the middle of the overlap along the normal. If two boxes touch along an edge or a face, it is in the
-         * middle of that edge or face too. The same holds for a box and a capsule's axis inside of it. The result is exact except for rounding.</p>
+         * middle of that edge or face too. The same holds for a capsule that lies along a box or another capsule. The result is exact except for
+         * rounding.</p>
          *
          * <p>A structure's core is a sphere's centre, a capsule's axis, or a whole box or hull. If the cores are apart, the normal is along the line
          * between their closest points. If they overlap, and for two boxes, the normal is perpendicular to a face of one or to an edge of each:

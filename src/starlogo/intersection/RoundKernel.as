@@ -1,7 +1,6 @@
 package starlogo.intersection
 {
     import starlogo.bounding.BoundingStructure;
-    import starlogo.convex.advance;
     import starlogo.convex.AdvancementStep;
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
@@ -12,7 +11,7 @@ package starlogo.intersection
      * The kernel of two structures of which at least one is a sphere or a capsule, except for two spheres. It answers by the gap between their cores
      * and the radii. The GapFinder finds the gap. If the cores overlap, there is no gap, and the ConvexPairKernel finds the contact.
      *
-     * <p>The steps to the time of impact are those of all convex shapes: see advance(). Here a formula gives the gap of each. With hardly any
+     * <p>The steps to the time of impact are those of all convex shapes: see AdvancementStep. Here a formula gives the gap of each. With hardly any
      * radius the last gaps are so short that rounding hides their direction, so the ConvexPairKernel finds the time.</p>
      *
      * @private
@@ -53,7 +52,7 @@ package starlogo.intersection
                 step.gap = length - radii;
                 step.speed = found.closing / length;
             }
-            while (advance(step, motion));
+            while (step.advance(motion));
         }
 
         /** @inheritDoc */
@@ -65,6 +64,7 @@ package starlogo.intersection
             var least:Number = Tolerances.DIRECTION * found.extent;
             if (found.squaredLength > least * least)
             {
+                _finder.moveToMiddle(first, second, found.gap);
                 out.setFromGap(found.gap, motion);
             }
             else

@@ -9,7 +9,7 @@ package starlogo.intersection
     internal final class SegmentPair
     {
         /** The pair that <code>capsuleCapsule()</code> sets, whose capsules stand. */
-        public static const STANDING:SegmentPair = new SegmentPair();
+        public static const SCRATCH:SegmentPair = new SegmentPair();
 
         /** u is the axis of a, and v the axis of b, each from its start to its end. All fields are read only. */
         public var uX:Number = 0;
@@ -101,6 +101,26 @@ package starlogo.intersection
             gapX = x + s * uX - t * vX;
             gapY = y + s * uY - t * vY;
             gapZ = z + s * uZ - t * vZ;
+        }
+
+        /**
+         * Where on u the middle of the closest points is, as <code>findClosest()</code> found them. If the axes are parallel up to rounding, all of the
+         * part that they share is equally close, and it is the middle of that part.
+         */
+        public function get middleOfU():Number
+        {
+            var crossX:Number = uY * vZ - uZ * vY;
+            var crossY:Number = uZ * vX - uX * vZ;
+            var crossZ:Number = uX * vY - uY * vX;
+            var uu:Number = uX * uX + uY * uY + uZ * uZ;
+            var vv:Number = vX * vX + vY * vY + vZ * vZ;
+            if (!(crossX * crossX + crossY * crossY + crossZ * crossZ < Tolerances.DIRECTION * Tolerances.DIRECTION * uu * vv))
+            {
+                return fractionOfU;
+            }
+            var start:Number = -(uX * x + uY * y + uZ * z) / uu;
+            var end:Number = start + (uX * vX + uY * vY + uZ * vZ) / uu;
+            return (Math.max(0, Math.min(1, start)) + Math.max(0, Math.min(1, end))) / 2;
         }
     }
 }

@@ -62,7 +62,7 @@ package starlogo.intersection
         {
             return true;
         }
-        var pair:BoxPair = BoxPair.STANDING;
+        var pair:BoxPair = BoxPair.SCRATCH;
         pair.offsetX = x;
         pair.offsetY = y;
         pair.offsetZ = z;

@@ -17,7 +17,7 @@ package starlogo.intersection
      */
     public function capsuleBox(capsule:Capsule, box:Box):Boolean
     {
-        var segment:BoxSegment = BoxSegment.STANDING;
+        var segment:BoxSegment = BoxSegment.SCRATCH;
         segment.setTo(capsule, box);
         var radius:Number = capsule.radius * Tolerances.TOUCHING;
         var halfX:Number = box.halfX;

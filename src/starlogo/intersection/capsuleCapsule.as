@@ -18,7 +18,7 @@ package starlogo.intersection
      */
     public function capsuleCapsule(a:Capsule, b:Capsule):Boolean
     {
-        var segments:SegmentPair = SegmentPair.STANDING;
+        var segments:SegmentPair = SegmentPair.SCRATCH;
         var areSwapped:Boolean = compareVectors(a.start, b.start) > 0;
         var first:Capsule = areSwapped ? b : a;
         segments.setTo(first.start, first.end, areSwapped ? a : b);

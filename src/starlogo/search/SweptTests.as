@@ -175,7 +175,7 @@ package starlogo.search
         {
             var standing:Extents = _table.extents;
             _interval.reset(1);
-            _axisMotion.tolerance = level.slack;
+            _axisMotion.margin = level.slack;
             return narrow(standing.x, standing.halfX, _motions.displacements.x, a, b) && narrow(standing.y, standing.halfY, _motions.displacements.y, a, b)
                 && narrow(standing.z, standing.halfZ, _motions.displacements.z, a, b);
         }

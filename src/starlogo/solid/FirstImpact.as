@@ -6,9 +6,9 @@ package starlogo.solid
     import starlogo.geometry.Tolerances;
 
     /**
-     * Chooses the triangle, or the pair of triangles, that makes the contact of an impact: the one that is touched first. Of those that are touched at
-     * the same time (Tolerances.SAME_TIME), it is the one whose plane the motion meets most squarely. So a shape that moves along a side, flush with it,
-     * and then meets another side, touches the one that stops it.
+     * Chooses the triangle, or the pair of triangles, that makes the contact of an impact: the one that is touched first. The more squarely the motion
+     * meets a plane, the earlier its touch counts, by up to Tolerances.SAME_TIME. So a shape that moves along a side, flush with it, and then meets
+     * another side, touches the one that stops it. The order of the touches does not matter.
      *
      * <p>What touches at time 0 ends the search: the first one found makes the contact, because nothing is earlier. The way out of an overlap is
      * another search.</p>
@@ -23,15 +23,13 @@ package starlogo.solid
         /** Touches up to this time count. Read only. */
         public var latest:Number = 0;
 
-        // When the chosen one is touched, and how squarely it is met.
-        private var _chosenTime:Number = RelativeMotion.NEVER;
-        private var _squareness:Number = -Infinity;
+        // The time as which the chosen one counts.
+        private var _countedTime:Number = RelativeMotion.NEVER;
 
         /** Begins. Touches up to a time count. */
         public function reset(latest:Number):void
         {
-            time = _chosenTime = RelativeMotion.NEVER;
-            _squareness = -Infinity;
+            time = _countedTime = RelativeMotion.NEVER;
             this.latest = latest;
         }
 
@@ -49,30 +47,24 @@ package starlogo.solid
             {
                 return false;
             }
-            // Triangles of one plane are met equally squarely, up to rounding. The earliest of them counts.
-            var needed:Number = 1 + Tolerances.DIRECTION;
             if (motion.time < time)
             {
-                needed = 1 - Tolerances.DIRECTION;
-                if (motion.time < _chosenTime - Tolerances.SAME_TIME)
-                {
-                    // the chosen one is clearly later, and does not count any more
-                    _squareness = -Infinity;
-                }
                 time = motion.time;
                 latest = time > 0 ? Math.min(latest, time + Tolerances.SAME_TIME) : 0;
             }
-            var squareness:Number = squarenessOf(plane.normal, motion, -1);
+            var speed:Number = squarenessOf(plane.normal, motion, -1);
             if (other != null)
             {
-                squareness += squarenessOf(other.normal, motion, 1);
+                speed = (speed + squarenessOf(other.normal, motion, 1)) / 2;
             }
-            if (!(squareness > needed * _squareness))
+            var length:Number = Math.sqrt(motion.x * motion.x + motion.y * motion.y + motion.z * motion.z);
+            var squareness:Number = length > 0 ? speed / length : 0;
+            var countedTime:Number = motion.time - Tolerances.SAME_TIME * squareness;
+            if (!(countedTime < _countedTime))
             {
                 return false;
             }
-            _chosenTime = motion.time;
-            _squareness = squareness;
+            _countedTime = countedTime;
             return true;
         }
 

@@ -190,7 +190,6 @@ package starlogo.solid
         {
             surface = null;
             _interior = null;
-            _root = null;
             if (boxTree.isMade)
             {
                 finish(new BoxRefit(boxTree));

@@ -31,9 +31,13 @@ package starlogo.solid
         {
             var point:Vector3D = POINT;
             var interior:Interior = outer.preparedInterior();
+            if (!interior.hasClosedShell)
+            {
+                return false;
+            }
             var points:Vector.<Number> = inner.preparedInterior().partPoints;
             var box:Vector.<Number> = outer.boxTree.boxes;
-            for (var at:int = 0; at < points.length && interior.hasClosedShell; at += 3)
+            for (var at:int = 0; at < points.length; at += 3)
             {
                 point.x = points[at];
                 point.y = points[int(at + 1)];

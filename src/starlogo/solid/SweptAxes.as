@@ -21,7 +21,7 @@ package starlogo.solid
 
         // The shape, how far its core may be from a triangle that it touches, and its motion.
         private var _shape:ConvexShape;
-        private var _quickDistance:Number = 0;
+        private var _cullDistance:Number = 0;
         private var _motion:RelativeMotion;
 
         // The numbers of all axes, and their end.
@@ -36,13 +36,13 @@ package starlogo.solid
          * Sets the shape. Its axes are made for the first triangle that is tested: most motions come near none.
          *
          * @param shape kept
-         * @param quickDistance how far the shape's core may be from a triangle that it touches, with all that is rounded
+         * @param cullDistance how far the shape's core may be from a triangle that it touches, with all that is rounded
          * @param motion of the shape; kept. Its latest time may change from triangle to triangle
          */
-        public function setTo(shape:ConvexShape, quickDistance:Number, motion:RelativeMotion):void
+        public function setTo(shape:ConvexShape, cullDistance:Number, motion:RelativeMotion):void
         {
             _shape = shape;
-            _quickDistance = quickDistance;
+            _cullDistance = cullDistance;
             _motion = motion;
             _end = 0;
         }
@@ -98,7 +98,7 @@ package starlogo.solid
             var side:int = x * _motion.x + y * _motion.y + z * _motion.z < 0 ? -1 : 1;
             _axis.setTo(side * x, side * y, side * z);
             _shape.project(_axis, _ofShape);
-            var radius:Number = _quickDistance * _axis.length;
+            var radius:Number = _cullDistance * _axis.length;
             var origin:Number = _axis.x * _shape.x + _axis.y * _shape.y + _axis.z * _shape.z;
             var speed:Number = _axis.x * _motion.x + _axis.y * _motion.y + _axis.z * _motion.z;
             axes[at] = _axis.x;
@@ -177,7 +177,7 @@ package starlogo.solid
                     // rounding of products of the three vectors
                     gap -= Tolerances.EXTENTS * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z))
                         * (Math.abs(edgeX) + Math.abs(edgeY) + Math.abs(edgeZ)) * (Math.abs(x) + Math.abs(y) + Math.abs(z));
-                    if (gap > _quickDistance * Math.sqrt(acrossX * acrossX + acrossY * acrossY + acrossZ * acrossZ))
+                    if (gap > _cullDistance * Math.sqrt(acrossX * acrossX + acrossY * acrossY + acrossZ * acrossZ))
                     {
                         return true;
                     }

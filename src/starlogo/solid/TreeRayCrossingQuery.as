@@ -69,7 +69,7 @@ package starlogo.solid
                 }
                 return;
             }
-            for (var i:int = tree.first[node]; i < tree.end[node]; i++)
+            for (var i:int = tree.firstSlot[node]; i < tree.endSlot[node]; i++)
             {
                 _mesh.readTriangle(i, _corners);
                 _shearedRay.addCrossing(_corners, tree.items[i], _all);

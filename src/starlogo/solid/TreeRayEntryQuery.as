@@ -95,7 +95,7 @@ package starlogo.solid
         {
             if (_mesh != null)
             {
-                visitTriangles(tree.first[node], tree.end[node]);
+                visitTriangles(tree.firstSlot[node], tree.endSlot[node]);
             }
             else if (enters(tree, node, _entry) && (_entry.distance < limit || _firstNode < 0))
             {

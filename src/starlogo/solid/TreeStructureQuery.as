@@ -112,13 +112,12 @@ package starlogo.solid
         private function findFirstTouched(motion:RelativeMotion):int
         {
             return _depth == BoxTree.EXACT
-                ? _triangleImpact.findImpact(_tree, _structure, pose, motion)
-                : _nodeImpact.findImpact(_tree.boxTree, _depth, _structure, pose, motion);
+                ? _triangleImpact.findFirstSlot(_tree, _structure, pose, motion)
+                : _nodeImpact.findFirstNode(_tree.boxTree, _depth, _structure, pose, motion);
         }
 
         private function findContactOfNode(node:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            out.triangle = -1;
             StructurePairs.findContact(pose.place(_structure), _tree.boxTree.boxOf(node), motion, out);
         }
 

@@ -47,7 +47,7 @@ package starlogo.solid
         {
             _trees.pose = pose;
             _pairKernel = new TrianglePairKernel(counts);
-            _contactFinder = new TriangleContactFinder(counts);
+            _contactFinder = new TriangleContactFinder();
             _overlap = new OverlapTraversal(counts);
             _impact = new ImpactTraversal(counts);
             _distance = new DistanceTraversal(counts);
@@ -83,13 +83,12 @@ package starlogo.solid
         /** @inheritDoc */
         override internal function findImpactInPose(motion:RelativeMotion, out:ContactPoint):void
         {
-            var best:BestPair = _impact.findImpact(_trees, motion, kernelFor(motion));
+            var best:BestPair = _impact.findFirstPair(_trees, motion, kernelFor(motion));
             motion.time = best.time;
             if (out == null || motion.time == RelativeMotion.NEVER)
             {
                 return;
             }
-            out.triangle = -1;
             if (isExact)
             {
                 _contactFinder.find(_a, _b, _trees, best, motion, out);
@@ -103,7 +102,6 @@ package starlogo.solid
         /** @inheritDoc */
         override internal function findContactOfRoots(motion:RelativeMotion, out:ContactPoint):void
         {
-            out.triangle = -1;
             findContactOfNodes(0, 0, motion, out);
         }
 

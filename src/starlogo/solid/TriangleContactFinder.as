@@ -19,11 +19,11 @@ package starlogo.solid
     /**
      * Finds the contact of two triangles that touch, one of each model. If they meet at their borders, faces of both may separate them. A face
      * counts if it separates all of the other model at the contact: the next triangle may be on the other side of a seam. A small ball behind the
-     * face, the probe, finds whether the other model has triangles there.
+     * face, the probe, finds whether the other model has triangles there. What it tests is not counted.
      */
     internal final class TriangleContactFinder
     {
-        // The radius of the probe, as a fraction of the extent of a triangle that it is near. Smaller: rounding decides. Larger: the probe meets what is
+        // The radius of the probe, as a fraction of the extent of the smaller triangle. Smaller: rounding decides. Larger: the probe meets what is
         // not at the contact.
         private static const PROBE:Number = 1e-4;
 
@@ -44,16 +44,10 @@ package starlogo.solid
 
         // The probe in a's space, the poses of that space in the spaces of both models, and what finds a model's triangles at the probe, which stands.
         private var _probe:Sphere = new Sphere(new Vector3D(), 0);
-        private var _triangleImpact:TriangleImpactVisitor;
+        private var _triangleImpact:TriangleImpactVisitor = new TriangleImpactVisitor(new TreeCounts());
         private var _inA:RelativePose = new RelativePose();
         private var _inB:RelativePose = new RelativePose();
         private var _still:RelativeMotion = new RelativeMotion();
-
-        /** @param counts counts the triangles that are tested */
-        public function TriangleContactFinder(counts:TreeCounts)
-        {
-            _triangleImpact = new TriangleImpactVisitor(counts);
-        }
 
         /**
          * Finds the contact, in a's space.
@@ -68,16 +62,19 @@ package starlogo.solid
         public function find(a:ModelTree, b:ModelTree, trees:PosedTrees, best:BestPair, motion:RelativeMotion, out:ContactPoint):void
         {
             var placement:Placement = trees.pose.placement;
-            var quickDistance:Number = trees.quickDistance(motion);
+            var cullDistance:Number = trees.cullDistance(motion);
             var plane:TrianglePlane = _plane;
             a.mesh.readTriangle(best.a, _cornersOfA);
             b.mesh.readTriangle(best.b, _cornersOfB);
             placePoints(placement, _cornersOfB, 0, 9, _cornersOfB);
+            _kernel.shape.setTriangle(_cornersOfA, 0);
+            var extentOfA:Number = _kernel.shape.extent;
             _kernel.shape.setTriangle(_cornersOfB, 0);
+            _probe.radius = PROBE * Math.min(extentOfA, _kernel.shape.extent);
             _kernel.findContact(_cornersOfA, motion, out);
             Placement.invert(placement, _inB.placement);
             plane.setTriangle(_cornersOfA, 0);
-            if (plane.isHitFromFront(_kernel.shape, quickDistance, motion, out) && !hasTriangleBehind(b, _inB, trees.triangleTolerance, motion, out))
+            if (plane.isHitFromFront(_kernel.shape, cullDistance, motion, out) && !hasTriangleBehind(b, _inB, trees.triangleMargin, motion, out))
             {
                 out.setNormal(plane.normal.x, plane.normal.y, plane.normal.z);
                 return;
@@ -85,23 +82,21 @@ package starlogo.solid
             plane.setTriangle(_cornersOfB, 0);
             _kernel.shape.setTriangle(_cornersOfA, 0);
             _reversed.setReversed(motion);
-            if (plane.isHitFromFront(_kernel.shape, quickDistance, _reversed, out) && !hasTriangleBehind(a, _inA, trees.triangleTolerance, RelativeMotion.NONE, out))
+            if (plane.isHitFromFront(_kernel.shape, cullDistance, _reversed, out) && !hasTriangleBehind(a, _inA, trees.triangleMargin, RelativeMotion.NONE, out))
             {
                 out.setNormal(-plane.normal.x, -plane.normal.y, -plane.normal.z);
             }
         }
 
-        // Whether a model has a triangle at a contact that is, at least in part, behind the plane. The kernel's shape is its triangle that touches there.
-        private function hasTriangleBehind(model:ModelTree, pose:RelativePose, triangleTolerance:Number, motion:RelativeMotion, contact:ContactPoint):Boolean
+        // Whether a model has a triangle at a contact that is, at least in part, behind the plane.
+        private function hasTriangleBehind(model:ModelTree, pose:RelativePose, triangleMargin:Number, motion:RelativeMotion, contact:ContactPoint):Boolean
         {
-            var radius:Number = PROBE * _kernel.shape.extent;
-            var back:Number = (1 + PROBE_GAP) * radius + 2 * triangleTolerance;
+            var back:Number = (1 + PROBE_GAP) * _probe.radius + 2 * triangleMargin;
             var normal:Vector3D = _plane.normal;
-            _probe.radius = radius;
             _probe.center.x = contact.x - motion.time * motion.x - back * normal.x;
             _probe.center.y = contact.y - motion.time * motion.y - back * normal.y;
             _probe.center.z = contact.z - motion.time * motion.z - back * normal.z;
-            return _triangleImpact.findImpact(model, _probe, pose, _still) >= 0;
+            return _triangleImpact.findFirstSlot(model, _probe, pose, _still) >= 0;
         }
     }
 }

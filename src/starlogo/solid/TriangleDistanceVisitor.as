@@ -67,8 +67,8 @@ package starlogo.solid
         /** @inheritDoc */
         override public function visit(tree:BoxTree, node:int):void
         {
-            var end:int = tree.end[node];
-            for (var i:int = tree.first[node]; i < end && limit > 0; i++)
+            var end:int = tree.endSlot[node];
+            for (var i:int = tree.firstSlot[node]; i < end && limit > 0; i++)
             {
                 if (squaredDistanceToExtents(_extents, _mesh, i) < limit * limit)
                 {

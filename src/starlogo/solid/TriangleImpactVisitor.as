@@ -40,7 +40,7 @@ package starlogo.solid
         private var _sweptExtents:Vector.<Number> = new Vector.<Number>(6, true);
 
         // How far the structure's core may be from a triangle that it touches, with all that is rounded.
-        private var _quickDistance:Number = 0;
+        private var _cullDistance:Number = 0;
 
         // Separates most triangles from the moving structure.
         private var _separatingAxes:SweptAxes = new SweptAxes();
@@ -70,7 +70,7 @@ package starlogo.solid
          *     structure touches at time 0 or never
          * @return the triangle's slot, or -1
          */
-        public function findImpact(model:ModelTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):int
+        public function findFirstSlot(model:ModelTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):int
         {
             limit = motion.latest;
             begin(model, structure, pose, motion);
@@ -88,7 +88,7 @@ package starlogo.solid
             _mesh = model.mesh;
             _motion = motion;
             _kernel.setStructure(structure, pose.placement).extentsInto(extents);
-            shape.margin += pose.tolerance + Touching.marginOfSurface(model.boxTree.radius);
+            shape.margin += pose.margin + Touching.marginOfSurface(model.boxTree.radius);
             var size:Number = 3 * shape.margin + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z);
             for (var i:int = 0; i < 6; i += 2)
             {
@@ -96,10 +96,10 @@ package starlogo.solid
                 extents[i] += shape.radius;
                 extents[int(i + 1)] -= shape.radius;
             }
-            _quickDistance = shape.radius + shape.margin + Tolerances.EXTENTS * size;
-            _search.setExtents(extents, _quickDistance);
+            _cullDistance = shape.radius + shape.margin + Tolerances.EXTENTS * size;
+            _search.setExtents(extents, _cullDistance);
             _search.setMotion(motion);
-            _separatingAxes.setTo(shape, _quickDistance, motion);
+            _separatingAxes.setTo(shape, _cullDistance, motion);
             sweepExtents();
         }
 
@@ -113,8 +113,10 @@ package starlogo.solid
         // Writes the extents along an axis, which begin at an index, of the core and of its travel along that axis.
         private function sweepAlong(at:int, travel:Number):void
         {
-            _sweptExtents[at] = _coreExtents[at] + (travel < 0 ? travel : 0);
-            _sweptExtents[int(at + 1)] = _coreExtents[int(at + 1)] + (travel > 0 ? travel : 0);
+            var back:Number = travel < 0 ? travel : 0;
+            var ahead:Number = travel > 0 ? travel : 0;
+            _sweptExtents[at] = _coreExtents[at] + back;
+            _sweptExtents[int(at + 1)] = _coreExtents[int(at + 1)] + ahead;
         }
 
         /** @inheritDoc */
@@ -122,10 +124,10 @@ package starlogo.solid
         {
             var motion:RelativeMotion = _motion;
             var isStill:Boolean = motion.isStill;
-            var end:int = tree.end[node];
-            for (var i:int = tree.first[node]; i < end && limit >= 0; i++)
+            var end:int = tree.endSlot[node];
+            for (var i:int = tree.firstSlot[node]; i < end && limit >= 0; i++)
             {
-                if (squaredDistanceToExtents(_sweptExtents, _mesh, i) > _quickDistance * _quickDistance)
+                if (squaredDistanceToExtents(_sweptExtents, _mesh, i) > _cullDistance * _cullDistance)
                 {
                     continue;
                 }
@@ -136,7 +138,7 @@ package starlogo.solid
                     continue;
                 }
                 _plane.setTriangle(_corners, 0);
-                motion.earliest = _plane.timeOfEntry(_kernel.shape, _quickDistance, motion);
+                motion.earliest = _plane.timeOfEntry(_kernel.shape, _cullDistance, motion);
                 if (motion.earliest > limit)
                 {
                     continue;

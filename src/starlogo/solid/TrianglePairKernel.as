@@ -49,7 +49,7 @@ package starlogo.solid
         private var _counts:TreeCounts;
 
         // The largest distance at which quick tests let triangles pass: see PosedTrees.
-        private var _quickDistance:Number = 0;
+        private var _cullDistance:Number = 0;
 
         // The plane of b's current triangle.
         private var _planeOfB:TrianglePlane = new TrianglePlane();
@@ -80,7 +80,7 @@ package starlogo.solid
             _motion = motion;
             _firstImpact.reset(motion.latest);
             _firstPlaced = NONE;
-            _quickDistance = trees.quickDistance(motion);
+            _cullDistance = trees.cullDistance(motion);
             return this;
         }
 
@@ -88,11 +88,11 @@ package starlogo.solid
         override public function areTouching(a:int, b:int):Boolean
         {
             var count:int = placeTriangles(b);
-            var end:int = _meshA.tree.end[a];
+            var end:int = _meshA.tree.endSlot[a];
             for (var i:int = 0; i < count; i++)
             {
                 setTriangleOfB(i);
-                for (var slot:int = _meshA.tree.first[a]; slot < end; slot++)
+                for (var slot:int = _meshA.tree.firstSlot[a]; slot < end; slot++)
                 {
                     if (areExtentsNear(slot))
                     {
@@ -110,8 +110,8 @@ package starlogo.solid
         /** @inheritDoc */
         override public function findEarlier(a:int, b:int, best:BestPair):void
         {
-            var first:int = _meshA.tree.first[a];
-            var end:int = _meshA.tree.end[a];
+            var first:int = _meshA.tree.firstSlot[a];
+            var end:int = _meshA.tree.endSlot[a];
             // Higher slots come first, as the traversal visits the right child first if both bounds are equal.
             for (var i:int = placeTriangles(b) - 1; i >= 0 && _firstImpact.time > 0; i--)
             {
@@ -143,11 +143,11 @@ package starlogo.solid
         {
             var points:ClosestPoints = best.points;
             var count:int = placeTriangles(b);
-            var end:int = _meshA.tree.end[a];
+            var end:int = _meshA.tree.endSlot[a];
             for (var i:int = 0; i < count && points.distance > 0; i++)
             {
                 setTriangleOfB(i);
-                for (var slot:int = _meshA.tree.first[a]; slot < end; slot++)
+                for (var slot:int = _meshA.tree.firstSlot[a]; slot < end; slot++)
                 {
                     findCloserPoints(slot, i, points);
                 }
@@ -159,8 +159,8 @@ package starlogo.solid
         // same triangle.
         private function placeTriangles(node:int):int
         {
-            var first:int = _meshB.tree.first[node];
-            var count:int = _meshB.tree.end[node] - first;
+            var first:int = _meshB.tree.firstSlot[node];
+            var count:int = _meshB.tree.endSlot[node] - first;
             if (first != _firstPlaced)
             {
                 _firstPlaced = first;
@@ -177,7 +177,7 @@ package starlogo.solid
         private function setTriangleOfB(index:int):void
         {
             _kernel.shape.setTriangle(_placed, 9 * index);
-            _kernel.shape.margin += _trees.triangleTolerance;
+            _kernel.shape.margin += _trees.triangleMargin;
             writeExtents(9 * index, 0, _motion.latest * _motion.x);
             writeExtents(9 * index + 1, 2, _motion.latest * _motion.y);
             writeExtents(9 * index + 2, 4, _motion.latest * _motion.z);
@@ -193,8 +193,8 @@ package starlogo.solid
             var high:Number = second < first ? first : second;
             low = third < low ? third : low;
             high = third > high ? third : high;
-            low -= _quickDistance;
-            high += _quickDistance;
+            low -= _cullDistance;
+            high += _cullDistance;
             _extents[to] = travel < 0 ? low + travel : low;
             _extents[int(to + 1)] = travel > 0 ? high + travel : high;
         }
@@ -216,7 +216,7 @@ package starlogo.solid
         {
             _meshA.readTriangle(slot, _cornersOfA);
             _planeOfA.setTriangle(_cornersOfA, 0);
-            return _planeOfA.timeOfEntry(_kernel.shape, _quickDistance, _motion) > _motion.latest;
+            return _planeOfA.timeOfEntry(_kernel.shape, _cullDistance, _motion) > _motion.latest;
         }
 
         // Finds the closest points of a triangle of a, and of b's triangle by its index in the node, if they are nearer than those so far.

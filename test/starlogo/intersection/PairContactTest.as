@@ -93,6 +93,64 @@ package starlogo.intersection
             assertPoint("a capsule deep in a face", -0.25, 0, 0.7);
         }
 
+        /** Axes and boxes that are parallel, but for rounding, touch along a part. No end of it is nearer than the other by more than rounding. */
+        [Test]
+        public function thePointOfAParallelAxisIsInTheMiddleOfWhatIsShared():void
+        {
+            var random:SeededRandom = new SeededRandom(403);
+            var shapes:RandomStructures = new RandomStructures(random);
+            for (var i:int = 0; i < 2000; i++)
+            {
+                var frame:Vector.<Vector3D> = shapes.frame();
+                var tilt:Number = random.pick([0, 6e-17, -6e-17, 1e-14, -1e-12]);
+                var start:Number = random.between(-2, 0.5);
+                var end:Number = random.between(Math.max(start, -1) + 0.2, 3);
+                var isAtEdge:Boolean = random.chance();
+                var from:Vector3D = place(frame, start, isAtEdge ? 0.8 : 0, 0.8);
+                var to:Vector3D = place(frame, end, isAtEdge ? 0.8 : 0, 0.8 + tilt * (end - start));
+                var capsule:Capsule = random.chance() ? new Capsule(from, to, 0.5) : new Capsule(to, from, 0.5);
+                var box:Box = new Box(new Vector3D(), frame[0], frame[1], frame[2], 1, 0.5, 0.5);
+                var other:Capsule = new Capsule(place(frame, -1, 0, 0), place(frame, 1, 0, 0), 0.7);
+                var middle:Number = (Math.max(start, -1) + Math.min(end, 1)) / 2;
+                for each (var b:BoundingStructure in [box, other])
+                {
+                    StructurePairs.findContact(capsule, b, _displacement, _touch);
+                    assertNear(i + ": " + capsule + " and " + b, middle, along(frame[0]));
+                    StructurePairs.findContact(b, capsule, _displacement, _touch);
+                    assertNear(i + ": " + b + " and " + capsule, middle, along(frame[0]));
+                }
+            }
+        }
+
+        private function along(axis:Vector3D):Number
+        {
+            return _touch.x * axis.x + _touch.y * axis.y + _touch.z * axis.z;
+        }
+
+        private static function place(frame:Vector.<Vector3D>, x:Number, y:Number, z:Number):Vector3D
+        {
+            return new Vector3D(x * frame[0].x + y * frame[1].x + z * frame[2].x, x * frame[0].y + y * frame[1].y + z * frame[2].y,
+                    x * frame[0].z + y * frame[1].z + z * frame[2].z);
+        }
+
+        /** A contact's object may have been that of a contact with the ground, or of a model's triangle. */
+        [Test]
+        public function nothingOfAnEarlierContactIsLeft():void
+        {
+            var shapes:RandomStructures = new RandomStructures(new SeededRandom(404));
+            for each (var kindA:int in KINDS.concat(BoundingStructure.HULL))
+            {
+                for each (var kindB:int in KINDS.concat(BoundingStructure.HULL))
+                {
+                    _touch.triangle = 3;
+                    _touch.isDeepestOfA = true;
+                    _touch.exitBound = 2;
+                    StructurePairs.findContact(shapes.ofKind(kindA, 1, 0.1), shapes.ofKind(kindB, 1, 0.1), _displacement, _touch);
+                    assertTrue(kindA + " and " + kindB, _touch.triangle == -1 && !_touch.isDeepestOfA && _touch.exitBound == 0);
+                }
+            }
+        }
+
         /** Structures may be as large as 1e70, though nothing in a game is. */
         [Test]
         public function contactsOfHugeStructuresAreThoseOfSmallOnes():void

@@ -1,13 +1,18 @@
 package starlogo.solid
 {
     import evaluation.pairs.SeededRandom;
+    import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.collision.Collision;
     import starlogo.collision.CombinationCollider;
     import starlogo.collision.Contact;
+    import starlogo.convex.RelativeMotion;
+    import starlogo.convex.TrianglePlane;
+    import starlogo.geometry.Tolerances;
     import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
     import starlogo.terrain.Terrain;
     import support.Complaints;
     import support.Effort;
@@ -21,6 +26,7 @@ package starlogo.solid
 
         private var _random:SeededRandom = new SeededRandom(88);
         private var _wrong:Complaints = new Complaints();
+        private var _land:GreatLand = new GreatLand();
         private var _collider:CombinationCollider;
         private var _collision:Collision;
         private var _contact:Contact;
@@ -28,12 +34,11 @@ package starlogo.solid
         [Before]
         public function setUp():void
         {
-            var land:GreatLand = new GreatLand();
-            land.loadHulls = true;
-            land.addModel(BuiltInModel.box(1, 3, 3, "wall"));
-            land.addModel(BuiltInModel.box(1, 1, 1, "cube"));
-            land.addModel(BuiltInModel.box(1, 2, 3, "block"));
-            _collider = new CombinationCollider(land);
+            _land.loadHulls = true;
+            _land.addModel(BuiltInModel.box(1, 3, 3, "wall"));
+            _land.addModel(BuiltInModel.box(1, 1, 1, "cube"));
+            _land.addModel(BuiltInModel.box(1, 2, 3, "block"));
+            _collider = new CombinationCollider(_land);
             _collider.exact = true;
             _collision = new Collision(_collider);
             _collision.onCollision("movers", Collision.ANY_BREED, keep);
@@ -86,6 +91,64 @@ package starlogo.solid
                 _contact = null;
                 _collision.update(new <Agent>[mover]);
                 note(-side, 0, mover.toString() + " " + mover.collideAs + " " + i);
+            }
+            _wrong.assertNone();
+        }
+
+        /** What is beside a contact does not turn it, however large the triangles are: here a roof above the cube, near beside the plate's size. */
+        [Test]
+        public function theBorderOfAHugePlateUnderARoof():void
+        {
+            var plate:Vector.<Number> = new <Number>[0, -1, 0, 1, -1, 0, 1, 1, 0, 0, 1, 0, -1, -1, 5e-5, 1, -1, 5e-5, 1, 1, 5e-5, -1, 1, 5e-5];
+            _land.addModel(new Model("plate", plate, new <uint>[0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7], Model.AS_GIVEN));
+            for (var i:int = 0; i < 50; i++)
+            {
+                var mover:Agent = new Agent("cube", "movers");
+                var other:Agent = new Agent("plate", "walls");
+                var y:Number = _random.between(-400, 400);
+                mover.hierarchical = other.hierarchical = mover.sweeps = true;
+                other.size = 1000;
+                mover.moveTo(-6, y, -1);
+                _collision.update(new <Agent>[mover, other]);
+                mover.moveTo(-0.2, y, -1);
+                _contact = null;
+                _collision.update(new <Agent>[mover, other]);
+                note(-1, 0, "at " + y);
+            }
+            _wrong.assertNone();
+        }
+
+        /** Touches at about the same time come in the order of the tree. The same one counts in every order. */
+        [Test]
+        public function theOrderOfTheTouchesDoesNotMatter():void
+        {
+            var first:FirstImpact = new FirstImpact();
+            var motion:RelativeMotion = new RelativeMotion();
+            motion.x = 3;
+            for (var i:int = 0; i < 2000; i++)
+            {
+                var touches:Array = [];
+                for (var k:int = 0; k < 4; k++)
+                {
+                    touches.push({time: 0.5 + _random.integer(0, 9) * 3e-10, squareness: _random.between(0.01, 1)});
+                }
+                var chosen:Object = null;
+                for (var order:int = 0; order < 6; order++)
+                {
+                    touches.push(touches.splice(_random.integer(0, 3), 1)[0]);
+                    var last:Object = null;
+                    first.reset(1);
+                    for each (var touch:Object in touches)
+                    {
+                        var plane:TrianglePlane = new TrianglePlane();
+                        plane.normal.setTo(-touch.squareness, Math.sqrt(1 - touch.squareness * touch.squareness), 0);
+                        motion.time = touch.time;
+                        last = first.offer(motion, plane) ? touch : last;
+                    }
+                    chosen ||= last;
+                    assertEquals("the squareness of touch set " + i, chosen.squareness, last.squareness);
+                    _wrong.addIf(!(chosen.time <= first.time + Tolerances.SAME_TIME), "later", "set " + i);
+                }
             }
             _wrong.assertNone();
         }

@@ -3,8 +3,11 @@ package starlogo.solid
     import evaluation.pairs.SeededRandom;
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
     import starlogo.engine;
+    import starlogo.hierarchy.BoxTree;
+    import starlogo.hierarchy.HierarchyNode;
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.models.BuiltInModel;
     import starlogo.models.ColladaModel;
@@ -35,6 +38,31 @@ package starlogo.solid
             compareWithSolidAngles("/assets/bear.obj", 151);
             compareWithSolidAngles("/assets/fortress.obj", 152);
             compareWithSolidAngles("/assets/seagull.dae", 153);
+        }
+
+        /** A model may be posed in the middle of the work that makes its tree. The tree is made when the work is done, not before. */
+        [Test]
+        public function aTreeInTheMakingIsNotMade():void
+        {
+            var random:SeededRandom = new SeededRandom(5104);
+            for each (var model:Model in SolidModels.all())
+            {
+                var tree:ModelTree = new ModelTree(new BoxTree(model.vertices, model.triangles));
+                tree.beginBuilding(5, 10, random.chance(), false);
+                var posedAt:int = random.integer(0, 6);
+                for (var step:int = 0; tree.building.step(); step++)
+                {
+                    assertFalse(model.name + " in step " + step, tree.boxTree.isMade);
+                    if (step == posedAt)
+                    {
+                        tree.refit();
+                    }
+                }
+                assertTrue(model.name, tree.boxTree.isMade);
+                var root:HierarchyNode = tree.root;
+                tree.refit();
+                assertEquals("a node is a view, also of what is posed", root, tree.root);
+            }
         }
 
         // A point with an open side is outside. This is known without the surface.

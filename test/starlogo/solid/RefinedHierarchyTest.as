@@ -134,9 +134,9 @@ package starlogo.solid
             var box:Vector.<Number> = tree.boxes.slice(6 * node, 6 * node + 6);
             var extents:Vector.<Number> = new Vector.<Number>(6, true);
             var left:int = tree.left[node];
-            var isLeaf:Boolean = tree.endsUpToDepth[node] >= BoxTree.MAX_DEPTH;
-            assertTrue(tree.end[node] > tree.first[node]);
-            for (var i:int = tree.first[node]; i < tree.end[node]; i++)
+            var isLeaf:Boolean = tree.stopDepth[node] >= BoxTree.MAX_DEPTH;
+            assertTrue(tree.endSlot[node] > tree.firstSlot[node]);
+            for (var i:int = tree.firstSlot[node]; i < tree.endSlot[node]; i++)
             {
                 tree.writeExtents(i, i + 1, extents, 0);
                 for (var axis:int = 0; axis < 3; axis++)
@@ -147,16 +147,16 @@ package starlogo.solid
             }
             if (left == 0)
             {
-                assertEquals(int.MAX_VALUE, tree.endsUpToDepth[node]);
-                assertTrue("triangles: " + (tree.end[node] - tree.first[node]), tree.end[node] - tree.first[node] <= MOST);
+                assertEquals(int.MAX_VALUE, tree.stopDepth[node]);
+                assertTrue("triangles: " + (tree.endSlot[node] - tree.firstSlot[node]), tree.endSlot[node] - tree.firstSlot[node] <= MOST);
                 return 1;
             }
-            assertEquals(tree.first[node], tree.first[left]);
-            assertEquals(tree.end[left], tree.first[left + 1]);
-            assertEquals(tree.end[node], tree.end[left + 1]);
+            assertEquals(tree.firstSlot[node], tree.firstSlot[left]);
+            assertEquals(tree.endSlot[left], tree.firstSlot[left + 1]);
+            assertEquals(tree.endSlot[node], tree.endSlot[left + 1]);
             assertEquals(tree.levelOf(node) + 1, tree.levelOf(left));
-            assertEquals(isLeaf ? BoxTree.MAX_DEPTH : tree.levelOf(node), tree.endsUpToDepth[node]);
-            assertTrue("below a leaf are leaves", !isLeaf || tree.endsUpToDepth[left] >= BoxTree.MAX_DEPTH && tree.endsUpToDepth[left + 1] >= BoxTree.MAX_DEPTH);
+            assertEquals(isLeaf ? BoxTree.MAX_DEPTH : tree.levelOf(node), tree.stopDepth[node]);
+            assertTrue("below a leaf are leaves", !isLeaf || tree.stopDepth[left] >= BoxTree.MAX_DEPTH && tree.stopDepth[left + 1] >= BoxTree.MAX_DEPTH);
             return check(tree, left) + check(tree, left + 1);
         }
 

@@ -17,6 +17,6 @@ package starlogo.intersection.boxes
         public var halfExtents:Number = 0;
 
         /** The gap across which the shapes still touch. */
-        public var tolerance:Number = 0;
+        public var margin:Number = 0;
     }
 }

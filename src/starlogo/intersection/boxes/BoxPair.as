@@ -26,7 +26,7 @@ package starlogo.intersection.boxes
     public final class BoxPair
     {
         /** The pair that <code>boxBox()</code> sets, whose boxes stand. */
-        public static const STANDING:BoxPair = new BoxPair();
+        public static const SCRATCH:BoxPair = new BoxPair();
 
         /** The axes of b. */
         public var axes:BoxAxes = new BoxAxes();
@@ -37,9 +37,9 @@ package starlogo.intersection.boxes
         public var motionZ:Number = 0;
 
         /** The gap across which the boxes still touch: the sum of the margins (see Touching). */
-        public var tolerance:Number = 0;
+        public var margin:Number = 0;
 
-        /** The vector from a's middle to b's at time 0. boxBox() shortens it in place of a tolerance. */
+        /** The vector from a's middle to b's at time 0. boxBox() shortens it in place of a margin. */
         public var offsetX:Number = 0;
         public var offsetY:Number = 0;
         public var offsetZ:Number = 0;

@@ -18,7 +18,7 @@ package starlogo.intersection.boxes
         private static const SHORTEST:Number = Math.sqrt(Tolerances.PARALLEL);
 
         // For areTouching().
-        private static const STANDING:BoxSweep = new BoxSweep();
+        private static const SCRATCH:BoxSweep = new BoxSweep();
 
         // The directions of b's edges, and half of each edge as a vector: along axisX, axisY, axisZ.
         private var _edges:Vector.<Number> = new Vector.<Number>(9, true);
@@ -36,9 +36,9 @@ package starlogo.intersection.boxes
          */
         public static function areTouching(a:Box, b:Box):Boolean
         {
-            var pair:BoxPair = STANDING._boxes;
+            var pair:BoxPair = SCRATCH._boxes;
             setPair(a, b, RelativeMotion.NONE, pair);
-            STANDING.findTime(pair);
+            SCRATCH.findTime(pair);
             return pair.time == 0;
         }
 
@@ -91,7 +91,7 @@ package starlogo.intersection.boxes
             pair.offsetZ = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
             pair.axes.setTo(a, b);
             pair.setHalves(a, b);
-            pair.tolerance = motion.margin;
+            pair.margin = motion.margin;
             pair.latest = motion.latest;
         }
 
@@ -135,7 +135,7 @@ package starlogo.intersection.boxes
             axis.offset = offset;
             axis.speed = speed;
             axis.halfExtents = halfExtents;
-            axis.tolerance = pair.tolerance * size;
+            axis.margin = pair.margin * size;
             return !(size > SHORTEST) || _times.narrow(axis);
         }
 

@@ -3,23 +3,23 @@ package starlogo.intersection.boxes
     import starlogo.geometry.Tolerances;
 
     /**
-     * The interval of time in which no axis tried so far separates two moving shapes. The tolerance is included in the decision whether they
+     * The interval of time in which no axis tried so far separates two moving shapes. The margin is included in the decision whether they
      * touch at all. The time of impact does not include it.
      *
      * @private
      */
     public final class ContactInterval
     {
-        /** The end of the interval, with the tolerance included. Read only. */
+        /** The end of the interval, with the margin included. Read only. */
         public var latest:Number = 1;
 
         /**
-         * The time from which the last axis no longer separates the shapes, without the tolerance. If it is not after the end of the interval,
+         * The time from which the last axis no longer separates the shapes, without the margin. If it is not after the end of the interval,
          * the shapes touch then. Read only.
          */
         public var timeOfImpact:Number = 0;
 
-        // The beginning of the interval, with the tolerance included.
+        // The beginning of the interval, with the margin included.
         private var _earliest:Number = 0;
 
         /** Begins with no axis tried. */
@@ -46,7 +46,7 @@ package starlogo.intersection.boxes
                 speed = -speed;
                 from = -from;
             }
-            var touchingDistance:Number = halfExtents * Tolerances.TOUCHING + axis.tolerance;
+            var touchingDistance:Number = halfExtents * Tolerances.TOUCHING + axis.margin;
             var time:Number;
             if (from < -touchingDistance)
             {

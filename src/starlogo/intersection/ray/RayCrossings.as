@@ -10,11 +10,17 @@ package starlogo.intersection.ray
         /** A side: the ray begins inside of the shape. */
         public static const INSIDE:int = 2;
 
-        /** A side: the ray enters the shape, or crosses a triangle from one side. */
+        /** A side: the ray enters the shape. */
         public static const ENTERS:int = 1;
 
-        /** A side: the ray leaves the shape, or crosses a triangle from the other side. */
+        /** A side: the ray leaves the shape. */
         public static const LEAVES:int = -1;
+
+        /** A side: the ray crosses a triangle from the side from which its corners are counter-clockwise. */
+        public static const FRONT:int = 3;
+
+        /** A side: the ray crosses a triangle from the other side. */
+        public static const BACK:int = -3;
 
         /** A side: the ray runs along a triangle, from its distance to its end. */
         public static const EDGE_ON:int = 0;
@@ -31,7 +37,7 @@ package starlogo.intersection.ray
         /** The distance at which a triangle ends that the ray runs along. For others it is that of the crossing. */
         public var ends:Vector.<Number> = new Vector.<Number>();
 
-        /** INSIDE, ENTERS, LEAVES or EDGE_ON. */
+        /** INSIDE, ENTERS or LEAVES. For triangles INSIDE, FRONT, BACK or EDGE_ON. */
         public var sides:Vector.<int> = new Vector.<int>();
 
         /** The triangle that is crossed, as the model counts them; -1 if it is none. */

@@ -223,7 +223,7 @@ package starlogo.intersection.ray
             var depth:Number = Math.abs(_inverseSpeed) * (Math.abs(aW - bW) + Math.abs(bW - cW));
             out.end = out.distance;
             out.rounding = Tolerances.ROUNDING * Math.abs(out.distance) + PLACE_TOLERANCES * _tolerance * (1 + width * depth / Math.abs(sum));
-            out.side = sum > 0 ? RayCrossings.ENTERS : RayCrossings.LEAVES;
+            out.side = _inverseSpeed * sum > 0 ? RayCrossings.FRONT : RayCrossings.BACK;
             return true;
         }
 

@@ -19,7 +19,7 @@ package starlogo.intersection.ray
         /** Where the ray leaves a triangle that it sees edge on, or where it meets any other one. */
         public var end:Number = 0;
 
-        /** RayCrossings.ENTERS, LEAVES or EDGE_ON. */
+        /** RayCrossings.FRONT, BACK or EDGE_ON. */
         public var side:int = 0;
 
         /** Becomes the same as another crossing. */

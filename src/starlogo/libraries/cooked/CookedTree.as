@@ -77,7 +77,7 @@ package starlogo.libraries.cooked
                     VarInt.write(0, out);
                     continue;
                 }
-                VarInt.write(1 + tree.axisOf(node) + (tree.isLeafOrBelow(node) ? BELOW : 0) + DIVISIONS * (tree.end[left] - tree.first[left]), out);
+                VarInt.write(1 + tree.axisOf(node) + (tree.isLeafOrBelow(node) ? BELOW : 0) + DIVISIONS * (tree.endSlot[left] - tree.firstSlot[left]), out);
                 waiting.push(left + 1, left);
             }
             return out;
@@ -161,8 +161,8 @@ package starlogo.libraries.cooked
             {
                 return code == 0 && !BoxTreeBuilder.isLarge(_tree, node);
             }
-            var first:int = _tree.first[node];
-            var end:int = _tree.end[node];
+            var first:int = _tree.firstSlot[node];
+            var end:int = _tree.endSlot[node];
             var splitIndex:int = first + (code - 1) / DIVISIONS;
             var division:int = (code - 1) % DIVISIONS;
             var isWrong:Boolean = division < BELOW ? _tree.levelOf(node) >= _maxDepth

@@ -134,7 +134,7 @@ package starlogo.search.pairs
                 {
                     continue;
                 }
-                if (tree.endsUpToDepth[node] < depth)
+                if (tree.stopDepth[node] < depth)
                 {
                     var left:int = tree.left[node];
                     var axis:int = tree.axisOf(node);
@@ -152,7 +152,7 @@ package starlogo.search.pairs
                 }
                 else
                 {
-                    for (var triangle:int = tree.first[node]; triangle < tree.end[node]; triangle++)
+                    for (var triangle:int = tree.firstSlot[node]; triangle < tree.endSlot[node]; triangle++)
                     {
                         findOfTriangle(mesh, triangle, direction, _part);
                         takeIfFarther(_part, tree.boxes, out);

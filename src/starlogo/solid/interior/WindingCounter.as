@@ -170,8 +170,8 @@ package starlogo.solid.interior
         /** @inheritDoc */
         override public function visit(tree:BoxTree, node:int):void
         {
-            var end:int = tree.end[node];
-            for (var i:int = tree.first[node]; i < end; i++)
+            var end:int = tree.endSlot[node];
+            for (var i:int = tree.firstSlot[node]; i < end; i++)
             {
                 cross(i);
             }

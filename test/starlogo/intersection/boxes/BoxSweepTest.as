@@ -58,7 +58,7 @@ package starlogo.intersection.boxes
             _pair.motionX = _pair.motionY = _pair.motionZ = 0;
             _pair.axes.setTo(a, b);
             _pair.setHalves(a, b);
-            _pair.tolerance = TOLERANCE;
+            _pair.margin = TOLERANCE;
             _pair.latest = 1;
         }
 

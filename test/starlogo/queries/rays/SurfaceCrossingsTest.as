@@ -28,7 +28,7 @@ package starlogo.queries.rays
                 for (var k:int = _random.integer(1, 6); k > 0; k--)
                 {
                     entry.distance = _random.integer(0, 9);
-                    crossings.add(entry, _random.pick([0, 0.5, 1, 2]), entry.distance + _random.integer(0, 3), _random.pick([1, 1, -1, -1, 0]));
+                    crossings.add(entry, _random.pick([0, 0.5, 1, 2]), entry.distance + _random.integer(0, 3), _random.pick([RayCrossings.FRONT, RayCrossings.BACK, RayCrossings.FRONT, RayCrossings.BACK, RayCrossings.EDGE_ON]));
                 }
                 _surfaces.find(crossings, true);
                 joined += crossings.count - _surfaces.indices.count;

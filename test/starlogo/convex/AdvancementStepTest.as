@@ -4,7 +4,7 @@ package starlogo.convex
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
 
-    public class AdvanceTest
+    public class AdvancementStepTest
     {
         private var _step:AdvancementStep = new AdvancementStep();
         private var _motion:RelativeMotion = new RelativeMotion(0);
@@ -21,7 +21,7 @@ package starlogo.convex
         public function theTimeOfTheLastStepIsTheTimeOfImpact():void
         {
             var steps:int = 1;
-            while (advance(_step, _motion))
+            while (_step.advance(_motion))
             {
                 _step.gap /= 2;
                 _step.speed = 1e3 * _step.gap;
@@ -35,7 +35,7 @@ package starlogo.convex
         public function aTouchAfterTheLatestTimeIsNone():void
         {
             _motion.latest = 0.4;
-            assertFalse(advance(_step, _motion));
+            assertFalse(_step.advance(_motion));
             assertEquals(RelativeMotion.NEVER, _motion.time);
         }
 
@@ -43,7 +43,7 @@ package starlogo.convex
         public function shapesThatDoNotCloseNeverTouch():void
         {
             _step.speed = 0;
-            assertFalse(advance(_step, _motion));
+            assertFalse(_step.advance(_motion));
             assertEquals(RelativeMotion.NEVER, _motion.time);
         }
 
@@ -51,7 +51,7 @@ package starlogo.convex
         public function aTouchAtTheStartIsAtTimeZero():void
         {
             _step.isTouching = true;
-            assertFalse(advance(_step, _motion));
+            assertFalse(_step.advance(_motion));
             assertEquals(0, _motion.time);
         }
 
@@ -60,7 +60,7 @@ package starlogo.convex
         {
             touchAcrossMargins();
             assertEquals(0.5 + 1e-9, _motion.time);
-            assertFalse(advance(_step, _motion));
+            assertFalse(_step.advance(_motion));
             assertEquals("it still touches", 0.5 + 1e-9, _motion.time);
         }
 
@@ -69,7 +69,7 @@ package starlogo.convex
         {
             touchAcrossMargins();
             _step.isTouching = false;
-            assertFalse(advance(_step, _motion));
+            assertFalse(_step.advance(_motion));
             assertEquals(0.5, _motion.time);
         }
 
@@ -77,21 +77,21 @@ package starlogo.convex
         public function aTouchAcrossTheMarginsCountsIfTheNextStepIsTooLate():void
         {
             _motion.latest = 0.5;
-            assertTrue(advance(_step, _motion));
+            assertTrue(_step.advance(_motion));
             _step.isTouching = true;
             _step.gap = 1e-9;
-            assertFalse(advance(_step, _motion));
+            assertFalse(_step.advance(_motion));
             assertEquals(0.5, _motion.time);
         }
 
         // The second step touches, with a gap left.
         private function touchAcrossMargins():void
         {
-            assertTrue(advance(_step, _motion));
+            assertTrue(_step.advance(_motion));
             assertEquals(0.5, _motion.time);
             _step.isTouching = true;
             _step.gap = 1e-9;
-            assertTrue(advance(_step, _motion));
+            assertTrue(_step.advance(_motion));
         }
     }
 }

@@ -20,9 +20,9 @@ package starlogo.handlers
                 error.message += addition;
             }
         }
-        catch (problem:Error)
+        catch (problem:*)
         {
-            // in JavaScript an error's text may be read-only
+            // in JavaScript an error's text may be read-only, or no string
         }
         return error;
     }

@@ -142,6 +142,10 @@ package starlogo.collision
                 var what:String = input.ground != null ? "a terrain needs" : "bounds need";
                 throw new IllegalOperationError(what + " one of the engine's collision systems, not " + textOf(systemToName, "a Collider"));
             }
+            if (ownedCollider != null)
+            {
+                ownedCollider.beginSearch(input);
+            }
             reader.begin(input.agents);
             var listed:Vector.<Agent> = input.admittedAgents;
             var pairs:FoundPairs = reader.read(findCollisionsAmong(listed, input.interests, _foundAgents));

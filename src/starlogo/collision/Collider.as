@@ -38,7 +38,7 @@ package starlogo.collision
         // Whether a Collision has the collider.
         private var _isTaken:Boolean = false;
 
-        // The input of the frame that searches for its pairs, or null.
+        // The input of the frame for which a system around this collider searches, or null.
         private var _frameInput:SearchInput = null;
 
         // Whether the handlers of a frame of this collider run.
@@ -195,7 +195,7 @@ package starlogo.collision
             _isTaken = false;
         }
 
-        /** @private The Collision's frame searches for its pairs, until its handlers begin. */
+        /** @private A system around the collider searches for the pairs of a frame with it, until the handlers begin. */
         engine function beginSearch(input:SearchInput):void
         {
             _frameInput = input;
@@ -208,11 +208,12 @@ package starlogo.collision
             _isHandling = true;
         }
 
-        /** @private The frame is over, also one that has thrown an error. */
-        engine function endFrame():void
+        /** @private The frame is over, also one that has thrown an error. @param isTaken whether the Collision still has the collider */
+        engine function endFrame(isTaken:Boolean):void
         {
             _frameInput = null;
             _isHandling = false;
+            _isTaken = isTaken;
         }
 
         /** @private Lets no agent have a motion in the next frame. */

@@ -144,22 +144,16 @@ package starlogo.collision
             }
             _givenSystem = value;
             _system = next;
-            releaseUnused(before);
+            if (before != null && before.ownedCollider != null && !uses(before.ownedCollider))
+            {
+                before.ownedCollider.release();
+            }
         }
 
         // Whether a collider is in the collision system, or in the one of the frame under way.
         private function uses(collider:Collider):Boolean
         {
             return _system != null && _system.ownedCollider === collider || _frameSystem != null && _frameSystem.ownedCollider === collider;
-        }
-
-        // Lets other Collisions take the collider of a system that was exchanged. During a frame its own system is not released.
-        private function releaseUnused(system:BaseCollider):void
-        {
-            if (system != null && system.ownedCollider != null && !uses(system.ownedCollider))
-            {
-                system.ownedCollider.release();
-            }
         }
 
         /** Counts and times of the last frame. The next frame overwrites them. */
@@ -314,12 +308,11 @@ package starlogo.collision
             finally
             {
                 _calls.end();
+                _frameSystem = null;
                 if (system.ownedCollider != null)
                 {
-                    system.ownedCollider.endFrame();
+                    system.ownedCollider.endFrame(uses(system.ownedCollider));
                 }
-                _frameSystem = null;
-                releaseUnused(system);
                 if (_heldGround != null)
                 {
                     _heldGround.release();
@@ -401,15 +394,10 @@ package starlogo.collision
             // The filter may have called reset(), which forgets the frames before this one. The touches of this frame do not count then
             var lastFrame:LastFrame = _lastFrame;
             lastFrame.hasFailed = true;
-            var owned:Collider = system.ownedCollider;
-            if (owned != null)
-            {
-                owned.beginSearch(_input);
-            }
             var pairs:FoundPairs = system.findPairs(_input, _pairReader, _statistics);
-            if (owned != null)
+            if (system.ownedCollider != null)
             {
-                owned.beginHandlers();
+                system.ownedCollider.beginHandlers();
             }
             var searched:Collider = system.equivalentCollider;
             lastFrame.agents = copyAgents(_input.agents, lastFrame.agents);

@@ -23,8 +23,9 @@ package starlogo.collision
         private var _contacts:FrameContacts = new FrameContacts();
         private var _gameList:GameList = new GameList();
 
-        // The pairs of the frame; null between frames.
+        // The pairs of the frame, and the system that has found them; null between frames.
         private var _pairs:FoundPairs = null;
+        private var _system:BaseCollider = null;
 
         // Knows the touches; null if there are none and no handler is for starts or ends.
         private var _tracker:TouchTracker = null;
@@ -60,6 +61,7 @@ package starlogo.collision
         public function callHandlers(pairs:FoundPairs, system:BaseCollider, tracker:TouchTracker, agents:Vector.<Agent>, errors:Vector.<Error>):int
         {
             _pairs = pairs;
+            _system = system;
             _gameList.begin(agents);
             _count = 0;
             _tracker = tracker.touches.count > 0 || _table.tracksTouches ? tracker : null;
@@ -67,7 +69,7 @@ package starlogo.collision
             if (_table.contactKinds != 0)
             {
                 // before touches end, because a game's own contactOf may throw. Then the next frame ends them
-                _contacts.begin(system, pairs);
+                _contacts.begin();
                 findContacts(starting);
             }
             if (_tracker != null)
@@ -82,7 +84,7 @@ package starlogo.collision
         public function end():void
         {
             _pairs = null;
-            _contacts.end();
+            _system = null;
             _gameList.end();
             if (_tracker != null)
             {
@@ -102,7 +104,7 @@ package starlogo.collision
                 var kinds:int = _table.handlersOfPair(_pairs, pair).contactKinds;
                 if ((kinds & CollisionHandler.COLLISION) != 0 || kinds != 0 && _tracker.touchAt(pair) == null)
                 {
-                    _contacts.find(pair);
+                    _contacts.find(pair, _pairs, _system);
                 }
             }
         }
@@ -154,21 +156,8 @@ package starlogo.collision
                 }
                 throw thrown;
             }
-            errors.push(nameBreeds(errorOf(thrown), _running));
+            errors.push(nameBreeds(thrown, _running));
             _running = null;
-        }
-
-        // What was thrown, as an error. It may be an object without a text, or one whose text throws.
-        private static function errorOf(thrown:*):Error
-        {
-            try
-            {
-                return thrown is Error ? thrown : new Error(String(thrown));
-            }
-            catch (problem:*)
-            {
-                return new Error("an object without a text");
-            }
         }
 
         private function callForEnded(touch:Touch):void
@@ -253,7 +242,7 @@ package starlogo.collision
         {
             var collider:Agent = isSecondCollider ? second : first;
             var collidee:Agent = isSecondCollider ? first : second;
-            var contact:Contact = handler.takesContact && pair != NO_PAIR ? _contacts.contactFor(pair, isSecondCollider) : null;
+            var contact:Contact = handler.takesContact && pair != NO_PAIR ? _contacts.contactFor(pair, isSecondCollider, _pairs, _system) : null;
             // a local, so that the handler is not called as a method of its CollisionHandler
             var toCall:Function = handler.callback;
             _count++;

@@ -38,7 +38,7 @@ package starlogo.collision
         // Whether a Collision has the collider.
         private var _isTaken:Boolean = false;
 
-        // The input of the frame for which a system around this collider searches, or null.
+        // The input of the frame that searches for its pairs, or null.
         private var _frameInput:SearchInput = null;
 
         // Whether the handlers of a frame of this collider run.
@@ -92,7 +92,7 @@ package starlogo.collision
         override public function areColliding(a:Agent, b:Agent):Boolean
         {
             requireTwo(a, b);
-            return search.twoAgents.areColliding(a, b);
+            return search.pairQuery.areColliding(a, b);
         }
 
         /** @inheritDoc */
@@ -158,7 +158,7 @@ package starlogo.collision
             {
                 by.table.refreshWorld();
             }
-            by.twoAgents.findContact(collider, collidee, motion, point);
+            by.pairQuery.findContact(collider, collidee, motion, point);
             contact.setFromPoint(point);
             contact.time = motion.time;
             contact.approachSpeed = Math.max(0, -(motion.x * point.normalX + motion.y * point.normalY + motion.z * point.normalZ));
@@ -195,7 +195,7 @@ package starlogo.collision
             _isTaken = false;
         }
 
-        /** @private A system around the collider searches for the pairs of a frame with it, until the handlers begin. */
+        /** @private A frame searches for its pairs, until the handlers begin: with the collider, or a system around it. */
         engine function beginSearch(input:SearchInput):void
         {
             _frameInput = input;
@@ -231,6 +231,7 @@ package starlogo.collision
         /** @private */
         override engine function findPairs(input:SearchInput, reader:PairReader, counts:CollisionStatistics):FoundPairs
         {
+            beginSearch(input);
             var pairs:FoundPairs = find(search, input);
             counts.copyFrom(_statistics);
             return pairs;

@@ -7,7 +7,7 @@
 // 4. PairOrder puts the FoundPairs into the order of the list. The pairs of changed rows are put between those of the last search.
 // A Body is a shape (ModelShape) at a place. A BaseShapeChoice says which shape a model has, SearchInput who takes part, BreedInterests which breeds
 // count.
-// Read this file first, then AgentTable, CandidateTests and NarrowPhase. TwoAgents answers about two agents, with ExitSearch (penetration/) for depths.
+// Read this file first, then AgentTable, CandidateTests and NarrowPhase. AgentPairQuery answers about two agents, with PenetrationSearch (penetration/) for depths.
 package starlogo.search
 {
     import flash.errors.IllegalOperationError;
@@ -43,7 +43,7 @@ package starlogo.search
         public var narrowPhase:NarrowPhase;
 
         /** Tells whether and how two of these agents touch. */
-        public var twoAgents:TwoAgents;
+        public var pairQuery:AgentPairQuery;
 
         private var _bins:Bins = new Bins();
         private var _tests:CandidateTests;
@@ -80,7 +80,7 @@ package starlogo.search
             table = new AgentTable(narrowPhase.choice);
             _motions = new RowMotions(table);
             var sweptTests:SweptTests = new SweptTests(table, narrowPhase, _motions);
-            twoAgents = new TwoAgents(table, narrowPhase, sweptTests);
+            pairQuery = new AgentPairQuery(table, narrowPhase, sweptTests);
             _tests = new CandidateTests(table, narrowPhase, sweptTests);
             _changedRows = new ChangedRows(table, _motions, _bins.levels);
             _pairs = new FoundPairs(table.list);

@@ -14,7 +14,7 @@ package starlogo.search.penetration
     {
         /**
          * The search improves the direction of a contact whose depth is more than this fraction of the larger extent. The search for a way out
-         * also begins with steps of this length. After a push that is longer, ExitSearch tries one against the motion too.
+         * also begins with steps of this length. After a push that is longer, PenetrationSearch tries one against the motion too.
          */
         internal static const IMPROVED_DEPTH:Number = 1 / 256;
 

@@ -10,7 +10,7 @@ import { measure } from "./bytes.mjs";
 
 const folder = fileURLToPath(new URL("../../bin/module", import.meta.url));
 const manifest = JSON.parse(readFileSync(path.join(folder, "package.json"), "utf8"));
-const { Agent, BuiltInModel, CollisionBlocks, GreatLand, Model, StructureBlocks, TightestFitCollider } = await import(pathToFileURL(path.join(folder, manifest.exports["."].default)));
+const { Agent, BuiltInModel, Collision, CollisionBlocks, GreatLand, Model, StructureBlocks, TightestFitCollider } = await import(pathToFileURL(path.join(folder, manifest.exports["."].default)));
 
 setFlagsFromString("--expose-gc");
 const collect = runInNewContext("gc");
@@ -54,6 +54,31 @@ test("a collider does not keep a model that was replaced", async () => {
 	collect();
 	assert.equal(replaced.deref(), undefined);
 	assert.equal(collider.findCollisions(agents).length, 2, "the collider is still there");
+});
+
+// A collider and the list of a frame, which the next frame has not any more.
+function exchange(collision) {
+	const collider = new TightestFitCollider(collision.land);
+	collision.collisionSystem = collider;
+	const agents = [new Agent("sphere"), new Agent("sphere")];
+	collision.update(agents);
+	collision.collisionSystem = new TightestFitCollider(collision.land);
+	return [new WeakRef(collider), new WeakRef(agents)];
+}
+
+test("a Collision keeps neither a collider that was exchanged nor a game's list", async () => {
+	const land = new GreatLand();
+	land.addModel(BuiltInModel.sphere());
+	const collision = new Collision(new TightestFitCollider(land));
+	collision.land = land;
+	collision.onCollision("turtles", "turtles", (collider, collidee, contact) => assert.ok(contact.depth > 0));
+	collision.onCollisionStart("turtles", "turtles", () => undefined);
+	const gone = exchange(collision);
+	assert.equal(collision.statistics.handlerCalls, 4);
+	collision.update([]);
+	await new Promise((resolve) => setTimeout(resolve, 10));
+	collect();
+	assert.deepEqual(gone.map((one) => one.deref()), [undefined, undefined]);
 });
 
 // Bytes a triangle: the corners of a triangle alone are 24. Extents of all triangles would be 48 more, and nodes of the whole tree 105.

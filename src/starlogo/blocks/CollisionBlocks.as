@@ -200,7 +200,7 @@ package starlogo.blocks
             {
                 _search = new CollisionSearch(tests);
             }
-            return _search.twoAgents.areColliding(agent, other) ? system.equivalentCollider.contactIn(_search, agent, other, new Contact()) : null;
+            return _search.pairQuery.areColliding(agent, other) ? system.equivalentCollider.contactIn(_search, agent, other, new Contact()) : null;
         }
 
         /**

@@ -142,12 +142,16 @@ package starlogo.collision
                 var what:String = input.ground != null ? "a terrain needs" : "bounds need";
                 throw new IllegalOperationError(what + " one of the engine's collision systems, not " + textOf(systemToName, "a Collider"));
             }
+            if (ownedCollider != null)
+            {
+                ownedCollider.beginSearch(input);
+            }
             reader.begin(input.agents);
-            var listed:Vector.<Agent> = input.admitted == null ? input.agents : chosen(input.agents, input.admitted);
+            var listed:Vector.<Agent> = input.admittedAgents;
             var pairs:FoundPairs = reader.read(findCollisionsAmong(listed, input.interests, _foundAgents));
             counts.copyFrom(statistics);
-            // the system does not know the agents that the filter left out, and may not count the rest
-            counts.agentsSkipped += input.agents.length - listed.length;
+            // the engine's collider has all agents of the frame, even within another system. Other systems have only those that the filter admits
+            counts.agentsSkipped += counts.agents == input.agents.length ? 0 : input.agents.length - listed.length;
             counts.agents = input.agents.length;
             counts.collisions = pairs.count;
             counts.findMs = getTimer() - start;
@@ -174,14 +178,6 @@ package starlogo.collision
                         + "in it");
             }
             return _collisionSystem;
-        }
-
-        private static function chosen(agents:Vector.<Agent>, admitted:Vector.<Boolean>):Vector.<Agent>
-        {
-            return agents.filter(function(agent:Agent, index:int, ...ignored):Boolean
-                {
-                    return admitted[index];
-                });
         }
     }
 }

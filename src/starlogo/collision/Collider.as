@@ -35,8 +35,14 @@ package starlogo.collision
         /** @private The search that the collider makes. */
         engine var search:CollisionSearch;
 
-        // The Collision that was the last to get it, or null.
-        private var _owner:Collision = null;
+        // Whether a Collision has the collider.
+        private var _isTaken:Boolean = false;
+
+        // The input of the frame that searches for its pairs, or null.
+        private var _frameInput:SearchInput = null;
+
+        // Whether the handlers of a frame of this collider run.
+        private var _isHandling:Boolean = false;
 
         // The search for the game's own calls of findCollisions while a Collision has the collider, or null.
         private var _extraSearch:CollisionSearch = null;
@@ -86,7 +92,7 @@ package starlogo.collision
         override public function areColliding(a:Agent, b:Agent):Boolean
         {
             requireTwo(a, b);
-            return search.twoAgents.areColliding(a, b);
+            return search.pairQuery.areColliding(a, b);
         }
 
         /** @inheritDoc */
@@ -100,7 +106,7 @@ package starlogo.collision
         {
             requireGiven("agents", agents);
             var by:CollisionSearch = search;
-            if (isOwned && !_owner.isSearching)
+            if (_isTaken && _frameInput == null)
             {
                 // The next frame's motions begin where the last frame saw the agents, so a game's own call must not change that. While a Collision
                 // searches it is no call of the game's: a BaseCollider around this collider makes it
@@ -109,6 +115,10 @@ package starlogo.collision
             }
             var found:Vector.<Agent> = out || new Vector.<Agent>();
             _input.begin(agents, interests || BreedInterests.ALL, null, null, null);
+            if (_frameInput != null)
+            {
+                _input.takeFilterOf(_frameInput);
+            }
             var pairs:FoundPairs = find(by, _input);
             if (found.length > 2 * pairs.count)
             {
@@ -144,11 +154,11 @@ package starlogo.collision
         {
             var motion:RelativeMotion = _motion;
             var point:ContactPoint = _point;
-            if (!isHandling)
+            if (!_isHandling)
             {
                 by.table.refreshWorld();
             }
-            by.twoAgents.findContact(collider, collidee, motion, point);
+            by.pairQuery.findContact(collider, collidee, motion, point);
             contact.setFromPoint(point);
             contact.time = motion.time;
             contact.approachSpeed = Math.max(0, -(motion.x * point.normalX + motion.y * point.normalY + motion.z * point.normalZ));
@@ -167,36 +177,49 @@ package starlogo.collision
             return this;
         }
 
-        /** @private Gives the collider to a Collision. No agent has a motion then, unless it is the Collision's already. */
-        engine function giveTo(owner:Collision):void
+        /** @private Gives the collider to a Collision that does not have it. No agent has a motion then. */
+        engine function take():void
         {
-            if (!isOwned)
-            {
-                forgetMotions();
-                _owner = owner;
-            }
-            else if (owner !== _owner)
+            if (_isTaken)
             {
                 throw new ArgumentError("the collider belongs to another Collision, whose motions and contacts it keeps: give each Collision "
                         + "a collider of its own, or first exchange the collisionSystem of the other");
             }
+            forgetMotions();
+            _isTaken = true;
+        }
+
+        /** @private From now on another Collision may take the collider. */
+        engine function release():void
+        {
+            _isTaken = false;
+        }
+
+        /** @private A frame searches for its pairs, until the handlers begin: with the collider, or a system around it. */
+        engine function beginSearch(input:SearchInput):void
+        {
+            _frameInput = input;
+        }
+
+        /** @private The handlers of the frame begin. Contacts stay those of the frame. */
+        engine function beginHandlers():void
+        {
+            _frameInput = null;
+            _isHandling = true;
+        }
+
+        /** @private The frame is over, also one that has thrown an error. @param isTaken whether the Collision still has the collider */
+        engine function endFrame(isTaken:Boolean):void
+        {
+            _frameInput = null;
+            _isHandling = false;
+            _isTaken = isTaken;
         }
 
         /** @private Lets no agent have a motion in the next frame. */
         engine function forgetMotions():void
         {
             search.table.forgetMotionStarts();
-        }
-
-        private function get isOwned():Boolean
-        {
-            return _owner != null && _owner.uses(this);
-        }
-
-        // Whether the handlers of a frame of this collider run.
-        private function get isHandling():Boolean
-        {
-            return _owner != null && _owner.isHandling(this);
         }
 
         /** @private From now on contactOf sees the last frame. */
@@ -208,6 +231,7 @@ package starlogo.collision
         /** @private */
         override engine function findPairs(input:SearchInput, reader:PairReader, counts:CollisionStatistics):FoundPairs
         {
+            beginSearch(input);
             var pairs:FoundPairs = find(search, input);
             counts.copyFrom(_statistics);
             return pairs;
@@ -217,7 +241,7 @@ package starlogo.collision
         {
             var start:Number = getTimer();
             var pairs:FoundPairs = by.find(input);
-            if (!isHandling)
+            if (!_isHandling)
             {
                 _contactSearch = by;
             }

@@ -98,19 +98,13 @@ package starlogo.collision
         // The one of the frame under way, or null.
         private var _frameSystem:BaseCollider = null;
 
-        /** @private Whether the frame under way searches for its pairs. */
-        engine var isSearching:Boolean = false;
-
-        // Whether the handlers of the frame under way run.
-        private var _isHandling:Boolean = false;
-
         // The heights that handlers see, even if they change the ground; null if none run, or without ground. The edges never change.
         private var _heldGround:HeightGrid = null;
 
         private var _statistics:CollisionStatistics = new CollisionStatistics();
         private var _handlers:HandlerTable = new HandlerTable();
+        private var _calls:HandlerCalls = new HandlerCalls(_handlers);
         private var _handlerErrors:Vector.<Error> = new Vector.<Error>();
-        private var _calls:HandlerCalls = new HandlerCalls();
         private var _input:SearchInput = new SearchInput();
         private var _pairReader:PairReader = new PairReader();
         private var _snapshots:Snapshots = new Snapshots();
@@ -142,13 +136,24 @@ package starlogo.collision
         public function set collisionSystem(value:CollisionSystem):void
         {
             requireGiven("collisionSystem", value);
+            var before:BaseCollider = _system;
             var next:BaseCollider = BaseCollider.wrap(value);
-            if (next.ownedCollider != null)
+            if (next.ownedCollider != null && !uses(next.ownedCollider))
             {
-                next.ownedCollider.giveTo(this);
+                next.ownedCollider.take();
             }
             _givenSystem = value;
             _system = next;
+            if (before != null && before.ownedCollider != null && !uses(before.ownedCollider))
+            {
+                before.ownedCollider.release();
+            }
+        }
+
+        // Whether a collider is in the collision system, or in the one of the frame under way.
+        private function uses(collider:Collider):Boolean
+        {
+            return _system != null && _system.ownedCollider === collider || _frameSystem != null && _frameSystem.ownedCollider === collider;
         }
 
         /** Counts and times of the last frame. The next frame overwrites them. */
@@ -304,7 +309,10 @@ package starlogo.collision
             {
                 _calls.end();
                 _frameSystem = null;
-                isSearching = _isHandling = false;
+                if (system.ownedCollider != null)
+                {
+                    system.ownedCollider.endFrame(uses(system.ownedCollider));
+                }
                 if (_heldGround != null)
                 {
                     _heldGround.release();
@@ -365,18 +373,6 @@ package starlogo.collision
             return _frameSystem || _system;
         }
 
-        /** @private Whether a collider is in the collision system, or in the one of the frame under way. It is then no other Collision's. */
-        engine function uses(collider:Collider):Boolean
-        {
-            return _system.ownedCollider === collider || _frameSystem != null && _frameSystem.ownedCollider === collider;
-        }
-
-        /** @private Whether handlers run for pairs that a collider has found. */
-        engine function isHandling(collider:Collider):Boolean
-        {
-            return _isHandling && _frameSystem.ownedCollider === collider;
-        }
-
         /** @private */
         override engine function findNarrowPhase():NarrowPhase
         {
@@ -398,19 +394,20 @@ package starlogo.collision
             // The filter may have called reset(), which forgets the frames before this one. The touches of this frame do not count then
             var lastFrame:LastFrame = _lastFrame;
             lastFrame.hasFailed = true;
-            isSearching = true;
             var pairs:FoundPairs = system.findPairs(_input, _pairReader, _statistics);
-            isSearching = false;
+            if (system.ownedCollider != null)
+            {
+                system.ownedCollider.beginHandlers();
+            }
             var searched:Collider = system.equivalentCollider;
             lastFrame.agents = copyAgents(_input.agents, lastFrame.agents);
             lastFrame.search = searched == null ? null : searched.search;
-            _isHandling = true;
             if (_input.ground != null)
             {
                 _heldGround = _input.ground.surface.grid;
                 _heldGround.hold();
             }
-            _statistics.handlerCalls = _calls.make(pairs, system, _handlers, tracker, agents, _handlerErrors);
+            _statistics.handlerCalls = _calls.callHandlers(pairs, system, tracker, agents, _handlerErrors);
             lastFrame.hasFailed = false;
         }
 

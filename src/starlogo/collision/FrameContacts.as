@@ -1,6 +1,6 @@
 package starlogo.collision
 {
-    import starlogo.data.IntSet;
+    import starlogo.data.HashTable;
     import starlogo.engine;
     import starlogo.search.FoundPairs;
 
@@ -9,51 +9,48 @@ package starlogo.collision
     /** The contacts of a frame's pairs, for the pairs whose handlers take contacts. */
     internal final class FrameContacts
     {
-        private var _system:BaseCollider = null;
-        private var _pairs:FoundPairs = null;
-
-        // By pair: the contact.
+        // The contacts that were computed in this frame, and objects for more of them.
         private var _contacts:Vector.<Contact> = new Vector.<Contact>();
+        private var _count:int = 0;
 
-        // The pairs whose contacts were computed in this frame.
-        private var _found:IntSet = new IntSet();
+        // By pair: the index of its contact.
+        private var _indices:HashTable = new HashTable();
 
         // The contact passed to handlers, which may change it.
         private var _given:Contact = new Contact();
 
-        /** Begins a frame. @param system computes its contacts @param pairs its pairs */
-        public function setTo(system:BaseCollider, pairs:FoundPairs):void
+        /** Begins a frame. */
+        public function begin():void
         {
-            _system = system;
-            _pairs = pairs;
-            _found.clear(pairs.count);
+            _count = 0;
+            _indices.clear();
         }
 
-        /** Computes the contact of a pair of the frame. */
-        public function find(pair:int):void
+        /** Computes the contact of a pair of the frame. @param system computes it @param pairs those of the frame */
+        public function find(pair:int, pairs:FoundPairs, system:BaseCollider):void
         {
-            while (_contacts.length <= pair)
+            if (_count == _contacts.length)
             {
                 _contacts.push(new Contact());
             }
-            _system.contactOf(_pairs.firstOf(pair), _pairs.secondOf(pair), _contacts[pair]);
-            _found.add(pair);
+            system.contactOf(pairs.firstOf(pair), pairs.secondOf(pair), _contacts[_count]);
+            _indices.set (pair, 0, _count);
+            _count++;
         }
 
         /**
          * Returns the contact of a pair, in an object that the next call overwrites. If a handler has changed a breed, the contact may not be
          * known yet. The collision system then computes it as the frame has seen the two agents.
          *
-         * @param pair the index of a pair of the frame
          * @param isSecondCollider whether the second agent is the collider
          */
-        public function contactFor(pair:int, isSecondCollider:Boolean):Contact
+        public function contactFor(pair:int, isSecondCollider:Boolean, pairs:FoundPairs, system:BaseCollider):Contact
         {
-            if (!_found.has(pair))
+            if (_indices.find(pair, 0) < 0)
             {
-                find(pair);
+                find(pair, pairs, system);
             }
-            _given.copyFrom(_contacts[pair]);
+            _given.copyFrom(_contacts[_indices.find(pair, 0)]);
             if (isSecondCollider)
             {
                 _given.normal.negate();

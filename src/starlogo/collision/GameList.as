@@ -22,6 +22,12 @@ package starlogo.collision
             _isUnchanged = true;
         }
 
+        /** Ends a frame. */
+        public function end():void
+        {
+            _agents = null;
+        }
+
         /** Whether both agents of a pair are in the list. The ground and the edges of the world always are; they come second in a pair. */
         public function hasBoth(pairs:FoundPairs, pair:int):Boolean
         {

@@ -19,66 +19,73 @@ package starlogo.collision
         // In place of the index of a pair: a touch that has ended.
         private static const NO_PAIR:int = -1;
 
-        // In place of the index of the next handler: the calls of a pair or touch have not begun.
-        private static const NOT_BEGUN:int = -1;
-
+        private var _table:HandlerTable;
         private var _contacts:FrameContacts = new FrameContacts();
-        private var _pairs:FoundPairs = null;
-        private var _table:HandlerTable = null;
         private var _gameList:GameList = new GameList();
+
+        // The pairs of the frame, and the system that has found them; null between frames.
+        private var _pairs:FoundPairs = null;
+        private var _system:BaseCollider = null;
 
         // Knows the touches; null if there are none and no handler is for starts or ends.
         private var _tracker:TouchTracker = null;
 
-        // The handlers of the present pair or ended touch.
-        private var _ofPair:PairHandlers;
+        // The handlers of the present pair or ended touch; null before its calls begin.
+        private var _ofPair:PairHandlers = null;
 
-        // The index of the next of these handlers, or NOT_BEGUN. If a handler throws, the calls go on from here.
+        // The index of the next of these handlers. If a handler throws, the calls go on from here.
         private var _next:int;
 
-        // Whether a handler runs.
-        private var _isCalling:Boolean;
+        // The handler that runs, or null.
+        private var _running:CollisionHandler = null;
 
         // The number of handlers called.
         private var _count:int = 0;
 
+        /** @param table the handlers of each pair of breeds */
+        public function HandlerCalls(table:HandlerTable)
+        {
+            _table = table;
+        }
+
         /**
-         * Makes the calls of a frame. Call <code>end()</code> afterwards.
+         * Calls the handlers of a frame. Call <code>end()</code> afterwards.
          *
          * @param pairs the pairs of the frame, in the order of their calls
          * @param system has found them
-         * @param table the handlers of each pair of breeds
          * @param tracker knows the touching pairs of breeds that have handlers for starts or ends
          * @param agents the game's own list, which handlers may change
          * @param errors receives the errors that handlers throw
          * @return the number of handlers called
          */
-        public function make(pairs:FoundPairs, system:BaseCollider, table:HandlerTable, tracker:TouchTracker, agents:Vector.<Agent>,
-                errors:Vector.<Error>):int
+        public function callHandlers(pairs:FoundPairs, system:BaseCollider, tracker:TouchTracker, agents:Vector.<Agent>, errors:Vector.<Error>):int
         {
             _pairs = pairs;
-            _table = table;
+            _system = system;
             _gameList.begin(agents);
             _count = 0;
-            _tracker = tracker.touches.count > 0 || table.tracksTouches ? tracker : null;
-            var starting:IntList = _tracker == null ? null : tracker.findStarting(pairs, table);
-            if (table.contactKinds != 0)
+            _tracker = tracker.touches.count > 0 || _table.tracksTouches ? tracker : null;
+            var starting:IntList = _tracker == null ? null : tracker.findStarting(pairs, _table);
+            if (_table.contactKinds != 0)
             {
                 // before touches end, because a game's own contactOf may throw. Then the next frame ends them
-                _contacts.setTo(system, pairs);
+                _contacts.begin();
                 findContacts(starting);
             }
             if (_tracker != null)
             {
                 tracker.endOthers();
             }
-            callAll((table.kinds & CollisionHandler.COLLISION) == 0 ? starting : null, errors);
+            callAll((_table.kinds & CollisionHandler.COLLISION) == 0 ? starting : null, errors);
             return _count;
         }
 
-        /** Ends the calls of a frame, also if <code>make()</code> has thrown an error or was not called. */
+        /** Ends the calls of a frame, also if <code>callHandlers()</code> has thrown an error or was not called. Nothing of the frame is kept. */
         public function end():void
         {
+            _pairs = null;
+            _system = null;
+            _gameList.end();
             if (_tracker != null)
             {
                 _tracker.release();
@@ -97,7 +104,7 @@ package starlogo.collision
                 var kinds:int = _table.handlersOfPair(_pairs, pair).contactKinds;
                 if ((kinds & CollisionHandler.COLLISION) != 0 || kinds != 0 && _tracker.touchAt(pair) == null)
                 {
-                    _contacts.find(pair);
+                    _contacts.find(pair, _pairs, _system);
                 }
             }
         }
@@ -110,8 +117,8 @@ package starlogo.collision
             var pairCount:int = chosen == null ? _pairs.count : chosen.count;
             var end:int = ended + pairCount;
             var done:int = 0;
-            _next = NOT_BEGUN;
-            _isCalling = false;
+            _ofPair = null;
+            _running = null;
             while (done < end)
             {
                 try
@@ -126,7 +133,7 @@ package starlogo.collision
                         {
                             callForPair(chosen == null ? done - ended : chosen.values[done - ended]);
                         }
-                        _next = NOT_BEGUN;
+                        _ofPair = null;
                     }
                 }
                 catch (error:*)
@@ -136,48 +143,48 @@ package starlogo.collision
             }
         }
 
-        // Keeps the error of a handler, and throws any other. That comes from the computation of a contact, or from the engine, and going on would
+        // Keeps what a handler has thrown, and throws anything else. That comes from the computation of a contact, or from the engine, and going on would
         // throw it again.
-        private function keepError(error:*, errors:Vector.<Error>):void
+        private function keepError(thrown:*, errors:Vector.<Error>):void
         {
-            if (!_isCalling)
+            if (_running == null)
             {
                 if (_tracker != null)
                 {
                     // the present pair may have got its touch without all calls
                     _tracker.forgetPairs();
                 }
-                throw error;
+                throw thrown;
             }
-            _isCalling = false;
-            errors.push(nameBreeds(error is Error ? error : new Error(String(error)), _ofPair.handlers[_next - 1]));
+            errors.push(nameBreeds(thrown, _running));
+            _running = null;
         }
 
-        // The handlers belong to the breeds that the two agents had when the touch began.
         private function callForEnded(touch:Touch):void
         {
-            if (_next == NOT_BEGUN)
-            {
-                _ofPair = _table.handlersOf(touch.firstBreed, touch.secondBreed);
-                _next = 0;
-            }
-            callHandlers(NO_PAIR, touch.first, touch.second, CollisionHandler.END, touch.isCalledForBoth ? _ofPair.handlers.length : _ofPair.firstCount);
+            beginWith(touch.firstBreed, touch.secondBreed);
+            callRest(NO_PAIR, touch.first, touch.second, CollisionHandler.END, touch.isCalledForBoth ? _ofPair.handlers.length : _ofPair.firstCount);
         }
 
-        // The handlers belong to the breeds that the two agents have before the first of them is called.
+        // Finds the handlers of a pair or ended touch, unless its calls have begun. The breeds count as they are when the calls begin.
+        private function beginWith(firstBreed:int, secondBreed:int):void
+        {
+            if (_ofPair == null)
+            {
+                _ofPair = _table.handlersOf(firstBreed, secondBreed);
+                _next = 0;
+            }
+        }
+
         private function callForPair(pair:int):void
         {
             var first:Agent = _pairs.firstOf(pair);
             var second:Agent = _pairs.secondOf(pair);
-            if (_next == NOT_BEGUN)
-            {
-                _ofPair = _table.handlersOf(first.breedNumber, second.breedNumber);
-                _next = 0;
-            }
+            beginWith(first.breedNumber, second.breedNumber);
             var end:int = _ofPair.handlers.length;
             if (!_ofPair.tracksTouches)
             {
-                callHandlers(pair, first, second, CollisionHandler.COLLISION, end);
+                callRest(pair, first, second, CollisionHandler.COLLISION, end);
                 return;
             }
             var touch:Touch = touchOf(pair);
@@ -186,7 +193,7 @@ package starlogo.collision
                 return;
             }
             var isStarting:Boolean = touch.firstFrame == _tracker.frame;
-            callHandlers(pair, first, second, isStarting ? CollisionHandler.COLLISION | CollisionHandler.START : CollisionHandler.COLLISION, end);
+            callRest(pair, first, second, isStarting ? CollisionHandler.COLLISION | CollisionHandler.START : CollisionHandler.COLLISION, end);
             if (isStarting)
             {
                 touch.isCalledForBoth = _next > _ofPair.firstCount || _next == end;
@@ -210,7 +217,7 @@ package starlogo.collision
 
         // Calls the handlers of the kinds from _next on, up to an index. In the first frame of a touch, those for starts come before those for every
         // frame. An ended touch has no contact, and its agents may have left the list: pass NO_PAIR. For a pair it stops when one of the two has left.
-        private function callHandlers(pair:int, first:Agent, second:Agent, kinds:int, end:int):void
+        private function callRest(pair:int, first:Agent, second:Agent, kinds:int, end:int):void
         {
             var handlers:Vector.<CollisionHandler> = _ofPair.handlers;
             var firstCount:int = _ofPair.firstCount;
@@ -235,11 +242,11 @@ package starlogo.collision
         {
             var collider:Agent = isSecondCollider ? second : first;
             var collidee:Agent = isSecondCollider ? first : second;
-            var contact:Contact = handler.takesContact && pair != NO_PAIR ? _contacts.contactFor(pair, isSecondCollider) : null;
+            var contact:Contact = handler.takesContact && pair != NO_PAIR ? _contacts.contactFor(pair, isSecondCollider, _pairs, _system) : null;
             // a local, so that the handler is not called as a method of its CollisionHandler
             var toCall:Function = handler.callback;
             _count++;
-            _isCalling = true;
+            _running = handler;
             if (handler.takesContact)
             {
                 toCall(collider, collidee, contact);
@@ -248,7 +255,7 @@ package starlogo.collision
             {
                 toCall(collider, collidee);
             }
-            _isCalling = false;
+            _running = null;
         }
     }
 }

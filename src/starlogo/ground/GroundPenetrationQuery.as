@@ -16,7 +16,7 @@ package starlogo.ground
      */
     internal final class GroundPenetrationQuery
     {
-        // A depth is proven if no exit is shorter than this fraction of it. The fraction is larger than the one that ExitSearch requires, so a proven depth
+        // A depth is proven if no exit is shorter than this fraction of it. The fraction is larger than the one that PenetrationSearch requires, so a proven depth
         // needs no search for other ways out. Larger: more contacts need one.
         private static const MIN_RATIO_PROVEN:Number = 0.8;
 

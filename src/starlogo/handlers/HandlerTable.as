@@ -90,6 +90,7 @@ package starlogo.handlers
                 list.clear();
             }
             interests = new BreedInterests();
+            kinds = contactKinds = 0;
             _changes++;
         }
 

@@ -3,27 +3,27 @@ package starlogo.handlers
     import starlogo.agents.Breeds;
 
     /**
-     * Adds the breeds of a handler to the text of an error that it has thrown. An error that is thrown again keeps one such addition.
-     *
-     * @return the error
+     * Returns what a handler has thrown as an error, and adds the handler's breeds to its text. An error that is thrown again keeps one such addition.
      *
      * @private
      */
-    public function nameBreeds(error:Error, handler:CollisionHandler):Error
+    public function nameBreeds(thrown:*, handler:CollisionHandler):Error
     {
         var addition:String = " (in the handler for \"" + Breeds.NAMES.nameOf(handler.colliderBreed) + "\" and \""
             + Breeds.NAMES.nameOf(handler.collideeBreed) + "\")";
+        var error:Error = null;
         try
         {
+            error = thrown is Error ? thrown : new Error(String(thrown));
             if (error.message.slice(-addition.length) != addition)
             {
                 error.message += addition;
             }
         }
-        catch (problem:Error)
+        catch (problem:*)
         {
-            // in JavaScript an error's text may be read-only
+            // an object may have no text, and in JavaScript an error's text may be read-only
         }
-        return error;
+        return error || new Error("an object without a text" + addition);
     }
 }

@@ -79,14 +79,14 @@ package starlogo.search
                 size = 1;
             }
             depthLimit = agent.depthLimit;
-            if (shape.isUpright && shape === this.shape && size == placement.size)
+            if (shape.ignoresRotation && shape === this.shape && size == placement.size)
             {
                 // another turn changes nothing
                 _isPlaced = false;
                 return;
             }
             takeShape(shape);
-            placement.copyRotation(shape.isUpright ? UPRIGHT : agent.freshPlacement());
+            placement.copyRotation(shape.ignoresRotation ? UPRIGHT : agent.freshPlacement());
             placement.size = size;
             findExtents();
         }
@@ -132,7 +132,7 @@ package starlogo.search
         /** Turns the body of an agent as if the agent's heading were greater by some degrees. */
         public function turn(agent:Agent, degrees:Number):void
         {
-            if (!shape.isUpright)
+            if (!shape.ignoresRotation)
             {
                 placement.setRotation(agent.heading + degrees, agent.pitch, agent.roll);
                 findExtents();
@@ -245,6 +245,24 @@ package starlogo.search
         public function halfAlong(contact:ContactPoint):Number
         {
             return halfX * Math.abs(contact.normalX) + halfY * Math.abs(contact.normalY) + halfZ * Math.abs(contact.normalZ);
+        }
+
+        /**
+         * Whether tests take another body first. They have an order so that rounding errors are the same however the bodies come: a tree before a
+         * structure, then by the agents' ranks, and the ground and the edges of the world last.
+         */
+        public function comesAfter(other:Body):Boolean
+        {
+            if (isOfWorld || other.isOfWorld)
+            {
+                return isOfWorld && !other.isOfWorld;
+            }
+            var isTree:Boolean = form == ModelShape.TREE;
+            if (isTree != (other.form == ModelShape.TREE))
+            {
+                return !isTree;
+            }
+            return rank > other.rank;
         }
 
         /** Takes a shape. The extents and the rest stay. */

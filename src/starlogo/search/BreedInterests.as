@@ -88,11 +88,10 @@ package starlogo.search
         /** Whether a pair of breeds is of interest. Pass their numbers; the answer is false if one of them is -1. */
         public function includes(number:int, otherNumber:int):Boolean
         {
-            // -1 is in no pair, and does not count as the number of a breed of agents
-            var isOfAgents:Boolean = !Breeds.isOfWorld(number);
-            var isOtherOfAgents:Boolean = !Breeds.isOfWorld(otherNumber);
-            return has(number, otherNumber) || isOfAgents && isOtherOfAgents && includesAllOfAgents || isOtherOfAgents && has(number, Breeds.ANY)
-                || isOfAgents && has(otherNumber, Breeds.ANY);
+            // ANY_BREED does not stand for the ground or the edges. -1 is in no pair, and is no breed of agents
+            var anyOfFirst:int = Breeds.isOfWorld(number) ? -1 : Breeds.ANY;
+            var anyOfOther:int = Breeds.isOfWorld(otherNumber) ? -1 : Breeds.ANY;
+            return has(number, otherNumber) || has(number, anyOfOther) || has(anyOfFirst, otherNumber) || has(anyOfFirst, anyOfOther);
         }
 
         /**

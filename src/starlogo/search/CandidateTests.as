@@ -90,7 +90,7 @@ package starlogo.search
         // Adds the pairs of a row with those candidates that touch it.
         private function addTouching(row:int, others:Vector.<int>, count:int, level:BinLevel):void
         {
-            count = _out.haveTimes ? _sweptTests.keepTouching(row, others, count, level, _times) : keepTouching(row, others, count, level);
+            count = _out.haveTimes ? _sweptTests.keepMeeting(row, others, count, level, _times) : keepTouching(row, others, count, level);
             _out.addPairs(row, others, count, _times);
         }
 
@@ -102,7 +102,7 @@ package starlogo.search
             var narrowPhase:NarrowPhase = _narrowPhase;
             if (narrowPhase.choice.areSpheres && row >= ListedAgents.FIRST_LISTED)
             {
-                return narrowPhase.sphereTests.keepTouching(table, row, others, count, level);
+                return narrowPhase.sphereTests.keepTouchingSpheres(table, row, others, count, level);
             }
             var body:Body = table.bodyOf(row);
             var extents:Extents = table.extents;

@@ -7,9 +7,10 @@
 // 4. PairOrder puts the FoundPairs into the order of the list. The pairs of changed rows are put between those of the last search.
 // A Body is a shape (ModelShape) at a place. A BaseShapeChoice says which shape a model has, SearchInput who takes part, BreedInterests which breeds
 // count.
-// Read this file first, then AgentTable, CandidateTests and NarrowPhase. TwoAgents answers about two agents, with ExitSearch (penetration/) for depths.
+// Read this file first, then AgentTable, CandidateTests and NarrowPhase. AgentPairQuery answers about two agents, with PenetrationSearch (penetration/) for depths.
 package starlogo.search
 {
+    import flash.errors.IllegalOperationError;
     import starlogo.agents.Agent;
     import starlogo.broadphase.Bins;
     import starlogo.broadphase.Extents;
@@ -42,7 +43,7 @@ package starlogo.search
         public var narrowPhase:NarrowPhase;
 
         /** Tells whether and how two of these agents touch. */
-        public var twoAgents:TwoAgents;
+        public var pairQuery:AgentPairQuery;
 
         private var _bins:Bins = new Bins();
         private var _tests:CandidateTests;
@@ -63,6 +64,9 @@ package starlogo.search
         private var _depth:int = 0;
         private var _isFiltered:Boolean = false;
 
+        // Whether a search is under way.
+        private var _isRunning:Boolean = false;
+
         // Whether the cells are prepared, so that the next search may begin with these pairs.
         private var _isPrepared:Boolean = false;
 
@@ -76,7 +80,7 @@ package starlogo.search
             table = new AgentTable(narrowPhase.choice);
             _motions = new RowMotions(table);
             var sweptTests:SweptTests = new SweptTests(table, narrowPhase, _motions);
-            twoAgents = new TwoAgents(table, narrowPhase, sweptTests);
+            pairQuery = new AgentPairQuery(table, narrowPhase, sweptTests);
             _tests = new CandidateTests(table, narrowPhase, sweptTests);
             _changedRows = new ChangedRows(table, _motions, _bins.levels);
             _pairs = new FoundPairs(table.list);
@@ -90,19 +94,38 @@ package starlogo.search
          * @return the pairs. The next search overwrites them, and the counts of the narrow phase
          * @throws ArgumentError as CollisionSystem.findCollisions does
          * @throws RangeError as CollisionSystem.findCollisions does
+         * @throws IllegalOperationError if called within a search of this object, from a game's <code>bind()</code> or its own structure
          */
         public function find(input:SearchInput):FoundPairs
         {
+            if (_isRunning)
+            {
+                throw new IllegalOperationError("findCollisions must not be called while the collider searches, as from bind()");
+            }
+            _isRunning = true;
+            try
+            {
+                findPairs(input);
+            }
+            finally
+            {
+                _isRunning = false;
+            }
+            return _pairs;
+        }
+
+        private function findPairs(input:SearchInput):void
+        {
+            // if the search throws, the next one is of all rows
+            var wasPrepared:Boolean = _isPrepared;
+            _isPrepared = false;
             readInput(input);
             // tests since the last search, as those of questions, do not count
             narrowPhase.counts.clear();
             // A search prepares the cells only if it is like the one before, because the next is then probably like it too. So the third of three like
             // searches is the first that begins with the pairs of the last one.
             var isPrepared:Boolean = takeConditions(input) && areFew(readCount, input);
-            var mayUpdate:Boolean = isPrepared && _isPrepared;
-            // if the search throws, the next one is of all rows, because the table has been read
-            _isPrepared = false;
-            if (mayUpdate && moveChanged(input))
+            if (isPrepared && wasPrepared && moveChanged(input))
             {
                 findOfChanged(input);
             }
@@ -111,7 +134,6 @@ package starlogo.search
                 findOfAll(input, isPrepared);
             }
             _isPrepared = isPrepared;
-            return _pairs;
         }
 
         // Finds the changed rows, and moves them to their cells. Returns false if the search has to be one of all rows.

@@ -53,7 +53,7 @@ package starlogo.search
         engine var tree:ModelTree = null;
 
         /** @private Whether the shape stays upright and faces along the x axis, however its agent is turned. */
-        engine var isUpright:Boolean = false;
+        engine var ignoresRotation:Boolean = false;
 
         /** @private The model; null for shapes that have none. */
         engine var model:Model = null;
@@ -97,7 +97,7 @@ package starlogo.search
             var shape:ModelShape = new ModelShape(isGround ? Breeds.TERRAIN : Breeds.EDGE, ONLY_VARIANT, 0);
             shape.structure = new Sphere(new Vector3D(), 0);
             shape.form = isGround ? GROUND : EDGES;
-            shape.isUpright = true;
+            shape.ignoresRotation = true;
             shape.grid = grid;
             shape.edges = edges;
             shape.addTests = addTests;

@@ -76,7 +76,7 @@ package starlogo.search
          */
         public function findClosest(a:Body, b:Body, withPoints:Boolean, out:ClosestPoints):void
         {
-            if (isReversed(a, b))
+            if (a.comesAfter(b))
             {
                 findClosest(b, a, withPoints, out);
                 out.swap();
@@ -90,24 +90,6 @@ package starlogo.search
                 return;
             }
             tests.findClosest(a, b, areTouching, out);
-        }
-
-        /**
-         * Whether two bodies are in the reverse of the order in which tests take them. Tests have an order so that rounding errors are the same
-         * however the bodies come: a tree before a structure, then by the agents' ranks, and the ground and the edges of the world last.
-         */
-        public static function isReversed(a:Body, b:Body):Boolean
-        {
-            if (a.isOfWorld || b.isOfWorld)
-            {
-                return a.isOfWorld && !b.isOfWorld;
-            }
-            var isTree:Boolean = a.form == ModelShape.TREE;
-            if (isTree != (b.form == ModelShape.TREE))
-            {
-                return !isTree;
-            }
-            return a.rank > b.rank;
         }
 
         /**

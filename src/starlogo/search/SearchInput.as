@@ -62,6 +62,45 @@ package starlogo.search
             }
         }
 
+        /** The agents that the filter admits: a new list if there is a filter. */
+        public function get admittedAgents():Vector.<Agent>
+        {
+            return admitted == null ? agents : agents.filter(function(agent:Agent, index:int, ...ignored):Boolean
+                {
+                    return admitted[index];
+                });
+        }
+
+        /**
+         * Becomes a search of a frame's whole list, with its filter, if this one's list has just the agents that the filter admits. So the others keep
+         * their motions.
+         */
+        public function takeFilterOf(frame:SearchInput):void
+        {
+            if (frame.admitted == null)
+            {
+                return;
+            }
+            var count:int = 0;
+            for (var i:int = 0; i < frame.agents.length; i++)
+            {
+                if (!frame.admitted[i])
+                {
+                    continue;
+                }
+                if (count == agents.length || agents[count] !== frame.agents[i])
+                {
+                    return;
+                }
+                count++;
+            }
+            if (count == agents.length)
+            {
+                agents = frame.agents;
+                admitted = frame.admitted;
+            }
+        }
+
         /**
          * The members of the search among all rows of a table.
          *

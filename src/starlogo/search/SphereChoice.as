@@ -32,7 +32,7 @@ package starlogo.search
         override public function bind(shape:ModelShape, agent:Agent):void
         {
             shape.setStructure(new Sphere(new Vector3D(0, 0, 0.5), 0.5));
-            shape.isUpright = true;
+            shape.ignoresRotation = true;
         }
     }
 }

@@ -64,7 +64,7 @@ package starlogo.search
             if (_shapes[kind] == null)
             {
                 _shapes[kind] = new ModelShape("structure", ModelShape.ONLY_VARIANT, 0);
-                _shapes[kind].isUpright = true;
+                _shapes[kind].ignoresRotation = true;
             }
             return _shapes[kind];
         }

@@ -60,7 +60,7 @@ package starlogo.search
          * @param times receives the times of the touches
          * @return the number of rows that it keeps
          */
-        public function keepTouching(row:int, others:Vector.<int>, count:int, level:BinLevel, times:Vector.<Number>):int
+        public function keepMeeting(row:int, others:Vector.<int>, count:int, level:BinLevel, times:Vector.<Number>):int
         {
             var ranks:Vector.<int> = _table.list.ranks;
             var rank:int = ranks[row];

@@ -6,6 +6,7 @@ package starlogo.collision
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
+    import starlogo.diagnostics.CollisionRecorder;
     import starlogo.models.BuiltInModel;
     import starlogo.queries.AgentFilter;
     import starlogo.terrain.Terrain;
@@ -39,7 +40,7 @@ package starlogo.collision
                         agent.breed = random.pick(BREEDS);
                         agent.sweeps = random.chance(0.1);
                     }
-                    var filtered:Collision = collisionOf(name);
+                    var filtered:Collision = collisionNamed(name);
                     var filter:AgentFilter = new AgentFilter();
                     filter.exceptBreeds = new <String>["wolves"];
                     filter.except = new <Agent>[agents[0], agents[1]];
@@ -60,7 +61,7 @@ package starlogo.collision
                             left.push(agent);
                         }
                     }
-                    var plain:Collision = collisionOf(name);
+                    var plain:Collision = collisionNamed(name);
                     _calls = [];
                     plain.update(left);
                     assertEquals(name + ", " + kind, _calls.join(), found);
@@ -72,11 +73,54 @@ package starlogo.collision
             assertTrue(called + " calls", called > 100);
         }
 
+        // The motion of an agent that was excluded begins where the last frame saw it, also with a system around the collider.
+        [Test]
+        public function motionsGoOnAfterAnExclusion():void
+        {
+            var random:SeededRandom = new SeededRandom(2211);
+            var agents:Vector.<Agent> = RandomWorlds.make("scattered", 30, "cube", random);
+            var collider:Function = EachCollider.make;
+            var systems:Array = [collider("bins", _greatLand), new BaseCollider(collider("bins", _greatLand)),
+                    new BaseCollider(new CollisionRecorder(new BaseCollider(collider("bins", _greatLand)))), new CopyingSystem(_greatLand)];
+            var excluded:Array = [];
+            var filter:AgentFilter = new AgentFilter();
+            filter.accepts = function(agent:Agent):Boolean
+            {
+                return !excluded[agent.id];
+            };
+            var collisions:Array = systems.map(function(system:CollisionSystem, ...ignored):Collision
+                {
+                    return collisionOf(system);
+                });
+            var called:int = 0;
+            for (var frame:int = 0; frame < 60; frame++)
+            {
+                for each (var agent:Agent in agents)
+                {
+                    agent.sweeps = agent.sweeps || random.chance(0.2);
+                    excluded[agent.id] = random.chance(0.3);
+                    agent.moveTo(agent.x + random.between(-4, 4), agent.y + random.between(-4, 4), agent.z);
+                }
+                var expected:String = null;
+                for (var i:int = 0; i < systems.length; i++)
+                {
+                    collisions[i].filter = filter;
+                    _calls = [];
+                    collisions[i].update(agents);
+                    expected ||= _calls.join();
+                    assertEquals("system " + i + ", frame " + frame, expected, _calls.join());
+                    assertEquals("skipped", collisions[0].statistics.agentsSkipped, collisions[i].statistics.agentsSkipped);
+                }
+                called += _calls.length;
+            }
+            assertTrue(called + " calls", called > 100);
+        }
+
         [Test]
         public function aFilterThatThrowsEndsTheFrameBeforeAnything():void
         {
             var agents:Vector.<Agent> = new <Agent>[new Agent("cube"), new Agent("cube")];
-            var collision:Collision = collisionOf("tightest fits");
+            var collision:Collision = collisionNamed("tightest fits");
             var filter:AgentFilter = new AgentFilter();
             collision.filter = filter;
             _calls = [];
@@ -150,9 +194,13 @@ package starlogo.collision
             return ground;
         }
 
-        private function collisionOf(name:String):Collision
+        private function collisionNamed(name:String):Collision
         {
-            var system:CollisionSystem = name == "own" ? new OwnSystem(_greatLand) : EachCollider.make(name, _greatLand);
+            return collisionOf(name == "own" ? new OwnSystem(_greatLand) : EachCollider.make(name, _greatLand));
+        }
+
+        private function collisionOf(system:CollisionSystem):Collision
+        {
             var collision:Collision = new Collision(system);
             var calls:Function = function(collider:Agent, collidee:Agent):void
             {
@@ -166,6 +214,8 @@ package starlogo.collision
 
 import starlogo.GreatLand;
 import starlogo.agents.Agent;
+import starlogo.collision.BaseCollider;
+import starlogo.collision.BinCollider;
 import starlogo.collision.CollisionStatistics;
 import starlogo.collision.CollisionSystem;
 import starlogo.collision.TightestFitCollider;
@@ -192,5 +242,19 @@ class OwnSystem implements CollisionSystem
     public function findCollisions(agents:Vector.<Agent>, out:Vector.<Agent> = null):Vector.<Agent>
     {
         return _system.findCollisions(agents, out);
+    }
+}
+
+/** Passes a copy of the list on. */
+class CopyingSystem extends BaseCollider
+{
+    public function CopyingSystem(greatLand:GreatLand)
+    {
+        super(new BinCollider(greatLand));
+    }
+
+    override public function findCollisions(agents:Vector.<Agent>, out:Vector.<Agent> = null):Vector.<Agent>
+    {
+        return super.findCollisions(agents.concat(), out);
     }
 }

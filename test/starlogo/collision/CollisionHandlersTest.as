@@ -208,6 +208,68 @@ package starlogo.collision
             assertEquals("a string,null,a string,null", messages());
         }
 
+        // Whatever handlers throw, the calls are those of a game whose handlers throw errors.
+        [Test]
+        public function whatIsThrownMakesNoDifference():void
+        {
+            var things:Array = [new Error("plain"), "a string", null, undefined, 7, {}, new Unspeakable(), new UnspeakableError()];
+            var calls:int = 0;
+            for (var seed:int = 1; seed <= 40; seed++)
+            {
+                var expected:String = playThrowing(seed, [new Error("plain")]);
+                assertEquals("game " + seed, expected, playThrowing(seed, things));
+                calls += expected.split(",").length;
+            }
+            assertTrue(calls + " calls", calls > 2000);
+        }
+
+        private function playThrowing(seed:int, things:Array):String
+        {
+            var random:SeededRandom = new SeededRandom(seed);
+            var collision:Collision = new Collision(new BinCollider(_greatLand));
+            var calls:Array = [];
+            for each (var method:Function in [collision.onCollision, collision.onCollisionStart, collision.onCollisionEnd])
+            {
+                for each (var breeds:String in ["a b", "b a", "a a", "* b"])
+                {
+                    method(breeds.charAt(0), breeds.charAt(2), throwing(calls.push, random, things));
+                }
+            }
+            var agents:Vector.<Agent> = new Vector.<Agent>();
+            for (var i:int = 0; i < 6; i++)
+            {
+                agents.push(new Agent("sphere", i % 2 == 0 ? "a" : "b"));
+            }
+            for (var frame:int = 0; frame < 12; frame++)
+            {
+                agents[random.integer(0, 5)].x = random.between(0, 4);
+                try
+                {
+                    collision.update(agents);
+                }
+                catch (error:Error)
+                {
+                    calls.push("thrown");
+                }
+                calls.push("frame " + collision.handlerErrors.length);
+            }
+            return calls.join();
+        }
+
+        private static function throwing(push:Function, random:SeededRandom, things:Array):Function
+        {
+            var serial:int = random.integer(0, 1000000);
+            return function(collider:Agent, collidee:Agent):void
+            {
+                push(serial + " " + collider.x + " " + collidee.x);
+                var chosen:Number = random.next();
+                if (random.chance(0.3))
+                {
+                    throw things[int(chosen * things.length)];
+                }
+            };
+        }
+
         [Test]
         public function whatASystemFindsIsChecked():void
         {
@@ -494,6 +556,24 @@ package starlogo.collision
 import evaluation.pairs.SeededRandom;
 import starlogo.agents.Agent;
 import starlogo.collision.CollisionSystem;
+
+/** Has no text. */
+class Unspeakable
+{
+    public function toString():String
+    {
+        throw this;
+    }
+}
+
+/** An error with a text that cannot be read. */
+class UnspeakableError extends Error
+{
+    public function toString():String
+    {
+        throw this;
+    }
+}
 
 /** A game whose handlers change the list at random, the same with either caller. */
 class RuleBook

@@ -14,6 +14,9 @@ package starlogo.search
         private var _random:SeededRandom = new SeededRandom(4810);
         private var _names:Array = [Breeds.TERRAIN, Breeds.EDGE];
 
+        // Names all breeds, so all have their numbers.
+        private var _numbers:BreedInterests = new BreedInterests();
+
         [Before]
         public function makeNames():void
         {
@@ -21,6 +24,16 @@ package starlogo.search
             {
                 _names.push("interest " + i);
             }
+            for each (var name:String in _names)
+            {
+                _numbers.add(name, _names[2]);
+            }
+        }
+
+        [Test]
+        public function thoseWithoutPairsIncludeNone():void
+        {
+            check(new BreedInterests(), []);
         }
 
         [Test]
@@ -82,6 +95,7 @@ package starlogo.search
                 {
                     var expected:Boolean = isAdded(a, b, added);
                     assertEquals(a + ", " + b + " of " + added.join(" "), expected, interests.includes(interests.indexOf(a), interests.indexOf(b)));
+                    assertEquals(a + ", " + b + " by numbers", expected, interests.includes(_numbers.indexOf(a), _numbers.indexOf(b)));
                     including += expected ? 1 : 0;
                     areAll = areAll && (expected || isFixture(a) || isFixture(b) || interests.indexOf(a) < 0 || interests.indexOf(b) < 0);
                 }

@@ -1,10 +1,13 @@
 package starlogo.search
 {
     import evaluation.pairs.SeededRandom;
+    import flash.errors.IllegalOperationError;
+    import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.data.textOf;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
+    import starlogo.collision.BinCollider;
     import starlogo.collision.Collider;
     import starlogo.collision.Collision;
     import starlogo.collision.Contact;
@@ -14,6 +17,7 @@ package starlogo.search
     import support.RandomWorlds;
     import support.SolidModels;
     import support.agentAt;
+    import support.assertThrows;
     import support.landOf;
 
     /** Contacts of two agents of a search, or of now. */
@@ -90,6 +94,44 @@ package starlogo.search
             assertTrue(compared + " contacts", compared > 400);
         }
 
+        [Test]
+        public function aSearchWithinASearchIsRefused():void
+        {
+            var agents:Vector.<Agent> = new <Agent>[agentAt("a", 0, 0, 0), agentAt("b", 0.5, 0, 0), agentAt("asking", 1, 0, 0)];
+            var choice:AskingChoice = new AskingChoice();
+            var collider:Collider = new Collider(choice);
+            choice.collider = collider;
+            assertThrows(IllegalOperationError, /searches/, collider.findCollisions, agents);
+            var collision:Collision = new Collision(collider);
+            collision.onCollision("turtles", "turtles", function(a:Agent, b:Agent):void
+                {
+                });
+            assertThrows(IllegalOperationError, /searches/, collision.update, agents);
+            choice.collider = null;
+            collision.update(agents);
+            assertEquals("the game goes on", 6, collision.statistics.handlerCalls);
+            assertEquals(6, collider.findCollisions(agents).length);
+        }
+
+        [Test]
+        public function aSearchThatThrowsVoidsAllPairs():void
+        {
+            var collider:Collider = new BinCollider();
+            var agents:Vector.<Agent> = new Vector.<Agent>();
+            for (var i:int = 0; i < 50; i++)
+            {
+                agents.push(agentAt("any", i, 0, 0));
+            }
+            for (i = 0; i < 4; i++)
+            {
+                collider.findCollisions(agents);
+            }
+            assertEquals("few have changed", 0, collider.statistics.candidatePairs);
+            assertThrows(ArgumentError, /twice/, collider.findCollisions, agents.concat(agents));
+            collider.findCollisions(agents);
+            assertTrue("" + collider.statistics.candidatePairs, collider.statistics.candidatePairs >= 49);
+        }
+
         // Two agents exchange their places in the list, and others move, turn or stay.
         private static function change(agents:Vector.<Agent>, random:SeededRandom):void
         {
@@ -124,6 +166,33 @@ package starlogo.search
         private static function textOf(contact:Contact, side:int):String
         {
             return [contact.time, contact.depth, contact.approachSpeed, contact.point, side * contact.normal.x + 0, side * contact.normal.y + 0, side * contact.normal.z + 0].join(", ");
+        }
+    }
+}
+
+import flash.geom.Vector3D;
+import starlogo.agents.Agent;
+import starlogo.bounding.Sphere;
+import starlogo.collision.Collider;
+import starlogo.search.ModelShape;
+import starlogo.search.ShapeChoice;
+
+/** Asks its collider while it binds the shape of one model. */
+class AskingChoice extends ShapeChoice
+{
+    public var collider:Collider = null;
+
+    public function AskingChoice()
+    {
+        super(null, false);
+    }
+
+    override public function bind(shape:ModelShape, agent:Agent):void
+    {
+        shape.setStructure(new Sphere(new Vector3D(), 1));
+        if (agent.shape == "asking" && collider != null)
+        {
+            collider.findCollisions(new <Agent>[new Agent("other")]);
         }
     }
 }

@@ -52,7 +52,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function areTouching(a:Body, b:Body):Boolean
         {
-            var tolerance:Number = toleranceOf(a);
+            var tolerance:Number = gapOf(a);
             findPenetrations(a, b, RelativeMotion.NONE, tolerance, _penetrations);
             for (var edge:int = 0; edge < 6; edge++)
             {
@@ -67,7 +67,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function findFirstTouch(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            var tolerance:Number = toleranceOf(a);
+            var tolerance:Number = gapOf(a);
             findPenetrations(a, b, motion, tolerance, _penetrations);
             motion.time = RelativeMotion.NEVER;
             for (var edge:int = 0; edge < 6; edge++)
@@ -159,7 +159,7 @@ package starlogo.search.pairs
             {
                 // of two opposite edges, the one with the larger value counts
                 var one:int = penetrations[edge] >= penetrations[int(edge + 1)] ? edge : edge + 1;
-                if (penetrations[one] >= -toleranceOf(a) || one == deepest)
+                if (penetrations[one] >= -gapOf(a) || one == deepest)
                 {
                     var way:Number = lengthOfWayBack(penetrations[one], one == deepest, a);
                     wayX -= way * OUTWARDS[one].x;
@@ -176,7 +176,7 @@ package starlogo.search.pairs
         }
 
         // The largest gap between a body and an edge that still counts as a touch.
-        private static function toleranceOf(body:Body):Number
+        private static function gapOf(body:Body):Number
         {
             return body.margin + Tolerances.ROUNDING * body.maxHalf;
         }

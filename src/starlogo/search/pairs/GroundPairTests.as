@@ -17,7 +17,7 @@ package starlogo.search.pairs
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
     import starlogo.search.penetration.DisplacedPair;
-    import starlogo.search.penetration.ExitSearch;
+    import starlogo.search.penetration.PenetrationSearch;
     import starlogo.search.penetration.PlacesAbove;
     import starlogo.search.TreeLimits;
 
@@ -34,7 +34,7 @@ package starlogo.search.pairs
         private static const CELL_SHARE:Number = 1e-4;
 
         private var _limits:TreeLimits;
-        private var _exitSearch:ExitSearch;
+        private var _penetrationSearch:PenetrationSearch;
 
         // Decides quickly about bodies that are clearly above or in the ground, by their extents; and about the others.
         private var _extents:GroundBox = new GroundBox();
@@ -47,7 +47,7 @@ package starlogo.search.pairs
         {
             _limits = limits;
             var pair:DisplacedPair = new DisplacedPair(this);
-            _exitSearch = new ExitSearch(pair, new GroundExits(), new PlacesAbove(pair));
+            _penetrationSearch = new PenetrationSearch(pair, new GroundExits(), new PlacesAbove(pair));
         }
 
         /** Gives these tests to a narrow phase that does not have them. */
@@ -107,7 +107,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function separate(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            _exitSearch.findExit(a, b, motion, out);
+            _penetrationSearch.separate(a, b, motion, out);
         }
 
         /**

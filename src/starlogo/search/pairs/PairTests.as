@@ -14,8 +14,6 @@ package starlogo.search.pairs
     import starlogo.geometry.Tolerances;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
-    import starlogo.search.NarrowPhase;
-    import starlogo.search.penetration.OverlapMiddle;
 
     use namespace engine;
 
@@ -23,7 +21,7 @@ package starlogo.search.pairs
      * Tests two bodies: whether they touch, when they touch, and how. NarrowPhase has an object of a subclass for each kind of pairs.
      *
      * <p>The order of a pair: the ground or the edges of the world are the second body in all these methods. Other bodies may come in either
-     * order, except in <code>findClosest()</code>, which takes them as <code>NarrowPhase.isReversed()</code> says. Where rounding could depend on the
+     * order, except in <code>findClosest()</code>, which takes them as <code>Body.comesAfter()</code> says. Where rounding could depend on the
      * order, a subclass puts the two into that one itself.</p>
      *
      * @private
@@ -101,7 +99,7 @@ package starlogo.search.pairs
         // nearest, the point and the normal stay as they are.
         private function findContactApart(a:Body, b:Body, out:ContactPoint):void
         {
-            var isReversed:Boolean = NarrowPhase.isReversed(a, b);
+            var isReversed:Boolean = a.comesAfter(b);
             findClosest(isReversed ? b : a, isReversed ? a : b, false, _closest);
             if (isReversed)
             {
@@ -180,7 +178,7 @@ package starlogo.search.pairs
         }
 
         /**
-         * Finds the distance between two bodies, and their closest points. NarrowPhase.isReversed is false for the two.
+         * Finds the distance between two bodies, and their closest points. Body.comesAfter is false for the two.
          *
          * @param areTouching what <code>areTouching()</code> says of the two. If it is true the distance is 0, and otherwise greater
          * @param out receives the distance and the closest points, in the world

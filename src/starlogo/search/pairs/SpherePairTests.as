@@ -62,7 +62,7 @@ package starlogo.search.pairs
          *
          * @param level says how far apart the circles of the candidates may be
          */
-        public function keepTouching(table:AgentTable, row:int, others:Vector.<int>, count:int, level:BinLevel):int
+        public function keepTouchingSpheres(table:AgentTable, row:int, others:Vector.<int>, count:int, level:BinLevel):int
         {
             var xs:Vector.<Number> = table.extents.x;
             var ys:Vector.<Number> = table.extents.y;

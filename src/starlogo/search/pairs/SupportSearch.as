@@ -87,28 +87,30 @@ package starlogo.search.pairs
             out.z = at.z + at.r20 * x + at.r21 * y + at.r22 * z;
         }
 
-        // The point is the mean of the corners that reach as far as the support, but for a slack.
+        // The point is the mean of the corners that reach as far as the farthest one, but for a slack. They are compared relative to the shape's origin,
+        // because far from it rounding would be more than the slack.
         private function findOfShape(shape:ConvexShape, direction:Vector3D, slack:Number, out:SupportPoint):void
         {
             var p:Vector.<Number> = shape.points;
             var i:int = shape.support(direction, 1);
-            var x:Number = shape.x + shape.radius * direction.x;
-            var y:Number = shape.y + shape.radius * direction.y;
-            var z:Number = shape.z + shape.radius * direction.z;
-            out.support = (shape.x + p[i]) * direction.x + (shape.y + p[int(i + 1)]) * direction.y + (shape.z + p[int(i + 2)]) * direction.z + shape.radius;
+            var ofCore:Number = p[i] * direction.x + p[int(i + 1)] * direction.y + p[int(i + 2)] * direction.z;
             var count:int = 0;
             out.x = out.y = out.z = 0;
             for (i = 0; i < shape.pointsEnd; i += 3)
             {
-                if ((x + p[i]) * direction.x + (y + p[int(i + 1)]) * direction.y + (z + p[int(i + 2)]) * direction.z >= out.support - slack)
+                if (p[i] * direction.x + p[int(i + 1)] * direction.y + p[int(i + 2)] * direction.z >= ofCore - slack)
                 {
                     count++;
-                    out.x += x + p[i];
-                    out.y += y + p[int(i + 1)];
-                    out.z += z + p[int(i + 2)];
+                    out.x += p[i];
+                    out.y += p[int(i + 1)];
+                    out.z += p[int(i + 2)];
                 }
             }
             divide(out, count);
+            out.support = shape.x * direction.x + shape.y * direction.y + shape.z * direction.z + (ofCore + shape.radius);
+            out.x += shape.x + shape.radius * direction.x;
+            out.y += shape.y + shape.radius * direction.y;
+            out.z += shape.z + shape.radius * direction.z;
         }
 
         private static function divide(sum:SupportPoint, count:int):void

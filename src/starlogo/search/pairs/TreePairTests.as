@@ -14,7 +14,7 @@ package starlogo.search.pairs
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
     import starlogo.search.penetration.DisplacedPair;
-    import starlogo.search.penetration.ExitSearch;
+    import starlogo.search.penetration.PenetrationSearch;
     import starlogo.search.TreeLimits;
     import starlogo.solid.ModelTree;
     import starlogo.solid.TreeQuery;
@@ -36,7 +36,7 @@ package starlogo.search.pairs
         private var _counts:TreeCounts;
         private var _trees:TreeTreeQuery;
         private var _treeAndStructure:TreeStructureQuery;
-        private var _exitSearch:ExitSearch;
+        private var _penetrationSearch:PenetrationSearch;
 
         // The motion of the second body while the first one stands still.
         private var _reversed:RelativeMotion = new RelativeMotion();
@@ -57,7 +57,7 @@ package starlogo.search.pairs
             _counts = counts;
             _trees = new TreeTreeQuery(counts);
             _treeAndStructure = new TreeStructureQuery(counts);
-            _exitSearch = new ExitSearch(new DisplacedPair(this));
+            _penetrationSearch = new PenetrationSearch(new DisplacedPair(this));
         }
 
         /** Gives these tests to a narrow phase that does not have them. */
@@ -69,7 +69,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function areTouching(a:Body, b:Body):Boolean
         {
-            if (NarrowPhase.isReversed(a, b))
+            if (a.comesAfter(b))
             {
                 return areTouching(b, a);
             }
@@ -80,7 +80,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function findFirstTouch(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            var isReversed:Boolean = NarrowPhase.isReversed(a, b);
+            var isReversed:Boolean = a.comesAfter(b);
             var own:RelativeMotion = motionOfFirst(motion, isReversed);
             _counts.pairTests++;
             queryInOrder(a, b, isReversed).findFirstTouch(own, out);
@@ -90,7 +90,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function findContactOfParts(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            // Two trees stay in this order. TwoAgents.findContact puts two agents into the order of the list before, so a contact is the same in either order.
+            // Two trees stay in this order. AgentPairQuery.findContact puts two agents into the order of the list before, so a contact is the same in either order.
             var isReversed:Boolean = a.form != ModelShape.TREE;
             var own:RelativeMotion = motionOfFirst(motion, isReversed);
             queryInOrder(a, b, isReversed).findContact(own, out);
@@ -100,7 +100,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function findImpactOfSurfaces(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            var isReversed:Boolean = NarrowPhase.isReversed(a, b);
+            var isReversed:Boolean = a.comesAfter(b);
             var own:RelativeMotion = motionOfFirst(motion, isReversed);
             _counts.pairTests++;
             queryInOrder(a, b, isReversed).findImpactOfSurfaces(own, out);
@@ -110,7 +110,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function beginsInside(a:Body, b:Body, motion:RelativeMotion):Boolean
         {
-            var isReversed:Boolean = NarrowPhase.isReversed(a, b);
+            var isReversed:Boolean = a.comesAfter(b);
             return queryInOrder(a, b, isReversed).beginsInside(motionOfFirst(motion, isReversed));
         }
 
@@ -119,7 +119,7 @@ package starlogo.search.pairs
         {
             // the contact's object may have been that of a contact with the ground
             out.forgetDeepest();
-            _exitSearch.findExit(a, b, motion, out);
+            _penetrationSearch.separate(a, b, motion, out);
         }
 
         /** The covers are the structures around the trees. @inheritDoc */

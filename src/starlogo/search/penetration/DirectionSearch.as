@@ -14,7 +14,7 @@ package starlogo.search.penetration
     {
         /**
          * The search improves the direction of a contact whose depth is more than this fraction of the larger extent. The search for a way out
-         * also begins with steps of this length. After a push that is longer, ExitSearch tries one against the motion too.
+         * also begins with steps of this length. After a push that is longer, PenetrationSearch tries one against the motion too.
          */
         internal static const IMPROVED_DEPTH:Number = 1 / 256;
 
@@ -124,10 +124,7 @@ package starlogo.search.penetration
         // Finds the contact at the place where the two part. The distance of this place becomes the depth of the way out.
         private function sweepBack(between:PartingDistances, parting:ContactPoint, out:ContactPoint):void
         {
-            while (between.outer - between.inner > NARROW * _pair.extent)
-            {
-                halve(between);
-            }
+            narrow(NARROW * _pair.extent, between);
             _tried.distance = between.inner;
             _pair.displace(_tried);
             // the first body is at the inner distance, so its motion from the outer one is against the direction
@@ -144,16 +141,20 @@ package starlogo.search.penetration
             out.depth = between.outer + time * back;
         }
 
-        private function halve(out:PartingDistances):void
+        // Halves the interval until it is no longer than a width. The width may be less than the distance between two Numbers as large as the ends.
+        private function narrow(width:Number, out:PartingDistances):void
         {
-            _tried.distance = (out.inner + out.outer) / 2;
-            if (_pair.touchesAt(_tried))
+            for (var i:int = 0; i < MAX_STEPS && out.outer - out.inner > width; i++)
             {
-                out.inner = _tried.distance;
-            }
-            else
-            {
-                out.outer = _tried.distance;
+                _tried.distance = (out.inner + out.outer) / 2;
+                if (_pair.touchesAt(_tried))
+                {
+                    out.inner = _tried.distance;
+                }
+                else
+                {
+                    out.outer = _tried.distance;
+                }
             }
         }
 
@@ -172,10 +173,7 @@ package starlogo.search.penetration
                 }
                 between.outer = _tried.distance;
             }
-            for (var i:int = 0; i < MAX_STEPS && between.outer - between.inner > probe; i++)
-            {
-                halve(between);
-            }
+            narrow(probe, between);
             out.depth = (between.outer + between.inner) / 2;
         }
 

@@ -1,7 +1,7 @@
 // This folder finds short ways out of overlaps, for contacts that separate two bodies. A DisplacedPair puts the first body to places that are tried.
-// An ExitSearch tries pushes out of all contacts so far (PushOut, with HalfSpaceSolver), looks for the end of a way along one direction
+// A PenetrationSearch tries pushes out of all contacts so far (PushOut, with HalfSpaceSolver), looks for the end of a way along one direction
 // (DirectionSearch), and tries places above the ground (PlacesAbove). An exit leads one point out, a way out the whole body.
-// Read this file first, then ExitSearch, then PushOut.
+// Read this file first, then PenetrationSearch, then PushOut.
 package starlogo.search.penetration
 {
     import flash.geom.Vector3D;
@@ -10,6 +10,7 @@ package starlogo.search.penetration
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.search.Body;
+    import starlogo.search.pairs.OverlapMiddle;
     import starlogo.search.pairs.PairTests;
 
     use namespace engine;

@@ -52,7 +52,7 @@ package starlogo.search.penetration
 
         /**
          * @param pair has begun when a method is called
-         * @param groundExits as in ExitSearch
+         * @param groundExits as in PenetrationSearch
          * @param directions shortens pushes that are longer than needed
          */
         public function PushOut(pair:DisplacedPair, groundExits:GroundExits, directions:DirectionSearch)

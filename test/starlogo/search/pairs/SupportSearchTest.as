@@ -113,6 +113,32 @@ package starlogo.search.pairs
             }
         }
 
+        // Rounding is then more than the slack for corners that are as far.
+        [Test]
+        public function smallStructuresFarFromTheOriginHaveAPointToo():void
+        {
+            var random:SeededRandom = new SeededRandom(4712);
+            var structures:RandomStructures = new RandomStructures(random);
+            for (var i:int = 0; i < 1000; i++)
+            {
+                var size:Number = random.logBetween(1e-3, 1);
+                var spread:Number = random.logBetween(1, 1e6);
+                var structure:BoundingStructure = structures.ofKind(i % BoundingStructure.KIND_COUNT, size, spread);
+                var shape:ModelShape = new ModelShape("far", ModelShape.ONLY_VARIANT, 0);
+                shape.setStructure(structure);
+                var agent:Agent = new Agent("far");
+                agent.heading = random.between(0, 360);
+                agent.pitch = random.between(-90, 90);
+                var body:Body = new Body();
+                body.setToAgent(agent, shape);
+                var direction:Vector3D = structures.direction();
+                var farthest:SupportPoint = new SupportPoint();
+                new SupportSearch(new TreeLimits()).find(body, direction, farthest);
+                var along:Number = new Vector3D(farthest.x, farthest.y, farthest.z).dotProduct(direction);
+                assertTrue(structure + ": " + along + ", not " + farthest.support, Math.abs(along - farthest.support) < 1e-9 * size + 1e-12 * spread);
+            }
+        }
+
         [Test]
         public function thePointIsTheMiddleOfAFaceOrAnEdge():void
         {

@@ -1,4 +1,4 @@
-package starlogo.search.penetration
+package starlogo.search.pairs
 {
     import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ContactPoint;

@@ -28,7 +28,7 @@ package starlogo.search.penetration
      * Contacts separate: moved by the depth and a hair more along the normal, the collider does not touch the collidee any more; by a hair less it
      * still does. A hair is 1e-9 of the larger extent. The system's own areColliding() decides, so that nothing is computed as the contact was.
      */
-    public class ExitSearchTest
+    public class PenetrationSearchTest
     {
         private static const HAIR:Number = 1e-9;
         private static const SHAPES:Array = ["sphere", "cube", "cylinder", "plank", "hollow", "crossed", "apart", "open cube", "doll", "horns"];

@@ -17,7 +17,7 @@ package starlogo.search.penetration
      *
      * @private
      */
-    public final class ExitSearch
+    public final class PenetrationSearch
     {
         // No other way is tried if each exit is at least this fraction of the push. Smaller: contacts are longer. Larger: most searches in smooth ground
         // try all places.
@@ -42,7 +42,7 @@ package starlogo.search.penetration
          *     contact is known
          * @param placesAbove of the pair; null if the second body is not the ground
          */
-        public function ExitSearch(pair:DisplacedPair, groundExits:GroundExits = null, placesAbove:PlacesAbove = null)
+        public function PenetrationSearch(pair:DisplacedPair, groundExits:GroundExits = null, placesAbove:PlacesAbove = null)
         {
             _pair = pair;
             _groundExits = groundExits;
@@ -58,7 +58,7 @@ package starlogo.search.penetration
          * @param motion the motion of the first body relative to the second, with the time at which they touch. It ends where the first body is
          * @param out the contact of two parts that touch at that time
          */
-        public function findExit(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        public function separate(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             _pair.setTo(a, b, motion);
             if (!_pair.findGrazing(motion, out))

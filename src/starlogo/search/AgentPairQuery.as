@@ -14,7 +14,7 @@ package starlogo.search
      *
      * @private
      */
-    public final class TwoAgents
+    public final class AgentPairQuery
     {
         private var _table:AgentTable;
         private var _narrowPhase:NarrowPhase;
@@ -29,7 +29,7 @@ package starlogo.search
          * @param narrowPhase tests their bodies
          * @param sweptTests finds contacts on the motions of the last search
          */
-        public function TwoAgents(table:AgentTable, narrowPhase:NarrowPhase, sweptTests:SweptTests)
+        public function AgentPairQuery(table:AgentTable, narrowPhase:NarrowPhase, sweptTests:SweptTests)
         {
             _table = table;
             _narrowPhase = narrowPhase;

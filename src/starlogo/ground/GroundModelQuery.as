@@ -63,7 +63,7 @@ package starlogo.ground
             _pairs.begin(RelativeMotion.NONE, 0);
             while (_pairs.nextPiece())
             {
-                if (_pairs.reachesUnder() || touchesTriangle())
+                if (_pairs.isPartUnder() || touchesTriangle())
                 {
                     return true;
                 }
@@ -77,8 +77,8 @@ package starlogo.ground
             var kernel:TriangleKernel = _pairs.pieces.kernel;
             while (_pairs.nextTriangle())
             {
-                var near:GroundTriangle = _pairs.triangle;
-                if (!near.plane.areApart(kernel.shape, RelativeMotion.NONE) && kernel.areTouching(near.corners))
+                var near:NearTriangle = _pairs.triangle;
+                if (!near.plane.areApart(kernel.shape, RelativeMotion.NONE) && kernel.areTouching(near.ground.corners))
                 {
                     return true;
                 }
@@ -99,16 +99,16 @@ package starlogo.ground
             _pairs.begin(sweep, 0);
             while (_firstImpact.time > 0 && _pairs.next())
             {
-                var near:GroundTriangle = _pairs.triangle;
+                var near:NearTriangle = _pairs.triangle;
                 if (near.plane.areApart(kernel.shape, sweep))
                 {
                     continue;
                 }
-                kernel.findTime(near.corners, sweep);
+                kernel.findTime(near.ground.corners, sweep);
                 if (_firstImpact.offer(sweep, near.plane) && out != null)
                 {
                     sweep.time = _firstImpact.time;
-                    kernel.findContact(near.corners, sweep, out);
+                    kernel.findContact(near.ground.corners, sweep, out);
                     near.plane.leadOutside(kernel.shape, sweep, out);
                     near.plane.alignContact(kernel.shape, sweep, out);
                 }
@@ -173,7 +173,7 @@ package starlogo.ground
             _pairs.begin(RelativeMotion.NONE, out.distance);
             while (_pairs.next())
             {
-                if (kernel.findCloser(_pairs.triangle.corners, out))
+                if (kernel.findCloser(_pairs.triangle.ground.corners, out))
                 {
                     _pairs.narrowToDistance(out.distance);
                 }

@@ -110,9 +110,10 @@ package starlogo.ground
             _pairs.begin(RelativeMotion.NONE, 0);
             while (_pairs.next())
             {
-                _pairs.triangle.plane.findBehind(_kernel.shape, RelativeMotion.NONE, _tried);
+                var near:NearTriangle = _pairs.triangle;
+                near.plane.findBehind(_kernel.shape, RelativeMotion.NONE, _tried);
                 // deeper by more than rounding
-                if (_tried.depth >= out.depth + Touching.marginOfSurface(_pairs.triangle.radius) && isThrough(_pairs.triangle.corners, _tried))
+                if (_tried.depth >= out.depth + near.margin && isThrough(near.ground.corners, _tried))
                 {
                     _pairs.moveToWorld(_tried);
                     if (isDepthProven(_tried))
@@ -169,8 +170,8 @@ package starlogo.ground
             {
                 return false;
             }
-            _kernel.findContact(_pairs.triangle.corners, RelativeMotion.NONE, out);
-            return out.depth > 0 || _kernel.areTouching(_pairs.triangle.corners);
+            _kernel.findContact(_pairs.triangle.ground.corners, RelativeMotion.NONE, out);
+            return out.depth > 0 || _kernel.areTouching(_pairs.triangle.ground.corners);
         }
 
         // Whether the exit of a contact behind a triangle's plane passes through the triangle, seen along its normal. False if the triangle is flat.
@@ -209,7 +210,7 @@ package starlogo.ground
         private function roundingHere():Number
         {
             var origin:Placement = _pairs.search.origin;
-            return ROUNDED_TERMS * Touching.marginOfSurface(_pairs.triangle.radius) + 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
+            return ROUNDED_TERMS * _pairs.triangle.margin + 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
         }
 
         // Whether each exit from the ground is at least about as long as a contact in the world is deep, because the piece's deepest point has to get out.

@@ -34,7 +34,8 @@ package starlogo.ground
         public function begin(search:GroundSearch):void
         {
             _path.begin(search);
-            stop();
+            _cell.leave();
+            _squaresEnd = 0;
             _passage.reset(search.motion.latest);
             var firstLevel:int = _path.firstLevel();
             comesToFewCells = firstLevel == 0;
@@ -59,13 +60,6 @@ package starlogo.ground
                 visitSquare();
             }
             return true;
-        }
-
-        /** Ends the search. */
-        public function stop():void
-        {
-            _cell.leave();
-            _squaresEnd = 0;
         }
 
         // Puts squares of a level on the stack if the box may pass over them in the current passage. Only a rectangle counts, with a first column and row

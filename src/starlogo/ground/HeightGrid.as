@@ -261,7 +261,7 @@ package starlogo.ground
             var column:int = Math.min(toX, columns - 2);
             var row:int = Math.min(toY, rows - 2);
             var corner:int = row * columns + column;
-            if (isHole(corner))
+            if (pyramid.whole.hasHole && isHole(corner))
             {
                 corner = cellBeside(corner, toX == column && column > 0, toY == row && row > 0);
                 if (corner < 0)

@@ -2,11 +2,11 @@ package starlogo.ground
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
-    import starlogo.bounding.Box;
     import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.placePoints;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
     import starlogo.hierarchy.BoxTree;
@@ -27,13 +27,13 @@ package starlogo.ground
         // In the list of nodes: the structure around the whole model.
         private static const WHOLE:int = -1;
 
-        /** Its shape is the current piece, relative to the origin, unless that is divisible. It decides about the piece and a triangle. */
+        /** It decides about a triangle and the current piece, once <code>shape</code> has been read. */
         public var kernel:TriangleKernel = new TriangleKernel();
 
         /** The margin of the kernel's shape, with the margins of the model's place and surface. Read only. */
         public var shapeMargin:Number = 0;
 
-        /** The box around the current piece; if that is a triangle, around its node. Relative to the origin. Read only. */
+        /** The box around the current piece; around the node of a triangle that has a list. Relative to the origin. Read only. */
         public var box:GroundBox = new GroundBox();
 
         /** The kernel's shape if the box is around it, null otherwise. Read only. */
@@ -42,8 +42,12 @@ package starlogo.ground
         /** Whether the current piece is a node above the smallest pieces. Read only. */
         public var isDivisible:Boolean = false;
 
-        /** How many nodes come after the current piece and the pieces inside of it. Read only. */
-        public var nodesLeft:int = 0;
+        /** The corners of the current piece if it is a triangle, relative to the origin; null otherwise. Read only. */
+        public var corners:Vector.<Number> = null;
+
+        /** Where a list of the box around the current piece begins and ends: what <code>divide()</code> was told. Read only. */
+        public var listBegin:int = 0;
+        public var listEnd:int = 0;
 
         /** A point of the current piece; the middle of the box of a divisible one. Read only. */
         public var point:Vector3D = new Vector3D();
@@ -58,14 +62,23 @@ package starlogo.ground
         private var _placement:Placement = new Placement();
         private var _modelMargin:Number = 0;
 
-        // What comes next: a range of the tree's triangles, then nodes from the last one on. Behind these is the current node.
+        // What comes next: a range of the tree's triangles, then nodes from the last one on. Each has three numbers: the node, and the list of the box
+        // around it. Behind these is the current node.
         private var _nextTriangle:int = 0;
         private var _trianglesEnd:int = 0;
-        private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
         private var _nodes:Vector.<int> = new Vector.<int>();
+        private var _nodesEnd:int = 0;
 
-        // The middle and the half lengths of a box, relative to the model's place.
+        // A triangle in the model's space, the same relative to the origin, and whether the kernel's shape is not yet set to it.
+        private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
+        private var _placed:Vector.<Number> = new Vector.<Number>(9, true);
+        private var _isShapeMissing:Boolean = false;
+
+        // The middle and the half lengths of a structure's box, relative to the model's place.
         private var _middleAndHalves:Vector.<Number> = new Vector.<Number>(6, true);
+
+        // How far a box of the tree extends along x, y and z for each half length: the rotation without signs, times the size, row by row.
+        private var _spans:Vector.<Number> = new Vector.<Number>(9, true);
 
         /** Sets the model, as <code>GroundModelQuery.setTo()</code> takes it. The origin is the place of the placement. */
         public function setTo(tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int):void
@@ -81,6 +94,14 @@ package starlogo.ground
                 _modelMargin += Touching.marginOfSurface(tree.boxTree.radius * placement.size);
             }
             _placement.copyFrom(placement);
+            if (isTree)
+            {
+                _placement.readRows(_spans, 0);
+                for (var i:int = 0; i < 9; i++)
+                {
+                    _spans[i] = (_spans[i] < 0 ? -_spans[i] : _spans[i]) * placement.size;
+                }
+            }
             moveTo(RelativeMotion.NONE, 0);
         }
 
@@ -102,8 +123,9 @@ package starlogo.ground
         public function begin():void
         {
             _nextTriangle = _trianglesEnd = 0;
+            _nodesEnd = 3;
             _nodes[0] = isTree ? 0 : WHOLE;
-            nodesLeft = 1;
+            _nodes[1] = _nodes[2] = 0;
         }
 
         /** Goes on to the next piece. Returns false if there is none. */
@@ -112,37 +134,58 @@ package starlogo.ground
             if (_nextTriangle < _trianglesEnd)
             {
                 _tree.mesh.readTriangle(_nextTriangle, _corners);
-                kernel.setShapeToTriangle(_corners, _placement);
+                placePoints(_placement, _corners, 0, 9, _placed);
                 _nextTriangle++;
-                takeShape();
+                if (listEnd == 0)
+                {
+                    box.setToTriangle(_placed, _modelMargin);
+                }
+                point.x = _placed[0];
+                point.y = _placed[1];
+                point.z = _placed[2];
+                corners = _placed;
+                isDivisible = false;
+                _isShapeMissing = true;
                 shapeInBox = null;
                 return true;
             }
-            if (nodesLeft == 0)
+            if (_nodesEnd == 0)
             {
                 return false;
             }
-            nodesLeft--;
-            enter(_nodes[nodesLeft]);
+            _nodesEnd -= 3;
+            corners = null;
+            listBegin = _nodes[int(_nodesEnd + 1)];
+            listEnd = _nodes[int(_nodesEnd + 2)];
+            enter(_nodes[_nodesEnd]);
             return true;
         }
 
-        /** Divides the current piece, which is divisible: the pieces inside of it come next. The lower one of two nodes comes first, because the ground is below. */
-        public function divide():void
+        /**
+         * Divides the current piece, which is divisible: the pieces inside of it come next. The lower one of two nodes comes first, because the ground is
+         * below.
+         *
+         * @param listBegin where a list of the piece begins, for the pieces inside of it; <code>listEnd</code> is where it ends
+         */
+        public function divide(listBegin:int, listEnd:int):void
         {
             var tree:BoxTree = _tree.boxTree;
-            var node:int = _nodes[nodesLeft];
+            var node:int = _nodes[_nodesEnd];
             var left:int = tree.left[node];
             if (left == 0)
             {
+                this.listBegin = listBegin;
+                this.listEnd = listEnd;
                 _nextTriangle = tree.first[node];
                 _trianglesEnd = tree.end[node];
                 return;
             }
             var isLeftLower:Boolean = heightOf(left) < heightOf(left + 1);
-            _nodes[nodesLeft] = isLeftLower ? left + 1 : left;
-            _nodes[int(nodesLeft + 1)] = isLeftLower ? left : left + 1;
-            nodesLeft += 2;
+            _nodes[_nodesEnd] = isLeftLower ? left + 1 : left;
+            _nodes[int(_nodesEnd + 3)] = isLeftLower ? left : left + 1;
+            _nodes[int(_nodesEnd + 1)] = _nodes[int(_nodesEnd + 4)] = listBegin;
+            _nodes[int(_nodesEnd + 2)] = _nodes[int(_nodesEnd + 5)] = listEnd;
+            _nodesEnd += 6;
         }
 
         // How high the middle of a node is, as a multiple of the model's size.
@@ -156,7 +199,13 @@ package starlogo.ground
         /** Finds the box around the whole model, relative to the origin. */
         public function findBoxAroundWhole(out:GroundBox):void
         {
-            findBoxAround(_structure, out);
+            _structure.findPlacedBox(_placement, _middleAndHalves);
+            out.x = _middleAndHalves[0] + _placement.x;
+            out.y = _middleAndHalves[1] + _placement.y;
+            out.z = _middleAndHalves[2] + _placement.z;
+            out.halfX = _middleAndHalves[3] + _modelMargin;
+            out.halfY = _middleAndHalves[4] + _modelMargin;
+            out.halfZ = _middleAndHalves[5] + _modelMargin;
         }
 
         // Makes a node the current piece.
@@ -164,55 +213,70 @@ package starlogo.ground
         {
             if (node == WHOLE)
             {
+                findBoxAroundWhole(box);
                 takeStructure(_structure);
                 return;
             }
             var tree:BoxTree = _tree.boxTree;
-            var nodeBox:Box = tree.boxOf(node);
             isDivisible = _depth == BoxTree.EXACT || tree.endsUpToDepth[node] < _depth;
+            findBoxOfNode(node);
             if (!isDivisible)
             {
-                takeStructure(nodeBox);
+                takeStructure(tree.boxOf(node));
                 return;
             }
-            findBoxAround(nodeBox, box);
             shapeInBox = null;
             point.x = box.x;
             point.y = box.y;
             point.z = box.z;
         }
 
+        // Finds the box around a node's box.
+        private function findBoxOfNode(node:int):void
+        {
+            var boxes:Vector.<Number> = _tree.boxTree.boxes;
+            var at:int = 6 * node;
+            var size:Number = _placement.size;
+            var x:Number = boxes[at] * size;
+            var y:Number = boxes[int(at + 1)] * size;
+            var z:Number = boxes[int(at + 2)] * size;
+            var halfX:Number = boxes[int(at + 3)];
+            var halfY:Number = boxes[int(at + 4)];
+            var halfZ:Number = boxes[int(at + 5)];
+            // no coordinate and no half length is more than the radius
+            var margin:Number = _modelMargin + 6 * Tolerances.ROUNDING * _tree.boxTree.radiusAboutOrigin * size;
+            box.x = _placement.r00 * x + _placement.r01 * y + _placement.r02 * z + _placement.x;
+            box.y = _placement.r10 * x + _placement.r11 * y + _placement.r12 * z + _placement.y;
+            box.z = _placement.r20 * x + _placement.r21 * y + _placement.r22 * z + _placement.z;
+            box.halfX = _spans[0] * halfX + _spans[1] * halfY + _spans[2] * halfZ + margin;
+            box.halfY = _spans[3] * halfX + _spans[4] * halfY + _spans[5] * halfZ + margin;
+            box.halfZ = _spans[6] * halfX + _spans[7] * halfY + _spans[8] * halfZ + margin;
+        }
+
+        /** The shape of the current piece, relative to the origin, if the piece is not divisible. A triangle's is made when it is first asked for. */
+        public function get shape():ConvexShape
+        {
+            if (_isShapeMissing)
+            {
+                _isShapeMissing = false;
+                kernel.shape.setTriangle(_placed, 0);
+                kernel.shape.margin = shapeMargin = _modelMargin;
+            }
+            return kernel.shape;
+        }
+
         // Makes a structure of the model the current piece.
         private function takeStructure(structure:BoundingStructure):void
         {
-            kernel.setStructure(structure, _placement);
-            findBoxAround(structure, box);
-            takeShape();
-            shapeInBox = kernel.shape;
-        }
-
-        // Makes the kernel's new shape the current piece.
-        private function takeShape():void
-        {
             var shape:ConvexShape = kernel.shape;
-            isDivisible = false;
+            kernel.setStructure(structure, _placement);
+            isDivisible = _isShapeMissing = false;
             shape.margin += _modelMargin;
             shapeMargin = shape.margin;
+            shapeInBox = shape;
             point.x = shape.x;
             point.y = shape.y;
             point.z = shape.z;
-        }
-
-        // Finds the box around a structure of the model.
-        private function findBoxAround(structure:BoundingStructure, out:GroundBox):void
-        {
-            structure.findPlacedBox(_placement, _middleAndHalves);
-            out.x = _middleAndHalves[0] + _placement.x;
-            out.y = _middleAndHalves[1] + _placement.y;
-            out.z = _middleAndHalves[2] + _placement.z;
-            out.halfX = _middleAndHalves[3] + _modelMargin;
-            out.halfY = _middleAndHalves[4] + _modelMargin;
-            out.halfZ = _middleAndHalves[5] + _modelMargin;
         }
     }
 }

@@ -6,7 +6,6 @@ package starlogo.ground
     import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Placement;
-    import starlogo.geometry.Touching;
     import starlogo.solid.ModelTree;
 
     /**
@@ -27,7 +26,7 @@ package starlogo.ground
          */
         public var search:GroundSearch = new GroundSearch();
 
-        private var _triangles:KeptTriangles = new KeptTriangles(search);
+        private var _triangles:NearTriangles = new NearTriangles(search);
 
         // The ground under a point of the current piece, its normal there, and the piece's lowest point along this normal, relative to the origin.
         private var _under:GroundPoint = new GroundPoint();
@@ -45,7 +44,7 @@ package starlogo.ground
         }
 
         /** The current triangle of the ground. */
-        public function get triangle():GroundTriangle
+        public function get triangle():NearTriangle
         {
             return _triangles.triangle;
         }
@@ -96,12 +95,12 @@ package starlogo.ground
         {
             while (pieces.next())
             {
-                _triangles.setTo(pieces.box, pieces.shapeInBox, pieces.nodesLeft);
+                _triangles.begin(pieces);
                 if (!pieces.isDivisible || !_triangles.next())
                 {
                     return true;
                 }
-                pieces.divide();
+                pieces.divide(_triangles.listBegin, _triangles.listEnd);
             }
             return false;
         }
@@ -113,20 +112,20 @@ package starlogo.ground
         }
 
         /**
-         * Whether a quick test shows that the current piece reaches under the ground: its point is there, or its lowest point along the ground's normal.
-         * This shows it of nearly all pieces that do.
+         * Whether a quick test shows that a part of the current piece is under the ground: its point, or a structure's lowest point along the ground's
+         * normal. This shows it of nearly all structures whose lowest part is there.
          */
-        public function reachesUnder():Boolean
+        public function isPartUnder():Boolean
         {
             if (isUnder(pieces.point, 0, _under))
             {
                 return true;
             }
-            if (pieces.isDivisible)
+            if (pieces.shapeInBox == null)
             {
                 return false;
             }
-            var shape:ConvexShape = pieces.kernel.shape;
+            var shape:ConvexShape = pieces.shape;
             search.grid.findNormal(_under, _normal);
             var at:int = shape.support(_normal, -1);
             _point.x = shape.x + shape.points[at] - shape.radius * _normal.x;
@@ -151,7 +150,9 @@ package starlogo.ground
             {
                 return false;
             }
-            pieces.kernel.shape.margin = pieces.shapeMargin + Touching.marginOfSurface(_triangles.triangle.radius);
+            // the shape is read first because it may have to be made
+            var shape:ConvexShape = pieces.shape;
+            shape.margin = pieces.shapeMargin + _triangles.triangle.margin;
             return true;
         }
 

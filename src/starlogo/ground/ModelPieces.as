@@ -123,9 +123,17 @@ package starlogo.ground
         public function begin():void
         {
             _nextTriangle = _trianglesEnd = 0;
-            _nodesEnd = 3;
-            _nodes[0] = isTree ? 0 : WHOLE;
-            _nodes[1] = _nodes[2] = 0;
+            _nodesEnd = 0;
+            push(isTree ? 0 : WHOLE, 0, 0);
+        }
+
+        // Puts a node on the stack, and the list of the node around it.
+        private function push(node:int, listBegin:int, listEnd:int):void
+        {
+            _nodes[_nodesEnd] = node;
+            _nodes[int(_nodesEnd + 1)] = listBegin;
+            _nodes[int(_nodesEnd + 2)] = listEnd;
+            _nodesEnd += 3;
         }
 
         /** Goes on to the next piece. Returns false if there is none. */
@@ -146,6 +154,7 @@ package starlogo.ground
                 corners = _placed;
                 isDivisible = false;
                 _isShapeMissing = true;
+                shapeMargin = _modelMargin;
                 shapeInBox = null;
                 return true;
             }
@@ -181,11 +190,8 @@ package starlogo.ground
                 return;
             }
             var isLeftLower:Boolean = heightOf(left) < heightOf(left + 1);
-            _nodes[_nodesEnd] = isLeftLower ? left + 1 : left;
-            _nodes[int(_nodesEnd + 3)] = isLeftLower ? left : left + 1;
-            _nodes[int(_nodesEnd + 1)] = _nodes[int(_nodesEnd + 4)] = listBegin;
-            _nodes[int(_nodesEnd + 2)] = _nodes[int(_nodesEnd + 5)] = listEnd;
-            _nodesEnd += 6;
+            push(isLeftLower ? left + 1 : left, listBegin, listEnd);
+            push(isLeftLower ? left : left + 1, listBegin, listEnd);
         }
 
         // How high the middle of a node is, as a multiple of the model's size.
@@ -260,7 +266,7 @@ package starlogo.ground
             {
                 _isShapeMissing = false;
                 kernel.shape.setTriangle(_placed, 0);
-                kernel.shape.margin = shapeMargin = _modelMargin;
+                kernel.shape.margin = shapeMargin;
             }
             return kernel.shape;
         }

@@ -33,9 +33,9 @@ package starlogo.ground
         private var _found:Vector.<NearTriangle> = new Vector.<NearTriangle>();
         private var _lists:Vector.<NearTriangle> = new Vector.<NearTriangle>();
 
-        // The place of the next triangle in the list; and the corners of the piece if it is a triangle, or null.
+        // The place of the next triangle in the list; and the current piece if it is a triangle with the list of its node, or null.
         private var _next:int = 0;
-        private var _corners:Vector.<Number> = null;
+        private var _inNode:ModelPieces = null;
 
         // The box around the whole motion of the current piece.
         private var _box:GroundBox = null;
@@ -60,11 +60,10 @@ package starlogo.ground
             var from:int = piece.listBegin;
             var to:int = piece.listEnd;
             _hasMore = false;
-            _corners = null;
+            _inNode = null;
             if (to > 0 && piece.corners != null)
             {
-                // the list is that of the node around it
-                _corners = piece.corners;
+                _inNode = piece;
                 listBegin = _next = from;
                 listEnd = to;
                 return;
@@ -108,7 +107,7 @@ package starlogo.ground
                 {
                     triangle.setPlane();
                 }
-                if (_corners == null || !areInFront(_corners, triangle))
+                if (_inNode == null || !isInFront(_inNode, triangle))
                 {
                     return true;
                 }
@@ -201,9 +200,10 @@ package starlogo.ground
             return end;
         }
 
-        // Whether a triangle of the model is all in front of a plane.
-        private function areInFront(corners:Vector.<Number>, near:NearTriangle):Boolean
+        // Whether a piece that is a triangle is all in front of a plane.
+        private function isInFront(piece:ModelPieces, near:NearTriangle):Boolean
         {
+            var corners:Vector.<Number> = piece.corners;
             var normal:Vector3D = near.plane.normal;
             var motion:RelativeMotion = _search.motion;
             var least:Number = normal.x * corners[0] + normal.y * corners[1] + normal.z * corners[2];
@@ -213,7 +213,7 @@ package starlogo.ground
             least = other < least ? other : least;
             var travel:Number = (normal.x * motion.x + normal.y * motion.y + normal.z * motion.z) * motion.latest;
             least = travel < 0 ? least + travel : least;
-            return least - near.plane.max > _search.maxDistance - minDepth + _source.slack;
+            return least - near.plane.max > _search.maxDistance - minDepth + piece.shapeMargin + _source.slack;
         }
     }
 }

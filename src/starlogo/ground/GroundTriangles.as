@@ -17,7 +17,7 @@ package starlogo.ground
     public final class GroundTriangles
     {
         /** Whether the box of the search comes to few cells. Read only. */
-        public var comesToFewCells:Boolean = false;
+        internal var comesToFewCells:Boolean = false;
 
         private var _path:BoxPath = new BoxPath();
 
@@ -30,8 +30,25 @@ package starlogo.ground
         private var _squares:Vector.<int> = new Vector.<int>();
         private var _squaresEnd:int = 0;
 
+        /**
+         * Begins with all triangles of the cells that a rectangle passes over. All walls go down to the lowest height.
+         *
+         * @param rectangle a box of any height
+         */
+        public function beginOver(grid:HeightGrid, rectangle:GroundBox):void
+        {
+            var search:GroundSearch = new GroundSearch();
+            var whole:HeightBounds = grid.pyramid.whole;
+            search.grid = grid;
+            search.floor = whole.min;
+            search.box.copyFrom(rectangle);
+            search.box.z = (whole.min + whole.max) / 2;
+            search.box.halfZ = (whole.max - whole.min) / 2;
+            begin(search);
+        }
+
         /** Begins a search, which is kept until it ends. */
-        public function begin(search:GroundSearch):void
+        internal function begin(search:GroundSearch):void
         {
             _path.begin(search);
             _cell.leave();
@@ -43,7 +60,7 @@ package starlogo.ground
         }
 
         /** How much nearer to the box a triangle of the search may be than its numbers say, because of rounding and its margin. */
-        public function get slack():Number
+        internal function get slack():Number
         {
             return _path.slack;
         }

@@ -274,15 +274,15 @@ package starlogo.ground
         // Makes a structure of the model the current piece.
         private function takeStructure(structure:BoundingStructure):void
         {
-            var shape:ConvexShape = kernel.shape;
+            var placed:ConvexShape = kernel.shape;
             kernel.setStructure(structure, _placement);
             isDivisible = _isShapeMissing = false;
-            shape.margin += _modelMargin;
-            shapeMargin = shape.margin;
-            shapeInBox = shape;
-            point.x = shape.x;
-            point.y = shape.y;
-            point.z = shape.z;
+            placed.margin += _modelMargin;
+            shapeMargin = placed.margin;
+            shapeInBox = placed;
+            point.x = placed.x;
+            point.y = placed.y;
+            point.z = placed.z;
         }
     }
 }

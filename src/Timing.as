@@ -3,7 +3,6 @@ package
     import evaluation.GameTask;
     import evaluation.GroundView;
     import evaluation.ModelFiles;
-    import evaluation.MonitorTask;
     import evaluation.Plan;
     import evaluation.Results;
     import evaluation.Settings;
@@ -87,12 +86,11 @@ package
         {
             var isDone:Boolean = false;
             var end:int = getTimer() + STEP_MS;
-            // a MonitorTask gets its frames one at a time
             do
             {
                 isDone = _queue.work();
             }
-            while (!isDone && getTimer() < end && !(_queue.current is MonitorTask));
+            while (!isDone && getTimer() < end);
             if (getTimer() - _lastView >= VIEW_MS)
             {
                 _lastView = getTimer();
@@ -124,12 +122,6 @@ package
                 {
                     _view.show(game.scene.agents, game.colliding);
                 }
-            }
-            var monitored:MonitorTask = task as MonitorTask;
-            if (monitored != null)
-            {
-                _view.visible = true;
-                _view.show(monitored.scene.agents, monitored.recorder.collisionSystem.findCollisions(monitored.scene.agents));
             }
         }
 

@@ -47,7 +47,8 @@ const INNER = /@param (\w+) for the engine alone: (?:(?!\n\s*\* @|\n\s*\*\/)[\s\
 function memberOf([, given = "", modifiers, keyword, accessor, name, parameters, result = "*", initial = null], type) {
 	const words = modifiers.trim().split(/\s+/);
 	const doc = given.replace(INNER, "");
-	const inner = INNER.exec(given)?.[1];
+	const innerName = INNER.exec(given)?.[1];
+	const all = parameters ? parametersOf(parameters) : [];
 	return {
 		name,
 		doc: textOf(doc),
@@ -57,7 +58,8 @@ function memberOf([, given = "", modifiers, keyword, accessor, name, parameters,
 		isStatic: words.includes("static"),
 		isOverride: words.includes("override"),
 		kind: keyword !== "function" ? keyword : accessor ?? (name === type.name ? "constructor" : "method"),
-		parameters: parameters ? parametersOf(parameters).filter((each) => each.name !== inner) : [],
+		parameters: all.filter((each) => each.name !== innerName),
+		inner: all.find((each) => each.name === innerName) ?? null,
 		result,
 		initial,
 	};

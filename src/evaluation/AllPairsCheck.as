@@ -50,7 +50,7 @@ package evaluation
             var start:int = getTimer();
             while (_next < _agents.length && getTimer() - start < STEP_MS)
             {
-                _agrees = _agrees && isRight(_agents[_next]);
+                _agrees = _agrees && isRight(_next);
                 _next += _stride;
             }
             return _next >= _agents.length;
@@ -62,10 +62,12 @@ package evaluation
             _partners[agent][other] = true;
         }
 
-        private function isRight(agent:Agent):Boolean
+        // Tries the pairs of an agent. If all agents are tried, the earlier ones have tried their pairs with it.
+        private function isRight(index:int):Boolean
         {
+            var agent:Agent = _agents[index];
             var partners:Dictionary = _partners[agent] || new Dictionary();
-            for (var i:int = 0; i < _agents.length; i++)
+            for (var i:int = _stride == 1 ? index + 1 : 0; i < _agents.length; i++)
             {
                 if (_agents[i] !== agent && _collider.areColliding(agent, _agents[i]) != (_agents[i] in partners))
                 {

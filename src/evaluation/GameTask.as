@@ -12,7 +12,7 @@ package evaluation
     public final class GameTask extends MeasuringTask
     {
         private static const LITERAL_PAIRS:int = 300;
-        private static const CHECKED_PAIRS:int = 100000;
+        private static const CHECKED_PAIRS:int = 40000;
 
         /** The scene that is played. */
         public var scene:Scene;
@@ -53,7 +53,7 @@ package evaluation
             this.collider = collider;
             _literalTest = literalTest;
             _thesis = thesis;
-            _checkedPairs = settings.isFull ? 10 * CHECKED_PAIRS : CHECKED_PAIRS;
+            _checkedPairs = settings.isFull ? 25 * CHECKED_PAIRS : CHECKED_PAIRS;
         }
 
         /** The numbers of handler calls, pairs and collisions of the last frame, in words. */

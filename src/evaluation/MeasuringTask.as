@@ -15,7 +15,7 @@ package evaluation
         private static const HITS:Number = 0.4;
         private static const MAX_TIMES:int = 3;
         private static const LONG_MS:Number = 2500;
-        private static const LONGEST_MS:Number = 8000;
+        private static const LONGEST_MS:Number = 5000;
 
         private static var sBasePairs:PairLoops;
 

@@ -1,6 +1,5 @@
 package evaluation
 {
-    import evaluation.scenes.Scene;
     import evaluation.scenes.Scenes;
     import flash.display.Stage;
     import flash.events.Event;
@@ -10,52 +9,45 @@ package evaluation
     import starlogo.diagnostics.CollisionMonitor;
     import starlogo.diagnostics.CollisionRecorder;
 
-    /** Measures the cost of a CollisionMonitor per frame and of a CollisionRecorder per collision. It plays a game with both. */
+    /** Measures the cost of a CollisionMonitor per frame and of a CollisionRecorder per collision. */
     public final class MonitorTask extends MeasuringTask
     {
         private static const FRAMES:int = 200;
-        private static const MONITORED_FRAMES:int = 240;
         private static const FRAME_MS:Number = 40;
         private static const CROWD:int = 100;
 
-        /** The scene that is played. */
-        public var scene:Scene;
-
-        /** The recorder around the collider. */
-        public var recorder:CollisionRecorder;
-
+        private var _agents:Vector.<Agent>;
+        private var _collider:CollisionSystem;
         private var _stage:Stage;
-        private var _collision:Collision;
         private var _monitor:CollisionMonitor;
         private var _time:Measurement;
         private var _recording:Measurement;
-        private var _played:int = 0;
 
         /**
          * @param stage shows the monitor
-         * @param scene the scene to play
+         * @param agents play the game
          * @param collider finds the collisions
          * @param settings says how often
          * @param results takes the times
          */
-        public function MonitorTask(stage:Stage, scene:Scene, collider:CollisionSystem, settings:Settings, results:Results)
+        public function MonitorTask(stage:Stage, agents:Vector.<Agent>, collider:CollisionSystem, settings:Settings, results:Results)
         {
-            super("the monitor in a running game", settings.repetitions * 60 + FRAME_MS * MONITORED_FRAMES / 2, settings, results);
+            super("the monitor of a game", settings.repetitions * 60, settings, results);
             _stage = stage;
-            this.scene = scene;
-            recorder = new CollisionRecorder(collider);
+            _agents = agents;
+            _collider = collider;
         }
 
         /** @inheritDoc */
         override protected function prepare():void
         {
-            _collision = new Collision(recorder);
-            _collision.onCollision("turtles", "turtles", changeColor);
-            _monitor = new CollisionMonitor(_collision);
+            var collision:Collision = new Collision(new CollisionRecorder(_collider));
+            collision.onCollision("turtles", "turtles", changeColor);
+            _monitor = new CollisionMonitor(collision);
             _stage.addChild(_monitor);
             _monitor.x = _stage.stageWidth - _monitor.width - 40;
             _monitor.y = 180;
-            _collision.update(scene.agents);
+            collision.update(_agents);
             _time = measure("monitor", showFrames, FRAMES);
             prepareRecording();
         }
@@ -63,28 +55,11 @@ package evaluation
         /** @inheritDoc */
         override protected function conclude():Boolean
         {
-            if (_played == 0)
-            {
-                // A new monitor, because the numbers of the old one come from frames of no length, not from a game.
-                var used:CollisionMonitor = _monitor;
-                _monitor = new CollisionMonitor(_collision);
-                _monitor.x = used.x;
-                _monitor.y = used.y;
-                _stage.removeChild(used);
-                _stage.addChild(_monitor);
-            }
-            scene.step();
-            _collision.update(scene.agents);
-            _played++;
-            if (_played < MONITORED_FRAMES)
-            {
-                return false;
-            }
-            var entry:Object = _results.addTime("monitor", scene.agents.length + " agents", "a frame of the monitor", _time, _base);
+            var entry:Object = _results.addTime("monitor", _agents.length + " agents", "a frame of the monitor", _time, _base);
             _results.addTime("monitor", "recorder", "a collision recorded", _recording, _base);
             if (entry.value != null)
             {
-                _results.addNumber("monitor", scene.agents.length + " agents", "part of a frame at 25 a second", 100 * entry.value / FRAME_MS, "%");
+                _results.addNumber("monitor", _agents.length + " agents", "part of a frame at 25 a second", 100 * entry.value / FRAME_MS, "%");
             }
             return true;
         }

@@ -170,7 +170,7 @@ package evaluation
         {
             var scene:Scene = Scenes.scattered(MONITORED_GAME, "mix");
             makeSomeHierarchical(scene, MONITORED_GAME / 10);
-            tasks.push(new MonitorTask(_stage, scene, Colliders.make("CombinationCollider", _greatLand, _settings.own), _settings, _results));
+            tasks.push(new MonitorTask(_stage, scene.agents, Colliders.make("CombinationCollider", _greatLand, _settings.own), _settings, _results));
         }
 
         private function addGame(figure:String, subject:String, variant:String, collider:String, scene:Scene, thesis:*):void

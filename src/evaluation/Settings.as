@@ -45,7 +45,7 @@ package evaluation
         /** How often a thing is measured. */
         public var repetitions:int;
 
-        /** How often a thing that takes long is measured: as often as in a quick run, unless a number is given. */
+        /** How often a thing that takes long is measured, unless a number is given. */
         public var longRepetitions:int;
 
         /** Whether the StarLogo Nova client's models are present. */
@@ -80,7 +80,7 @@ package evaluation
             games = numbers("agents", parameters["agents"], isFull ? [100, 300, 1000, 3000, 10000] : [100, 1000, 10000]);
             casts = isFull ? Scenes.CASTS : ["mix"];
             repetitions = numbers("repetitions", parameters["repetitions"], [isFull ? 11 : 5])[0];
-            longRepetitions = numbers("repetitions", parameters["repetitions"], [5])[0];
+            longRepetitions = numbers("repetitions", parameters["repetitions"], [isFull ? 5 : 3])[0];
         }
 
         private static function named(list:String, preset:Array):Array

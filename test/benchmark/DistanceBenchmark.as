@@ -6,6 +6,7 @@ package benchmark
     import starlogo.convex.ClosestPoints;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.models.ColladaModel;
@@ -65,7 +66,7 @@ package benchmark
             {
                 var a:Placement = place(spread);
                 var b:Placement = place(spread);
-                if (!_trees.setTo(tree, a, DEPTH, tree, b, DEPTH, false).areTouching())
+                if (!_trees.setTo(tree, a, DEPTH, tree, b, DEPTH).areTouching())
                 {
                     firsts.push(a);
                     seconds.push(b);
@@ -73,19 +74,19 @@ package benchmark
             }
             add(name + " at depth 5", function(i:int):void
                 {
-                    _trees.setTo(tree, firsts[i], DEPTH, tree, seconds[i], DEPTH, false).findClosest(false, _closest);
+                    _trees.setTo(tree, firsts[i], DEPTH, tree, seconds[i], DEPTH).findClosest(false, _closest);
                 });
             add("  by triangles", function(i:int):void
                 {
-                    _trees.setTo(tree, firsts[i], DEPTH, tree, seconds[i], DEPTH, true).findClosest(false, _closest);
+                    _trees.setTo(tree, firsts[i], BoxTree.EXACT, tree, seconds[i], BoxTree.EXACT).findClosest(false, _closest);
                 });
             add("  the other one a box", function(i:int):void
                 {
-                    _treeAndBox.setTo(tree, firsts[i], DEPTH, tree.root.bounds, seconds[i], false).findClosest(false, _closest);
+                    _treeAndBox.setTo(tree, firsts[i], DEPTH, tree.root.bounds, seconds[i]).findClosest(false, _closest);
                 });
             add("  whether they touch, by triangles", function(i:int):void
                 {
-                    _trees.setTo(tree, firsts[i], DEPTH, tree, seconds[i], DEPTH, true).areTouching();
+                    _trees.setTo(tree, firsts[i], BoxTree.EXACT, tree, seconds[i], BoxTree.EXACT).areTouching();
                 });
         }
 

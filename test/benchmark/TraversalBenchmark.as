@@ -10,6 +10,7 @@ package benchmark
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.OverlapTraversal;
     import starlogo.hierarchy.PosedTrees;
     import starlogo.hierarchy.RelativePose;
@@ -83,11 +84,12 @@ package benchmark
 
         private function add(name:String, a:ModelTree, b:ModelTree, spread:Number, size:Number, isUpright:Boolean, exact:Boolean):void
         {
+            var depth:int = exact ? BoxTree.EXACT : DEPTH;
             var first:Vector.<Placement> = places(spread, 1, isUpright);
             var second:Vector.<Placement> = places(spread, size, isUpright);
             measure(name, function(i:int, answers:ByteArray):void
                 {
-                    var answer:Boolean = _twoTrees.setTo(a, first[i], DEPTH, b, second[i], DEPTH, exact).areTouching();
+                    var answer:Boolean = _twoTrees.setTo(a, first[i], depth, b, second[i], depth).areTouching();
                     if (answers != null)
                     {
                         answers.writeDouble(answer ? 1 : 0);
@@ -116,12 +118,13 @@ package benchmark
 
         private function addStructures(name:String, a:ModelTree, exact:Boolean):void
         {
+            var depth:int = exact ? BoxTree.EXACT : DEPTH;
             var first:Vector.<Placement> = places(1.3, 1, true);
             var second:Vector.<Placement> = places(1.3, 1, true);
             var structures:Vector.<BoundingStructure> = randomStructures();
             measure(name, function(i:int, answers:ByteArray):void
                 {
-                    var answer:Boolean = _treeAndStructure.setTo(a, first[i], DEPTH, structures[i], second[i], exact).areTouching();
+                    var answer:Boolean = _treeAndStructure.setTo(a, first[i], depth, structures[i], second[i]).areTouching();
                     if (answers != null)
                     {
                         answers.writeDouble(answer ? 1 : 0);
@@ -131,13 +134,14 @@ package benchmark
 
         private function addSwept(name:String, a:ModelTree, b:ModelTree, exact:Boolean):void
         {
+            var depth:int = exact ? BoxTree.EXACT : DEPTH;
             var first:Vector.<Placement> = places(1.6, 1, false);
             var second:Vector.<Placement> = places(1.6, 1, false);
             var motions:Vector.<RelativeMotion> = randomMotions();
             var contact:ContactPoint = new ContactPoint();
             measure(name, function(i:int, answers:ByteArray):void
                 {
-                    _twoTrees.setTo(a, first[i], DEPTH, b, second[i], DEPTH, exact);
+                    _twoTrees.setTo(a, first[i], depth, b, second[i], depth);
                     _twoTrees.findFirstTouch(motions[i], null);
                     var time:Number = motions[i].time;
                     if (answers != null)
@@ -154,6 +158,7 @@ package benchmark
 
         private function addSweptStructures(name:String, a:ModelTree, exact:Boolean):void
         {
+            var depth:int = exact ? BoxTree.EXACT : DEPTH;
             var first:Vector.<Placement> = places(1.6, 1, false);
             var second:Vector.<Placement> = places(1.6, 1, false);
             var structures:Vector.<BoundingStructure> = randomStructures();
@@ -161,7 +166,7 @@ package benchmark
             var contact:ContactPoint = new ContactPoint();
             measure(name, function(i:int, answers:ByteArray):void
                 {
-                    _treeAndStructure.setTo(a, first[i], DEPTH, structures[i], second[i], exact);
+                    _treeAndStructure.setTo(a, first[i], depth, structures[i], second[i]);
                     _treeAndStructure.findFirstTouch(motions[i], null);
                     var time:Number = motions[i].time;
                     if (answers != null)

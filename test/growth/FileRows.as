@@ -10,7 +10,6 @@ package growth
     import starlogo.models.ModelError;
     import starlogo.models.ObjModel;
     import starlogo.models.StlModel;
-    import starlogo.models.files.FileText;
 
     /** Model files: they are read, and the default structures are computed of the models. The files are those of `./antw limits`. */
     public final class FileRows
@@ -77,7 +76,7 @@ package growth
                 case "OBJ":
                     return new ObjModel("a", text);
                 case "UTF-16":
-                    return new ObjModel("a", FileText.decode("a", bytes));
+                    return ObjModel.fromBytes("a", bytes);
                 default:
                     return bytes == null ? new ColladaModel("a", text) : ColladaModel.fromBytes("a", bytes);
             }

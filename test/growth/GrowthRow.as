@@ -60,7 +60,7 @@ package growth
 
         /**
          * Says that the measurement begins with a larger n, because small ones say nothing of the growth. For example, a file may repeat some
-         * things freely, however small it is (FileLimits). The cost of repeating grows with n * n until these are used up. Returns the row.
+         * things freely, however small it is (FileBudget). The cost of repeating grows with n * n until these are used up. Returns the row.
          */
         public function from(n:int):GrowthRow
         {

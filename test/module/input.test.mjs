@@ -223,12 +223,20 @@ test("systems, models, files and settings are of their classes", () => {
 	for (const list of [new Set(corners), "0 0 0", { length: 9 }, new DataView(new ArrayBuffer(8))]) refused(() => new Model("x", list), "vertices must be an array of numbers");
 	refused(() => new Model("x", [...corners.slice(1), "0"]), "vertices[8] must be a number", '"0"');
 	refused(() => new Model("x", corners, [0, 1, 2.5]), "triangles[2] must be an integer", "2.5");
+	refused(() => new Model("x", corners, new Float64Array([0, 1, 2.5])), "triangles[2] must be an integer", "2.5");
+	refused(() => new Model("x", new BigInt64Array(9)), "vertices[0] must be a number", "0");
 	assert.throws(() => new Model("x", new Float32Array([...corners.slice(1), NaN])), /finite number, not NaN/);
 	const filter = new AgentFilter();
 	refused(() => (filter.breeds = "bears"), "breeds must be an array of strings");
 	refused(() => (filter.breeds = ["a", 1]), "breeds[1]");
 	refused(() => (filter.accepts = {}), "accepts must be a function");
 	filter.breeds = null;
+});
+
+test("the data of a model comes from the engine alone", () => {
+	const model = (data) => new Model("corner", [0, 0, 0, 1, 0, 0, 0, 1, 0], [0, 1, 2], Model.AS_GIVEN, data);
+	for (const none of [undefined, null]) assert.equal(model(none).name, "corner");
+	for (const other of ["y", 7, {}, [0]]) assert.throws(() => model(other), /^ArgumentError: new Model: argument 5 must be left out, not /);
 });
 
 test("a fitter has to find a structure", () => {
@@ -358,7 +366,7 @@ test("while a game is developed, an error says which option is the nearest, if o
 });
 
 test("while a game is developed, an error says where a value of another kind belongs", async () => {
-	const { Agent, AgentQueries, BinCollider, Footing, GreatLand } = await import(pathToFileURL(path.join(folder, manifest.exports["."].node)));
+	const { Agent, AgentMotions, AgentQueries, BinCollider, Collision, Footing, GreatLand } = await import(pathToFileURL(path.join(folder, manifest.exports["."].node)));
 	const queries = new AgentQueries(new BinCollider());
 	const walker = new Agent("cube");
 	queries.update([walker]);
@@ -368,6 +376,10 @@ test("while a game is developed, an error says where a value of another kind bel
 	for (const kind of ["isObject3D", "isBufferGeometry"]) {
 		refused(() => new GreatLand().addModel({ [kind]: true }), "model must be a Model, not a plain object. modelFromObject() and levelFromObject() of starlogo-collision/three make a model of it");
 	}
+	refused(() => queries.nearest(walker, { breeds: ["coins"] }), "AgentQueries.nearest: radius must be a number, not a plain object. A filter is an argument after it. Infinity is no limit");
+	refused(() => queries.cast([0, 0, 1], { x: 1, y: 0, z: 0 }), "AgentQueries.cast: origin must be a Vector3D, or anything with x, y and z, not [0, 0, 1]. A point is an object: { x: 1, y: 2, z: 3 }");
+	refused(() => new AgentMotions(new Collision(new BinCollider())), "new AgentMotions: seen must be a SeenAgents, not an object of class Collision: new SeenAgents(collision) makes one of it");
+	refused(() => queries.walk(walker, 0.1, 0, { exceptBreeds: ["coins"] }), "options.exceptBreeds is no option; a filter is one of them: { filter: { exceptBreeds: ... } }; there are ");
 	refused(() => queries.walk(walker, 0.1, 0, 0), "AgentQueries.walk: options must be WalkOptions", "not 0. A walk has no dz: its options come after dx and dy");
 	refused(() => new GreatLand().addModel(Promise.resolve()), "GreatLand.addModel: model must be a Model, not an object of class Promise: await it first");
 	refused(() => queries.near(walker, 5, { except: walker }), "AgentQueries.near: filter.except must be an array of Agents, not an object of class Agent: put it into one, [agent]");

@@ -292,6 +292,33 @@ is<Same<ReturnType<typeof typedQueries.near>, (Hero | Coin)[]>>();
 typedQueries.near(new Agent("probe"), 3, { except: [null, undefined, new Agent("probe")] });
 // @ts-expect-error a breed is no agent
 typedQueries.near(new Agent("probe"), 3, { except: ["coins"] });
+// a filter's breeds say what a question finds, if the compiler knows them
+const typedCoins = typedQueries.near(agent, 3, { breeds: ["coins"] });
+is<Same<typeof typedCoins, Coin[]>>();
+const eitherBreed = typedQueries.nearest(agent, 3, { breeds: ["coins", "heroes"] });
+is<Same<typeof eitherBreed, Hero | Coin | null>>();
+const coinHit = typedQueries.cast({ x: 0, y: 0, z: 1 }, { x: 1, y: 0, z: 0 }, 9, { breeds: ["coins"] });
+is<Same<typeof coinHit, RayHit<Coin> | null>>();
+const namesCoins = { breeds: ["coins"] } as const;
+const listed: Coin[] = typedQueries.touching(agent, namesCoins, [coin!]);
+const ofAnyName = typedQueries.near(agent, 3, { breeds });
+is<Same<typeof ofAnyName, (Hero | Coin)[]>>();
+typedQueries.near<Coin>(agent, 3, { breeds })[0]!.worth++;
+typedQueries.near(listed[0]!, 3, { breeds: ["coins"], accepts: (one) => one.size > 1 })[0]!.worth++;
+typedQueries.touching(agent, { breeds: [Collision.TERRAIN] })[0]!.size++;
+// @ts-expect-error a coin has no life
+typedQueries.near(agent, 3, { breeds: ["coins"] })[0]!.life;
+// @ts-expect-error there is no such breed
+typedQueries.near(agent, 3, { breeds: ["coin"] });
+// @ts-expect-error there is no such breed
+typedQueries.countNear(agent, 3, { breeds: ["coin"] });
+// @ts-expect-error a coin is no hero
+typedQueries.near(agent, 3, { breeds: ["coins"] }, onlyHeroes);
+const ofNoClasses: AgentQueries = typedQueries;
+ofNoClasses.near(agent, 3, { breeds: ["coin"] });
+const ofTheGame: AgentQueries<Hero | Coin> = typedQueries;
+const ofSome = new AgentPlaces(new SeenAgents(typed)).near(agent, 3, { breeds: ["coins"] });
+is<Same<typeof ofSome, Coin[]>>();
 const ofAnyBreed: Collision = typed;
 ofAnyBreed.update(heroes);
 typed.removeHandler("heroes", Collision.ANY_BREED, () => 0);

@@ -206,6 +206,15 @@ test('of the tests farther off the room\'s own are first, then the broad ones, t
 	for (const name of BROAD) assert.ok(tests.includes(name), name);
 });
 
+test('of the tests farther off those come first that share a rare word of the source\'s name', () => {
+	const sources = new Map([['s.a.EdgePairTests', 'package s.a {}']]);
+	const of = (name) => [name, '[Test]\n public function one\n import s.a.EdgePairTests;'];
+	const common = ['One', 'Two', 'Three', 'Four', 'Five', 'Six', 'Seven', 'Eight', 'Nine'].map((which) => `s.c.${which}PairTest`);
+	const classes = new Map([...common, 's.a.RoomTest', 's.c.EdgesTest'].map(of));
+	const found = fartherTests({ tests: new Map(), farther: new Set(), named: ['s.a.EdgePairTests'] }, classes, sources, new Set(['s.c.EdgesTest']));
+	assert.deepEqual(found.slice(0, 3).map(([name]) => name), ['s.c.EdgesTest', 's.a.RoomTest', 's.c.OnePairTest']);
+});
+
 test('tests without a player run with the sources of the packages that they say they check', () => {
 	const files = [['one.test.mjs', '/**\n * One. Checks starlogo.a, starlogo.b.c,\n * starlogo.d.\n */\nChecks starlogo.z.'], ['two.test.mjs', '/** Checks nothing. */']];
 	const found = (name) => testFilesOf([name], files);

@@ -21,9 +21,22 @@ export const BROAD = [
 /** The room of a class: starlogo.models of starlogo.models.gltf.GltfReader. */
 const roomOf = (name) => name.split('.').slice(0, -1).slice(0, 2).join('.');
 
+/** A word that more names of test classes have says nothing of what they test. */
+const RARE = 8;
+
+/** The words of a class's name, in small letters and without a plural's s: edge, pair and test of EdgePairTests. */
+const wordsOf = (name) => simpleName(name).match(/[A-Z]?[a-z0-9]+|[A-Z]+/g).map((word) => word.toLowerCase().replace(/s$/, ''));
+
+/** The names that have a word of a source's name, if few have it. */
+function namesakes(sources, names) {
+	const words = new Set(sources.flatMap(wordsOf));
+	const having = [...words].map((word) => names.filter((name) => wordsOf(name).includes(word)));
+	return new Set(having.filter((found) => found.length <= RARE).flat());
+}
+
 /**
- * The tests of what is farther from the sources that a pattern names, in the order in which they find a fault soonest: those of the
- * sources' own room, which say most; then BROAD, whose games and questions run most of the engine; then those of the room that take
+ * The tests of what is farther from the sources that a pattern names, in the order in which they find a fault soonest: those whose names
+ * have a rare word of a source's name; those of the sources' own room, which say most; then BROAD, whose games and questions run most of the engine; then those of the room that take
  * long; then those of other rooms that count as farther, and all other classes that use the source, by any number of files between. Of
  * these last too those that take long come after the others. Of two of a kind the nearer is first.
  *
@@ -39,8 +52,10 @@ export function fartherTests({ tests, farther, named }, classes, sources, long =
 	const names = new Set([...farther, ...beyond]);
 	const isLong = ([name, test]) => long.has(name) || long.has(`${name}.${test}`);
 	const rooms = new Set(named.map(roomOf));
+	const isNamesake = namesakes(named, [...classes.keys()]);
 	const place = (each) => {
 		const [name, test] = each;
+		if (isNamesake.has(name)) return -1;
 		const broad = BROAD.findIndex((wanted) => [simpleName(name), `${simpleName(name)}.${test}`].includes(wanted));
 		if (broad >= 0) return 1 + broad / BROAD.length;
 		if (rooms.has(roomOf(name))) return isLong(each) ? 2 : 0;

@@ -197,6 +197,7 @@ const colliderNames = (entries) => ['bins', 'tightest fit', 'hierarchical', 'com
 export const FIGURES = [
 	{
 		id: 'volumes', title: 'Figure 6-1: volumes of bounding structures, in cubic patches', ...VOLUMES,
+		lead: 'Each group of bars is a model. A lower bar is a tighter structure. Blue should reach as low as grey.',
 		note: '* the tightest of the thesis\'s six. The smallest known sphere and capsule, and a hull of at most 16 corners, are on the right. The sphere of the'
 			+ ' BinCollider has 0.524. The models are the project\'s own, of the same kinds and vertex counts as the thesis\'s.'
 			+ ' Ritter\'s sphere of a cube has one of thirty volumes from 2.72 to 6.81, by the vertices on which it starts and by their'
@@ -210,21 +211,24 @@ export const FIGURES = [
 	},
 	{
 		id: 'fits', title: 'Figure 6-2: time to find the tightest fit',
-		head: () => [['model', 'vertices', 'tightest', 'engine', '× sphere test', 'JIT', 'literal', 'takes', 'thesis']],
+		lead: 'Each group of bars is a model. A lower bar is faster.',
+		head: () => [['model', 'vertices', 'tightest', 'engine', '× sphere test', 'JIT', 'literal', '× engine', 'thesis']],
 		rows: (entries) => modelRows(entries, (found) => [String(found.engine.vertices), found.engine.tightest]),
 		note: 'Literal: the thesis\'s search for the oriented box alone, every vertex in each of 729 rotations (a ninth is timed).'
-			+ ' Takes, here and below: how many times as long as the engine the thesis\'s algorithm takes in the same run.',
+			+ ' × engine, here and below: how many times as long as the engine the thesis\'s algorithm takes in the same run.',
 	},
 	{
 		id: 'access', title: 'Figure 6-3: time to access and transform a tightest fit',
-		head: () => [['model', 'engine', '× sphere test', 'JIT', 'literal', 'takes', 'thesis']],
+		lead: 'Each group of bars is a model. A lower bar is faster.',
+		head: () => [['model', 'engine', '× sphere test', 'JIT', 'literal', '× engine', 'thesis']],
 		rows: (entries) => modelRows(entries, () => []),
 		note: 'For an agent that has moved and turned. The engine does this once for each agent that has moved, the literal'
 			+ ' collider for both agents of each pair.',
 	},
 	{
 		id: 'tests', title: 'Figure 6-4: time of an intersection test',
-		head: () => [['test', 'engine', '× sphere', 'all hit', 'JIT', 'literal', '× sphere', 'takes', 'thesis', '× sphere']],
+		lead: 'Each group of bars is a kind of pair. A lower bar is faster. The sphere-sphere test of the same machine is 1, so grey can be compared here.',
+		head: () => [['test', 'engine', '× sphere', 'all hit', 'JIT', 'literal', '× sphere', '× engine', 'thesis', '× sphere']],
 		rows: testRows,
 		note: 'On random pairs of which 40 % intersect, and on pairs that all do; each as a multiple of the sphere-sphere test of the'
 			+ ' same run, the thesis\'s figures as a multiple of its own. Literal tests that are the same as the engine\'s are not repeated.'
@@ -241,7 +245,8 @@ export const FIGURES = [
 	},
 	{
 		id: 'hierarchies', title: 'Figure 6-5: time to build a hierarchy',
-		head: () => [['model', 'vertices', 'of triangles', 'of vertices', '× sphere test', 'JIT', 'literal', 'takes', 'thesis']],
+		lead: 'Each group of bars is a model. A lower bar is faster. Compare dark blue with amber: both build from vertices.',
+		head: () => [['model', 'vertices', 'of triangles', 'of vertices', '× sphere test', 'JIT', 'literal', '× engine', 'thesis']],
 		rows: (entries) => bySubject(entries).map(([model, found]) => [model, String(found.engine.vertices), measured(found.engine),
 			measured(found['engine, vertices']), multiple(found['engine, vertices']),
 			beside(found['engine, vertices']), short(found.literal),
@@ -252,7 +257,8 @@ export const FIGURES = [
 	},
 	{
 		id: 'crowds', title: 'Sections 6.1 to 6.4: a frame of a crowd, all in one bin and all colliding',
-		head: () => [['crowd', 'collider', 'engine', '× sphere', 'JIT', 'literal', 'takes', 'thesis', 'pairs', 'checked']],
+		lead: 'Each group of bars is a collider with a crowd. A lower bar is faster. Bars below the red line leave room for 25 frames a second.',
+		head: () => [['crowd', 'collider', 'engine', '× sphere', 'JIT', 'literal', '× engine', 'thesis', 'pairs', 'checked']],
 		text: 2,
 		rows: gameRows,
 		more: HOLDING,
@@ -271,7 +277,8 @@ export const FIGURES = [
 	},
 	{
 		id: 'combination', title: 'Section 6.4: CombinationCollider, by how many agents are hierarchical',
-		head: () => [['crowd', 'of them', 'engine', '× sphere', 'JIT', 'literal', 'takes', 'thesis', 'pairs', 'checked']],
+		lead: 'Each group of bars has so many hierarchical agents. A lower bar is faster.',
+		head: () => [['crowd', 'of them', 'engine', '× sphere', 'JIT', 'literal', '× engine', 'thesis', 'pairs', 'checked']],
 		text: 2,
 		rows: gameRows,
 		note: 'The thesis gives no number here; it says that it lies between those of the other two colliders.',
@@ -289,6 +296,7 @@ export const FIGURES = [
 	},
 	{
 		id: 'scattered', title: 'Scattered games: a frame, by the number of agents',
+		lead: 'Each line is a collider. A lower line is faster, and a flatter one grows less with the number of agents.',
 		head: (entries) => [['game', ...colliderNames(entries), 'pairs', 'checked']],
 		rows: scatteredRows,
 		more: HOLDING,

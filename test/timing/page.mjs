@@ -24,8 +24,12 @@ export async function page(report) {
 <body>
 <header>
 <h1>Collision engine: timing report</h1>
-<p>The evaluation of “Improved Collision Detection in StarLogo Nova” (section 6), run on <span class="whole">${date}</span> UTC. In bars blue is this engine,
-amber the thesis's algorithms as it describes them in the same player, grey the thesis's own numbers of 2015.</p>
+<p>The evaluation of “Improved Collision Detection in StarLogo Nova” (section 6), run on <span class="whole">${date}</span> UTC.</p>
+<ul class="colors">
+<li><span style="background: var(--engine)"></span><b>this engine</b>, in this run</li>
+<li><span style="background: var(--literal)"></span><b>literal</b>: the thesis's algorithms as it describes them, in this run and the same player</li>
+<li><span style="background: var(--thesis)"></span><b>thesis, 2015</b>: its own numbers, from another machine and player</li>
+</ul>
 <p>${takenIn(report.versions)}${report.module ? ` ${escape(moduleText(report.module))}` : ''}</p>
 ${wasDisturbed(report) ? `<p class="warning">${escape(loadText(report.load, report.machine.cores))}</p>` : ''}
 ${report.isComplete === false ? '<p class="warning">The run ended early. The report has what was measured before.</p>' : ''}
@@ -87,6 +91,7 @@ function section(figure, report, charts) {
 	const isMarked = chart?.series.some(({ refused }) => refused?.some(Boolean));
 	return `<section>
 <h2>${escape(figure.title)}</h2>
+${chart ? `<p class="lead">${escape(figure.lead)} Each grid line is ten times the one before.</p>` : ''}
 ${picture}
 ${isMarked ? '<p class="note crosses">× stands for a number that was left out.</p>' : ''}
 <div class="scroll">${table(figure.head(mine), figure.rows(mine), figure.text)}</div>

@@ -81,7 +81,7 @@ export class ThreeAgentBinding {
 	/** Gives the object the agent's place, size and rotation. */
 	updateObject() {
 		const place = this.#place;
-		if (!place.read() && !this.#drawn.differsFrom(this.#last)) return;
+		if (!place.read() && !this.#hasMoved()) return;
 		const { position, quaternion } = scratch;
 		position.copy(this.#origin).multiplyScalar(place.size).applyQuaternion(place.quaternion).add(place.position);
 		quaternion.copy(place.quaternion);
@@ -93,7 +93,7 @@ export class ThreeAgentBinding {
 	/** Gives the agent the object's place, size and rotation. */
 	updateAgent() {
 		const place = this.#place;
-		if (!place.read() && !this.#drawn.differsFrom(this.#last)) return;
+		if (!place.read() && !this.#hasMoved()) return;
 		this.#readDrawn(scratch);
 		const { position, quaternion, scale } = scratch;
 		const size = scale.x / this.#scale;
@@ -109,6 +109,13 @@ export class ThreeAgentBinding {
 		if (this.#model === null) throw new ArgumentError("the binding has no model: pass it to the constructor");
 		if (this.#drawn instanceof DrawnInstance) throw new ArgumentError("an instance has no pose of its own");
 		poseModel(this.#model, this.object);
+	}
+
+	/** Whether the object is elsewhere than at the last update. */
+	#hasMoved() {
+		const last = this.#last;
+		for (let i = this.#drawn.fill(present) - 1; i >= 0; i--) if (present[i] !== last[i]) return true;
+		return false;
 	}
 
 	/** Reads the object's place into the one that is passed. Throws if the scale is not positive and the same in x, y and z. */
@@ -158,6 +165,7 @@ function requireInstance(mesh, index) {
 	if (!(Number.isInteger(index) && index >= 0 && index < count)) throw new RangeError(`the mesh has instances 0 to ${count - 1}, not ${textOf(index)}`);
 }
 
+const present = new Float64Array(16);
 const turned = new Quaternion();
 const offset = new Vector3();
 const evenScale = new Vector3();
@@ -169,33 +177,17 @@ class DrawnObject {
 		this.object = object;
 	}
 
-	/** Whether the object's place differs from the 16 numbers of an array. */
-	differsFrom(last) {
-		const { object } = this;
-		if (!object.matrixAutoUpdate) return differ(object.matrix.elements, 0, last);
-		const { position: at, quaternion: turn, scale: factors } = object;
-		return at.x !== last[0] || at.y !== last[1] || at.z !== last[2] || turn.x !== last[3] || turn.y !== last[4] || turn.z !== last[5] || turn.w !== last[6]
-			|| factors.x !== last[7] || factors.y !== last[8] || factors.z !== last[9];
-	}
-
-	/** Writes the object's place into the array. */
-	fill(last) {
+	/** Writes the object's place into an array. Returns how many numbers it has. */
+	fill(numbers) {
 		const { object } = this;
 		if (!object.matrixAutoUpdate) {
-			last.set(object.matrix.elements);
-			return;
+			object.matrix.toArray(numbers);
+			return 16;
 		}
-		const { position: at, quaternion: turn, scale: factors } = object;
-		last[0] = at.x;
-		last[1] = at.y;
-		last[2] = at.z;
-		last[3] = turn.x;
-		last[4] = turn.y;
-		last[5] = turn.z;
-		last[6] = turn.w;
-		last[7] = factors.x;
-		last[8] = factors.y;
-		last[9] = factors.z;
+		object.position.toArray(numbers, 0);
+		object.quaternion.toArray(numbers, 3);
+		object.scale.toArray(numbers, 7);
+		return 10;
 	}
 
 	/** Reads the object's place into the one that is passed. Returns whether this describes the matrix completely. */
@@ -229,14 +221,11 @@ class DrawnInstance {
 		this.index = index;
 	}
 
-	differsFrom(last) {
-		return differ(this.object.instanceMatrix.array, 16 * this.index, last);
-	}
-
-	fill(last) {
+	fill(numbers) {
 		const { array } = this.object.instanceMatrix;
 		const first = 16 * this.index;
-		for (let i = 0; i < 16; i++) last[i] = array[first + i];
+		for (let i = 0; i < 16; i++) numbers[i] = array[first + i];
+		return 16;
 	}
 
 	read(into) {
@@ -252,12 +241,6 @@ class DrawnInstance {
 		mesh.boundingSphere = null;
 		mesh.boundingBox = null;
 	}
-}
-
-/** Whether 16 numbers of an array differ from those of another. The first array's begin at `first`. */
-function differ(array, first, last) {
-	for (let i = 0; i < 16; i++) if (array[first + i] !== last[i]) return true;
-	return false;
 }
 
 /** Decomposes a place's matrix into its other parts. Returns whether the matrix only rotates, scales evenly and translates. */

@@ -47,7 +47,7 @@ function requireName(call, name) {
 function modelOf(name, source, { data, parts, drawn }, origin, scaling) {
 	if (data.vertices.length === 0) throw new ModelError(name, "", `no vertices: ${whatIsMissing(source)}`);
 	Object.assign(data, { scaling, isNormalised: scaling === Model.AS_GIVEN });
-	const { model } = new ModelBuilder(data);
+	const model = new Model(name, null, null, null, new ModelBuilder(data).build());
 	origins.set(model, { ...origin, parts, drawn, isGeometry: !source.isObject3D, posed: null });
 	return model;
 }

@@ -58,7 +58,7 @@ export class Checks {
 			return [`$checkNumbers("${type.name}.${name}: ${numbers.join(", ")}", ${numbers.join(", ")});`, ...checks];
 		}
 		const checks = parameters.flatMap((parameter) => this.#check(type, member, parameter));
-		return [...warningsOf(qname, name, kind, parameters), ...switchesOf(type, member), ...checks];
+		return [...warningsOf(qname, name, kind, parameters), ...switchesOf(type, member), ...checks, ...checkOfInner(type, member)];
 	}
 
 	/** The public fields of a class that only its users write: { name, type }. */
@@ -202,6 +202,13 @@ export class Checks {
 		const orNobody = element === "Agent" ? "each == null || " : "";
 		return checked(article(element), `${orNobody}${test}`);
 	}
+}
+
+/** The check of an argument that only the engine's own classes pass. */
+function checkOfInner({ name: owner } = {}, { inner = null, parameters } = {}) {
+	if (inner === null) return [];
+	const { name, type } = inner;
+	return [`if (${name} != null && !(${name} instanceof ${type})) $refuse(null, "new ${owner}: argument ${parameters.length + 1}", ${name}, "left out");`];
 }
 
 // The names are quoted, because users write them: they are never shortened.

@@ -42,11 +42,12 @@ export type Uninferred<F> = [F][F extends unknown ? 0 : never];
 export type Filled<F> = (Uninferred<F>[] & { push: (...agents: Uninferred<F>[]) => number }) | never[];
 
 /**
- * What is taken for an AgentFilter: one, or a literal with some of its properties. If `accepts` is a type guard, F is its class.
+ * What is taken for an AgentFilter: one, or a literal with some of its properties. If `accepts` is a type guard, F is its class. N are the names in
+ * `breeds`.
  */
-export interface AgentFilterInit<A extends Agent = Agent, F extends A = A> {
+export interface AgentFilterInit<A extends Agent = Agent, F extends A = A, N extends string = string> {
 	/** Only agents of these breeds count. If the list is empty, no agent counts. */
-	breeds?: readonly string[] | null | undefined;
+	breeds?: readonly N[] | null | undefined;
 	/** Agents of these breeds do not count. */
 	exceptBreeds?: readonly string[] | null | undefined;
 	/** These agents do not count. Null among them is nobody. */
@@ -69,6 +70,12 @@ export type BreedOf<B> = B extends Agent ? string : (keyof B & string) | "*" | "
 /** The agents of a breed, or of any breed. Those of the ground and of the edges of the world are of no class of the game's. */
 export type AgentOf<B, N> = N extends "*terrain" | "*edge" ? Agent : B extends Agent ? B : N extends keyof B ? Extract<B[N], Agent>
 	: N extends "*" ? AgentsOf<B> : Agent;
+
+/** A name in a filter's `breeds`. A name that the compiler knows has to be one of the game's breeds, if their classes are known. */
+export type NamedBreed<B, N extends string> = string extends N ? N : N extends BreedOf<B> ? N : BreedOf<B>;
+
+/** What a question finds: agents of class F, and if the compiler knows the names in the filter's `breeds`, only those of these breeds. */
+export type Found<F, B, N> = string extends N ? F : Extract<F, AgentOf<B, N>>;
 
 /** An agent of the game, or the ground's, which is a plain Agent: `terrain.agent`. If the game has classes, `instanceof` tells them apart. */
 export type OrGround<A extends Agent = Agent> = A | Agent;

@@ -17,8 +17,8 @@ const BY_NAME = new Map([
 	["TERRAIN", '"*terrain"'],
 	["buffers", "Record<string, Bytes>"],
 	["getQuaternion", "[x: number, y: number, z: number, w: number]"],
-	["collisionOrShapes", "Collision<object, A> | CollisionSystem | LevelShapes"],
-	["collisionOrSystem", "Collision<object, A> | CollisionSystem"],
+	["collisionOrShapes", "Collision<B, A> | CollisionSystem | LevelShapes"],
+	["collisionOrSystem", "Collision<B, A> | CollisionSystem"],
 	["edgeNames", "string[]"],
 	["picture", "Picture"],
 	["scaling", "Scaling"],
@@ -43,19 +43,26 @@ const NULL_IF_EMPTY = /\bnull only in an empty hit\b/;
 /** What the documentation says of a handler. Its types are the two agents', which may be of different classes. */
 const HANDLER = /<code>function\(collider:Agent, collidee:Agent\):void<\/code>|@param handler\s+as in onCollision\b/;
 
-/** The type parameters of a class for a client's agents, and of one with handlers, which may know a class for each breed. */
+/** The type parameters of a class for a client's agents, of one with handlers, which may know a class for each breed, and of one with questions. */
 const OF_AGENTS = "<A extends Agent = Agent>";
 const OF_BREEDS = "<B extends Agent | { [K in keyof B]: Agent } = Agent, A extends Agent = AgentsOf<B>>";
+const OF_QUESTIONS = "<A extends Agent = Agent, B extends Agent | { [K in keyof B]: Agent } = A>";
 
 /**
- * The type parameters of methods: the agents of a list, the breeds and agents of a handler, the agent of a footing, and what a question finds. A
- * method that took breeds without type parameters of its own would make a Collision with classes for breeds unfit for a plain `Collision`.
+ * The type parameters of methods: the agents of a list, the breeds and agents of a handler, the agent of a footing, the breeds that a filter names,
+ * and what a question finds. A method that took breeds without type parameters of its own would make a Collision with classes for breeds unfit for a
+ * plain `Collision`.
  */
 const PICKING = "<A extends Agent>";
 const NAMING = "N extends BreedOf<B> = BreedOf<B>, M extends BreedOf<B> = BreedOf<B>>";
 const HANDLING = `<C extends AgentOf<B, N>, D extends AgentOf<B, M>, ${NAMING}`;
 const FILLING = "<O extends Agent = Agent>";
-const findingOf = (agent) => `<F extends ${agent} = ${agent}>`;
+const FILTERING = "N extends string = string>";
+const findingOf = (agent) => `<F extends ${agent} = ${agent}, ${FILTERING}`;
+
+/** What a question finds, and its filter. */
+const FOUND = "Found<F, B, N>";
+const filterOf = (agent, found) => `AgentFilterInit<${agent}, ${found}, NamedBreed<B, N>>`;
 
 /** Questions about places never find the ground. All others with a filter may. */
 const OF_PLACES = /^(?:n|countN)ear|^inCone$/;
@@ -81,10 +88,14 @@ export function writeDeclarations(types) {
 function isGeneric(type, types) {
 	const hasAgents = (member) => member.name === "update" && member.parameters[0]?.type === "Vector.<Agent>";
 	const hasAgent = (member) => member.kind === "var" && member.isPublic && !member.isPrivate && member.result === "Agent";
-	const isAboutThem = (member) => member.kind === "constructor" && member.parameters[0]?.type === "SeenAgents";
 	if (type?.kind !== "class") return false;
-	return type.members.some((member) => hasAgents(member) || hasAgent(member) || isAboutThem(member))
+	return hasQuestions(type) || type.members.some((member) => hasAgents(member) || hasAgent(member))
 		|| type.bases.some((name) => isGeneric(types.get(name), types));
+}
+
+/** Whether a class asks about a client's agents, or is what such a class is made of. */
+function hasQuestions({ members }) {
+	return members.some(({ kind, parameters: [first] }) => kind === "constructor" && /^(?:seen$|collisionOr)/.test(first?.name));
 }
 
 /** Whether a class is there to be extended, as its documentation or its constructor's says. */
@@ -128,7 +139,7 @@ class Writer {
 		const interfaces = type.interfaces.filter((name) => this.#exported.has(name));
 		const heritage = listText(" extends ", this.#basesOf(type)) + listText(" implements ", interfaces);
 		const hasHandlers = type.members.some((member) => HANDLER.test(docOf(type, member, this.#exported)));
-		const parameters = this.#isGeneric(type) ? (hasHandlers ? OF_BREEDS : OF_AGENTS) : "";
+		const parameters = this.#isGeneric(type) ? (hasHandlers ? OF_BREEDS : hasQuestions(type) ? OF_QUESTIONS : OF_AGENTS) : "";
 		if (type.events.length > 0) members.unshift(...this.#listening(type));
 		if (ONLY_IN_JAVASCRIPT[type.qname]?.declaration) members.push(ONLY_IN_JAVASCRIPT[type.qname].declaration);
 		const modifiers = `${PLATFORM_NAMES.has(type.name) ? "declare" : "export"} ${isAbstract(type) ? "abstract " : ""}`;
@@ -218,7 +229,8 @@ class Writer {
 		if (parameters.some(({ name }) => name === "otherBreed")) return `<${NAMING}`;
 		const takes = (wanted) => parameters.some(({ type }) => type === wanted);
 		if (takes("Footing")) return FILLING;
-		return takes("AgentFilter") && /^(?:Vector\.<)?(?:Agent|RayHit|ShapeHit)>?$/.test(result) ? findingOf(this.#agent) : "";
+		if (!takes("AgentFilter")) return "";
+		return /^(?:Vector\.<)?(?:Agent|RayHit|ShapeHit)>?$/.test(result) ? findingOf(this.#agent) : `<${FILTERING}`;
 	}
 
 	/** The type of what a member has or returns. */
@@ -233,7 +245,7 @@ class Writer {
 	/** What a question finds. The agents' class is not inferred from where they are stored: that would be a cast that nobody sees. */
 	#foundType(type) {
 		const [, list, found] = /^(Vector\.<)?(\w+)/.exec(type);
-		return (found === "Agent" ? "Uninferred<F>" : `${found}<Uninferred<F>>`) + (list ? "[]" : "");
+		return (found === "Agent" ? `Uninferred<${FOUND}>` : `${found}<Uninferred<${FOUND}>>`) + (list ? "[]" : "");
 	}
 
 	// "null for a mesh without a name" makes null an element
@@ -271,8 +283,9 @@ class Writer {
 			const { name, type, value, isRest } = parameter;
 			if (isRest) return `...${name}: string[]`;
 			if (generic.endsWith(NAMING) && /breed$/i.test(name)) return `${name}: ${name === "breed" ? "N" : "M"}`;
-			if (generic.startsWith("<F ") && type === "Vector.<Agent>") return `${name}?: Filled<F> | null`;
-			if (generic.startsWith("<F ") && type === "AgentFilter") return `${name}?: AgentFilterInit<${this.#agent}, F> | null`;
+			const isFinding = generic.startsWith("<F ");
+			if (isFinding && type === "Vector.<Agent>") return `${name}?: Filled<${FOUND}> | null`;
+			if (generic.endsWith(FILTERING) && type === "AgentFilter") return `${name}?: ${filterOf(this.#agent, isFinding ? "F" : this.#agent)} | null`;
 			const text = this.#parameterType(parameter, this.#said(member, parameter, owner));
 			return `${name}${value === null ? "" : "?"}: ${text}${parameter === booleans[0] ? literal : ""}`;
 		}).join(", ");
@@ -335,6 +348,7 @@ class Writer {
 		if (element) return `${this.#type(element)}[]`;
 		if (type === "Agent") return this.#agent;
 		const isOfAgents = this.#agent !== "Agent" && this.#isGeneric(this.#exported.get(type));
-		return PRIMITIVES[type] ?? (this.#exported.has(type) || type === "ByteArray" ? `${type}${isOfAgents ? `<${this.#agent}>` : ""}` : "unknown");
+		if (isOfAgents) return `${type}<${this.#agent}${hasQuestions(this.#exported.get(type)) ? ", B" : ""}>`;
+		return PRIMITIVES[type] ?? (this.#exported.has(type) || type === "ByteArray" ? type : "unknown");
 	}
 }

@@ -4,7 +4,7 @@
  * All files here and the translated classes are one scope (js/module/assemble.mjs): Vector3D is the engine's.
  */
 import { ByteArray } from "./ByteArray.mjs";
-import { ArgumentError } from "./language.mjs";
+import { $doubles, $vector, ArgumentError } from "./language.mjs";
 import { $hintOfValue } from "./warnings/spelling.mjs";
 
 /** Marks objects of this copy of the engine, because a page or program can load two copies. */
@@ -131,13 +131,16 @@ const $KINDS = { Number: "a number", int: "an integer from -2147483648 to 214748
 /** The numbers for a Vector argument of a public method: an array, or a copy of a typed array as an array. */
 export function $numbers(target, name, list, type, isNullable) {
 	if (isNullable && (list === null || list === undefined)) return null;
-	if (ArrayBuffer.isView(list) && !(list instanceof DataView)) return $numbers(target, name, Array.from(list), type, false);
-	if (!Array.isArray(list)) $refuse(target, name, list, "an array of numbers");
+	const isView = ArrayBuffer.isView(list) && !(list instanceof DataView);
+	if (!isView && !Array.isArray(list)) $refuse(target, name, list, "an array of numbers");
+	// Array.from takes three times as long
+	const numbers = !isView ? list : type === "Number" ? $doubles(list.length) : $vector(list.length, 0);
 	for (let i = 0; i < list.length; i++) {
 		const value = list[i];
 		if (typeof value !== "number" || type !== "Number" && value !== (type === "int" ? value | 0 : value >>> 0)) $refuse(target, `${name}[${i}]`, value, $KINDS[type]);
+		if (isView) numbers[i] = value;
 	}
-	return list;
+	return numbers;
 }
 
 /** The bytes for an argument of a public method: a ByteArray. An ArrayBuffer or a view of one is converted to one. */

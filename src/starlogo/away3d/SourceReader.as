@@ -63,7 +63,7 @@ package starlogo.away3d
         {
             var setShare:Function = function(share:Number):void
             {
-                _data.readShare = (index + share) / _parts.length;
+                _data.readProgress = (index + share) / _parts.length;
             };
             return hasTriangles ? _parts[index].readingTriangles(points, _data.triangles, setShare) : _parts[index].readingVertices(points, setShare);
         }

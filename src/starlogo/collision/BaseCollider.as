@@ -154,16 +154,6 @@ package starlogo.collision
             return pairs;
         }
 
-        /** @private Tells the engine's collider that this one is or contains what its Collision does: see Collider.IDLE. */
-        engine function enterPhase(phase:int):void
-        {
-            var owned:Collider = ownedCollider;
-            if (owned != null)
-            {
-                owned.enterPhase(phase);
-            }
-        }
-
         /** @private Called when a Collision's frame is over, handlers included, with the Collision's statistics. */
         engine function onFrame(statistics:CollisionStatistics):void
         {

@@ -6,16 +6,13 @@ package starlogo.collision
     import starlogo.convex.RelativeMotion;
     import starlogo.data.requireGiven;
     import starlogo.engine;
-    import starlogo.ground.HeightGrid;
     import starlogo.search.BaseShapeChoice;
     import starlogo.search.BreedInterests;
     import starlogo.search.CollisionSearch;
     import starlogo.search.FoundPairs;
     import starlogo.search.SearchInput;
-    import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
     import starlogo.search.PairReader;
-    import starlogo.search.table.ListedAgents;
 
     use namespace engine;
 
@@ -35,15 +32,6 @@ package starlogo.collision
      */
     public class Collider extends BaseCollider
     {
-        /** @private A phase of a Collision: between two frames. */
-        engine static const IDLE:int = 0;
-
-        /** @private The Collision searches for a frame. A BaseCollider around its collider may call findCollisions for it. */
-        engine static const SEARCHING:int = 1;
-
-        /** @private The handlers of the frame run. */
-        engine static const HANDLING:int = 2;
-
         /** @private The search that the collider makes. */
         engine var search:CollisionSearch;
 
@@ -52,12 +40,6 @@ package starlogo.collision
 
         // The search for the game's own calls of findCollisions while a Collision has the collider, or null.
         private var _extraSearch:CollisionSearch = null;
-
-        // What the Collision does.
-        private var _phase:int = IDLE;
-
-        // The heights of the ground of the frame while handlers run, or null.
-        private var _heldGround:HeightGrid = null;
 
         // The search whose contacts contactOf gives.
         private var _contactSearch:CollisionSearch;
@@ -118,20 +100,16 @@ package starlogo.collision
         {
             requireGiven("agents", agents);
             var by:CollisionSearch = search;
-            if (isOwned && _phase != SEARCHING)
+            if (isOwned && !_owner.isSearching)
             {
-                // The next frame's motions begin where the last frame saw the agents, so a game's own call must not change that. In a search for a frame
-                // it is no call of the game's: a BaseCollider around this collider makes it
+                // The next frame's motions begin where the last frame saw the agents, so a game's own call must not change that. While a Collision
+                // searches it is no call of the game's: a BaseCollider around this collider makes it
                 _extraSearch ||= new CollisionSearch(narrowPhase);
                 by = _extraSearch;
             }
             var found:Vector.<Agent> = out || new Vector.<Agent>();
             _input.begin(agents, interests || BreedInterests.ALL, null, null, null);
             var pairs:FoundPairs = find(by, _input);
-            if (_phase != HANDLING)
-            {
-                _contactSearch = by;
-            }
             if (found.length > 2 * pairs.count)
             {
                 found.length = 2 * pairs.count;
@@ -166,7 +144,7 @@ package starlogo.collision
         {
             var motion:RelativeMotion = _motion;
             var point:ContactPoint = _point;
-            if (_phase != HANDLING)
+            if (!isHandling)
             {
                 by.table.refreshWorld();
             }
@@ -215,35 +193,16 @@ package starlogo.collision
             return _owner != null && _owner.uses(this);
         }
 
+        // Whether the handlers of a frame of this collider run.
+        private function get isHandling():Boolean
+        {
+            return _owner != null && _owner.isHandling(this);
+        }
+
         /** @private From now on contactOf sees the last frame. */
         engine function takeContactsFromFrame():void
         {
             _contactSearch = search;
-        }
-
-        /**
-         * @private While handlers run, contactOf sees the frame, whatever they search. The ground and the edges stay as the frame has read them, whatever
-         * they do to these.
-         */
-        override engine function enterPhase(phase:int):void
-        {
-            _phase = phase;
-            if (phase == HANDLING)
-            {
-                takeContactsFromFrame();
-                // only the ground is held: the edges never change
-                var ground:ModelShape = search.table.shapes[ListedAgents.GROUND_ROW];
-                if (ground != null)
-                {
-                    _heldGround = ground.grid;
-                    _heldGround.hold();
-                }
-            }
-            else if (_heldGround != null)
-            {
-                _heldGround.release();
-                _heldGround = null;
-            }
         }
 
         /** @private */
@@ -258,6 +217,10 @@ package starlogo.collision
         {
             var start:Number = getTimer();
             var pairs:FoundPairs = by.find(input);
+            if (!isHandling)
+            {
+                _contactSearch = by;
+            }
             _statistics.readSearch(by, pairs);
             _statistics.findMs = getTimer() - start;
             return pairs;

@@ -19,6 +19,7 @@ package starlogo.collision
     import starlogo.data.requireGiven;
     import starlogo.data.textOf;
     import starlogo.engine;
+    import starlogo.ground.HeightGrid;
     import starlogo.handlers.CollisionHandler;
     import starlogo.handlers.HandlerTable;
     import starlogo.handlers.TouchTracker;
@@ -96,6 +97,15 @@ package starlogo.collision
 
         // The one of the frame under way, or null.
         private var _frameSystem:BaseCollider = null;
+
+        /** @private Whether the frame under way searches for its pairs. */
+        engine var isSearching:Boolean = false;
+
+        // Whether the handlers of the frame under way run.
+        private var _isHandling:Boolean = false;
+
+        // The heights that handlers see, even if they change the ground; null if none run, or without ground. The edges never change.
+        private var _heldGround:HeightGrid = null;
 
         private var _statistics:CollisionStatistics = new CollisionStatistics();
         private var _handlers:HandlerTable = new HandlerTable();
@@ -294,7 +304,12 @@ package starlogo.collision
             {
                 _calls.end();
                 _frameSystem = null;
-                system.enterPhase(Collider.IDLE);
+                isSearching = _isHandling = false;
+                if (_heldGround != null)
+                {
+                    _heldGround.release();
+                    _heldGround = null;
+                }
             }
             _statistics.frameMs = getTimer() - start;
             system.onFrame(_statistics);
@@ -356,6 +371,12 @@ package starlogo.collision
             return _system.ownedCollider === collider || _frameSystem != null && _frameSystem.ownedCollider === collider;
         }
 
+        /** @private Whether handlers run for pairs that a collider has found. */
+        engine function isHandling(collider:Collider):Boolean
+        {
+            return _isHandling && _frameSystem.ownedCollider === collider;
+        }
+
         /** @private */
         override engine function findNarrowPhase():NarrowPhase
         {
@@ -377,12 +398,18 @@ package starlogo.collision
             // The filter may have called reset(), which forgets the frames before this one. The touches of this frame do not count then
             var lastFrame:LastFrame = _lastFrame;
             lastFrame.hasFailed = true;
-            system.enterPhase(Collider.SEARCHING);
+            isSearching = true;
             var pairs:FoundPairs = system.findPairs(_input, _pairReader, _statistics);
+            isSearching = false;
             var searched:Collider = system.equivalentCollider;
             lastFrame.agents = copyAgents(_input.agents, lastFrame.agents);
             lastFrame.search = searched == null ? null : searched.search;
-            system.enterPhase(Collider.HANDLING);
+            _isHandling = true;
+            if (_input.ground != null)
+            {
+                _heldGround = _input.ground.surface.grid;
+                _heldGround.hold();
+            }
             _statistics.handlerCalls = _calls.make(pairs, system, _handlers, tracker, agents, _handlerErrors);
             lastFrame.hasFailed = false;
         }

@@ -60,18 +60,17 @@ package starlogo.collision
             _table = table;
             _gameList.begin(agents);
             _count = 0;
-            var isTracked:Boolean = tracker.touches.count > 0 || table.tracksTouches;
+            _tracker = tracker.touches.count > 0 || table.tracksTouches ? tracker : null;
+            var starting:IntList = _tracker == null ? null : tracker.findStarting(pairs, table);
             if (table.contactKinds != 0)
             {
-                // before the touches, because a game's own contactOf may throw. Then no touch has changed
+                // before touches end, because a game's own contactOf may throw. Then the next frame ends them
                 _contacts.setTo(system, pairs);
-                findContacts(tracker);
+                findContacts(starting);
             }
-            var starting:IntList = null;
-            if (isTracked)
+            if (_tracker != null)
             {
-                _tracker = tracker;
-                starting = tracker.begin(pairs, table);
+                tracker.endOthers();
             }
             callAll((table.kinds & CollisionHandler.COLLISION) == 0 ? starting : null, errors);
             return _count;
@@ -82,21 +81,21 @@ package starlogo.collision
         {
             if (_tracker != null)
             {
-                _tracker.end();
+                _tracker.release();
                 _tracker = null;
             }
         }
 
         // Computes the contacts that handlers take, before a handler moves an agent. Handlers for starts take none of a touch that goes on.
-        private function findContacts(tracker:TouchTracker):void
+        private function findContacts(starting:IntList):void
         {
-            var chosen:IntList = (_table.contactKinds & CollisionHandler.COLLISION) == 0 ? tracker.pairsThatMayStart(_pairs) : null;
+            var chosen:IntList = (_table.contactKinds & CollisionHandler.COLLISION) == 0 ? starting : null;
             var end:int = chosen == null ? _pairs.count : chosen.count;
             for (var i:int = 0; i < end; i++)
             {
                 var pair:int = chosen == null ? i : chosen.values[i];
                 var kinds:int = _table.handlersOfPair(_pairs, pair).contactKinds;
-                if ((kinds & CollisionHandler.COLLISION) != 0 || kinds != 0 && tracker.touchToContinue(_pairs, pair) == null)
+                if ((kinds & CollisionHandler.COLLISION) != 0 || kinds != 0 && _tracker.touchAt(pair) == null)
                 {
                     _contacts.find(pair);
                 }
@@ -143,8 +142,11 @@ package starlogo.collision
         {
             if (!_isCalling)
             {
-                // the present pair may have got its touch without all calls
-                _pairs.touchOwner = null;
+                if (_tracker != null)
+                {
+                    // the present pair may have got its touch without all calls
+                    _tracker.forgetPairs();
+                }
                 throw error;
             }
             _isCalling = false;

@@ -2,8 +2,12 @@ package starlogo.convex
 {
     import flash.geom.Vector3D;
 
-    /** The point of a simplex that is nearest to the origin, as a record. */
-    internal final class NearestPoint
+    /**
+     * The point of a simplex that is nearest to the origin, as a record.
+     *
+     * @private
+     */
+    public final class NearestPoint
     {
         /** The point, and its squared distance: Infinity if there is none. */
         public var x:Number = 0;

@@ -14,8 +14,10 @@ package starlogo.convex
      * the vector from the origin to the point as far as it is known. All methods take the corners w of the simplex, x, y, z of each, and the indices
      * i, j, k of some. <code>newest</code> is the corner that was added last: no part without it is tried, because the simplex before was nearer than
      * that. It is -1 if all parts are. <code>out</code> has the nearest point so far, and receives a nearer one.</p>
+     *
+     * @private
      */
-    internal final class SimplexPart
+    public final class SimplexPart
     {
         /** Tries a corner. */
         public static function tryCorner(w:Vector.<Number>, i:int, out:NearestPoint):void

@@ -24,9 +24,6 @@ package starlogo.handlers
         /** The tracker's frame in which the touch began. */
         public var firstFrame:int;
 
-        /** The tracker's last frame in which it began, or was found to go on. Touches of kept pairs go on without a comparison. */
-        public var lastFrame:int;
-
         /** How many touches began before it. */
         public var serial:Number;
 

@@ -16,11 +16,17 @@ package starlogo.handlers
      */
     public final class TouchTable
     {
+        // In place of the last frame of a touch: it has ended.
+        private static const NONE:int = int.MAX_VALUE;
+
         /** The number of touches that have not ended. Read only. */
         public var count:int = 0;
 
         /** By index: all touches that there are, and objects for later ones, which have no agents. Read only. */
         public var all:Vector.<Touch> = new Vector.<Touch>();
+
+        /** By index: the tracker's last frame in which the touch began or went on; NONE for an object without a touch. */
+        public var lastFrames:Vector.<int> = new Vector.<int>();
 
         // By the ids of the first and of the second agent: the index of their touch.
         private var _indices:HashTable = new HashTable();
@@ -50,7 +56,7 @@ package starlogo.handlers
             touch.second = second;
             touch.firstBreed = firstBreed;
             touch.secondBreed = secondBreed;
-            touch.firstFrame = touch.lastFrame = frame;
+            touch.firstFrame = lastFrames[touch.index] = frame;
             touch.isCalledForBoth = false;
             touch.serial = _startedCount;
             _startedCount++;
@@ -63,6 +69,7 @@ package starlogo.handlers
         public function end(touch:Touch):void
         {
             _indices.remove(touch.first.idNumber, touch.second.idNumber);
+            lastFrames[touch.index] = NONE;
             count--;
         }
 

@@ -9,25 +9,38 @@ package starlogo.handlers
     use namespace engine;
 
     /**
-     * Compares the pairs of a frame with the touches of the last one: which touches go on, and which end. A frame calls <code>begin()</code> before its
-     * handlers, and <code>end()</code> after them. It writes the touches of the pairs to FoundPairs. If a search has replaced few of these pairs since,
-     * only the touches of dropped and added pairs are compared. The memory is in proportion to the largest number of pairs that there were.
+     * Compares the pairs of a frame with the touches of the last one: which touches go on, and which end. A frame calls
+     * <code>findStarting()</code> and <code>endOthers()</code> before its handlers, and <code>release()</code> after them. If the search has only updated the
+     * pairs of the last one, kept pairs keep their touches without a look at their agents.
      *
      * @private
      */
     public final class TouchTracker
     {
-        // In place of the index of a touch: the pair has no handlers for starts or ends.
-        private static const UNTRACKED:int = FoundPairs.NO_TOUCH - 1;
+        // In place of the index of a pair's touch: none has begun yet.
+        private static const NO_TOUCH:int = -1;
+
+        // In place of the index of a pair's touch: the pair has no handlers for starts or ends.
+        private static const UNTRACKED:int = -2;
+
+        // In place of a version of pairs: it is not known which touches pairs have.
+        private static const NO_VERSION:int = -1;
 
         /** The number of the frame, from 1 on. */
         public var frame:int = 0;
 
-        /** The touches. Those that have ended in this frame keep their agents until <code>end()</code>. */
+        /** The touches. Those that have ended in this frame keep their agents until <code>release()</code>. */
         public var touches:TouchTable;
 
-        // The pairs of the frame.
+        // The pairs of the frame, and their version.
         private var _pairs:FoundPairs = null;
+        private var _version:int = NO_VERSION;
+
+        // By pair: the index of its touch, NO_TOUCH or UNTRACKED. Longer than the pairs.
+        private var _ofPairs:Vector.<int> = new Vector.<int>();
+
+        // The same for the version before.
+        private var _ofPairsBefore:Vector.<int> = new Vector.<int>();
 
         // The pairs whose touches may begin.
         private var _starting:IntList = new IntList();
@@ -42,50 +55,60 @@ package starlogo.handlers
         }
 
         /**
-         * Begins a frame. The touches of pairs that touched before go on. The others end.
+         * Begins a frame: the touches of pairs that touched before go on. No touch has ended yet.
          *
          * @param table the handlers. A pair without handlers for starts or ends has no touch
-         * @return the answer of <code>pairsThatMayStart()</code>
+         * @return the pairs whose touches may begin, until the next call
          */
-        public function begin(pairs:FoundPairs, table:HandlerTable):IntList
+        public function findStarting(pairs:FoundPairs, table:HandlerTable):IntList
         {
-            var starting:IntList = pairsThatMayStart(pairs);
-            frame++;
-            _pairs = pairs;
-            if (starting == null)
+            var isUpdate:Boolean = pairs === _pairs && pairs.isUpdate && pairs.version == _version + 1;
+            var before:Vector.<int> = _ofPairs;
+            _ofPairs = _ofPairsBefore;
+            _ofPairsBefore = before;
+            if (_ofPairs.length < pairs.count)
             {
-                compareAll(table);
+                // grows by an eighth, because a vector that grows a little in each frame is copied each time
+                _ofPairs.length = pairs.count + (pairs.count >> 3);
             }
-            else
+            _pairs = pairs;
+            _version = pairs.version;
+            frame++;
+            _starting.count = 0;
+            var lastFrames:Vector.<int> = touches.lastFrames;
+            for (var pair:int = 0; pair < pairs.count; pair++)
             {
-                compareSome(starting, table);
+                var touch:int = isUpdate && pairs.origins[pair] != FoundPairs.NEW ? before[pairs.origins[pair]] : NO_TOUCH;
+                if (touch == NO_TOUCH)
+                {
+                    touch = touchToContinue(pair, table);
+                }
+                _ofPairs[pair] = touch;
+                if (touch >= 0)
+                {
+                    lastFrames[touch] = frame;
+                }
+                else if (touch == NO_TOUCH)
+                {
+                    _starting.add(pair);
+                }
+            }
+            return _starting;
+        }
+
+        /** Ends the touches that do not go on in this frame. */
+        public function endOthers():void
+        {
+            var lastFrames:Vector.<int> = touches.lastFrames;
+            for (var index:int = 0; index < lastFrames.length; index++)
+            {
+                if (lastFrames[index] < frame)
+                {
+                    touches.end(touches.all[index]);
+                    _ended.add(index, touches.all[index].serial);
+                }
             }
             _ended.sortFirst(_ended.count);
-            return starting;
-        }
-
-        /** The touch of a pair of the frame; null if there is none. */
-        public function touchAt(pair:int):Touch
-        {
-            var index:int = _pairs.touches[pair];
-            return index < 0 ? null : touches.all[index];
-        }
-
-        /** Gives a pair of the frame the touch of its agents. If there is none, one begins, of the breeds that the two have now. */
-        public function findOrStartAt(pair:int):Touch
-        {
-            var first:Agent = _pairs.firstOf(pair);
-            var second:Agent = _pairs.secondOf(pair);
-            var touch:Touch = touches.find(first, second) || touches.start(first, second, first.breedNumber, second.breedNumber, frame);
-            _pairs.touches[pair] = touch.index;
-            return touch;
-        }
-
-        /** Lets the touch of a pair end in the next frame, because its handlers were called for the first agent only. A new one may begin there. */
-        public function dropAt(pair:int):void
-        {
-            _pairs.droppedTouches.add(_pairs.touches[pair]);
-            _pairs.touches[pair] = FoundPairs.NO_TOUCH;
         }
 
         /** The number of touches that ended in this frame. */
@@ -101,7 +124,7 @@ package starlogo.handlers
         }
 
         /** Ends a frame, also one that has failed: forgets the touches that have ended. */
-        public function end():void
+        public function release():void
         {
             for (var i:int = 0; i < _ended.count; i++)
             {
@@ -110,90 +133,46 @@ package starlogo.handlers
             _ended.count = 0;
         }
 
-        /**
-         * The pairs whose touches may begin in a frame: those that have none if the touches of all others go on. Null stands for all pairs. Ask before
-         * <code>begin()</code>.
-         */
-        public function pairsThatMayStart(pairs:FoundPairs):IntList
+        /** The touch of a pair of the frame; null if there is none. */
+        public function touchAt(pair:int):Touch
         {
-            if (pairs.touchOwner !== this)
-            {
-                return null;
-            }
-            _starting.count = 0;
-            for (var pair:int = 0; pair < pairs.count; pair++)
-            {
-                if (pairs.touches[pair] == FoundPairs.NO_TOUCH)
-                {
-                    _starting.add(pair);
-                }
-            }
-            return _starting;
+            return _ofPairs[pair] < 0 ? null : touches.all[_ofPairs[pair]];
         }
 
-        /**
-         * The touch of a pair that goes on if the two touch in the next frame too; null if there is none. It does not go on if a breed has changed, or
-         * if handlers were called for the first agent only.
-         */
-        public function touchToContinue(pairs:FoundPairs, pair:int):Touch
+        /** Gives a pair of the frame the touch of its agents. If there is none, one begins, of the breeds that the two have now. */
+        public function findOrStartAt(pair:int):Touch
         {
-            var touch:Touch = touches.find(pairs.firstOf(pair), pairs.secondOf(pair));
-            return touch != null && touch.isCalledForBoth && touch.firstBreed == touch.first.breedNumber && touch.secondBreed == touch.second.breedNumber
-                ? touch : null;
+            var first:Agent = _pairs.firstOf(pair);
+            var second:Agent = _pairs.secondOf(pair);
+            var touch:Touch = touches.find(first, second) || touches.start(first, second, first.breedNumber, second.breedNumber, frame);
+            _ofPairs[pair] = touch.index;
+            return touch;
         }
 
-        private function compareAll(table:HandlerTable):void
+        /** Lets the touch of a pair end in the next frame, because its handlers were called for the first agent only. A new one may begin there. */
+        public function dropAt(pair:int):void
         {
-            if (_pairs.touches.length < _pairs.count)
-            {
-                // grows by an eighth, because a vector that grows a little in each frame is copied each time
-                _pairs.touches.length = _pairs.count + (_pairs.count >> 3);
-            }
-            for (var pair:int = 0; pair < _pairs.count; pair++)
-            {
-                continueTouch(pair, table);
-            }
-            for (var index:int = 0; index < touches.all.length; index++)
-            {
-                endUnlessContinued(touches.all[index]);
-            }
-            _pairs.droppedTouches.count = 0;
-            _pairs.touchOwner = this;
+            _ofPairs[pair] = NO_TOUCH;
         }
 
-        private function compareSome(starting:IntList, table:HandlerTable):void
+        /** Forgets which touches the pairs have, because the calls of a frame have failed. */
+        public function forgetPairs():void
         {
-            for (var i:int = 0; i < starting.count; i++)
-            {
-                continueTouch(starting.values[i], table);
-            }
-            for (i = 0; i < _pairs.droppedTouches.count; i++)
-            {
-                endUnlessContinued(touches.all[_pairs.droppedTouches.values[i]]);
-            }
-            _pairs.droppedTouches.count = 0;
+            _version = NO_VERSION;
         }
 
-        // Lets the touch of a pair go on, if there is one and the two still have handlers for starts or ends.
-        private function continueTouch(pair:int, table:HandlerTable):void
+        // The index of the touch of a pair that goes on; NO_TOUCH if there is none, if a breed has changed, or if handlers were called for the first agent
+        // only. UNTRACKED if the two have no handlers for starts or ends.
+        private function touchToContinue(pair:int, table:HandlerTable):int
         {
-            var isTracked:Boolean = table.handlersOfPair(_pairs, pair).tracksTouches;
-            var touch:Touch = isTracked ? touchToContinue(_pairs, pair) : null;
-            _pairs.touches[pair] = touch != null ? touch.index : isTracked ? FoundPairs.NO_TOUCH : UNTRACKED;
-            if (touch != null)
+            if (!table.handlersOfPair(_pairs, pair).tracksTouches)
             {
-                touch.lastFrame = frame;
+                return UNTRACKED;
             }
-        }
-
-        // Ends a touch that does not go on in this frame.
-        private function endUnlessContinued(touch:Touch):void
-        {
-            if (touch.first != null && touch.lastFrame != frame)
-            {
-                touches.end(touch);
-                _ended.add(touch.index, touch.serial);
-            }
+            var touch:Touch = touches.find(_pairs.firstOf(pair), _pairs.secondOf(pair));
+            var goesOn:Boolean = touch != null && touch.isCalledForBoth && touch.firstBreed == touch.first.breedNumber
+                && touch.secondBreed == touch.second.breedNumber;
+            return goesOn ? touch.index : NO_TOUCH;
         }
     }
 }

@@ -18,9 +18,8 @@ package starlogo.hierarchy
 
         private var _structure:BoundingStructure;
 
-        // The structure's motion, which receives the time of the first touch, and a copy that has the times of one node. The node that is touched first.
+        // The structure's motion, which has the times of the current node. The node that is touched first.
         private var _motion:RelativeMotion;
-        private var _nodeMotion:RelativeMotion = new RelativeMotion();
         private var _found:int = -1;
 
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
@@ -37,21 +36,22 @@ package starlogo.hierarchy
          * @param depth how many of the tree's levels are visited
          * @param structure in the space of another model
          * @param pose the other model's pose in the tree's space
-         * @param motion of the structure, from the pose on; receives the time. If it is still, the structure touches at time 0 or never
+         * @param motion of the structure, from the pose on; receives the time, and its latest time is overwritten. If it is still, the
+         *     structure touches at time 0 or never
          * @return the node, or -1
          */
         public function findImpact(tree:BoxTree, depth:int, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):int
         {
             _structure = pose.placeWidened(structure);
-            _nodeMotion.copyVector(motion);
             _motion = motion;
             _found = -1;
-            motion.time = RelativeMotion.NEVER;
             limit = motion.latest;
             _structure.extentsInto(_extents);
             _search.setExtents(_extents, 0);
             _search.setMotion(motion);
             _search.visitMet(tree, depth, this);
+            // a search that has ended early has found a touch at time 0
+            motion.time = _found < 0 ? RelativeMotion.NEVER : Math.max(0, limit);
             return _found;
         }
 
@@ -59,20 +59,20 @@ package starlogo.hierarchy
         override public function visit(tree:BoxTree, node:int):void
         {
             var box:Box = tree.boxOf(node);
-            var nodeMotion:RelativeMotion = _nodeMotion;
-            if (nodeMotion.isStill)
+            var motion:RelativeMotion = _motion;
+            if (motion.isStill)
             {
-                nodeMotion.time = StructurePairs.areTouching(box, _structure) ? 0 : RelativeMotion.NEVER;
+                motion.time = StructurePairs.areTouching(box, _structure) ? 0 : RelativeMotion.NEVER;
             }
             else
             {
-                nodeMotion.latest = limit;
-                StructurePairs.findTime(_structure, box, nodeMotion);
+                motion.latest = limit;
+                StructurePairs.findTime(_structure, box, motion);
             }
-            if (nodeMotion.time <= limit && nodeMotion.time < _motion.time)
+            if (motion.time < limit || _found < 0 && motion.time == limit)
             {
                 _found = node;
-                limit = _motion.time = nodeMotion.time;
+                limit = motion.time;
                 if (!(limit > 0))
                 {
                     // nothing is touched earlier than at the beginning

@@ -150,31 +150,31 @@ package starlogo.libraries
         /**
          * The smallest sphere found for a shape. It is shared: do not change it.
          *
-         * @throws ArgumentError if the library has nothing of this name, or no sphere is shown for it (keepAll)
+         * @throws ArgumentError if the library has nothing of this name, or no sphere is kept for it (keepAll)
          */
         public function sphere(name:String):Sphere
         {
-            return Sphere(shown(name, BoundingStructure.SPHERE));
+            return Sphere(kept(name, BoundingStructure.SPHERE));
         }
 
         /**
          * The smallest box found for a shape. It is shared: do not change it.
          *
-         * @throws ArgumentError if the library has nothing of this name, or no box is shown for it (keepAll)
+         * @throws ArgumentError if the library has nothing of this name, or no box is kept for it (keepAll)
          */
         public function box(name:String):Box
         {
-            return Box(shown(name, BoundingStructure.BOX));
+            return Box(kept(name, BoundingStructure.BOX));
         }
 
         /**
          * The smallest capsule found for a shape. It is shared: do not change it.
          *
-         * @throws ArgumentError if the library has nothing of this name, or no capsule is shown for it (keepAll)
+         * @throws ArgumentError if the library has nothing of this name, or no capsule is kept for it (keepAll)
          */
         public function capsule(name:String):Capsule
         {
-            return Capsule(shown(name, BoundingStructure.CAPSULE));
+            return Capsule(kept(name, BoundingStructure.CAPSULE));
         }
 
         /**
@@ -193,11 +193,11 @@ package starlogo.libraries
             return found;
         }
 
-        /** Whether a sphere, a box and a capsule are shown for a shape. */
+        /** Whether a sphere, a box and a capsule are kept for a shape. */
         public function hasAll(name:String):Boolean
         {
             var structures:ModelStructures = _models.entryOf(name).structures;
-            return structures != null && structures.showsAll && structures.smallest.indexOf(null) < 0;
+            return structures != null && structures.keepsAll && structures.smallest.indexOf(null) < 0;
         }
 
         /** Whether there is a hull for a shape by now, or a sphere in its place. */
@@ -256,10 +256,10 @@ package starlogo.libraries
             return structures;
         }
 
-        private function shown(name:String, kind:int):BoundingStructure
+        private function kept(name:String, kind:int):BoundingStructure
         {
             var structures:ModelStructures = find(name);
-            if (!structures.showsAll || structures.smallest[kind] == null)
+            if (!structures.keepsAll || structures.smallest[kind] == null)
             {
                 throw ModelTable.errorOf(name, "it shows no " + BoundingStructure.NAMES[kind] + ": set loadAllBoundingStructures (keepAll) before the model is added, "
                         + "and have a fitter that finds one in the list");

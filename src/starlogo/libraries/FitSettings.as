@@ -24,7 +24,7 @@ package starlogo.libraries
         engine var wantsSurface:Boolean = false;
 
         /** @private The library's <code>keepAll</code>. */
-        engine var showsAll:Boolean = false;
+        engine var keepsAll:Boolean = false;
 
         /** @private The deepest level of hierarchies. */
         engine var maxDepth:int = 0;
@@ -39,7 +39,7 @@ package starlogo.libraries
         {
             if (structures != null)
             {
-                showsAll = structures.keepAll;
+                keepsAll = structures.keepAll;
                 var signatures:String = signaturesOf(structures.fitters);
                 _texts[CookedFile.STRUCTURES] = signatures == null ? null : "structures, " + signatures;
                 // The smallest sphere may take the hull's place.

@@ -158,7 +158,7 @@ package starlogo.libraries
             var found:Vector.<BoundingStructure> = CookedStructures.read(_settings.sectionOf(file, CookedFile.STRUCTURES), BoundingStructure.BOX, size);
             var hulls:Vector.<BoundingStructure> = CookedStructures.read(_settings.sectionOf(file, CookedFile.HULL), BoundingStructure.HULL, size);
             var hull:BoundingStructure = hulls == null ? null : hulls[BoundingStructure.HULL] || hulls[BoundingStructure.SPHERE];
-            return found == null || hulls == null && _settings.storesHull ? null : new ModelStructures(found, hull, _settings.showsAll);
+            return found == null || hulls == null && _settings.storesHull ? null : new ModelStructures(found, hull, _settings.keepsAll);
         }
 
         // The bytes of a file with the results. It has the surface if that is prepared. @param model the bytes of the model; null for none

@@ -32,16 +32,16 @@ package starlogo.libraries
         public var tightest:BoundingStructure = null;
 
         /** Whether the client may read the smallest structure of each kind: the library's <code>keepAll</code>. */
-        public var showsAll:Boolean;
+        public var keepsAll:Boolean;
 
         /**
          * @param found the spheres, capsules and boxes that were found; null entries are ignored
          * @param hull the hull that was found; null if none was wanted
-         * @param showsAll whether the client may read the smallest structure of each kind
+         * @param keepsAll whether the client may read the smallest structure of each kind
          */
-        public function ModelStructures(found:Vector.<BoundingStructure>, hull:BoundingStructure, showsAll:Boolean)
+        public function ModelStructures(found:Vector.<BoundingStructure>, hull:BoundingStructure, keepsAll:Boolean)
         {
-            this.showsAll = showsAll;
+            this.keepsAll = keepsAll;
             for each (var structure:BoundingStructure in found)
             {
                 if (structure != null && (smallest[structure.kind] == null || structure.volume < smallest[structure.kind].volume))

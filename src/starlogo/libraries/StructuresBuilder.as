@@ -37,10 +37,10 @@ package starlogo.libraries
          * @param vertices x, y, z each; must not change until the last step is done
          * @param fitters the fitters to compare; copied
          * @param hullFitter finds the hull; null if none is wanted
-         * @param showsAll whether clients may read the smallest structure of each kind
+         * @param keepsAll whether clients may read the smallest structure of each kind
          * @throws ArgumentError if there are no fitters, or one is null; the message names the shape
          */
-        public function StructuresBuilder(name:String, vertices:Vector.<Number>, fitters:Vector.<Fitter>, hullFitter:HullFitter, showsAll:Boolean)
+        public function StructuresBuilder(name:String, vertices:Vector.<Number>, fitters:Vector.<Fitter>, hullFitter:HullFitter, keepsAll:Boolean)
         {
             _name = name;
             if (fitters.length == 0)
@@ -66,7 +66,7 @@ package starlogo.libraries
             }
             begin(checking).call(function():void
                 {
-                    choose(hullFit, showsAll);
+                    choose(hullFit, keepsAll);
                 });
         }
 
@@ -146,7 +146,7 @@ package starlogo.libraries
                 });
         }
 
-        private function choose(hullFit:Fit, showsAll:Boolean):void
+        private function choose(hullFit:Fit, keepsAll:Boolean):void
         {
             var found:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
             for each (var fit:Fit in _fits)
@@ -154,7 +154,7 @@ package starlogo.libraries
                 found.push(widened(fit.structure));
             }
             // A HullFitter checks all vertices itself.
-            structures = new ModelStructures(found, hullFit == null ? null : widened(hullFit.structure), showsAll);
+            structures = new ModelStructures(found, hullFit == null ? null : widened(hullFit.structure), keepsAll);
         }
     }
 }

@@ -2,7 +2,7 @@ package starlogo.models
 {
     import flash.utils.ByteArray;
     import starlogo.models.collada.ColladaAnimationReader;
-    import starlogo.models.files.FileText;
+    import starlogo.models.files.ModelFile;
 
     /**
      * The animations of a COLLADA document, as poses of the ColladaModel of the same document.
@@ -41,7 +41,7 @@ package starlogo.models
          */
         public static function fromBytes(name:String, bytes:ByteArray, upAxis:Object = null):ColladaAnimations
         {
-            return new ColladaAnimations(name, FileText.decode(name, bytes), upAxis);
+            return new ColladaAnimations(name, new ModelFile(name, bytes).textOf(), upAxis);
         }
     }
 }

@@ -4,7 +4,7 @@ package starlogo.models
     import starlogo.models.building.ModelBuilder;
     import starlogo.models.collada.ColladaDocument;
     import starlogo.models.collada.ColladaReader;
-    import starlogo.models.files.FileText;
+    import starlogo.models.files.ModelFile;
 
     /**
      * A model from a COLLADA document, version 1.4 or 1.5.
@@ -58,7 +58,7 @@ package starlogo.models
          */
         public static function fromBytes(name:String, bytes:ByteArray, upAxis:Object = null, scaling:String = Model.FOOTPRINT):ColladaModel
         {
-            return new ColladaModel(name, FileText.decode(name, bytes), upAxis, scaling);
+            return new ColladaModel(name, new ModelFile(name, bytes).textOf(), upAxis, scaling);
         }
     }
 }

@@ -2,7 +2,7 @@ package starlogo.models
 {
     import flash.utils.ByteArray;
     import starlogo.models.building.ModelBuilder;
-    import starlogo.models.files.FileText;
+    import starlogo.models.files.ModelFile;
     import starlogo.models.obj.ObjReader;
 
     /**
@@ -47,7 +47,7 @@ package starlogo.models
          */
         public static function fromBytes(name:String, bytes:ByteArray, upAxis:Object = "z", scaling:String = Model.FOOTPRINT):ObjModel
         {
-            return new ObjModel(name, FileText.decode(name, bytes), upAxis, scaling);
+            return new ObjModel(name, new ModelFile(name, bytes).textOf(), upAxis, scaling);
         }
     }
 }

@@ -2,6 +2,7 @@ package starlogo.models
 {
     import flash.geom.Matrix3D;
     import flash.geom.Vector3D;
+    import starlogo.data.areFinite;
     import starlogo.engine;
     import starlogo.geometry.AffineTransform;
 
@@ -118,12 +119,7 @@ package starlogo.models
         /** @private Whether all numbers are finite, and the unit is positive. */
         engine function get isRight():Boolean
         {
-            var areFinite:Boolean = true;
-            for each (var number:Number in numbers)
-            {
-                areFinite &&= isFinite(number);
-            }
-            return areFinite && _unit > 0;
+            return areFinite(numbers) && _unit > 0;
         }
 
         /**

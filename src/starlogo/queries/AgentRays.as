@@ -83,14 +83,12 @@ package starlogo.queries
         public function cast(origin:Vector3D, direction:Vector3D, maxDistance:Number = Infinity, filter:AgentFilter = null, hit:RayHit = null):RayHit
         {
             var collector:Collector = begin(1, requireOrigin(origin), direction, maxDistance, filter);
-            var hits:Hits = Hits(_hits.current);
-            hits.clear();
-            collect(collector, hits);
+            var hits:Hits = collect(collector);
             if (hits.end(collector) == 0)
             {
                 return null;
             }
-            var first:RayHit = fillHit(hits, 0, hit || new RayHit());
+            var first:RayHit = hits.writeHit(0, hit || new RayHit());
             if (first.distance == 0)
             {
                 warnOfSender(first.agent, origin);
@@ -126,20 +124,11 @@ package starlogo.queries
         {
             var collector:Collector = begin(Collector.ALL, requireOrigin(origin), direction, maxDistance, filter);
             var listed:Vector.<RayHit> = out || new Vector.<RayHit>();
-            var hits:Hits = Hits(_hits.current);
-            hits.clear();
-            if (allSurfaces)
-            {
-                collectSurfaces(collector, hits);
-            }
-            else
-            {
-                collect(collector, hits);
-            }
+            var hits:Hits = allSurfaces ? collectSurfaces(collector) : collect(collector);
             _spare.resize(listed, hits.end(collector));
             for (var i:int = 0; i < listed.length; i++)
             {
-                fillHit(hits, i, listed[i]);
+                hits.writeHit(i, listed[i]);
             }
             return listed;
         }
@@ -162,7 +151,7 @@ package starlogo.queries
             var from:Vector3D = isReversed ? _middleB : _middleA;
             var towards:Vector3D = isReversed ? _middleA : _middleB;
             towards.decrementBy(from);
-            var distance:Number = Math.sqrt(towards.x * towards.x + towards.y * towards.y + towards.z * towards.z);
+            var distance:Number = towards.length;
             if (distance == 0)
             {
                 // any direction will do
@@ -171,7 +160,7 @@ package starlogo.queries
             var rowA:int = _seen.rowOf(a);
             var rowB:int = _seen.rowOf(b);
             var collector:Collector = begin(1, from, towards, distance, filter);
-            for (var row:int = collector.nextCandidate(_search); row >= 0; row = collector.nextCandidate(_search))
+            for (var row:int = _search.next(collector); row >= 0; row = _search.next(collector))
             {
                 if (row != rowA && row != rowB && _rowRays.findRayEntry(row, _ray, _entry))
                 {
@@ -221,38 +210,36 @@ package starlogo.queries
             return collector;
         }
 
-        // Finds the rows that the ray meets, and keeps how it meets them.
-        private function collect(collector:Collector, out:Hits):void
+        // Finds the rows that the ray meets. Returns how it meets them.
+        private function collect(collector:Collector):Hits
         {
-            for (var row:int = collector.nextCandidate(_search); row >= 0; row = collector.nextCandidate(_search))
+            var hits:Hits = Hits(_hits.current);
+            hits.clear();
+            for (var row:int = _search.next(collector); row >= 0; row = _search.next(collector))
             {
                 if (_rowRays.findRayEntry(row, _ray, _entry))
                 {
                     collector.add(row, _entry.distance);
-                    out.addEntry(row, _ray, _entry);
+                    hits.add(row, _ray, _entry);
                     _ray.to = collector.limit;
                 }
             }
+            return hits;
         }
 
-        // Finds the rows that the ray meets, and keeps all surfaces that it crosses.
-        private function collectSurfaces(collector:Collector, out:Hits):void
+        // Finds the rows that the ray meets. Returns all surfaces of them that it crosses.
+        private function collectSurfaces(collector:Collector):Hits
         {
-            for (var row:int = collector.nextCandidate(_search); row >= 0; row = collector.nextCandidate(_search))
+            var hits:Hits = Hits(_hits.current);
+            hits.clear();
+            for (var row:int = _search.next(collector); row >= 0; row = _search.next(collector))
             {
-                if (_rowSurfaces.findSurfaces(row, _ray, out))
+                if (_rowSurfaces.findSurfaces(row, _ray, hits))
                 {
-                    collector.add(row, out.firstKeyOf(row));
+                    collector.add(row, hits.firstDistanceOf(row));
                 }
             }
-        }
-
-        // Writes how the ray meets a row of the answer.
-        private function fillHit(hits:Hits, index:int, hit:RayHit):RayHit
-        {
-            hits.fillHit(index, hit);
-            hit.distance = hits.keyOf(index);
-            return hit;
+            return hits;
         }
     }
 }

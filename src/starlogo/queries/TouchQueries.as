@@ -157,7 +157,7 @@ package starlogo.queries
                 return collector;
             }
             _search.setAround(_seen.treeOfExtents(), body);
-            for (var row:int = collector.nextCandidate(_search); row >= 0; row = collector.nextCandidate(_search))
+            for (var row:int = _search.next(collector); row >= 0; row = _search.next(collector))
             {
                 if (_seen.narrowPhase.areTouching(body, table.bodyOf(row)))
                 {

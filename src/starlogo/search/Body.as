@@ -8,6 +8,7 @@ package starlogo.search
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
+    import starlogo.geometry.Touching;
 
     use namespace engine;
 
@@ -190,7 +191,7 @@ package starlogo.search
         /** The body's part of the gap across which shapes touch, because their places are rounded. */
         public function get margin():Number
         {
-            return Tolerances.PLACES * (Math.abs(placement.x) + Math.abs(placement.y) + Math.abs(placement.z));
+            return Touching.marginOfPlace(placement.x, placement.y, placement.z);
         }
 
         /** The structure in the world, widened by the margin. It is put there only when a test needs it. */
@@ -198,8 +199,8 @@ package starlogo.search
         {
             if (!_isPlaced)
             {
-                // the margin as a formula, because V8 makes an object for the Number of a getter
-                var widening:Number = Tolerances.PLACES * (Math.abs(placement.x) + Math.abs(placement.y) + Math.abs(placement.z));
+                // not margin, because V8 makes an object for the Number of a getter
+                var widening:Number = Touching.marginOfPlace(placement.x, placement.y, placement.z);
                 if (form == BoundingStructure.SPHERE)
                 {
                     // the test of two spheres has no tolerance of its own, so the sphere is widened by it. Tests of a sphere and another structure

@@ -4,7 +4,7 @@
 // and what is near them.
 // 3. CandidateTests keeps the pairs that touch, or SweptTests those that touch on their motions. The NarrowPhase has a PairTests for each kind of
 // pairs (pairs/).
-// 4. PairOrder puts the FoundPairs into the order of the list. PairUpdate puts the pairs of changed rows between those of the last search.
+// 4. PairOrder puts the FoundPairs into the order of the list. The pairs of changed rows are put between those of the last search.
 // A Body is a shape (ModelShape) at a place. A BaseShapeChoice says which shape a model has, SearchInput who takes part, BreedInterests which breeds
 // count.
 // Read this file first, then AgentTable, CandidateTests and NarrowPhase. TwoAgents answers about two agents, with ExitSearch (penetration/) for depths.
@@ -49,7 +49,6 @@ package starlogo.search
         private var _motions:RowMotions;
         private var _changedRows:ChangedRows;
         private var _order:PairOrder = new PairOrder();
-        private var _update:PairUpdate = new PairUpdate();
 
         // The pairs of the search.
         private var _pairs:FoundPairs;
@@ -58,10 +57,11 @@ package starlogo.search
         private var _pairsOfChanged:FoundPairs;
 
         // What the pairs of the last search depend on, besides agents, ground and edges: the pairs of breeds that count, their number, because a game that
-        // calls findCollisionsAmong() may add some, and the settings.
+        // calls findCollisionsAmong() may add some, how deep trees are tested, and whether there is a filter.
         private var _interests:BreedInterests = null;
         private var _interestCount:int = 0;
-        private var _settings:int = 0;
+        private var _depth:int = 0;
+        private var _isFiltered:Boolean = false;
 
         // Whether the cells are prepared, so that the next search may begin with these pairs.
         private var _isPrepared:Boolean = false;
@@ -98,18 +98,11 @@ package starlogo.search
             narrowPhase.counts.clear();
             // A search prepares the cells only if it is like the one before, because the next is then probably like it too. So the third of three like
             // searches is the first that begins with the pairs of the last one.
-            var isPrepared:Boolean = areConditionsSame(input) && areFew(readCount, input);
-            keepConditions(input);
-            var beginsWithLast:Boolean = isPrepared && _isPrepared;
+            var isPrepared:Boolean = takeConditions(input) && areFew(readCount, input);
+            var mayUpdate:Boolean = isPrepared && _isPrepared;
             // if the search throws, the next one is of all rows, because the table has been read
             _isPrepared = false;
-            var canUpdate:Boolean = false;
-            if (beginsWithLast)
-            {
-                _changedRows.find(input);
-                canUpdate = areFew(_changedRows.rows.count, input) && _changedRows.moveToCells(input);
-            }
-            if (canUpdate)
+            if (mayUpdate && moveChanged(input))
             {
                 findOfChanged(input);
             }
@@ -119,6 +112,13 @@ package starlogo.search
             }
             _isPrepared = isPrepared;
             return _pairs;
+        }
+
+        // Finds the changed rows, and moves them to their cells. Returns false if the search has to be one of all rows.
+        private function moveChanged(input:SearchInput):Boolean
+        {
+            _changedRows.find(input);
+            return areFew(_changedRows.rows.count, input) && _changedRows.moveToCells(input);
         }
 
         /** The table was read without a search: the next search is one of all rows. */
@@ -141,25 +141,19 @@ package starlogo.search
             table.readWorld(input.ground, input.edges);
         }
 
-        // Whether the pairs of a search depend on the same as those of the last one, besides agents, ground and edges.
-        private function areConditionsSame(input:SearchInput):Boolean
+        // Takes what the pairs of a search depend on, besides agents, ground and edges. Returns whether it is the same as in the last search.
+        private function takeConditions(input:SearchInput):Boolean
         {
-            return input.interests === _interests && input.interests.pairCount == _interestCount && settingsOf(input) == _settings;
-        }
-
-        private function keepConditions(input:SearchInput):void
-        {
-            _interests = input.interests;
-            _interestCount = input.interests.pairCount;
-            _settings = settingsOf(input);
-        }
-
-        // The settings of a search as one number: how deep trees are tested, whether there is a filter, and whether an agent sweeps.
-        private function settingsOf(input:SearchInput):int
-        {
-            // no tree is deeper than 2^28. If the triangles decide, the depth does not count
-            var depth:int = narrowPhase.treeLimits.isExact ? 0 : Math.min(narrowPhase.treeLimits.maxDepth, 1 << 28);
-            return depth << 2 | int(input.admitted != null) << 1 | int(_motions.isSwept);
+            var interests:BreedInterests = input.interests;
+            var depth:int = narrowPhase.treeLimits.depth;
+            var isFiltered:Boolean = input.admitted != null;
+            var areSame:Boolean = interests === _interests && interests.pairCount == _interestCount && depth == _depth && isFiltered == _isFiltered
+                && _motions.isSwept == _pairs.haveTimes;
+            _interests = interests;
+            _interestCount = interests.pairCount;
+            _depth = depth;
+            _isFiltered = isFiltered;
+            return areSame;
         }
 
         // How many rows were read again.
@@ -206,7 +200,7 @@ package starlogo.search
             _tests.testWithWorldAgent(ListedAgents.GROUND_ROW, _changedRows.rowsToTestWith(ListedAgents.GROUND_ROW));
             _tests.testWithWorldAgent(ListedAgents.EDGES_ROW, _changedRows.rowsToTestWith(ListedAgents.EDGES_ROW));
             var earlyCount:int = _order.putInOrder(_pairsOfChanged);
-            _update.replacePairsOf(_changedRows.rowsAndWorld, _pairs, _pairsOfChanged, earlyCount);
+            _pairs.replacePairsOf(_changedRows.rowsAndWorld, _pairsOfChanged, earlyCount);
             narrowPhase.counts.members = _changedRows.memberCount;
         }
 

@@ -1,7 +1,7 @@
 package starlogo.search
 {
     import starlogo.agents.Agent;
-    import starlogo.data.IntList;
+    import starlogo.data.IntSet;
     import starlogo.engine;
     import starlogo.search.table.ListedAgents;
 
@@ -12,7 +12,8 @@ package starlogo.search
      * second's. The ground and the edges of the world come after all agents. If an agent sweeps, pairs come by their times, and pairs of the same
      * time in the order of the list. The pairs of a collision system that is not the engine's come in its own order.
      *
-     * <p>Tests add pairs row by row, and PairOrder puts them into order. PairUpdate makes the pairs of a search from those of the last one.</p>
+     * <p>Tests add pairs row by row, and PairOrder puts them into order. If few rows have changed since the last search, their pairs are put between
+     * the others (<code>replacePairsOf()</code>).</p>
      *
      * @private
      */
@@ -33,26 +34,23 @@ package starlogo.search
         /** Has the agent of each row, and its rank in the list of the search. */
         public var list:ListedAgents;
 
-        /** In place of the index of a pair's touch: none has begun yet, or it is not known. */
-        public static const NO_TOUCH:int = -1;
+        /** In place of the origin of a pair: it was not among the pairs before. */
+        public static const NEW:int = -1;
 
-        /** The TouchTracker that has found the touches of the pairs, before the last searches replaced some pairs; null after a search of all rows. */
-        public var touchOwner:Object = null;
+        /** How often the pairs were found or updated. */
+        public var version:int = 0;
 
-        /** By pair, if there is a touchOwner: the index of the pair's touch. A number less than 0 stands for none. It is NO_TOUCH for a new pair. */
-        public var touches:Vector.<int> = new Vector.<int>();
+        /** Whether the pairs are those of the version before, except for some that were replaced. Only then they have origins. */
+        public var isUpdate:Boolean = false;
 
-        /** If there is a touchOwner: the touches of pairs that are gone since it has looked. */
-        public var droppedTouches:IntList = new IntList();
+        /** By pair: the index that it had in the version before, or NEW. Kept pairs keep their order. */
+        public var origins:Vector.<int> = new Vector.<int>();
 
         /** The list to which pairs are written when they or their order change: see <code>exchangeLists()</code>. */
         internal var spareRows:Vector.<int> = new Vector.<int>();
 
         /** The same for their times, if they have any. */
         internal var spareTimes:Vector.<Number> = new Vector.<Number>();
-
-        /** The same for their touches. */
-        internal var spareTouches:Vector.<int> = new Vector.<int>();
 
         /** @param list has the agent of each row */
         public function FoundPairs(list:ListedAgents)
@@ -65,7 +63,73 @@ package starlogo.search
         {
             this.haveTimes = haveTimes;
             count = 0;
-            touchOwner = null;
+            version++;
+            isUpdate = false;
+        }
+
+        /**
+         * Becomes the pairs of a search that is an update of the last one: drops the pairs of changed rows, and puts those between the others that were
+         * found now.
+         *
+         * @param changed the changed rows
+         * @param found their pairs, in order
+         * @param earlyCount how many of the found pairs touch before the end of their motions. All others touch at the end
+         */
+        internal function replacePairsOf(changed:IntSet, found:FoundPairs, earlyCount:int):void
+        {
+            beginUpdate(count + found.count);
+            var added:int = 0;
+            var kept:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var a:int = rows[int(2 * i)];
+                var b:int = rows[int(2 * i + 1)];
+                if (changed.has(a) || changed.has(b))
+                {
+                    continue;
+                }
+                while (added < found.count && (added < earlyCount || found.isBefore(added, a, b)))
+                {
+                    write(kept + added, found.rows[int(2 * added)], found.rows[int(2 * added + 1)], NEW);
+                    added++;
+                }
+                write(kept + added, a, b, i);
+                kept++;
+            }
+            for (; added < found.count; added++)
+            {
+                write(kept + added, found.rows[int(2 * added)], found.rows[int(2 * added + 1)], NEW);
+            }
+            exchangeLists();
+            count = kept + added;
+        }
+
+        // Begins to write another version of the pairs to the spare lists, with so many pairs at most.
+        private function beginUpdate(maxCount:int):void
+        {
+            version++;
+            isUpdate = true;
+            makeRoom(maxCount);
+            if (origins.length < maxCount)
+            {
+                origins.length = maxCount + (maxCount >> 3);
+            }
+        }
+
+        // Writes a pair of two rows to the spare list, with its origin.
+        private function write(to:int, a:int, b:int, origin:int):void
+        {
+            spareRows[int(2 * to)] = a;
+            spareRows[int(2 * to + 1)] = b;
+            origins[to] = origin;
+        }
+
+        // Whether a pair comes before a pair of two rows in the order of the list.
+        private function isBefore(pair:int, a:int, b:int):Boolean
+        {
+            var ranks:Vector.<int> = list.ranks;
+            var rank:int = ranks[rows[int(2 * pair)]];
+            return rank < ranks[a] || rank == ranks[a] && ranks[rows[int(2 * pair + 1)]] < ranks[b];
         }
 
         /** Makes room for a number of pairs in the spare lists. */
@@ -80,10 +144,6 @@ package starlogo.search
             {
                 spareTimes.length = pairCount + (pairCount >> 3);
             }
-            if (touchOwner != null && spareTouches.length < pairCount)
-            {
-                spareTouches.length = pairCount + (pairCount >> 3);
-            }
         }
 
         /** Exchanges the lists of the pairs and the spare ones. */
@@ -95,9 +155,6 @@ package starlogo.search
             var timesBefore:Vector.<Number> = times;
             times = spareTimes;
             spareTimes = timesBefore;
-            var touchesBefore:Vector.<int> = touches;
-            touches = spareTouches;
-            spareTouches = touchesBefore;
         }
 
         /** Adds a pair of two rows. */

@@ -23,8 +23,11 @@ package starlogo.search
         /** By row: the way from the place in the search before. It is 0 for an agent that has not moved, or has come without a motion. */
         internal var displacements:Points = new Points();
 
-        /** By row: whether the agent has come without a motion: it is new, has jumped, or has the shape of another model. */
-        internal var haveJumped:Vector.<Boolean> = new Vector.<Boolean>();
+        /**
+         * By row: whether the agent sweeps, and has not come without a motion. It has if it is new, has jumped, or has the shape of another model. The
+         * ground and the edges of the world do not sweep.
+         */
+        internal var sweeps:Vector.<Boolean> = new Vector.<Boolean>();
 
         /** The rows whose motions the search before has read, if an agent of this search sweeps: their pairs belong to those motions. Read only. */
         internal var previouslyChanged:IntList = new IntList();
@@ -34,9 +37,6 @@ package starlogo.search
 
         // By row: the extents of the whole motion, if an agent of the search sweeps.
         private var _extents:Extents = new Extents();
-
-        // By row: whether the agent sweeps, and has not come without a motion. The ground and the edges of the world do neither.
-        private var _sweeps:Vector.<Boolean> = new Vector.<Boolean>();
 
         private var _table:AgentTable;
 
@@ -56,9 +56,9 @@ package starlogo.search
         {
             this.isSwept = isSwept;
             var length:int = _table.list.rowCapacity;
-            if (length > _sweeps.length)
+            if (length > sweeps.length)
             {
-                _sweeps.length = haveJumped.length = length;
+                sweeps.length = length;
                 displacements.grow(length);
                 _extents.grow(length);
             }
@@ -70,15 +70,17 @@ package starlogo.search
             for (var i:int = 0; i < previouslyChanged.count; i++)
             {
                 var row:int = previouslyChanged.values[i];
+                var agent:Agent = _table.list.agentsByRow[row];
                 setMotion(row, 0, 0, 0);
-                haveJumped[row] = false;
+                sweeps[row] = agent != null && agent.isSweeping;
             }
             for (i = 0; i < _changed.count; i++)
             {
                 row = _changed.values[i];
-                var agent:Agent = _table.list.agentsByRow[row];
-                haveJumped[row] = !_table.isMotionStart(row);
-                if (!haveJumped[row])
+                agent = _table.list.agentsByRow[row];
+                var hasMotion:Boolean = _table.isMotionStart(row);
+                sweeps[row] = hasMotion && agent.isSweeping;
+                if (hasMotion)
                 {
                     var at:Placement = agent.placement;
                     var from:Points = _table.places;
@@ -105,7 +107,7 @@ package starlogo.search
         }
 
         /**
-         * If an agent of the search sweeps: finds the extents of the motions of rows, and which rows sweep. The table has just been read.
+         * If an agent of the search sweeps: finds the extents of the motions of rows. The table has just been read.
          *
          * @param rows the rows; those without a shape are left out, because they are members of no search
          */
@@ -116,7 +118,6 @@ package starlogo.search
                 var row:int = rows.values[i];
                 if (_table.shapes[row] != null)
                 {
-                    _sweeps[row] = !haveJumped[row] && _table.list.agentsByRow[row].isSweeping;
                     findExtentsOf(row);
                 }
             }
@@ -158,7 +159,7 @@ package starlogo.search
         /** Whether one of two rows sweeps, and has not come without a motion. */
         public function eitherSweeps(a:int, b:int):Boolean
         {
-            return _sweeps[a] || _sweeps[b];
+            return sweeps[a] || sweeps[b];
         }
     }
 }

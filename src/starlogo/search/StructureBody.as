@@ -17,7 +17,6 @@ package starlogo.search
         private static const UPRIGHT:Placement = new Placement();
 
         private var _body:Body = new Body();
-        private var _place:Placement = _body.placement;
 
         // By the kind of structure: the shape, with the structure's middle moved to the origin.
         private var _shapes:Vector.<ModelShape> = new Vector.<ModelShape>(BoundingStructure.KIND_COUNT, true);
@@ -44,14 +43,15 @@ package starlogo.search
                 requireInWorld("a structure's middle", _extents[0], _extents[1], _extents[2]);
             }
             // moves the structure from its place to the origin, and the body to that place
-            _place.copyFrom(UPRIGHT);
-            _place.x = -_extents[0];
-            _place.y = -_extents[1];
-            _place.z = -_extents[2];
-            shape.setStructure(inWorld.place(_place, shape.structure));
-            _place.x = _extents[0];
-            _place.y = _extents[1];
-            _place.z = _extents[2];
+            var place:Placement = _body.placement;
+            place.copyFrom(UPRIGHT);
+            place.x = -_extents[0];
+            place.y = -_extents[1];
+            place.z = -_extents[2];
+            shape.setStructure(inWorld.place(place, shape.structure));
+            place.x = _extents[0];
+            place.y = _extents[1];
+            place.z = _extents[2];
             _body.takeShape(shape);
             _body.halfX = _extents[3];
             _body.halfY = _extents[4];

@@ -1,6 +1,9 @@
 package starlogo.search
 {
+    import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
+
+    use namespace engine;
 
     /**
      * How far the trees of a collision system are tested: to which depth, and whether their triangles decide.
@@ -29,11 +32,21 @@ package starlogo.search
             _maxDepth = value;
         }
 
-        /** The number of levels to which the tree of a body is tested. */
+        /** The number of levels to which trees are tested if their agents have no limits; BoxTree.EXACT if the triangles decide. */
+        public function get depth():int
+        {
+            return isExact ? BoxTree.EXACT : Math.min(_maxDepth, BoxTree.MAX_DEPTH);
+        }
+
+        /** The number of levels to which the tree of a body is tested; BoxTree.EXACT if its triangles decide. */
         public function depthOf(body:Body):int
         {
-            var depth:int = body.depthLimit == 0 ? maxDepth : body.depthLimit;
-            return isExact || depth > BoxTree.MAX_DEPTH ? BoxTree.MAX_DEPTH : depth;
+            if (isExact && body.shape.tree.hasTriangles)
+            {
+                return BoxTree.EXACT;
+            }
+            var levels:int = body.depthLimit == 0 ? maxDepth : body.depthLimit;
+            return isExact || levels > BoxTree.MAX_DEPTH ? BoxTree.MAX_DEPTH : levels;
         }
     }
 }

@@ -7,13 +7,13 @@
 // 
 // boxes decide
 // whether they touch    | NodeImpactVisitor        | OverlapTraversal       | -
-// when or where first   | NodeImpactVisitor        | ImpactTraversal        | NodeRayEntryVisitor, NodeRayCrossingVisitor
+// when or where first   | NodeImpactVisitor        | ImpactTraversal        | who is asked
 // the distance          | NodeDistanceVisitor      | DistanceTraversal      | -
 // the contact           | StructurePairs           | StructurePairs         | -
 // 
 // triangles decide
 // whether they touch    | TriangleImpactVisitor    | TrianglePairKernel     | -
-// when or where first   | TriangleImpactVisitor    | TrianglePairKernel     | TriangleRayEntryVisitor, TriangleRayCrossingVisitor
+// when or where first   | TriangleImpactVisitor    | TrianglePairKernel     | who is asked, by a ShearedRay
 // the distance          | TriangleDistanceVisitor  | TrianglePairKernel     | -
 // the contact           | TriangleImpactVisitor    | TriangleContactFinder  | -
 // 

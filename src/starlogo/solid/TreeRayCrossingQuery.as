@@ -1,10 +1,16 @@
 package starlogo.solid
 {
     import starlogo.engine;
+    import starlogo.geometry.Tolerances;
+    import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.NodeRayCrossingVisitor;
+    import starlogo.hierarchy.NodeVisitor;
+    import starlogo.hierarchy.TriangleMesh;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayCrossings;
+    import starlogo.intersection.ray.RaySpan;
+    import starlogo.intersection.ray.ShearedRay;
+    import starlogo.intersection.ray.SpanFinder;
 
     use namespace engine;
 
@@ -14,10 +20,19 @@ package starlogo.solid
      *
      * @private
      */
-    public final class TreeRayCrossingQuery
+    public final class TreeRayCrossingQuery extends NodeVisitor
     {
-        private var _nodes:NodeRayCrossingVisitor = new NodeRayCrossingVisitor();
-        private var _triangles:TriangleRayCrossingVisitor = new TriangleRayCrossingVisitor();
+        private var _search:BoxSearch = new BoxSearch();
+        private var _ray:Ray = null;
+        private var _all:RayCrossings = null;
+
+        // If triangles decide: the model's triangles, null otherwise; and the ray for them.
+        private var _mesh:TriangleMesh = null;
+        private var _shearedRay:ShearedRay = new ShearedRay();
+        private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
+
+        // If nodes decide: the part of the ray in the current one.
+        private var _span:RaySpan = new RaySpan();
 
         /**
          * Adds all crossings. The parameters are those of <code>TreeRayEntryQuery.find()</code>.
@@ -25,19 +40,40 @@ package starlogo.solid
          * @param out the crossings are added to it
          * @return whether they are those of triangles, otherwise those of nodes
          */
-        public function findAll(model:ModelTree, depth:int, isExact:Boolean, ray:Ray, out:RayCrossings):Boolean
+        public function findAll(model:ModelTree, depth:int, ray:Ray, out:RayCrossings):Boolean
         {
             if (TreeRayEntryQuery.beginsInside(model, ray))
             {
                 out.addInside(ray);
             }
-            if (isExact && model.hasTriangles)
+            _ray = ray;
+            _all = out;
+            limit = ray.to;
+            _mesh = depth == BoxTree.EXACT ? model.mesh : null;
+            if (_mesh != null)
             {
-                _triangles.addCrossings(model, ray, out);
-                return true;
+                _shearedRay.setTo(ray, model.boxTree.radiusAboutOrigin);
             }
-            _nodes.addCrossings(model.boxTree, isExact ? BoxTree.EXACT : depth, ray, out);
-            return false;
+            _search.visitAlong(ray, model.boxTree, depth, this);
+            return _mesh != null;
+        }
+
+        /** @inheritDoc */
+        override public function visit(tree:BoxTree, node:int):void
+        {
+            if (_mesh == null)
+            {
+                if (SpanFinder.findInBox(_ray, tree.boxOf(node), TreeRayEntryQuery.NOT_WIDENED, _span))
+                {
+                    _all.addSpan(_ray, _span, Tolerances.ROUNDING * tree.radiusAboutOrigin);
+                }
+                return;
+            }
+            for (var i:int = tree.first[node]; i < tree.end[node]; i++)
+            {
+                _mesh.readTriangle(i, _corners);
+                _shearedRay.addCrossing(_corners, tree.items[i], _all);
+            }
         }
     }
 }

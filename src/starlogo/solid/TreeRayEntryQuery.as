@@ -2,10 +2,16 @@ package starlogo.solid
 {
     import flash.geom.Vector3D;
     import starlogo.engine;
+    import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.NodeRayEntryVisitor;
+    import starlogo.hierarchy.NodeVisitor;
+    import starlogo.hierarchy.TriangleMesh;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayEntry;
+    import starlogo.intersection.ray.RaySpan;
+    import starlogo.intersection.ray.ShearedRay;
+    import starlogo.intersection.ray.SpanFinder;
+    import starlogo.intersection.ray.TriangleCrossing;
 
     use namespace engine;
 
@@ -19,35 +25,40 @@ package starlogo.solid
      *
      * @private
      */
-    public final class TreeRayEntryQuery
+    public final class TreeRayEntryQuery extends NodeVisitor
     {
+        /** The factor on a node's half-extents. Nodes are enlarged as it is. A node that is only touched would be entered before a larger node around it. */
+        internal static const NOT_WIDENED:Number = 1;
+
         private static const START:Vector3D = new Vector3D();
 
-        private var _nodes:NodeRayEntryVisitor = new NodeRayEntryVisitor();
-        private var _triangles:TriangleRayEntryVisitor = new TriangleRayEntryVisitor();
+        private var _search:BoxSearch = new BoxSearch();
+        private var _ray:Ray = null;
+
+        // If triangles decide: the model's triangles, null otherwise; the ray for them; the one that the ray meets first so far.
+        private var _mesh:TriangleMesh = null;
+        private var _shearedRay:ShearedRay = new ShearedRay();
+        private var _firstTriangle:TriangleCrossing = new TriangleCrossing();
+        private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
+
+        // If nodes decide: the one that the ray meets first so far, or -1; and where it enters the current node.
+        private var _firstNode:int = -1;
+        private var _entry:RayEntry = new RayEntry();
+        private var _span:RaySpan = new RaySpan();
 
         /**
          * Finds where a ray first meets a model.
          *
          * @param model the model
-         * @param depth how many of its levels are visited
-         * @param isExact whether the triangles decide, or the leaves if there are none; the depth has no meaning then
+         * @param depth how many of its levels are visited; BoxTree.EXACT if its triangles decide
          * @param ray in the model's space
          * @param out receives the distance, the normal and the triangle
          * @return whether there is a hit
          */
-        public function find(model:ModelTree, depth:int, isExact:Boolean, ray:Ray, out:RayEntry):Boolean
+        public function find(model:ModelTree, depth:int, ray:Ray, out:RayEntry):Boolean
         {
             out.setToStart(ray);
-            if (beginsInside(model, ray))
-            {
-                return true;
-            }
-            if (isExact && model.hasTriangles)
-            {
-                return _triangles.findRayEntry(model, ray, out);
-            }
-            return _nodes.findRayEntry(model.boxTree, isExact ? BoxTree.EXACT : depth, ray, out);
+            return beginsInside(model, ray) || findOnSurface(model, depth, ray, out);
         }
 
         /** Whether a ray begins inside of the surface of a model. */
@@ -55,6 +66,66 @@ package starlogo.solid
         {
             START.setTo(ray.x + ray.from * ray.directionX, ray.y + ray.from * ray.directionY, ray.z + ray.from * ray.directionZ);
             return model.isInside(START, 0);
+        }
+
+        /** Does what <code>find()</code> does if the ray begins outside. */
+        internal function findOnSurface(model:ModelTree, depth:int, ray:Ray, out:RayEntry):Boolean
+        {
+            var tree:BoxTree = model.boxTree;
+            _ray = ray;
+            _firstNode = _firstTriangle.slot = -1;
+            limit = ray.to;
+            _mesh = depth == BoxTree.EXACT ? model.mesh : null;
+            if (_mesh != null)
+            {
+                _shearedRay.setTo(ray, tree.radiusAboutOrigin);
+            }
+            _search.visitAlong(ray, tree, depth, this);
+            if (_firstTriangle.slot >= 0)
+            {
+                _mesh.readTriangle(_firstTriangle.slot, _corners);
+                _shearedRay.writeEntry(_corners, _firstTriangle, tree.items[_firstTriangle.slot], out);
+                return true;
+            }
+            return _firstNode >= 0 && enters(tree, _firstNode, out);
+        }
+
+        /** @inheritDoc */
+        override public function visit(tree:BoxTree, node:int):void
+        {
+            if (_mesh != null)
+            {
+                visitTriangles(tree.first[node], tree.end[node]);
+            }
+            else if (enters(tree, node, _entry) && (_entry.distance < limit || _firstNode < 0))
+            {
+                _firstNode = node;
+                limit = _entry.distance;
+                if (!(limit > _ray.from))
+                {
+                    // no node can be met before the ray's beginning
+                    endSearch();
+                }
+            }
+        }
+
+        // Visits the triangles in some slots.
+        private function visitTriangles(first:int, end:int):void
+        {
+            var corners:Vector.<int> = _mesh.corners;
+            for (var i:int = first; i < end; i++)
+            {
+                if (_shearedRay.findEarlier(_mesh.vertices, corners[int(3 * i)], corners[int(3 * i + 1)], corners[int(3 * i + 2)], i, _firstTriangle))
+                {
+                    limit = _firstTriangle.distance;
+                }
+            }
+        }
+
+        // Finds where the ray enters the box of a node. Returns whether it does.
+        private function enters(tree:BoxTree, node:int, out:RayEntry):Boolean
+        {
+            return SpanFinder.findInBox(_ray, tree.boxOf(node), NOT_WIDENED, _span) && out.enter(_ray, _span);
         }
     }
 }

@@ -8,6 +8,7 @@ package starlogo.solid
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.NodeDistanceVisitor;
     import starlogo.hierarchy.NodeImpactVisitor;
     import starlogo.hierarchy.TreeCounts;
@@ -27,9 +28,6 @@ package starlogo.solid
         private var _tree:ModelTree = null;
         private var _depth:int = 0;
         private var _structure:BoundingStructure = null;
-
-        // Whether triangles decide.
-        private var _isExact:Boolean = false;
 
         private var _nodeImpact:NodeImpactVisitor;
         private var _triangleImpact:TriangleImpactVisitor;
@@ -57,15 +55,13 @@ package starlogo.solid
         /**
          * Sets the two.
          *
-         * @param depth how many levels of the tree are visited
+         * @param depth how many levels of the tree are visited; BoxTree.EXACT if its triangles decide
          * @param structure in b's space
-         * @param isExact whether triangles decide in place of the depth, if the tree has triangles
          * @return this
          */
-        public function setTo(tree:ModelTree, placementA:Placement, depth:int, structure:BoundingStructure, placementB:Placement, isExact:Boolean):TreeQuery
+        public function setTo(tree:ModelTree, placementA:Placement, depth:int, structure:BoundingStructure, placementB:Placement):TreeQuery
         {
             _tree = tree;
-            _isExact = isExact && tree.hasTriangles;
             _depth = depth;
             _structure = structure;
             this.placementA = placementA;
@@ -77,7 +73,7 @@ package starlogo.solid
         public function findNearestTriangle():int
         {
             pose.setBetween(placementA, placementB);
-            var slot:int = _isExact ? _triangleDistance.find(_tree, _structure, pose, _measured) : -1;
+            var slot:int = _depth == BoxTree.EXACT ? _triangleDistance.find(_tree, _structure, pose, _measured) : -1;
             return slot < 0 ? -1 : _tree.boxTree.items[slot];
         }
 
@@ -95,7 +91,7 @@ package starlogo.solid
             {
                 return;
             }
-            if (_isExact)
+            if (_depth == BoxTree.EXACT)
             {
                 _triangleImpact.findContact(found, motion, out);
                 out.triangle = _tree.boxTree.items[found];
@@ -115,7 +111,7 @@ package starlogo.solid
         // Finds which triangle, by its slot, or else which node is touched first. Returns -1 if none is.
         private function findFirstTouched(motion:RelativeMotion):int
         {
-            return _isExact
+            return _depth == BoxTree.EXACT
                 ? _triangleImpact.findImpact(_tree, _structure, pose, motion)
                 : _nodeImpact.findImpact(_tree.boxTree, _depth, _structure, pose, motion);
         }
@@ -129,7 +125,7 @@ package starlogo.solid
         /** @inheritDoc */
         override internal function findClosestOfSurfaces(out:ClosestPoints):void
         {
-            if (_isExact)
+            if (_depth == BoxTree.EXACT)
             {
                 _triangleDistance.find(_tree, _structure, pose, out);
             }

@@ -31,8 +31,7 @@ package starlogo.solid
         private var _b:ModelTree = null;
         private var _trees:PosedTrees = new PosedTrees();
 
-        // Whether triangles decide, and how.
-        private var _isExact:Boolean = false;
+        // How triangles decide.
         private var _pairKernel:TrianglePairKernel;
         private var _contactFinder:TriangleContactFinder;
 
@@ -57,21 +56,19 @@ package starlogo.solid
         /**
          * Sets the two.
          *
-         * @param depthA how many levels of a's tree are visited
-         * @param isExact whether triangles decide in place of depths, if both trees have triangles
+         * @param depthA how many levels of a's tree are visited. If it and the other depth are BoxTree.EXACT, the triangles of both decide
          * @return this
          */
-        public function setTo(a:ModelTree, placementA:Placement, depthA:int, b:ModelTree, placementB:Placement, depthB:int, isExact:Boolean):TreeQuery
+        public function setTo(a:ModelTree, placementA:Placement, depthA:int, b:ModelTree, placementB:Placement, depthB:int):TreeQuery
         {
-            _isExact = isExact && a.hasTriangles && b.hasTriangles;
             _a = a;
             _b = b;
             this.placementA = placementA;
             this.placementB = placementB;
             _trees.a = a.boxTree;
             _trees.b = b.boxTree;
-            _trees.depthA = _isExact ? BoxTree.EXACT : depthA;
-            _trees.depthB = _isExact ? BoxTree.EXACT : depthB;
+            _trees.depthA = depthA;
+            _trees.depthB = depthB;
             return this;
         }
 
@@ -93,7 +90,7 @@ package starlogo.solid
                 return;
             }
             out.triangle = -1;
-            if (_isExact)
+            if (isExact)
             {
                 _contactFinder.find(_a, _b, _trees, best, motion, out);
             }
@@ -145,10 +142,16 @@ package starlogo.solid
             return PartInsideFinder.find(_b, _a, _inverse, placementB, out);
         }
 
+        // Whether triangles decide.
+        private function get isExact():Boolean
+        {
+            return _trees.depthA == BoxTree.EXACT && _trees.depthB == BoxTree.EXACT;
+        }
+
         // What decides about two nodes: their triangles, or null for their boxes. The motion is that of b.
         private function kernelFor(motion:RelativeMotion):NodePairKernel
         {
-            return _isExact ? _pairKernel.begin(_a.mesh, _b.mesh, _trees, motion) : null;
+            return isExact ? _pairKernel.begin(_a.mesh, _b.mesh, _trees, motion) : null;
         }
     }
 }

@@ -19,8 +19,8 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * Decides when a solid structure first touches a triangle of a model, and whether it does if it is still. If the structure moves, SweptAxes
-     * rules out most triangles; otherwise their extents do. Their planes come last.
+     * Decides when a solid structure first touches a triangle of a model, and whether it does if it is still. Their extents rule out most triangles;
+     * SweptAxes those beside a motion; their planes come last.
      */
     internal final class TriangleImpactVisitor extends NodeVisitor
     {
@@ -30,13 +30,14 @@ package starlogo.solid
 
         private var _mesh:TriangleMesh;
 
-        // The structure's motion, which receives the time of the first touch, and a copy that has the times of one triangle.
+        // The structure's motion, which has the times of the current triangle.
         private var _motion:RelativeMotion;
-        private var _triangleMotion:RelativeMotion = new RelativeMotion();
         private var _kernel:TriangleKernel = new TriangleKernel();
 
-        // The extents of the structure's core, where it is at time 0: minX, maxX, minY, ... The core of a round structure is a point or a segment.
+        // The extents of the structure's core where it is at time 0, and on its motion until the limit: minX, maxX, minY, ... The core of a round
+        // structure is a point or a segment.
         private var _coreExtents:Vector.<Number> = new Vector.<Number>(6, true);
+        private var _sweptExtents:Vector.<Number> = new Vector.<Number>(6, true);
 
         // How far the structure's core may be from a triangle that it touches, with all that is rounded.
         private var _quickDistance:Number = 0;
@@ -65,7 +66,8 @@ package starlogo.solid
          * @param model the model; has triangles
          * @param structure in the space of another model
          * @param pose the other model's pose in the first one's space
-         * @param motion of the structure, from the pose on; receives the time. If it is still, the structure touches at time 0 or never
+         * @param motion of the structure, from the pose on; receives the time, and its earliest and latest times are overwritten. If it is still, the
+         *     structure touches at time 0 or never
          * @return the triangle's slot, or -1
          */
         public function findImpact(model:ModelTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):int
@@ -94,47 +96,61 @@ package starlogo.solid
                 extents[i] += shape.radius;
                 extents[int(i + 1)] -= shape.radius;
             }
-            var rounding:Number = Tolerances.EXTENTS * size;
-            _quickDistance = shape.radius + shape.margin + rounding;
+            _quickDistance = shape.radius + shape.margin + Tolerances.EXTENTS * size;
             _search.setExtents(extents, _quickDistance);
             _search.setMotion(motion);
-            _triangleMotion.copyVector(motion);
-            _separatingAxes.setTo(shape, _quickDistance, _triangleMotion);
+            _separatingAxes.setTo(shape, _quickDistance, motion);
+            sweepExtents();
+        }
+
+        private function sweepExtents():void
+        {
+            sweepAlong(0, limit * _motion.x);
+            sweepAlong(2, limit * _motion.y);
+            sweepAlong(4, limit * _motion.z);
+        }
+
+        // Writes the extents along an axis, which begin at an index, of the core and of its travel along that axis.
+        private function sweepAlong(at:int, travel:Number):void
+        {
+            _sweptExtents[at] = _coreExtents[at] + (travel < 0 ? travel : 0);
+            _sweptExtents[int(at + 1)] = _coreExtents[int(at + 1)] + (travel > 0 ? travel : 0);
         }
 
         /** @inheritDoc */
         override public function visit(tree:BoxTree, node:int):void
         {
-            var isStill:Boolean = _motion.isStill;
+            var motion:RelativeMotion = _motion;
+            var isStill:Boolean = motion.isStill;
             var end:int = tree.end[node];
             for (var i:int = tree.first[node]; i < end && limit >= 0; i++)
             {
-                if (isStill && squaredDistanceToExtents(_coreExtents, _mesh, i) > _quickDistance * _quickDistance)
+                if (squaredDistanceToExtents(_sweptExtents, _mesh, i) > _quickDistance * _quickDistance)
                 {
                     continue;
                 }
                 _mesh.readTriangle(i, _corners);
-                _triangleMotion.latest = limit;
+                motion.latest = limit;
                 if (!isStill && _separatingAxes.areApart(_corners))
                 {
                     continue;
                 }
                 _plane.setTriangle(_corners, 0);
-                _triangleMotion.earliest = _plane.timeOfEntry(_kernel.shape, _quickDistance, _motion);
-                if (_triangleMotion.earliest > limit)
+                motion.earliest = _plane.timeOfEntry(_kernel.shape, _quickDistance, motion);
+                if (motion.earliest > limit)
                 {
                     continue;
                 }
                 _counts.triangleTests++;
                 if (isStill)
                 {
-                    _triangleMotion.time = _kernel.areTouching(_corners) ? 0 : RelativeMotion.NEVER;
+                    motion.time = _kernel.areTouching(_corners) ? 0 : RelativeMotion.NEVER;
                 }
                 else
                 {
-                    _kernel.findTime(_corners, _triangleMotion);
+                    _kernel.findTime(_corners, motion);
                 }
-                if (_firstImpact.offer(_triangleMotion, _plane))
+                if (_firstImpact.offer(motion, _plane))
                 {
                     _found = i;
                 }
@@ -145,6 +161,7 @@ package starlogo.solid
                 else if (_firstImpact.latest < limit)
                 {
                     limit = _firstImpact.latest;
+                    sweepExtents();
                 }
             }
         }

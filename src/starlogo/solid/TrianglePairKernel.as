@@ -4,7 +4,6 @@ package starlogo.solid
     import starlogo.convex.RelativeMotion;
     import starlogo.convex.TrianglePlane;
     import starlogo.engine;
-    import starlogo.geometry.Placement;
     import starlogo.geometry.placePoints;
     import starlogo.hierarchy.BestPair;
     import starlogo.hierarchy.NodePairKernel;
@@ -31,9 +30,9 @@ package starlogo.solid
         private var _cornersOfA:Vector.<Number> = new Vector.<Number>(9, true);
         private var _planeOfA:TrianglePlane = new TrianglePlane();
 
-        // The placement of b in a's space, and the motion of b, which ends at the first touch so far.
-        private var _placement:Placement = null;
-        private var _motion:RelativeMotion = new RelativeMotion();
+        // The two trees, and the motion of b, which ends at the first touch so far.
+        private var _trees:PosedTrees = null;
+        private var _motion:RelativeMotion = null;
 
         // The slot of the first triangle that is placed, or NONE.
         private var _firstPlaced:int = NONE;
@@ -49,8 +48,7 @@ package starlogo.solid
 
         private var _counts:TreeCounts;
 
-        // The largest distance at which triangles touch, and the largest one at which quick tests let them pass: see PosedTrees.
-        private var _tolerance:Number = 0;
+        // The largest distance at which quick tests let triangles pass: see PosedTrees.
         private var _quickDistance:Number = 0;
 
         // The plane of b's current triangle.
@@ -71,19 +69,17 @@ package starlogo.solid
          * @param a the triangles of the first tree
          * @param b those of the second
          * @param trees the two; the pose is where b is at time 0
-         * @param motion of b in a's space; RelativeMotion.NONE if it stands
+         * @param motion of b in a's space; RelativeMotion.NONE if it stands. <code>findEarlier()</code> overwrites its time and its latest time
          * @return this
          */
         public function begin(a:TriangleMesh, b:TriangleMesh, trees:PosedTrees, motion:RelativeMotion):NodePairKernel
         {
-            _placement = trees.pose.placement;
+            _trees = trees;
             _meshA = a;
             _meshB = b;
-            _motion.copyVector(motion);
-            _motion.latest = motion.latest;
+            _motion = motion;
             _firstImpact.reset(motion.latest);
             _firstPlaced = NONE;
-            _tolerance = trees.triangleTolerance;
             _quickDistance = trees.quickDistance(motion);
             return this;
         }
@@ -172,7 +168,7 @@ package starlogo.solid
                 {
                     _meshB.readTriangle(first + i, _placed, 9 * i);
                 }
-                placePoints(_placement, _placed, 0, 9 * count, _placed);
+                placePoints(_trees.pose.placement, _placed, 0, 9 * count, _placed);
             }
             return count;
         }
@@ -181,7 +177,7 @@ package starlogo.solid
         private function setTriangleOfB(index:int):void
         {
             _kernel.shape.setTriangle(_placed, 9 * index);
-            _kernel.shape.margin += _tolerance;
+            _kernel.shape.margin += _trees.triangleTolerance;
             writeExtents(9 * index, 0, _motion.latest * _motion.x);
             writeExtents(9 * index + 1, 2, _motion.latest * _motion.y);
             writeExtents(9 * index + 2, 4, _motion.latest * _motion.z);

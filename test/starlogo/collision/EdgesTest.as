@@ -43,8 +43,9 @@ package starlogo.collision
         private var _bounds:WorldBounds;
         private var _calls:Array;
 
-        // The extent of the agent that was measured last.
-        private var _size:Number;
+        // The extents of the agent that beyondOf() was last asked about.
+        private var _least:Vector3D;
+        private var _most:Vector3D;
 
         [BeforeClass]
         public static function makeModels():void
@@ -414,6 +415,23 @@ package starlogo.collision
             {
                 _wrong.add(name + ": depth", message);
             }
+            else if (contact != null && !isWithinExtents(contact.point, way, 1 - contact.time))
+            {
+                _wrong.add(name + ": point", contact.point + ": " + message);
+            }
+        }
+
+        // Whether a point is in the extents as they were when a part of the way was left, or between them and an edge that they are wholly beyond.
+        private function isWithinExtents(point:Vector3D, way:Vector3D, left:Number):Boolean
+        {
+            return isWithin(point.x, left * way.x, _least.x, _most.x, _bounds.minX, _bounds.maxX)
+                && isWithin(point.y, left * way.y, _least.y, _most.y, _bounds.minY, _bounds.maxY)
+                && isWithin(point.z, left * way.z, _least.z, _most.z, _bounds.minZ, _bounds.maxZ);
+        }
+
+        private static function isWithin(coordinate:Number, left:Number, least:Number, most:Number, minEdge:Number, maxEdge:Number):Boolean
+        {
+            return coordinate >= Math.min(least - left, maxEdge) - NEAR && coordinate <= Math.max(most - left, minEdge) + NEAR;
         }
 
         // How far an agent reaches beyond each edge, by all points of its shape.
@@ -433,7 +451,8 @@ package starlogo.collision
                     most.setTo(Math.max(most.x, x + radius), Math.max(most.y, y + radius), Math.max(most.z, z + radius));
                 }
             }
-            _size = Math.max(most.x - least.x, most.y - least.y, most.z - least.z);
+            _least = least;
+            _most = most;
             return [_bounds.minX - least.x, most.x - _bounds.maxX, _bounds.minY - least.y, most.y - _bounds.maxY, _bounds.minZ - least.z, most.z - _bounds.maxZ];
         }
 

@@ -58,8 +58,7 @@ package starlogo.handlers
                         seen[nameOf(a, b)] = true;
                     }
                 }
-                _found.touchOwner = null;
-                assertNull("all pairs are others", _tracker.begin(_found, _handlers));
+                begin(false);
                 assertEquals(frame, _tracker.frame);
                 var left:Array = pairs.filter(function(each:String, ...rest):Boolean
                     {
@@ -90,7 +89,7 @@ package starlogo.handlers
                         }
                     }
                 }
-                _tracker.end();
+                _tracker.release();
                 most = Math.max(most, left.length);
                 assertEquals(left.join(), namesOf(_tracker.touches.inOrder()));
                 assertEquals(left.length, _tracker.touches.count);
@@ -110,18 +109,17 @@ package starlogo.handlers
             {
                 var dropped:Array = [];
                 var left:Array = [];
-                var touches:Array = [];
+                var origins:Array = [];
                 for (var i:int = 0; i < pairs.length; i++)
                 {
                     if (random.next() < (frame % 40 < 20 ? 0.1 : 0.4))
                     {
                         dropped.push(pairs[i]);
-                        _found.droppedTouches.add(_found.touches[i]);
                     }
                     else
                     {
                         left.push(pairs[i]);
-                        touches.push(_found.touches[i]);
+                        origins.push(i);
                     }
                 }
                 pairs = left.concat();
@@ -153,16 +151,15 @@ package starlogo.handlers
                 for (i = 0; i < places.length; i++)
                 {
                     pairs.splice(places[i], 0, found[i]);
-                    touches.splice(places[i], 0, FoundPairs.NO_TOUCH);
+                    origins.splice(places[i], 0, FoundPairs.NEW);
                 }
                 _found.count = 0;
                 for (i = 0; i < pairs.length; i++)
                 {
-                    _found.touches[i] = touches[i];
+                    _found.origins[i] = origins[i];
                     addPair(agentOf(pairs[i], 0), agentOf(pairs[i], 1));
                 }
-                assertEquals("pairs were kept", frame > 1, _tracker.pairsThatMayStart(_found) != null);
-                assertEquals(frame > 1 ? places.join() : "all", namesOfPairs(_tracker.begin(_found, _handlers)));
+                begin(frame > 1);
                 var ended:Array = begun.filter(function(each:String, ...rest):Boolean
                     {
                         return pairs.indexOf(each) < 0;
@@ -184,13 +181,14 @@ package starlogo.handlers
                     }
                     assertEquals(pairs[i], nameOf(touch.first, touch.second));
                 }
-                _tracker.end();
+                _tracker.release();
                 assertEquals(begun.join(), namesOf(_tracker.touches.inOrder()));
                 assertEquals(begun.length, _tracker.touches.count);
                 numbers = pairs.concat();
             }
             assertTrue("some remained", begun.length > 5);
-            assertNull("another tracker knows none of them", new TouchTracker(new TouchTable()).pairsThatMayStart(_found));
+            _found.version++;
+            assertEquals("another tracker knows none of them", _found.count, new TouchTracker(new TouchTable()).findStarting(_found, _handlers).count);
         }
 
         [Test]
@@ -198,24 +196,40 @@ package starlogo.handlers
         {
             addPair(_agents[0], _agents[1]);
             addPair(_agents[2], _agents[3]);
-            assertNull(_tracker.begin(_found, _handlers));
+            begin(false);
             for (var pair:int = 0; pair < 2; pair++)
             {
                 _tracker.findOrStartAt(pair).isCalledForBoth = pair == 0;
             }
             _tracker.dropAt(1);
-            _tracker.end();
-            assertEquals("1", namesOfPairs(_tracker.begin(_found, _handlers)));
+            _tracker.release();
+            _found.origins = new <int>[0, 1];
+            assertEquals(1, begin(true));
             assertEquals(nameOf(_agents[2], _agents[3]), endedNames());
             assertTrue(_tracker.touchAt(0) != null);
             assertNull(_tracker.touchAt(1));
-            _tracker.end();
+            _tracker.release();
             assertEquals(1, _tracker.touches.count);
         }
 
-        private static function namesOfPairs(pairs:IntList):String
+        // Begins a frame with other pairs, or with those that are updated. Returns how many touches may begin.
+        private function begin(isUpdate:Boolean):int
         {
-            return pairs == null ? "all" : pairs.values.slice(0, pairs.count).join();
+            _found.version++;
+            _found.isUpdate = isUpdate;
+            var starting:IntList = _tracker.findStarting(_found, _handlers);
+            for (var i:int = 0; i < starting.count; i++)
+            {
+                assertNull(_tracker.touchAt(starting.values[i]));
+            }
+            var touching:int = 0;
+            for (i = 0; i < _found.count; i++)
+            {
+                touching += _tracker.touchAt(i) == null ? 0 : 1;
+            }
+            assertEquals("all others go on", _found.count, starting.count + touching);
+            _tracker.endOthers();
+            return starting.count;
         }
 
         [Test]
@@ -246,9 +260,8 @@ package starlogo.handlers
         // The touch of the first pair that goes on in the next frame.
         private function next():Touch
         {
-            _tracker.end();
-            _found.touchOwner = null;
-            _tracker.begin(_found, _handlers);
+            _tracker.release();
+            begin(false);
             return _tracker.touchAt(0);
         }
 

@@ -8,7 +8,6 @@ package starlogo.models
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
-    import org.flexunit.async.Async;
     import starlogo.GreatLand;
     import starlogo.models.loading.CookedManifest;
     import starlogo.models.loading.ModelLoad;
@@ -17,6 +16,7 @@ package starlogo.models
     import support.OfferingURLLoader;
     import support.SteppedModels;
     import support.encoded;
+    import support.whenComplete;
 
     /** A ModelLoader and cooked files, by themselves and by a manifest. */
     public class CookedLoadingTest
@@ -78,7 +78,7 @@ package starlogo.models
             _fitter.count = 0;
             offering.load("bear", "http://h/a/bear.obj?v=2#x");
             offering.load("deep", "http://h/a/deep/bear.obj");
-            whenComplete(offering, function():void
+            whenComplete(this, offering, function():void
                 {
                     assertEquals("nothing is fitted", 0, _fitter.count);
                     assertEquals("", _errors.join());
@@ -114,7 +114,7 @@ package starlogo.models
                     });
                 offering.load("bear " + i, "bear.obj");
             }
-            whenComplete(_loader, function():void
+            whenComplete(this, _loader, function():void
                 {
                     assertEquals("", _errors.join());
                     assertEquals(ways.length, _fitter.count);
@@ -135,7 +135,7 @@ package starlogo.models
             offering.load("y", "bear.obj", "y");
             offering.load("volume", "bear.obj", "z", Model.VOLUME);
             offering.load("turned", "bear.obj", ModelTransform.fromText("rotate 0 0 45"));
-            whenComplete(offering, function():void
+            whenComplete(this, offering, function():void
                 {
                     assertEquals("", _errors.join());
                     assertEquals(3, _fitter.count);
@@ -178,7 +178,7 @@ package starlogo.models
             offering.usesTransforms = true;
             _fitter.count = 0;
             offering.load("bear", "bear.obj");
-            whenComplete(offering, function():void
+            whenComplete(this, offering, function():void
                 {
                     assertEquals(0, _fitter.count);
                     var land:GreatLand = newGame();
@@ -197,7 +197,7 @@ package starlogo.models
             _fitter.count = 0;
             _loader.loadBytes("bear", cooked);
             _loader.loadBytes("damaged", damaged);
-            whenComplete(_loader, function():void
+            whenComplete(this, _loader, function():void
                 {
                     assertEquals(0, _fitter.count);
                     assertTrue(_greatLand.hasModel("bear"));
@@ -236,7 +236,7 @@ package starlogo.models
                 {
                     frames++;
                 });
-            whenComplete(offering, function():void
+            whenComplete(this, offering, function():void
                 {
                     trace("  nine cooked models in " + frames + " frames: the longest " + offering.longestFrame + " ms of " + BUDGET +
                             ", the longest step " + offering.longestStep + " ms");
@@ -261,7 +261,7 @@ package starlogo.models
         public function aManifestThatHasNotComeNamesNothingYet():void
         {
             var manifest:CookedManifest = new CookedManifest("a/m.json");
-            assertFalse(manifest.isUnderWay);
+            assertFalse(manifest.isRunning);
             assertEquals(null, manifest.addressFor("a/bear.obj"));
             fetch(manifest, "x");
             assertEquals("a/x", manifest.addressFor("a/bear.obj"));
@@ -322,14 +322,6 @@ package starlogo.models
             var game:GreatLand = new GreatLand();
             game.boundingStructures.fitters.push(_fitter);
             return game;
-        }
-
-        private function whenComplete(loader:ModelLoader, check:Function):void
-        {
-            Async.handleEvent(this, loader, Event.COMPLETE, function(event:Event, data:Object):void
-                {
-                    check();
-                }, 120000);
         }
     }
 }

@@ -11,6 +11,7 @@ package starlogo.models
     import support.Gltf;
     import support.SlowReceiver;
     import support.encoded;
+    import support.whenComplete;
 
     /** A ModelLoader tells formats apart by what is in the files, whatever they are called, and fetches what is beside a glTF file. */
     public class FormatsLoadingTest
@@ -55,7 +56,7 @@ package starlogo.models
                         _loader.fetches[15].deliver(Gltf.tetrahedron().binary);
                     }
                 });
-            whenComplete(function():void
+            whenComplete(this, _loader, function():void
                 {
                     assertEquals(16, _loader.fetches.length);
                     assertEquals("http://host/other.host/x.bin", _loader.fetches[15].addresses.join());
@@ -77,7 +78,7 @@ package starlogo.models
             {
                 _loader.loadText("a", text, Model.AS_GIVEN);
             }
-            whenComplete(function():void
+            whenComplete(this, _loader, function():void
                 {
                     assertEquals(texts.length, _log.length);
                     for each (var line:String in _log)
@@ -93,7 +94,7 @@ package starlogo.models
             var bytes:ByteArray = new ByteArray();
             bytes.length = 67108865;
             _loader.loadBytes("a", bytes);
-            whenComplete(function():void
+            whenComplete(this, _loader, function():void
                 {
                     assertEquals("model \"a\": the file has 67108865 bytes: expected at most 67108864", _log.join());
                 });
@@ -126,7 +127,7 @@ package starlogo.models
             _loader.loadText("text", DOCUMENT);
             _loader.loadBytes("bytes", Gltf.tetrahedron().toBinary());
             var wanted:int = _loader.pendingCount;
-            whenComplete(function():void
+            whenComplete(this, _loader, function():void
                 {
                     assertEquals(wanted, _log.length);
                     assertEquals('no vertices: expected facets; its JSON; this is; no vertices, so this is no OBJ; no vertices, so this is no OBJ; no vertices: expected facets; no vertices: expected facets',
@@ -176,7 +177,7 @@ package starlogo.models
                         _loader.fetches[5].dispatchEvent(new IOErrorEvent(IOErrorEvent.IO_ERROR, false, false, "404"));
                     }
                 });
-            whenComplete(function():void
+            whenComplete(this, _loader, function():void
                 {
                     _log.sort();
                     assertEquals("http://host/models/parts/bear.bin,bear.bin,lost.bin", [_loader.fetches[3].addresses, _loader.fetches[4].addresses,
@@ -202,14 +203,6 @@ package starlogo.models
                 {
                     assertEquals(1, _loader.fetches[1].closeCount);
                     assertEquals(0, _log.length);
-                }, 120000);
-        }
-
-        private function whenComplete(check:Function):void
-        {
-            Async.handleEvent(this, _loader, Event.COMPLETE, function(event:Event, data:Object):void
-                {
-                    check();
                 }, 120000);
         }
 

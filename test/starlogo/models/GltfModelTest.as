@@ -5,6 +5,10 @@ package starlogo.models
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertNull;
     import org.flexunit.asserts.assertTrue;
+    import starlogo.models.building.ModelBuilder;
+    import starlogo.models.files.ModelFile;
+    import starlogo.models.gltf.GltfFile;
+    import starlogo.models.gltf.GltfReader;
     import starlogo.models.text.Decimal;
     import support.Failures;
     import support.Gltf;
@@ -174,6 +178,23 @@ package starlogo.models
             {
                 Failures.assertFails("buffers[0].uri", "expected", GltfModel.fromBytes, "a", file.toTextBytes(uri), null, Model.FOOTPRINT, {});
             }
+        }
+
+        /** Several buffers may be in one file. */
+        [Test]
+        public function fetchesAFileOnce():void
+        {
+            var file:Gltf = Gltf.tetrahedron();
+            file.json.bufferViews[1].buffer = 1;
+            file.json.buffers[1] = {byteLength: file.binary.length, uri: "a.bin"};
+            var fetched:Array = [];
+            var reader:GltfReader = new GltfReader(new GltfFile(new ModelFile("a", file.toTextBytes("a.bin")), function(uri:String, take:Function):void
+                    {
+                        fetched.push(uri);
+                        take(file.binary, null);
+                    }), null, Model.FOOTPRINT);
+            assertEquals(12, ModelBuilder.reading(reader).build().triangles.length);
+            assertEquals("a.bin", fetched.join());
         }
 
         /** Any character of an address may stand as its number, and its scheme and "base64" in capitals (RFC 3986, RFC 2397). */

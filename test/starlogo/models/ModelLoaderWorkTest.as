@@ -16,6 +16,7 @@ package starlogo.models
     import support.assign;
     import support.create;
     import support.encoded;
+    import support.whenComplete;
 
     /** How a ModelLoader lives and works: its frames, its clock, its fetching. It is its receiver itself. */
     public class ModelLoaderWorkTest implements ModelReceiver
@@ -152,7 +153,7 @@ package starlogo.models
             {
                 fetch.deliver(encoded(OBJ));
             }
-            whenComplete(function():void
+            whenComplete(this, _loader, function():void
                 {
                     assertEquals("b", _log.join());
                 });
@@ -166,7 +167,7 @@ package starlogo.models
             {
                 _loader.loadText("model " + i, OBJ);
             }
-            whenComplete(function():void
+            whenComplete(this, _loader, function():void
                 {
                     assertTrue("many steps: " + _loader.stepCount, _loader.stepCount > 12 * STEPS);
                     assertTrue("several a frame: " + _loader.frameCount, _loader.frameCount < _loader.stepCount / 2);
@@ -180,7 +181,7 @@ package starlogo.models
         {
             _loader = new TestedLoader(this, 0);
             _loader.loadText("model", OBJ);
-            whenComplete(function():void
+            whenComplete(this, _loader, function():void
                 {
                     assertTrue("many steps: " + _loader.stepCount, _loader.stepCount > STEPS);
                     assertEquals(_loader.stepCount, _loader.frameCount);
@@ -215,14 +216,6 @@ package starlogo.models
 
         private static function doNothing():void
         {
-        }
-
-        private function whenComplete(check:Function):void
-        {
-            Async.handleEvent(this, _loader, Event.COMPLETE, function(event:Event, data:Object):void
-                {
-                    check();
-                }, 120000);
         }
     }
 }

@@ -43,7 +43,7 @@ package starlogo.models
             var data:ModelData = new ModelData("bar");
             data.scaling = Model.FOOTPRINT;
             data.vertices.push(10, 20, 30, 14, 22, 38);
-            var model:Model = new ModelBuilder(data).model;
+            var model:Model = new Model("bar", null, null, null, new ModelBuilder(data).build());
             assertEquals("bar", model.name);
             assertStrictlyEquals(data.vertices, model.vertices);
         }

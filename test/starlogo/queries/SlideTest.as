@@ -26,6 +26,9 @@ package starlogo.queries
         public static const FIXTURES:Array = ["/assets/fortress.obj"];
 
         private static const HAIR:Number = 1e-9;
+
+        // How thick a leaf of width 2 is. It counts as flat.
+        private static const LEAF:Number = 1 / 4096;
         private static const HASH:String = "83dc168d";
 
         private static var sGreatLand:GreatLand;
@@ -73,6 +76,45 @@ package starlogo.queries
             queries.update(agents);
             queries.slide(mover, 0, 1, 0);
             return mover.x + ", " + mover.y + ", " + mover.z;
+        }
+
+        // A leaf that ends its way close to a wall, without touching it, keeps the same gap on each side of it, along each axis.
+        [Test]
+        public function aLeafKeepsTheSameGapOnAllSides():void
+        {
+            var land:GreatLand = landOf(BuiltInModel.box(LEAF, 2, 2, "leaf 0"), BuiltInModel.box(2, LEAF, 2, "leaf 1"), BuiltInModel.box(2, 2, LEAF, "leaf 2"),
+                    BuiltInModel.cube());
+            var led:int = 0;
+            for each (var name:String in ["tightest fits", "hierarchies", "triangles"])
+            {
+                var queries:AgentQueries = new AgentQueries(EachCollider.make(name, land));
+                for (var i:int = 0; i < 60; i++)
+                {
+                    var gap:Number = _random.logBetween(1e-12, 1e-9);
+                    var axis:int = i % 3;
+                    var before:Number = gapAfterSlide(queries, axis, -1, gap);
+                    var after:Number = gapAfterSlide(queries, axis, 1, gap);
+                    led += after > 1.5 * gap ? 1 : 0;
+                    _wrong.addIf(!(Math.abs(before - after) < 1e-14), name + ", axis " + axis, before + " and " + after + " of " + gap);
+                }
+            }
+            _wrong.assertNone();
+            assertTrue(String(led), led > 40 && led < 170);
+        }
+
+        // Slides a leaf along the cube on a side of it. Returns how far it is from the cube then.
+        private static function gapAfterSlide(queries:AgentQueries, axis:int, side:int, gap:Number):Number
+        {
+            var leaf:Agent = new Agent("leaf " + axis);
+            var cube:Agent = new Agent("cube");
+            var place:Array = [0, 0, 0];
+            place[axis] = -side * ((1 + LEAF) / 2 + gap);
+            // half of the way, so that the slide ends beside the cube
+            place[(axis + 1) % 3] = -0.1;
+            leaf.moveTo(place[0], place[1], place[2]);
+            queries.update(new <Agent>[leaf, cube]);
+            queries.slide(leaf, axis == 2 ? 0.2 : 0, axis == 0 ? 0.2 : 0, axis == 1 ? 0.2 : 0);
+            return -side * [leaf.x, leaf.y, leaf.z][axis] - (1 + LEAF) / 2;
         }
 
         [Test]

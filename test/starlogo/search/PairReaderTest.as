@@ -1,7 +1,7 @@
 package starlogo.search
 {
     import org.flexunit.asserts.assertEquals;
-    import org.flexunit.asserts.assertNull;
+    import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertStrictlyEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.agents.Agent;
@@ -45,10 +45,12 @@ package starlogo.search
         public function eachListHasItsOwnRows():void
         {
             read([_a, _b], [_a, _b]);
-            _found.touchOwner = this;
+            _found.isUpdate = true;
+            var version:int = _found.version;
             read([_b, _c], [_c, _b]);
             assertPairs([_c, _b]);
-            assertNull("these are other pairs", _found.touchOwner);
+            assertFalse("these are other pairs", _found.isUpdate);
+            assertTrue(_found.version > version);
         }
 
         private function read(list:Array, pairs:Array):void

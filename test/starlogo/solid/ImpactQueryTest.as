@@ -3,6 +3,7 @@ package starlogo.solid
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertTrue;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Hull;
     import starlogo.bounding.Sphere;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
@@ -50,6 +51,21 @@ package starlogo.solid
             checkLatest(treeOf("block", block(-0.2, 0.2, 0.2, [])), null, false);
             checkLatest(null, new Sphere(new Vector3D(), 0.2), true);
             checkLatest(null, new Sphere(new Vector3D(), 0.2), false);
+        }
+
+        /** Triangles begin to be swept where their planes are met. That time is not that of the next question. */
+        [Test]
+        public function eachQuestionBeginsAtItsOwnTime():void
+        {
+            var walls:ModelTree = treeOf("walls", block(0.6, 1, 0.3, block(-1, -0.6, 0.3, [])));
+            var ends:Placement = new Placement();
+            ends.x = -0.6;
+            var motion:RelativeMotion = new RelativeMotion();
+            motion.endAfter(-0.6, 0, 0);
+            queryOf(walls, ends, null, new Sphere(new Vector3D(), 0.2), true).findImpactOfSurfaces(motion, null);
+            assertClose(2 / 3, motion.time, 1e-9);
+            queryOf(walls, ends, null, new Hull(Vector.<Number>(block(-0.3, 0.3, 0.3, []))), false).findImpactOfSurfaces(motion, null);
+            assertClose(0.5, motion.time, 1e-9);
         }
 
         // The right wall moves into what stands between them, and touches it after 2/3 of the motion.
@@ -113,8 +129,9 @@ package starlogo.solid
         // The second model is a tree or a structure, and stands at the origin.
         private function queryOf(a:ModelTree, at:Placement, b:ModelTree, structure:BoundingStructure, isExact:Boolean):TreeQuery
         {
-            return b != null ? _trees.setTo(a, at, BoxTree.EXACT, b, new Placement(), BoxTree.EXACT, isExact)
-                : _treeAndStructure.setTo(a, at, BoxTree.EXACT, structure, new Placement(), isExact);
+            var depth:int = isExact ? BoxTree.EXACT : BoxTree.MAX_DEPTH;
+            return b != null ? _trees.setTo(a, at, depth, b, new Placement(), depth)
+                : _treeAndStructure.setTo(a, at, depth, structure, new Placement());
         }
 
         // Adds the corners of a block to a list.

@@ -15,6 +15,7 @@ package starlogo.solid
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.OverlapTraversal;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.hierarchy.PosedTrees;
@@ -76,7 +77,7 @@ package starlogo.solid
                 if (between > 0.99 * margin && between < 0.99 * reach)
                 {
                     tested++;
-                    assertTrue("standing " + between, _trees.setTo(cube, stands, int.MAX_VALUE, cube, beside, int.MAX_VALUE, true).areTouching());
+                    assertTrue("standing " + between, _trees.setTo(cube, stands, BoxTree.EXACT, cube, beside, BoxTree.EXACT).areTouching());
                 }
             }
             assertTrue("tested " + tested, tested > 3);
@@ -96,11 +97,11 @@ package starlogo.solid
             {
                 bear.mesh.readTriangle(slot, corners);
                 var sphere:Sphere = new Sphere(new Vector3D(corners[0], corners[1], corners[2]), 1e-6);
-                pair.setTo(bear, stands, int.MAX_VALUE, sphere, stands, true);
+                pair.setTo(bear, stands, BoxTree.EXACT, sphere, stands);
                 assertTrue(pair.areTouching());
                 pair.findInside(out);
                 out.a.x = 7;
-                pair.setTo(cube, stands, int.MAX_VALUE, new Sphere(new Vector3D(5, 5, 5), 0.1), stands, true);
+                pair.setTo(cube, stands, BoxTree.EXACT, new Sphere(new Vector3D(5, 5, 5), 0.1), stands);
                 pair.pose.setBetween(pair.placementA, pair.placementB);
                 pair.findInside(out);
                 assertEquals(7, out.a.x);
@@ -108,7 +109,7 @@ package starlogo.solid
             // nor is it where the pair before stood
             var moved:Placement = new Placement();
             moved.x = 5;
-            pair.setTo(cube, stands, int.MAX_VALUE, new Sphere(new Vector3D(-5, 0, 0.5), 0.1), moved, true);
+            pair.setTo(cube, stands, BoxTree.EXACT, new Sphere(new Vector3D(-5, 0, 0.5), 0.1), moved);
             pair.pose.setBetween(pair.placementA, pair.placementB);
             assertTrue(pair.findInside(out));
             assertEquals(0, out.a.x);
@@ -150,11 +151,11 @@ package starlogo.solid
             var b:ModelTree = newTetrahedron();
             var stands:Placement = new Placement();
             assertTrue("one node each", a.root.isLeaf && b.root.isLeaf);
-            assertFalse("apart", treesOverlap(a, stands, 1, b, placed(0.5, 2, 0, 0), 1, true));
+            assertFalse("apart", treesOverlap(a, stands, BoxTree.EXACT, b, placed(0.5, 2, 0, 0), BoxTree.EXACT));
             assertFalse("no inside", a.isExactPrepared || b.isExactPrepared);
-            assertTrue("one in the other", treesOverlap(a, stands, 1, b, placed(0.1, 0, 0, 0.1), 1, true));
-            assertTrue("the other way round", treesOverlap(b, placed(0.1, 0, 0, 0.1), 1, a, stands, 1, true));
-            assertFalse("in a corner of the box", treesOverlap(a, stands, 1, b, placed(0.1, 0.3, 0.3, 0.8), 1, true));
+            assertTrue("one in the other", treesOverlap(a, stands, BoxTree.EXACT, b, placed(0.1, 0, 0, 0.1), BoxTree.EXACT));
+            assertTrue("the other way round", treesOverlap(b, placed(0.1, 0, 0, 0.1), BoxTree.EXACT, a, stands, BoxTree.EXACT));
+            assertFalse("in a corner of the box", treesOverlap(a, stands, BoxTree.EXACT, b, placed(0.1, 0.3, 0.3, 0.8), BoxTree.EXACT));
         }
 
         private static function newTetrahedron():ModelTree
@@ -209,10 +210,10 @@ package starlogo.solid
             var speck:ModelTree = hierarchyOf(BuiltInModel.sphere());
             var large:Placement = placed(1e6, 0, 0, 0);
             var small:Placement = placed(1e-6, 0, 0, 0.5e6);
-            assertTrue("one box", treesOverlap(walls, large, 1, speck, small, 9, false));
-            assertTrue("one box, the other way round", treesOverlap(speck, small, 9, walls, large, 1, false));
-            assertFalse("two boxes", treesOverlap(walls, large, 9, speck, small, 1, false));
-            assertFalse("two boxes, the other way round", treesOverlap(speck, small, 1, walls, large, 9, false));
+            assertTrue("one box", treesOverlap(walls, large, 1, speck, small, 9));
+            assertTrue("one box, the other way round", treesOverlap(speck, small, 9, walls, large, 1));
+            assertFalse("two boxes", treesOverlap(walls, large, 9, speck, small, 1));
+            assertFalse("two boxes, the other way round", treesOverlap(speck, small, 1, walls, large, 9));
         }
 
         private function checkSpeck(random:SeededRandom, size:Number, giant:Number, cube:ModelTree, ball:ModelTree):void
@@ -230,8 +231,8 @@ package starlogo.solid
                 var message:String = [size, giant, place, heading].join(", ");
                 for each (var depth:int in [1, 3, 10])
                 {
-                    assertEquals(message, place[3], treesOverlap(cube, large, depth, ball, small, depth, false));
-                    assertEquals(message, place[3], treesOverlap(ball, small, depth, cube, large, depth, false));
+                    assertEquals(message, place[3], treesOverlap(cube, large, depth, ball, small, depth));
+                    assertEquals(message, place[3], treesOverlap(ball, small, depth, cube, large, depth));
                     for each (var box:BoundingStructure in structures(0.5))
                     {
                         assertEquals(message + box, place[3], structureOverlaps(cube, large, depth, box, small));
@@ -249,20 +250,19 @@ package starlogo.solid
                         assertFalse(message, structureOverlaps(ball, small, depth, structures(0.5)[2], large));
                     }
                 }
-                assertEquals(message, place[3], treesOverlap(cube, large, 1, ball, small, 1, true));
-                assertEquals(message, place[3], treesOverlap(ball, small, 1, cube, large, 1, true));
+                assertEquals(message, place[3], treesOverlap(cube, large, BoxTree.EXACT, ball, small, BoxTree.EXACT));
+                assertEquals(message, place[3], treesOverlap(ball, small, BoxTree.EXACT, cube, large, BoxTree.EXACT));
             }
         }
 
-        private function treesOverlap(a:ModelTree, placementA:Placement, depthA:int, b:ModelTree, placementB:Placement, depthB:int,
-                isExact:Boolean):Boolean
+        private function treesOverlap(a:ModelTree, placementA:Placement, depthA:int, b:ModelTree, placementB:Placement, depthB:int):Boolean
         {
-            return _trees.setTo(a, placementA, depthA, b, placementB, depthB, isExact).areTouching();
+            return _trees.setTo(a, placementA, depthA, b, placementB, depthB).areTouching();
         }
 
         private function structureOverlaps(a:ModelTree, placementA:Placement, depth:int, structure:BoundingStructure, placementB:Placement):Boolean
         {
-            return _treeAndStructure.setTo(a, placementA, depth, structure, placementB, false).areTouching();
+            return _treeAndStructure.setTo(a, placementA, depth, structure, placementB).areTouching();
         }
 
         // About the middle of a model of size 1.

@@ -57,7 +57,6 @@ package starlogo.solid
             var hierarchy:ModelTree = hierarchyOf(model);
             var mesh:TriangleMesh = hierarchy.mesh;
             var corners:Vector.<Number> = new Vector.<Number>(9);
-            var triangles:TriangleRayEntryVisitor = new TriangleRayEntryVisitor();
             var hit:RayEntry = new RayEntry();
             var ray:Ray = new Ray();
             var origin:Vector3D = new Vector3D();
@@ -93,7 +92,7 @@ package starlogo.solid
                 var direction:Vector3D = new Vector3D(x, y, z).subtract(origin);
                 ray.aim(origin, direction);
                 hit.distance = NaN;
-                triangles.findRayEntry(hierarchy, ray, hit);
+                _rays.findOnSurface(hierarchy, BoxTree.EXACT, ray, hit);
                 if (!(hit.distance <= direction.length + 1e-12))
                 {
                     assertTrue(model.name + ", " + i + (isFromInside ? " from inside, " : " from outside, ") + origin + " to " + new Vector3D(x, y, z) + ": " + hit.distance, false);
@@ -113,7 +112,7 @@ package starlogo.solid
                     var ray:Ray = randomRay();
                     var depth:int = DEPTHS[i % DEPTHS.length];
                     var expected:Number = nearestEnd(hierarchy.root, depth, ray, 0);
-                    var found:Number = distanceAt(hierarchy, depth, false, ray);
+                    var found:Number = distanceAt(hierarchy, depth, ray);
                     hits += found < Infinity ? 1 : 0;
                     if (found > 0 && found < Infinity)
                     {
@@ -141,10 +140,10 @@ package starlogo.solid
             // one alone, and none that has an area
             var one:ModelTree = hierarchyOf(new Model("one", new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0], new <uint>[0, 1, 2]));
             ray.aim(new Vector3D(one.boxTree.vertices[0], one.boxTree.vertices[1], -2), new Vector3D(0, 0, 1));
-            assertEquals("through its corner", 2, distanceAt(one, 1, true, ray));
+            assertEquals("through its corner", 2, distanceAt(one, BoxTree.EXACT, ray));
             var line:ModelTree = hierarchyOf(new Model("line", new <Number>[0, 0, 0, 1, 0, 0, 2, 0, 0], new <uint>[0, 1, 2]));
             ray.aim(new Vector3D(0.1, 0, -2), new Vector3D(0, 0, 1));
-            distanceAt(line, 1, true, ray);
+            distanceAt(line, BoxTree.EXACT, ray);
             // many in one place, which no division tells apart
             var vertices:Vector.<Number> = new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 1];
             var triangles:Vector.<uint> = new Vector.<uint>();
@@ -154,9 +153,9 @@ package starlogo.solid
             }
             var pile:ModelTree = hierarchyOf(new Model("pile", vertices, triangles));
             ray.aim(new Vector3D(-0.25, -0.25, -2), new Vector3D(0, 0, 1));
-            assertTrue(distanceAt(pile, 1, true, ray) < 3);
+            assertTrue(distanceAt(pile, BoxTree.EXACT, ray) < 3);
             ray.aim(new Vector3D(-0.25, -0.25, -2), new Vector3D(0, 0, -1));
-            assertEquals(Infinity, distanceAt(pile, 1, true, ray));
+            assertEquals(Infinity, distanceAt(pile, BoxTree.EXACT, ray));
         }
 
         /** A sheet has no triangles beside it that are not seen edge on. */
@@ -171,21 +170,21 @@ package starlogo.solid
                 for each (var y:Number in [0.1, -0.3, 0, 0.5])
                 {
                     ray.aim(new Vector3D(-3, y, z), new Vector3D(1, 0, 0));
-                    var distance:Number = distanceAt(sheet, 1, true, ray);
+                    var distance:Number = distanceAt(sheet, BoxTree.EXACT, ray);
                     assertTrue(z + ", " + y + ": " + distance, Math.abs(distance - 2.5) < 1e-12);
                 }
                 ray.aim(new Vector3D(-3, 0.5 + 1e-12, z), new Vector3D(1, 0, 0));
-                assertEquals("beside it", Infinity, distanceAt(sheet, 1, true, ray));
+                assertEquals("beside it", Infinity, distanceAt(sheet, BoxTree.EXACT, ray));
                 ray.aim(new Vector3D(3, 0.1, z), new Vector3D(1, 0, 0));
-                assertEquals("away from it", Infinity, distanceAt(sheet, 1, true, ray));
+                assertEquals("away from it", Infinity, distanceAt(sheet, BoxTree.EXACT, ray));
             }
             ray.aim(new Vector3D(-3, 0.1, 1e-12), new Vector3D(1, 0, 0));
-            assertEquals("above it", Infinity, distanceAt(sheet, 1, true, ray));
+            assertEquals("above it", Infinity, distanceAt(sheet, BoxTree.EXACT, ray));
             // where a face that looks at the ray begins at the same place, its normal counts
             var bent:Vector.<Number> = vertices.concat(new <Number>[-0.5, -0.5, 1, -0.5, 0.5, 1]);
             var corner:ModelTree = hierarchyOf(new Model("corner", bent, new <uint>[0, 1, 2, 0, 2, 3, 0, 3, 5, 0, 5, 4], Model.AS_GIVEN));
             ray.aim(new Vector3D(-3, 0.1, 0), new Vector3D(1, 0, 0));
-            assertTrue(Math.abs(distanceAt(corner, 1, true, ray) - 2.5) < 1e-12);
+            assertTrue(Math.abs(distanceAt(corner, BoxTree.EXACT, ray) - 2.5) < 1e-12);
             assertEquals("its normal", -1, _entry.normalX);
         }
 
@@ -213,7 +212,7 @@ package starlogo.solid
                 direction.normalize();
                 var ray:Ray = new Ray();
                 ray.aim(new Vector3D(target.x - 4 * direction.x, target.y - 4 * direction.y, target.z - 4 * direction.z), direction);
-                if (!_rays.find(hierarchyOf(new Model("one", vertices, new <uint>[0, 1, 2], Model.AS_GIVEN)), 1, true, ray, _entry))
+                if (!_rays.find(hierarchyOf(new Model("one", vertices, new <uint>[0, 1, 2], Model.AS_GIVEN)), BoxTree.EXACT, ray, _entry))
                 {
                     continue;
                 }
@@ -253,7 +252,7 @@ package starlogo.solid
                 var direction:Vector3D = corner.subtract(origin);
                 var ray:Ray = new Ray();
                 ray.aim(origin, direction);
-                var distance:Number = distanceAt(hierarchyOf(octahedron), 1, true, ray);
+                var distance:Number = distanceAt(hierarchyOf(octahedron), BoxTree.EXACT, ray);
                 assertTrue(i + ": " + distance + ", not " + direction.length + ", from " + origin + " to " + corner + " of " + corners, distance <= direction.length + 1e-6);
             }
         }
@@ -303,9 +302,9 @@ package starlogo.solid
             return Math.min(nearestEnd(node.left, depth - 1, ray, entry.distance), nearestEnd(node.right, depth - 1, ray, entry.distance));
         }
 
-        private function distanceAt(hierarchy:ModelTree, depth:int, isExact:Boolean, ray:Ray):Number
+        private function distanceAt(hierarchy:ModelTree, depth:int, ray:Ray):Number
         {
-            return _rays.find(hierarchy, depth, isExact, ray, _entry) ? _entry.distance : Infinity;
+            return _rays.find(hierarchy, depth, ray, _entry) ? _entry.distance : Infinity;
         }
 
         private function pointInside(hierarchy:ModelTree):Vector3D

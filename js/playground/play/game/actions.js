@@ -57,6 +57,12 @@ function whom(block, world) {
 /** The other agent of a collision block. */
 const touched = (block, world) => world.collidee ?? fail(texts.play.noCollidee(wordsOf(block.type)), block);
 
+/** Makes the function of a block that has inputs: of their contents, the block and the world. */
+const withInputs = (read, names, use, missing) => (block, world) => {
+	const gets = names.map((name) => read(block, name, world, missing));
+	return () => use(gets.map((get) => get()), block, world);
+};
+const withNumbers = (names, use) => withInputs(number, names, use);
 /** Makes the function of a block that is about an agent and has an input: of the agent, the input's content, the block's fields and the world. */
 const withInput = (read, name, use, missing) => (block, world) => {
 	const get = read(block, name, world, missing);
@@ -75,10 +81,7 @@ const about = (use) => (block, world) => () => use(me(block, world), block.field
 export const STATEMENTS = {
 	starlogo_system: (block, world) => () => world.isSystemFixed || world.useSystem(block.fields.SYSTEM),
 	starlogo_hierarchical: (block, world) => () => world.traits.setHierarchical(whom(block, world), block.fields.ON === "on"),
-	starlogo_depth: (block, world) => {
-		const depth = value(block, "DEPTH", world);
-		return () => world.traits.setCollisionDepth(whom(block, world), Number(depth()));
-	},
+	starlogo_depth: withInputs(value, ["DEPTH"], ([depth], block, world) => world.traits.setCollisionDepth(whom(block, world), Number(depth))),
 	starlogo_collide_as: (block, world) => () => world.traits.collideAs(whom(block, world), block.fields.AS),
 	starlogo_show: (block, world) => () => world.structures.show(whom(block, world), block.fields.ON === "on"),
 	starlogo_sweep: (block, world) => () => world.sweep(whom(block, world), block.fields.ON === "on"),
@@ -89,39 +92,27 @@ export const STATEMENTS = {
 		for (const agent of world.subjects(whom(block, world))) world.become(agent, block.fields.BREED);
 	},
 	starlogo_say: withValue("TEXT", (agent, text, fields, world) => world.say(agent, said(text)), ""),
-	starlogo_score_set: (block, world) => {
-		const score = number(block, "SCORE", world);
-		return () => {
-			world.score = score();
-		};
-	},
-	starlogo_score_change: (block, world) => {
-		const by = number(block, "SCORE", world);
-		return () => {
-			world.score = (world.score ?? 0) + by();
-		};
-	},
+	starlogo_score_set: withNumbers(["SCORE"], ([score], block, world) => {
+		world.score = score;
+	}),
+	starlogo_score_change: withNumbers(["SCORE"], ([by], block, world) => {
+		world.score = (world.score ?? 0) + by;
+	}),
 	starlogo_goal: (block, world) => () => {
 		world.goal = block.fields.TEXT;
 	},
 	starlogo_ground: (block, world) => () => {
 		world.ground = block.fields.GROUND;
 	},
-	starlogo_limit: (block, world) => {
-		const seconds = number(block, "SECONDS", world);
-		return () => {
-			world.limit = { until: world.frameIn(seconds()), text: block.fields.TEXT };
-		};
-	},
+	starlogo_limit: withNumbers(["SECONDS"], ([seconds], { fields: { TEXT } }, world) => {
+		world.limit = { until: world.frameIn(seconds), text: TEXT };
+	}),
 	starlogo_sound: (block, world) => () => {
 		world.sounds.push(block.fields.SOUND);
 	},
-	starlogo_note: (block, world) => {
-		const note = number(block, "NOTE", world);
-		return () => {
-			world.sounds.push(note());
-		};
-	},
+	starlogo_note: withNumbers(["NOTE"], ([note], block, world) => {
+		world.sounds.push(note);
+	}),
 	starlogo_end: (block, world) => () => {
 		world.ended ??= { how: block.fields.HOW, text: block.fields.TEXT };
 	},
@@ -132,26 +123,15 @@ export const STATEMENTS = {
 	starlogo_up: withNumber("STEPS", (agent, steps) => {
 		agent.z += steps;
 	}),
-	starlogo_go: (block, world) => {
-		const [x, y, z] = ["X", "Y", "Z"].map((name) => number(block, name, world));
-		return () => me(block, world).jumpTo(x(), y(), z());
-	},
+	starlogo_go: withNumbers(["X", "Y", "Z"], ([x, y, z], block, world) => me(block, world).jumpTo(x, y, z)),
 	starlogo_scatter: about((agent, fields, world) => world.moves.scatter(agent)),
 	starlogo_back: about((agent, fields, world) => world.moves.goBack(agent, world.collidee)),
-	starlogo_mound: (block, world) => {
-		const [high, wide] = ["HEIGHT", "WIDTH"].map((name) => number(block, name, world));
-		world.needTerrain(true);
-		return () => {
-			const { x, y } = me(block, world);
-			world.terrain.raiseMound(x, y, wide(), high());
-		};
-	},
+	starlogo_mound: onTerrain(withNumbers(["WIDTH", "HEIGHT"], ([width, height], block, world) => {
+		const { x, y } = me(block, world);
+		world.terrain.raiseMound(x, y, width, height);
+	}), true),
 	starlogo_wall: onTerrain(withNumber("HEIGHT", ({ x, y }, high, fields, world) => world.terrain.raiseWall(x, y, high)), true),
-	starlogo_raise: (block, world) => {
-		const [by, x, y] = ["HEIGHT", "X", "Y"].map((name) => number(block, name, world));
-		world.needTerrain(true);
-		return () => world.edges.raiseGround(x(), y(), by());
-	},
+	starlogo_raise: onTerrain(withNumbers(["X", "Y", "HEIGHT"], ([x, y, height], block, world) => world.edges.raiseGround(x, y, height)), true),
 	starlogo_broadcast: (block, world) => () => world.broadcast(block.fields.MESSAGE),
 	starlogo_own_set: withValue("VALUE", (agent, own, { NAME }, world) => world.setOwn(agent, NAME, own)),
 	starlogo_own_change: withNumber("DELTA", (agent, by, { NAME }, world) => world.setOwn(agent, NAME, Number(agent.own[NAME] ?? 0) + by)),
@@ -182,23 +162,13 @@ export const STATEMENTS = {
 	starlogo_heading: withNumber("HEADING", (agent, heading) => {
 		agent.heading = heading;
 	}),
-	starlogo_colour: (block, world) => {
-		const colour = value(block, "COLOUR", world);
-		return () => world.paint(whom(block, world), Number(colour()));
-	},
-	variables_set: (block, world) => {
-		const get = value(block, "VALUE", world);
-		return () => {
-			world.variables[block.fields.VAR.id] = get();
-		};
-	},
-	math_change: (block, world) => {
-		const by = number(block, "DELTA", world);
-		const { id } = block.fields.VAR;
-		return () => {
-			world.variables[id] = Number(world.variables[id] ?? 0) + by();
-		};
-	},
+	starlogo_colour: withInputs(value, ["COLOUR"], ([colour], block, world) => world.paint(whom(block, world), Number(colour))),
+	variables_set: withInputs(value, ["VALUE"], ([content], { fields: { VAR } }, { variables }) => {
+		variables[VAR.id] = content;
+	}),
+	math_change: withNumbers(["DELTA"], ([by], { fields: { VAR } }, { variables }) => {
+		variables[VAR.id] = Number(variables[VAR.id] ?? 0) + by;
+	}),
 };
 
 /** The distance to nothing. */
@@ -213,32 +183,16 @@ export function said(value) {
 const ARITHMETIC = { ADD: (a, b) => a + b, MINUS: (a, b) => a - b, MULTIPLY: (a, b) => a * b, DIVIDE: (a, b) => a / b, POWER: (a, b) => a ** b };
 const COMPARISONS = { EQ: (a, b) => a === b, NEQ: (a, b) => a !== b, LT: (a, b) => a < b, LTE: (a, b) => a <= b, GT: (a, b) => a > b, GTE: (a, b) => a >= b };
 
-const two = (block, world, table, wrap = value, names = ["A", "B"]) => {
-	const [a, b] = names.map((name) => wrap(block, name, world));
-	const operation = table[block.fields.OP];
-	return () => operation(a(), b());
-};
+const two = (read, table) => withInputs(read, ["A", "B"], ([a, b], { fields: { OP } }) => table[OP](a, b));
 
 const VALUES = {
 	math_number: (block) => () => block.fields.NUM,
-	math_arithmetic: (block, world) => two(block, world, ARITHMETIC, number),
-	math_random_int: (block, world) => {
-		const [low, high] = ["FROM", "TO"].map((name) => number(block, name, world));
-		return () => {
-			const [a, b] = [low(), high()];
-			return Math.min(a, b) + Math.floor(world.random() * (Math.abs(b - a) + 1));
-		};
-	},
-	math_modulo: (block, world) => {
-		const [a, b] = ["DIVIDEND", "DIVISOR"].map((name) => number(block, name, world));
-		return () => a() % b();
-	},
-	logic_compare: (block, world) => two(block, world, COMPARISONS),
-	logic_operation: (block, world) => two(block, world, { AND: (a, b) => a && b, OR: (a, b) => a || b }),
-	logic_negate: (block, world) => {
-		const get = value(block, "BOOL", world, false);
-		return () => !get();
-	},
+	math_arithmetic: two(number, ARITHMETIC),
+	math_random_int: withNumbers(["FROM", "TO"], ([a, b], block, world) => Math.min(a, b) + Math.floor(world.random() * (Math.abs(b - a) + 1))),
+	math_modulo: withNumbers(["DIVIDEND", "DIVISOR"], ([a, b]) => a % b),
+	logic_compare: two(value, COMPARISONS),
+	logic_operation: two(value, { AND: (a, b) => a && b, OR: (a, b) => a || b }),
+	logic_negate: withInputs(value, ["BOOL"], ([holds]) => !holds, false),
 	logic_boolean: (block) => () => block.fields.BOOL === "TRUE",
 	variables_get: (block, world) => () => world.variables[block.fields.VAR.id] ?? 0,
 	text: (block) => () => block.fields.TEXT,

@@ -44,8 +44,7 @@ export class History {
 		const { agents, state, collisions } = this.world;
 		const all = [...new Set([...listed, ...agents])];
 		this.#frames.push({
-			listed, agents: [...agents], all, traits: all.map((agent) => TRAITS.map((name) => agent[name])), bytes: collisions.collision.snapshot(), system: collisions.systemName,
-			state: { ...state, variables: { ...state.variables }, totals: new Map(state.totals), events: [...state.events], threads: state.threads.map((thread) => thread.copy()) },
+			listed, agents: [...agents], all, traits: all.map((agent) => TRAITS.map((name) => agent[name])), bytes: collisions.collision.snapshot(), system: collisions.systemName, state: copyOf(state),
 		});
 		this.#agents += all.length;
 		while (this.#frames.length > MOST_FRAMES || (this.#agents > MOST_AGENTS && this.#frames.length > 2)) this.#agents -= this.#frames.shift().all.length;
@@ -63,7 +62,7 @@ export class History {
 		const { listed, agents, all, traits, bytes, system, state } = this.#frames[at];
 		all.forEach((agent, i) => restore(agent, traits[i]));
 		world.agents.splice(0, Infinity, ...agents);
-		Object.assign(world.state, state, { variables: { ...state.variables }, totals: new Map(state.totals), events: [...state.events], threads: state.threads.map((thread) => thread.copy()) });
+		Object.assign(world.state, copyOf(state));
 		world.useSystem(system);
 		world.solidBreeds = state.solid;
 		world.collisions.collision.restore(bytes, listed);
@@ -77,6 +76,11 @@ export class History {
 		this.shown = undefined;
 	}
 }
+
+/** A copy of a world's state, for a frame. Of what is not copied here, each change makes another object. */
+const copyOf = (state) => ({
+	...state, variables: { ...state.variables }, totals: new Map(state.totals), events: [...state.events], threads: state.threads.map((thread) => thread.copy()),
+});
 
 function restore(agent, traits) {
 	TRAITS.forEach((name, i) => {

@@ -263,12 +263,12 @@ export class Scene {
 		const truth = pairsOf(collisions.systemNamed(CollisionBlocks.EXACT), agents);
 		const found = pairsOf(this.#blocks.systemNamed(collisions.systemName), agents);
 		const verdicts = new Map();
-		const mark = (pairs, verdict) => {
-			for (const pair of pairs) for (const agent of pair) verdicts.set(agent, verdict);
+		const mark = (pairs, isOne, verdict) => {
+			for (const [key, pair] of pairs) if (isOne(key)) for (const agent of pair) verdicts.set(agent, verdict);
 		};
-		mark([...truth].filter(([key]) => found.has(key)).map(([, pair]) => pair), "hit");
-		mark([...found].filter(([key]) => !truth.has(key)).map(([, pair]) => pair), "wrong");
-		mark([...truth].filter(([key]) => !found.has(key)).map(([, pair]) => pair), "missed");
+		mark(truth, (key) => found.has(key), "hit");
+		mark(found, (key) => !truth.has(key), "wrong");
+		mark(truth, (key) => !found.has(key), "missed");
 		return verdicts;
 	}
 

@@ -6,8 +6,12 @@ export function $hintOfName(name, names) {
 	return meant === undefined ? "" : `; is ${JSON.stringify(meant)} meant?`;
 }
 
-/** What an error says about options that are something else. */
-export function $hintOfOptions(value) {
+/** The options of a filter. */
+const $FILTER = ["breeds", "exceptBreeds", "except", "accepts"];
+
+/** What an error says about options that are something else, or that have an option of a filter. */
+export function $hintOfOptions(value, key, names) {
+	if (names.includes("filter") && $FILTER.includes(key)) return `a filter is one of them: { filter: { ${key}: ... } }; `;
 	return "stands" in value ? "a Footing is the argument after the options: walk(agent, dx, dy, null, footing); " : "";
 }
 
@@ -63,6 +67,9 @@ export function $hintOfValue(value, kind) {
 	if (typeof value !== "object" || value === null) return "";
 	if (typeof value.then === "function") return ": await it first";
 	if (kind === "an array of Agents" && "sweeps" in value) return ": put it into one, [agent]";
+	if (kind.startsWith("a Vector3D") && Array.isArray(value)) return ". A point is an object: { x: 1, y: 2, z: 3 }";
+	if (kind === "a SeenAgents" && "collisionSystem" in value) return ": new SeenAgents(collision) makes one of it";
+	if (kind === "a number" && $FILTER.some((name) => name in value)) return ". A filter is an argument after it. Infinity is no limit";
 	if (kind === "a number" && "x" in value && "y" in value) return ". It takes the numbers of a point one by one: point.x, point.y, point.z";
 	const isDrawn = value.isObject3D || value.isBufferGeometry;
 	return kind === "a Model" && isDrawn ? ". modelFromObject() and levelFromObject() of starlogo-collision/three make a model of it" : "";

@@ -47,11 +47,13 @@ package starlogo.intersection.ray
          * Adds a crossing.
          *
          * @param entry has its distance, its normal and its triangle
+         * @param rounding how far the distance may be wrong because of rounding
+         * @param end where a triangle ends that the ray runs along; otherwise the distance
          */
-        public function add(entry:RayEntry, slack:Number, end:Number, side:int):void
+        public function add(entry:RayEntry, rounding:Number, end:Number, side:int):void
         {
             distances[count] = entry.distance;
-            roundings[count] = slack;
+            roundings[count] = rounding;
             ends[count] = end;
             sides[count] = side;
             triangles[count] = entry.triangle;
@@ -73,18 +75,18 @@ package starlogo.intersection.ray
          * leave.
          *
          * @param span the part of the ray's line inside of the shape
-         * @param slack how far a distance may be wrong because of rounding
+         * @param rounding how far a distance may be wrong because of rounding
          */
-        public function addSpan(ray:Ray, span:RaySpan, slack:Number):void
+        public function addSpan(ray:Ray, span:RaySpan, rounding:Number):void
         {
             if (!_entry.enter(ray, span))
             {
                 return;
             }
-            add(_entry, _entry.distance > ray.from ? slack : 0, _entry.distance, ENTERS);
+            add(_entry, _entry.distance > ray.from ? rounding : 0, _entry.distance, ENTERS);
             if (_entry.leave(ray, span))
             {
-                add(_entry, slack, _entry.distance, LEAVES);
+                add(_entry, rounding, _entry.distance, LEAVES);
             }
         }
 

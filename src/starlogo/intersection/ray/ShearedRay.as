@@ -30,7 +30,7 @@ package starlogo.intersection.ray
 
         // How many tolerances the place where a ray meets a triangle may be off. The ray may pass a tolerance beside the place that is tested. 4 leaves
         // room for another triangle that touches this one.
-        private static const SLACK_TOLERANCES:Number = 4;
+        private static const PLACE_TOLERANCES:Number = 4;
 
         private var _ray:Ray = null;
 
@@ -213,7 +213,7 @@ package starlogo.intersection.ray
             }
             if (isEdgeOn)
             {
-                out.rounding = Tolerances.ROUNDING * Math.abs(out.distance) + SLACK_TOLERANCES * EDGE_ON_TOLERANCES * _tolerance;
+                out.rounding = Tolerances.ROUNDING * Math.abs(out.distance) + PLACE_TOLERANCES * EDGE_ON_TOLERANCES * _tolerance;
                 out.end = Math.max(out.end, out.distance) + out.rounding;
                 out.side = RayCrossings.EDGE_ON;
                 return true;
@@ -222,7 +222,7 @@ package starlogo.intersection.ray
             // along the ray.
             var depth:Number = Math.abs(_inverseSpeed) * (Math.abs(aW - bW) + Math.abs(bW - cW));
             out.end = out.distance;
-            out.rounding = Tolerances.ROUNDING * Math.abs(out.distance) + SLACK_TOLERANCES * _tolerance * (1 + width * depth / Math.abs(sum));
+            out.rounding = Tolerances.ROUNDING * Math.abs(out.distance) + PLACE_TOLERANCES * _tolerance * (1 + width * depth / Math.abs(sum));
             out.side = sum > 0 ? RayCrossings.ENTERS : RayCrossings.LEAVES;
             return true;
         }

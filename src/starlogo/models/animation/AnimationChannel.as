@@ -8,7 +8,7 @@ package starlogo.models.animation
     public final class AnimationChannel
     {
         /** How the numbers move. Read only. */
-        public var keys:KeyFrames;
+        public var sampler:AnimationSampler;
 
         private var _target:String;
         private var _numbers:Vector.<Number>;
@@ -16,27 +16,22 @@ package starlogo.models.animation
 
         /**
          * @param target the thing in the file whose numbers move
-         * @param keys how they move
+         * @param sampler how they move
          * @param numbers all numbers of the target, as they are in the file
          * @param first the index of the first one that moves
          */
-        public function AnimationChannel(target:String, keys:KeyFrames, numbers:Vector.<Number>, first:int = 0)
+        public function AnimationChannel(target:String, sampler:AnimationSampler, numbers:Vector.<Number>, first:int = 0)
         {
-            this.keys = keys;
+            this.sampler = sampler;
             _target = target;
             _numbers = numbers;
             _first = first;
         }
 
-        /** Moves the numbers. @param moved takes the numbers of targets @param time seconds */
-        public function move(moved:Object, time:Number):void
+        /** Sets the numbers of a pose to those at a time. @param time seconds */
+        public function setPose(pose:Pose, time:Number):void
         {
-            var values:Vector.<Number> = keys.valueAt(time);
-            var numbers:Vector.<Number> = moved[_target] ||= _numbers.slice();
-            for (var i:int = 0; i < values.length; i++)
-            {
-                numbers[_first + i] = values[i];
-            }
+            pose.setNumbers(_target, _numbers, _first, sampler.valueAt(time));
         }
     }
 }

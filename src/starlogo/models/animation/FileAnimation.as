@@ -3,8 +3,7 @@ package starlogo.models.animation
     import starlogo.models.building.ModelBuilder;
 
     /**
-     * An animation of a model's file. Its channels move numbers of targets. A target is a key for a thing in the file that an animation may
-     * move, as the reader of the format says.
+     * An animation of a model's file. Its channels set the numbers of a pose.
      *
      * @private
      */
@@ -23,8 +22,8 @@ package starlogo.models.animation
         /**
          * @param name its name; "" if it has none
          * @param channels what moves
-         * @param newReader <code>(moved:Object):ModelReader</code>; reads the file with the numbers that count in place of its own, by target
-         * @param start when it starts, in the time of the channels' keys
+         * @param newReader <code>function(pose:Pose):ModelReader</code>; reads the file in a pose
+         * @param start when it starts, in the time of the samplers' keys
          * @param end when it ends, in the same time; NaN for the last key
          */
         public function FileAnimation(name:String, channels:Vector.<AnimationChannel>, newReader:Function, start:Number = 0, end:Number = NaN)
@@ -36,7 +35,7 @@ package starlogo.models.animation
             var last:Number = start;
             for each (var channel:AnimationChannel in channels)
             {
-                last = Math.max(last, channel.keys.end);
+                last = Math.max(last, channel.sampler.end);
             }
             duration = (isNaN(end) ? last : end) - start;
         }
@@ -44,12 +43,12 @@ package starlogo.models.animation
         /** The vertices of the file's model at a time in seconds, as <code>ModelAnimations.verticesAt()</code> gives them. */
         public function verticesAt(time:Number):Vector.<Number>
         {
-            var moved:Object = {};
+            var pose:Pose = new Pose();
             for each (var channel:AnimationChannel in _channels)
             {
-                channel.move(moved, _start + Math.max(0, Math.min(time, duration)));
+                channel.setPose(pose, _start + Math.max(0, Math.min(time, duration)));
             }
-            return ModelBuilder.verticesOf(_newReader(moved));
+            return ModelBuilder.verticesOf(_newReader(pose));
         }
     }
 }

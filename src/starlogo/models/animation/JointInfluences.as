@@ -24,12 +24,12 @@ package starlogo.models.animation
          * first joint.
          *
          * @param points x, y, z of each point
-         * @param palette what each joint does to points
+         * @param jointMatrices what each joint does to points
          * @param first the index of the first point
          * @param end the index after the last one
          * @return whether all new coordinates are finite
          */
-        public function move(points:Vector.<Number>, palette:Vector.<AffineTransform>, first:int, end:int):Boolean
+        public function skinPoints(points:Vector.<Number>, jointMatrices:Vector.<AffineTransform>, first:int, end:int):Boolean
         {
             var moved:Vector.<Number> = new Vector.<Number>(3);
             var differences:Number = 0;
@@ -43,7 +43,7 @@ package starlogo.models.animation
                 for (var k:int = starts[i]; k < starts[int(i + 1)]; k++)
                 {
                     var weight:Number = weights[k];
-                    palette[joints[k]].transformPoints(points, i, i + 1, moved, 0);
+                    jointMatrices[joints[k]].transformPoints(points, i, i + 1, moved, 0);
                     sum += weight;
                     x += weight * moved[0];
                     y += weight * moved[1];
@@ -51,7 +51,7 @@ package starlogo.models.animation
                 }
                 if (sum == 0)
                 {
-                    palette[0].transformPoints(points, i, i + 1, points, i);
+                    jointMatrices[0].transformPoints(points, i, i + 1, points, i);
                 }
                 else
                 {

@@ -107,13 +107,13 @@ package starlogo.models.building
         /** @inheritDoc */
         public function get progress():Number
         {
-            return _isComplete ? 1 : READING * _data.readShare;
+            return _isComplete ? 1 : READING * _data.readProgress;
         }
 
-        /** The model, always the same one. Steps that are left are done first. */
+        /** The model, always the same one. Read it when no step is left. */
         public function get model():Model
         {
-            return _model ||= new Model(name, null, null, null, build());
+            return _model ||= new Model(name, null, null, null, _data);
         }
 
         private function checkData():void
@@ -134,28 +134,28 @@ package starlogo.models.building
             }
             else
             {
-                addPlacing();
+                addNormalising();
             }
             slices(_data.triangles.length, CORNERS_PER_STEP, checkCorners);
             if (_data.transform != null && _data.transform.isMirror)
             {
-                slices(_data.triangles.length / 3, TRIANGLES_PER_STEP, turnOver);
+                slices(_data.triangles.length / 3, TRIANGLES_PER_STEP, reverseWinding);
             }
             call(close);
         }
 
-        private function addPlacing():void
+        private function addNormalising():void
         {
             switch (_data.scaling)
             {
                 case Model.FOOTPRINT:
-                    begin(turning).begin(stretching).begin(standing);
+                    begin(rotating).begin(scalingByFactors).begin(placingFootprint);
                     break;
                 case Model.VOLUME:
-                    begin(centring).begin(turning).begin(centring).begin(stretching).begin(translating);
+                    begin(normalisingVolume).begin(rotating).begin(normalisingVolume).begin(scalingByFactors).begin(translating);
                     break;
                 default:
-                    begin(turning).begin(stretching).begin(translating);
+                    begin(rotating).begin(scalingByFactors).begin(translating);
             }
         }
 
@@ -175,13 +175,13 @@ package starlogo.models.building
                 });
         }
 
-        private function turning():Steps
+        private function rotating():Steps
         {
             var transform:ModelTransform = _data.transform;
             return transform == null || transform.rotation.lengthSquared == 0 ? null : transforming(transform.rotationTransform(), 1);
         }
 
-        private function stretching():Steps
+        private function scalingByFactors():Steps
         {
             var f:Vector3D = _data.transform == null ? new Vector3D(1, 1, 1) : _data.transform.scale;
             return f.x == 1 && f.y == 1 && f.z == 1 ? null : transforming(new AffineTransform(new <Number>[f.x, 0, 0, 0, 0, f.y, 0, 0, 0, 0, f.z, 0]),
@@ -196,7 +196,7 @@ package starlogo.models.building
         }
 
         // Puts the middle of the lowest face of the box at the origin, and makes the box as wide as the scaling FOOTPRINT says.
-        private function standing():Steps
+        private function placingFootprint():Steps
         {
             var unit:Number = Math.max(_bounds.extentX, _bounds.extentY);
             if (unit <= _bounds.extentZ * LINE_RATIO)
@@ -207,7 +207,7 @@ package starlogo.models.building
         }
 
         // Puts the middle of the box at the origin, and makes its volume 1.
-        private function centring():Steps
+        private function normalisingVolume():Steps
         {
             return placingBox(_bounds.extentZ / 2, rootOf(_bounds.extentX) * rootOf(_bounds.extentY) * rootOf(_bounds.extentZ)).begin(measuring);
         }
@@ -255,8 +255,8 @@ package starlogo.models.building
             refuseIf(problem != null, _data.name, problem);
         }
 
-        // A mirror image's triangles get the reverse corner order, so that they still face outwards.
-        private function turnOver(first:int, end:int):void
+        // A mirror image's triangles get the reverse winding, so that they still face outwards.
+        private function reverseWinding(first:int, end:int):void
         {
             var triangles:Vector.<uint> = _data.triangles;
             for (var second:int = 3 * first + 1; second < 3 * end; second += 3)

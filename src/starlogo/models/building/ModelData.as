@@ -49,7 +49,7 @@ package starlogo.models.building
         public var isNormalised:Boolean = false;
 
         /** The share of the file that is read so far, from 0 to 1. The reader never makes it less. */
-        public var readShare:Number = 0;
+        public var readProgress:Number = 0;
 
         /** The cooked file with the results for the model; null for none. */
         public var cooked:CookedFile = null;

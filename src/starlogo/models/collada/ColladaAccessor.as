@@ -4,7 +4,7 @@ package starlogo.models.collada
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
 
-    /** Reads the entries of a COLLADA source, in small steps: numbers, names or points. Its accessor says which words of an array they are. */
+    /** Reads the entries of a COLLADA source, in small steps: numbers or names. Its accessor says which words of an array they are. */
     internal final class ColladaAccessor extends StepSequence
     {
         /** The arrays of numbers. */
@@ -13,7 +13,8 @@ package starlogo.models.collada
         /** The arrays of names. */
         internal static const NAMES:Array = ["Name_array", "IDREF_array"];
 
-        private static const POINTS_PER_STEP:int = 2000;
+        /** The accessor's element. */
+        public var element:ColladaElement;
 
         /** The element with the array. */
         public var array:ColladaElement;
@@ -21,31 +22,32 @@ package starlogo.models.collada
         /** When all is read: the number of entries. */
         public var count:int;
 
-        /** When all is read: how many words each entry has. */
-        public var width:int;
+        /** When all is read: the number of words from each entry to the next one. */
+        public var stride:int;
 
-        /** When all is read: the words of all entries, unless they are points. */
+        /** When all is read: the words of all entries. */
         public var words:Array;
 
-        /** When all is read: the index of the first point. */
-        public var firstPoint:int;
+        /** When all is read: which words of an entry are x, y and z. Null if the entries are no points. */
+        public var columns:Vector.<int> = null;
 
-        private var _accessor:ColladaElement;
-        private var _points:Vector.<Number>;
         private var _firstWord:int; // its index in the array
         private var _numbers:Vector.<Number> = null;
 
         /**
          * @param source the source's element
          * @param arrays the names that its array may have
-         * @param points takes the entries as points, after those already present: x, y, z, ... Null if they are no points
+         * @param arePoints whether the entries are points. Then the last one may have no words after its coordinates
          */
-        public function ColladaAccessor(source:ColladaElement, arrays:Array, points:Vector.<Number> = null)
+        public function ColladaAccessor(source:ColladaElement, arrays:Array, arePoints:Boolean = false)
         {
-            _accessor = source.requiredChild("technique_common").requiredChild("accessor");
-            _points = points;
-            array = _accessor.target("source", arrays, source);
-            add(array.splittingText(readingEntries));
+            element = source.requiredChild("technique_common").requiredChild("accessor");
+            array = element.target("source", arrays, source);
+            add(array.splittingText(function(all:Array):Steps
+                    {
+                        readEntries(all, arePoints);
+                        return null;
+                    }));
         }
 
         /**
@@ -84,62 +86,41 @@ package starlogo.models.collada
             return _numbers;
         }
 
-        private function readingEntries(all:Array):Steps
+        private function readEntries(all:Array, arePoints:Boolean):void
         {
             array.checkCount(all.length, "values");
-            var stride:Number = _accessor.integer("stride", 1);
-            var offset:Number = _accessor.integer("offset", 0);
-            _accessor.refuseIf(stride == 0, "its stride is 0");
-            var columns:Vector.<int> = _points == null ? null : columnsOf(stride);
-            var wanted:Number = _accessor.integer("count", Math.max(0, Math.floor((all.length - offset) / stride)));
-            // the last point need not have the words after its coordinates
-            var end:Number = offset + stride * (wanted - 1) + (columns == null ? stride : 1 + Math.max(columns[0], columns[1], columns[2]));
-            _accessor.refuseIf(wanted > 0 && end > all.length, "its count of " + wanted + " with a stride of " + stride + " reaches beyond the " +
+            // the attributes may be larger than an int
+            var step:Number = element.integer("stride", 1);
+            var offset:Number = element.integer("offset", 0);
+            element.refuseIf(step == 0, "its stride is 0");
+            columns = arePoints ? columnsOf(step) : null;
+            var wanted:Number = element.integer("count", Math.max(0, Math.floor((all.length - offset) / step)));
+            var end:Number = offset + step * (wanted - 1) + (arePoints ? 1 + Math.max(columns[0], columns[1], columns[2]) : step);
+            element.refuseIf(wanted > 0 && end > all.length, "its count of " + wanted + " with a stride of " + step + " reaches beyond the " +
                     all.length + " values of its array");
             count = wanted;
-            width = stride;
+            stride = step;
             _firstWord = offset;
-            if (columns != null)
-            {
-                return readingPoints(all, columns);
-            }
-            words = all.slice(offset, offset + stride * wanted);
-            return null;
+            words = all.slice(offset, offset + step * wanted);
         }
 
         // The indices of the accessor's parameters x, y and z: found by name, otherwise the first three.
-        private function columnsOf(stride:Number):Vector.<int>
+        private function columnsOf(step:Number):Vector.<int>
         {
             var names:Array = [];
-            _accessor.limits.spendElements(_accessor.children.length, _accessor);
-            for each (var param:ColladaElement in _accessor.childrenNamed("param"))
+            element.budget.spendElements(element.children.length, element);
+            for each (var param:ColladaElement in element.childrenNamed("param"))
             {
                 names.push(param.attribute("name"));
             }
-            var columns:Vector.<int> = new <int>[names.indexOf("X"), names.indexOf("Y"), names.indexOf("Z")];
-            if (columns.indexOf(-1) >= 0)
+            var found:Vector.<int> = new <int>[names.indexOf("X"), names.indexOf("Y"), names.indexOf("Z")];
+            if (found.indexOf(-1) >= 0)
             {
-                columns = new <int>[0, 1, 2];
+                found = new <int>[0, 1, 2];
             }
-            _accessor.refuseIf(names.length < 3 && names.length > 0 || Math.max(columns[0], columns[1], columns[2]) >= stride,
-                    "expected the parameters X, Y and Z of points, within its stride of " + stride);
-            return columns;
-        }
-
-        private function readingPoints(all:Array, columns:Vector.<int>):Steps
-        {
-            array.limits.spendNumbers(3 * count, _accessor);
-            firstPoint = _points.length / 3;
-            return new StepSequence().slices(count, POINTS_PER_STEP, function(first:int, end:int):void
-                {
-                    for (var i:int = first; i < end; i++)
-                    {
-                        for (var k:int = 0; k < 3; k++)
-                        {
-                            _points[3 * (firstPoint + i) + k] = array.toNumber(all[_firstWord + i * width + columns[k]]);
-                        }
-                    }
-                });
+            element.refuseIf(names.length < 3 && names.length > 0 || Math.max(found[0], found[1], found[2]) >= step,
+                    "expected the parameters X, Y and Z of points, within its stride of " + step);
+            return found;
         }
     }
 }

@@ -2,6 +2,7 @@ package starlogo.models.collada
 {
     import starlogo.models.animation.AnimationChannel;
     import starlogo.models.animation.FileAnimation;
+    import starlogo.models.animation.Pose;
     import starlogo.models.building.ModelReader;
     import starlogo.steps.finish;
 
@@ -24,12 +25,12 @@ package starlogo.models.collada
         {
             var document:ColladaDocument = new ColladaDocument(name, text);
             finish(document);
-            document.limits.restart();
+            document.budget.reset();
             var read:Object = {};
-            var newReader:Function = function(moved:Object):ModelReader
+            var newReader:Function = function(pose:Pose):ModelReader
             {
-                document.limits.restart();
-                return new ColladaReader(document, upAxis, null, moved);
+                document.budget.reset();
+                return new ColladaReader(document, upAxis, null, pose);
             };
             var animations:Vector.<FileAnimation> = new Vector.<FileAnimation>();
             var all:Vector.<ColladaElement> = document.entriesOf("library_animations", "animation");
@@ -66,7 +67,7 @@ package starlogo.models.collada
             while (pending.length > 0)
             {
                 var element:ColladaElement = pending.pop();
-                element.limits.spendElements(1 + element.children.length, element);
+                element.budget.spendElements(1 + element.children.length, element);
                 for each (var channel:ColladaElement in element.childrenNamed("channel"))
                 {
                     var isRead:Boolean = channel.index in read;

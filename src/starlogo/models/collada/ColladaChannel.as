@@ -1,7 +1,7 @@
 package starlogo.models.collada
 {
     import starlogo.models.animation.AnimationChannel;
-    import starlogo.models.animation.KeyFrames;
+    import starlogo.models.animation.AnimationSampler;
     import starlogo.models.files.shortened;
 
     /** Reads the channels of COLLADA animations: which numbers of the document move, and how. */
@@ -45,13 +45,13 @@ package starlogo.models.collada
             {
                 return null;
             }
-            var keys:KeyFrames = keysOf(channel.target("source", ["sampler"], channel.parent));
+            var keys:AnimationSampler = samplerOf(channel.target("source", ["sampler"], channel.parent));
             var movesAll:Boolean = named == null && !parts[3];
             // an index may be larger than an int
             var index:Number = movesAll ? 0 : (named == null ? indexAt(element, parts[3], parts[4]) : indexNamed(element, named[2]));
             var width:int = movesAll ? size : 1;
             channel.refuseIf(!(index >= 0 && index < size), "there is no such number in the <" + element.name + ">");
-            channel.refuseIf(keys.width != width, "its sampler has " + keys.width + " numbers for each key, but expected " + width);
+            channel.refuseIf(keys.componentCount != width, "its sampler has " + keys.componentCount + " numbers for each key, but expected " + width);
             return new AnimationChannel(String(element.index), keys, element.numbers(size), index);
         }
 
@@ -80,7 +80,7 @@ package starlogo.models.collada
             var pending:Vector.<ColladaElement> = new <ColladaElement>[around];
             for (var i:int = 0; i < pending.length; i++)
             {
-                channel.limits.spendElements(pending[i].children.length, channel);
+                channel.budget.spendElements(pending[i].children.length, channel);
                 for each (var child:ColladaElement in pending[i].children)
                 {
                     if (child.attribute("sid") == sid)
@@ -111,18 +111,18 @@ package starlogo.models.collada
         }
 
         // Reads the keys of a sampler.
-        private static function keysOf(sampler:ColladaElement):KeyFrames
+        private static function samplerOf(sampler:ColladaElement):AnimationSampler
         {
             var times:Vector.<Number> = listOf(sampler, "INPUT", ColladaAccessor.NUMBERS).numbers;
             var values:ColladaAccessor = listOf(sampler, "OUTPUT", ColladaAccessor.NUMBERS, times.length);
-            var interpolations:Array = [KeyFrames.LINEAR];
+            var interpolations:Array = [AnimationSampler.LINEAR];
             if (sampler.child("input", "INTERPOLATION") != null)
             {
                 var list:ColladaAccessor = listOf(sampler, "INTERPOLATION", ColladaAccessor.NAMES, times.length);
-                sampler.refuseIf(list.width != 1, "expected one interpolation for each key");
+                sampler.refuseIf(list.stride != 1, "expected one interpolation for each key");
                 interpolations = list.words;
             }
-            var known:Array = [KeyFrames.LINEAR, KeyFrames.STEP, BEZIER];
+            var known:Array = [AnimationSampler.LINEAR, AnimationSampler.STEP, BEZIER];
             for each (var name:String in interpolations)
             {
                 if (known.indexOf(name) < 0)
@@ -133,8 +133,8 @@ package starlogo.models.collada
             var hasCurves:Boolean = interpolations.indexOf(BEZIER) >= 0;
             var after:ColladaAccessor = hasCurves ? controlPoints(sampler, "OUT_TANGENT", values) : null;
             var before:ColladaAccessor = hasCurves ? controlPoints(sampler, "IN_TANGENT", values) : null;
-            sampler.refuseIf(hasCurves && before.width != after.width, "its tangents are of different kinds");
-            return new KeyFrames(sampler.limits.modelName, sampler, times, values.numbers, interpolations, hasCurves ? after.numbers : null,
+            sampler.refuseIf(hasCurves && before.stride != after.stride, "its tangents are of different kinds");
+            return new AnimationSampler(sampler.budget.modelName, sampler, times, values.numbers, interpolations, hasCurves ? after.numbers : null,
                     hasCurves ? before.numbers : null);
         }
 
@@ -142,8 +142,8 @@ package starlogo.models.collada
         private static function controlPoints(sampler:ColladaElement, semantic:String, values:ColladaAccessor):ColladaAccessor
         {
             var list:ColladaAccessor = listOf(sampler, semantic, ColladaAccessor.NUMBERS, values.count);
-            sampler.refuseIf(list.width != values.width && list.width != 2 * values.width, "expected " + values.width + " or " + 2 * values.width +
-                    " numbers in each " + semantic + ", but found " + list.width);
+            sampler.refuseIf(list.stride != values.stride && list.stride != 2 * values.stride, "expected " + values.stride + " or " + 2 * values.stride +
+                    " numbers in each " + semantic + ", but found " + list.stride);
             return list;
         }
 

@@ -21,31 +21,31 @@ package starlogo.models.collada
         private var _isFirstJointMirror:Boolean = false;
         private var _scene:ColladaScene;
         private var _mesh:ColladaMesh;
-        private var _bound:AffineTransform; // takes the points of the geometry to where its skins were bound
+        private var _bindTransform:AffineTransform; // takes the points of the geometry to where its skins were bound
 
         /**
-         * @param scene knows where joints are, and what moves
-         * @param instance the element that places the geometry
-         * @param place where it is
+         * @param scene knows where joints are, and the pose
+         * @param instance the element that instantiates the geometry
+         * @param node the node with this element
          * @param mesh the geometry, which is read before the first step
          * @param deformers the morphs and skins, the last one first
          */
-        public function ColladaDeformation(scene:ColladaScene, instance:ColladaElement, place:ColladaPlace, mesh:ColladaMesh, deformers:Vector.<ColladaElement>)
+        public function ColladaDeformation(scene:ColladaScene, instance:ColladaElement, node:ColladaNode, mesh:ColladaMesh, deformers:Vector.<ColladaElement>)
         {
             _scene = scene;
             _mesh = mesh;
-            _bound = transform = place.transform;
+            _bindTransform = transform = node.transform;
             call(function():void
                 {
                     points = mesh.points.slice();
                 });
             for (var i:int = deformers.length - 1; i >= 0; i--)
             {
-                addDeformer(deformers[i], instance, place);
+                addDeformer(deformers[i], instance, node);
             }
             for each (var deformer:ColladaElement in deformers)
             {
-                _bound = deformer.name == "skin" ? _bound.after(scene.document.skinOf(deformer).shape) : _bound;
+                _bindTransform = deformer.name == "skin" ? _bindTransform.after(scene.document.skinOf(deformer).bindShape) : _bindTransform;
             }
         }
 
@@ -70,12 +70,12 @@ package starlogo.models.collada
                 }
             }
             points = _mesh.points;
-            transform = _bound;
+            transform = _bindTransform;
             _isFirstJointMirror = false;
             return false;
         }
 
-        private function addDeformer(deformer:ColladaElement, instance:ColladaElement, place:ColladaPlace):void
+        private function addDeformer(deformer:ColladaElement, instance:ColladaElement, node:ColladaNode):void
         {
             if (deformer.name == "skin")
             {
@@ -84,9 +84,9 @@ package starlogo.models.collada
                 transform = new AffineTransform();
                 add(skin).begin(function():Steps
                     {
-                        var palette:Vector.<AffineTransform> = skin.paletteOf(_scene, place, instance);
-                        _isFirstJointMirror = palette[0].isMirror;
-                        return skin.moving(points, palette);
+                        var jointMatrices:Vector.<AffineTransform> = skin.jointMatricesOf(_scene, node, instance);
+                        _isFirstJointMirror = jointMatrices[0].isMirror;
+                        return skin.moving(points, jointMatrices);
                     });
             }
             else if (!_scene.isAtRest)
@@ -104,8 +104,8 @@ package starlogo.models.collada
             var inputs:ColladaElement = morph.requiredChild("targets");
             var targets:ColladaAccessor = ColladaAccessor.read(inputs, "MORPH_TARGET", ColladaAccessor.NAMES, morph);
             var list:ColladaAccessor = ColladaAccessor.read(inputs, "MORPH_WEIGHT", ["float_array"], morph);
-            var moved:Vector.<Number> = _scene.movedNumbersOf(list.array);
-            var weights:Vector.<Number> = moved == null ? list.numbers : list.partOf(moved);
+            var posed:Vector.<Number> = _scene.posedNumbersOf(list.array);
+            var weights:Vector.<Number> = posed == null ? list.numbers : list.partOf(posed);
             morph.refuseIf(targets.words.length > weights.length, "it has " + targets.words.length + " targets, but " + weights.length + " weights");
             var base:Vector.<Number> = morph.attribute("method") == "RELATIVE" ? new Vector.<Number>(points.length) : points.slice();
             return new StepSequence().beginEach(targets.words.length, function(index:int):Steps
@@ -114,7 +114,7 @@ package starlogo.models.collada
                     return new StepSequence().add(target).call(function():void
                         {
                             morph.refuseIf(target.points.length != points.length, "its target \"" + shortened(targets.words[index]) + "\" has another number of points");
-                            morph.limits.spendNumbers(points.length, morph);
+                            morph.budget.spendNumbers(points.length, morph);
                             for (var i:int = 0; i < points.length; i++)
                             {
                                 points[i] += weights[index] * (target.points[i] - base[i]);

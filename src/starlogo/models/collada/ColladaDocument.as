@@ -1,6 +1,6 @@
 package starlogo.models.collada
 {
-    import starlogo.models.files.FileLimits;
+    import starlogo.models.files.FileBudget;
     import starlogo.models.files.refuseIf;
     import starlogo.models.files.shortened;
     import starlogo.models.text.Decimal;
@@ -15,7 +15,7 @@ package starlogo.models.collada
     public final class ColladaDocument implements Steps
     {
         /** What the document may have and cost. Read only. */
-        internal var limits:FileLimits;
+        internal var budget:FileBudget;
 
         private var _xml:XmlReader;
         private var _meshes:Object = {}; // by the index of the geometry's element
@@ -28,8 +28,8 @@ package starlogo.models.collada
         public function ColladaDocument(name:String, text:String)
         {
             refuseIf(text == null, name, "there is no text to read");
-            limits = new FileLimits(name, text.length);
-            _xml = new XmlReader(text, limits);
+            budget = new FileBudget(name, text.length);
+            _xml = new XmlReader(text, budget);
         }
 
         /** @inheritDoc */
@@ -41,7 +41,7 @@ package starlogo.models.collada
         /** The root, when all is read. @throws ModelError if it is not COLLADA */
         internal function get root():ColladaElement
         {
-            refuseIf(_xml.root == null, limits.modelName, "this is not XML: expected a COLLADA document");
+            refuseIf(_xml.root == null, budget.modelName, "this is not XML: expected a COLLADA document");
             _xml.root.refuseIf(_xml.root.name != "COLLADA", "expected a COLLADA document, but its root element is <" + _xml.root.name + ">");
             return _xml.root;
         }

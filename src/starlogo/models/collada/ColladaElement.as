@@ -3,7 +3,7 @@ package starlogo.models.collada
     import starlogo.data.keyOf;
     import starlogo.geometry.AffineTransform;
     import starlogo.models.ModelError;
-    import starlogo.models.files.FileLimits;
+    import starlogo.models.files.FileBudget;
     import starlogo.models.files.shortened;
     import starlogo.models.text.Decimal;
     import starlogo.models.text.TextWords;
@@ -22,7 +22,7 @@ package starlogo.models.collada
         public var index:int;
 
         /** What the document may have and cost. */
-        public var limits:FileLimits;
+        public var budget:FileBudget;
 
         /** The element around this one; null for the root. */
         public var parent:ColladaElement;
@@ -46,15 +46,15 @@ package starlogo.models.collada
         private var _transform:AffineTransform = null;
 
         /**
-         * @param limits what the document may have and cost
+         * @param budget what the document may have and cost
          * @param index its number in the document, from 0
          * @param name the element's name
          * @param parent the element around it, which takes it as a child; null for the root
          * @param attributes the values of its attributes, by keyOf() their names; is kept
          */
-        public function ColladaElement(limits:FileLimits, index:int, name:String, parent:ColladaElement, attributes:Object)
+        public function ColladaElement(budget:FileBudget, index:int, name:String, parent:ColladaElement, attributes:Object)
         {
-            this.limits = limits;
+            this.budget = budget;
             this.index = index;
             this.name = name;
             this.parent = parent;
@@ -213,7 +213,7 @@ package starlogo.models.collada
         private function countedText():String
         {
             var all:String = text;
-            limits.spendNumbers(all.length / 2, this);
+            budget.spendNumbers(all.length / 2, this);
             return all;
         }
 
@@ -293,7 +293,7 @@ package starlogo.models.collada
         /** The error for something that is wrong with the element. */
         public function error(problem:String):ModelError
         {
-            return new ModelError(limits.modelName, String(this), problem);
+            return new ModelError(budget.modelName, String(this), problem);
         }
 
         /** The path from the root: names, with ids. Elements without an id that have siblings of the same name get numbers from 1. */

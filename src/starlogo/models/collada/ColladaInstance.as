@@ -6,7 +6,7 @@ package starlogo.models.collada
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
-    /** A geometry at a place in a COLLADA scene, which can add it to a model. */
+    /** An instance of a geometry in a COLLADA scene. Its steps add it to a model. */
     internal final class ColladaInstance
     {
         private static const VERTICES_PER_STEP:int = 3000;
@@ -15,14 +15,14 @@ package starlogo.models.collada
         /** The geometry. Its steps read it. Read only. */
         public var mesh:ColladaMesh;
 
-        // The element that places the geometry. If there is no scene, the geometry's own element.
+        // The element that instantiates the geometry. If there is no scene, the geometry's own element.
         private var _element:ColladaElement;
 
         private var _transform:AffineTransform;
         private var _deformation:ColladaDeformation;
 
         /**
-         * @param element the element that places the geometry; the geometry's own element if there is no scene
+         * @param element the element that instantiates the geometry; the geometry's own element if there is no scene
          * @param mesh the geometry's vertices and triangles. All instances of a geometry share them
          * @param transform takes its points to the scene, unless there is a deformation
          * @param deformation moves its points first; null for none
@@ -62,7 +62,7 @@ package starlogo.models.collada
             var vertexCount:int = points.length / 3;
             var triangleCount:int = mesh.triangles.length / 3;
             var second:int = isMirror ? 2 : 1;
-            _element.limits.requireMesh(firstVertex + vertexCount, firstTriangle + triangleCount, _element);
+            _element.budget.requireMesh(firstVertex + vertexCount, firstTriangle + triangleCount, _element);
             if (triangleCount > 0)
             {
                 addLabels(data, firstTriangle);
@@ -85,7 +85,7 @@ package starlogo.models.collada
         private function addLabels(data:ModelData, firstTriangle:int):void
         {
             var node:ColladaElement = _element.name != "geometry" && _element.parent != null ? _element.parent : _element;
-            _element.limits.spendElements(mesh.symbols.length, _element);
+            _element.budget.spendElements(mesh.symbols.length, _element);
             data.meshes.beginRun(data.meshes.addLabel(nameOf(node) || nameOf(mesh.geometry)), firstTriangle);
             for (var i:int = 0; i < mesh.symbols.length; i++)
             {

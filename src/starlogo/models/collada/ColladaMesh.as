@@ -24,14 +24,14 @@ package starlogo.models.collada
         public var starts:Vector.<int> = new Vector.<int>();
 
         private var _meshElement:ColladaElement;
-        private var _sources:Object = {}; // of positions, by the source's id
+        private var _pointsOfSources:Object = {}; // by the source's id
 
         /** @param geometry the geometry's element */
         public function ColladaMesh(geometry:ColladaElement)
         {
             this.geometry = geometry;
             _meshElement = geometry.child("mesh") || geometry.child("convex_mesh");
-            var triangulator:Triangulator = new Triangulator(geometry.limits, points, triangles);
+            var triangulator:Triangulator = new Triangulator(geometry.budget, points, triangles);
             for each (var element:ColladaElement in _meshElement == null ? null : _meshElement.children)
             {
                 if (ColladaPrimitive.isSurface(element))
@@ -49,7 +49,7 @@ package starlogo.models.collada
                 {
                     symbols.push(element.attribute("material"));
                     starts.push(triangles.length / 3);
-                    var positions:ColladaAccessor = pointsOf(positionSource(ColladaPrimitive.positionInput(element)));
+                    var positions:ColladaPoints = pointsOf(positionSource(ColladaPrimitive.positionInput(element)));
                     return new StepSequence().add(positions).add(new ColladaPrimitive(element, positions, triangulator));
                 });
         }
@@ -74,10 +74,10 @@ package starlogo.models.collada
         }
 
         // The points of a source, which are read once: several primitives may share them.
-        private function pointsOf(source:ColladaElement):ColladaAccessor
+        private function pointsOf(source:ColladaElement):ColladaPoints
         {
             // the "#" keeps the key different from every property that each Object has
-            return _sources[keyOf(source.id)] ||= new ColladaAccessor(source, ColladaAccessor.NUMBERS, points);
+            return _pointsOfSources[keyOf(source.id)] ||= new ColladaPoints(source, points);
         }
     }
 }

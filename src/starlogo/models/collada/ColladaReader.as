@@ -3,6 +3,7 @@ package starlogo.models.collada
     import flash.geom.Vector3D;
     import starlogo.models.Model;
     import starlogo.models.ModelTransform;
+    import starlogo.models.animation.Pose;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.ModelReader;
     import starlogo.models.building.removingUnusedVertices;
@@ -14,14 +15,11 @@ package starlogo.models.collada
      * Reads a COLLADA document. ColladaModel says which parts.
      *
      * <p>A ColladaDocument has an XmlReader, which makes ColladaElements of the text, and keeps what several poses share. A ColladaScene visits
-     * the nodes. Each node at one of its places is a ColladaPlace, whose transform comes from ColladaTransforms. Each geometry is a ColladaMesh,
-     * whose points come from a ColladaAccessor and whose triangles from ColladaPrimitives. Each place of a geometry is a ColladaInstance, which
-     * adds the mesh to the model.</p>
+     * the ColladaNodes, whose transforms come from ColladaTransforms. Each geometry is a ColladaMesh. It has ColladaPoints, which a ColladaAccessor
+     * finds, and the triangles of ColladaPrimitives. Each instance of a geometry is a ColladaInstance, which adds the mesh to the model.</p>
      *
      * <p>Before that, a ColladaDeformation moves the points of a geometry that a controller places. It does so by morphs and by ColladaSkins. A
      * ColladaSkin has the JointInfluences of its points, and finds its joints among the nodes.</p>
-     *
-     * <p>The reader of a pose gets the numbers that a FileAnimation has moved, which count in place of those in the document.</p>
      *
      * @private
      */
@@ -33,17 +31,17 @@ package starlogo.models.collada
          * @param document the document; its steps may be done
          * @param upAxis "x", "y" or "z"; a ModelTransform leaves the document as it is; null for the axis that the document names
          * @param scaling as for Model's constructor; null if the vertices are not normalised
-         * @param moved the numbers that count in place of an element's own, by the element's index; null at rest
+         * @param pose the pose, whose targets are the elements' indices; null at rest
          */
-        public function ColladaReader(document:ColladaDocument, upAxis:Object, scaling:String, moved:Object = null)
+        public function ColladaReader(document:ColladaDocument, upAxis:Object, scaling:String, pose:Pose = null)
         {
-            _data = ModelData.forFile(document.limits.modelName, upAxis, scaling, "y");
+            _data = ModelData.forFile(document.budget.modelName, upAxis, scaling, "y");
             var scene:ColladaScene;
             add(document).begin(function():Steps
                 {
                     _data.upAxis = upAxis == null ? document.upAxis : _data.upAxis;
                     _data.transform = scaling == Model.AS_GIVEN && _data.transform == null ? scalingBy(document.unit) : _data.transform;
-                    scene = new ColladaScene(document, moved);
+                    scene = new ColladaScene(document, pose);
                     return scene;
                 }).begin(function():Steps
                 {
@@ -68,15 +66,15 @@ package starlogo.models.collada
             // all geometries come first, so skins only have what these leave of the limits
             return new StepSequence().beginEach(instances.length, function(index:int):Steps
                 {
-                    _data.readShare = index / instances.length / 2;
+                    _data.readProgress = index / instances.length / 2;
                     return instances[index].mesh;
                 }).beginEach(instances.length, function(index:int):Steps
                 {
-                    _data.readShare = (1 + index / instances.length) / 2;
+                    _data.readProgress = (1 + index / instances.length) / 2;
                     return instances[index].adding(_data);
                 }).call(function():void
                 {
-                    _data.readShare = 1;
+                    _data.readProgress = 1;
                     refuseIf(_data.vertices.length == 0, _data.name, "no vertices: expected a scene or a library with a geometry in it");
                 });
         }

@@ -1,6 +1,7 @@
 package starlogo.models.collada
 {
     import starlogo.geometry.AffineTransform;
+    import starlogo.models.animation.Pose;
     import starlogo.models.files.shortened;
     import starlogo.steps.StepSequence;
 
@@ -14,8 +15,8 @@ package starlogo.models.collada
         private static const MAX_DEPTH:int = 256;
         private static const MAX_CONTROLLERS:int = 16;
 
-        // a placed element takes more memory than an element
-        private static const COUNT_PER_PLACING:int = 2;
+        // a node takes more memory than an element
+        private static const ELEMENTS_PER_NODE:int = 2;
 
         /** The geometries in the document's order, when no step is left. */
         public var instances:Vector.<ColladaInstance> = new Vector.<ColladaInstance>();
@@ -23,23 +24,22 @@ package starlogo.models.collada
         /** The document. Its scenes share its geometries and skins. Read only. */
         public var document:ColladaDocument;
 
-        private var _places:Object = {}; // lists of the places of a node, in their order, by the node's index
+        private var _nodes:Object = {}; // lists of the nodes of an element, in the order of the visit, by the element's index
 
-        // the numbers that count in place of an element's own, by the element's index; null at rest
-        private var _moved:Object;
+        private var _pose:Pose;
 
-        // The innermost place around the next element, null at the end; and how many there were so far.
-        private var _place:ColladaPlace = null;
-        private var _placeCount:int = 0;
+        // The node around the next element, null at the end; and how many nodes there were so far.
+        private var _node:ColladaNode = null;
+        private var _nodeCount:int = 0;
 
         /**
          * @param document the document; all its steps must be done
-         * @param moved the numbers that count in place of an element's own, by the element's index; null at rest
+         * @param pose the pose, whose targets are the elements' indices; null at rest
          */
-        public function ColladaScene(document:ColladaDocument, moved:Object)
+        public function ColladaScene(document:ColladaDocument, pose:Pose)
         {
             this.document = document;
-            _moved = moved;
+            _pose = pose;
             var scene:ColladaElement = document.root.child("scene");
             var instance:ColladaElement = scene == null ? null : scene.child("instance_visual_scene");
             if (instance != null)
@@ -56,74 +56,74 @@ package starlogo.models.collada
             }
         }
 
-        /** Whether nothing moves. */
+        /** Whether there is no pose. */
         public function get isAtRest():Boolean
         {
-            return _moved == null;
+            return _pose == null;
         }
 
-        /** The numbers that count in place of an element's own; null for its own. */
-        public function movedNumbersOf(element:ColladaElement):Vector.<Number>
+        /** The numbers of an element in the pose; null if they are its own. */
+        public function posedNumbersOf(element:ColladaElement):Vector.<Number>
         {
-            return isAtRest ? null : _moved[element.index];
+            return isAtRest ? null : _pose.numbersOf(String(element.index));
         }
 
         /**
          * What takes points of a joint to the scene, when no step is left.
          *
-         * @param joint the joint's node
-         * @param place where the skin is. Of several places of the joint, the nearest one counts
+         * @param joint the joint's element
+         * @param skinNode the node with the skin. Of several nodes of the joint, the nearest one counts
          * @param skin the skin's element, for the error
          * @throws ModelError if the joint is not in the scene
          */
-        public function jointAt(joint:ColladaElement, place:ColladaPlace, skin:ColladaElement):AffineTransform
+        public function jointAt(joint:ColladaElement, skinNode:ColladaNode, skin:ColladaElement):AffineTransform
         {
-            var places:Array = _places[joint.index];
-            skin.refuseIf(places == null, "its joint \"" + shortened(joint.attribute("sid") || joint.id) + "\" is not in the scene");
-            return place.nearestOf(places).transform;
+            var nodes:Array = _nodes[joint.index];
+            skin.refuseIf(nodes == null, "its joint \"" + shortened(joint.attribute("sid") || joint.id) + "\" is not in the scene");
+            return skinNode.nearestOf(nodes).transform;
         }
 
         private function visitSome():Boolean
         {
-            for (var i:int = 0; i < ELEMENTS_PER_STEP && _place != null; i++)
+            for (var i:int = 0; i < ELEMENTS_PER_STEP && _node != null; i++)
             {
-                var element:ColladaElement = _place.nextElement();
+                var element:ColladaElement = _node.nextElement();
                 if (element == null)
                 {
-                    _place.leave(_placeCount);
-                    _place = _place.around;
+                    _node.exit(_nodeCount);
+                    _node = _node.parent;
                 }
                 else
                 {
                     visit(element);
                 }
             }
-            return _place != null;
+            return _node != null;
         }
 
-        // The elements of a node are visited next.
-        private function enter(node:ColladaElement):void
+        // The children of an element are visited next.
+        private function enter(element:ColladaElement):void
         {
-            _place = new ColladaPlace(node, _place, _placeCount++);
-            node.refuseIf(_place.depth > MAX_DEPTH, "its nodes are nested more than " + MAX_DEPTH + " deep");
-            node.limits.spendElements(COUNT_PER_PLACING * (1 + node.children.length), node);
-            (_places[node.index] ||= []).push(_place);
+            _node = new ColladaNode(element, _node, _nodeCount++);
+            element.refuseIf(_node.depth > MAX_DEPTH, "its nodes are nested more than " + MAX_DEPTH + " deep");
+            element.budget.spendElements(ELEMENTS_PER_NODE * (1 + element.children.length), element);
+            (_nodes[element.index] ||= []).push(_node);
         }
 
-        // Visits an element of the innermost node.
+        // Visits a child of the present node's element.
         private function visit(element:ColladaElement):void
         {
             switch (element.name)
             {
                 case "instance_geometry":
-                    instances.push(new ColladaInstance(element, document.meshOf(element.target("url", ["geometry"])), _place.transform));
+                    instances.push(new ColladaInstance(element, document.meshOf(element.target("url", ["geometry"])), _node.transform));
                     break;
                 case "instance_controller":
                     addController(element);
                     break;
                 case "instance_node":
                     var inner:ColladaElement = element.target("url", ["node"]);
-                    element.refuseIf(_place.isWithin(inner), "recursive instance_node: it places the node \"" + shortened(inner.id) + "\" within itself");
+                    element.refuseIf(_node.isWithin(inner), "recursive instance_node: it places the node \"" + shortened(inner.id) + "\" within itself");
                     enter(inner);
                     break;
                 case "node":
@@ -133,7 +133,7 @@ package starlogo.models.collada
                     var local:AffineTransform = transformOf(element);
                     if (local != null)
                     {
-                        _place.addTransform(local);
+                        _node.addTransform(local);
                     }
             }
         }
@@ -141,7 +141,7 @@ package starlogo.models.collada
         // The transform that an element is; null if it is none.
         private function transformOf(element:ColladaElement):AffineTransform
         {
-            var numbers:Vector.<Number> = movedNumbersOf(element);
+            var numbers:Vector.<Number> = posedNumbersOf(element);
             return numbers == null ? element.toTransform() : ColladaTransform.of(element, numbers);
         }
 
@@ -152,7 +152,7 @@ package starlogo.models.collada
             var target:ColladaElement = element.target("url", ["controller"]);
             while (target.name == "controller")
             {
-                element.limits.spendElements(COUNT_PER_PLACING, element);
+                element.budget.spendElements(ELEMENTS_PER_NODE, element);
                 var deformer:ColladaElement = target.child("skin") || target.requiredChild("morph");
                 target = deformer.target("source", ["geometry", "controller"]);
                 element.refuseIf(deformers.length == MAX_CONTROLLERS, "more than " + MAX_CONTROLLERS +
@@ -160,7 +160,7 @@ package starlogo.models.collada
                 deformers.push(deformer);
             }
             var mesh:ColladaMesh = document.meshOf(target);
-            instances.push(new ColladaInstance(element, mesh, _place.transform, new ColladaDeformation(this, element, _place, mesh, deformers)));
+            instances.push(new ColladaInstance(element, mesh, _node.transform, new ColladaDeformation(this, element, _node, mesh, deformers)));
         }
     }
 }

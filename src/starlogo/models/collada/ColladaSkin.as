@@ -9,7 +9,7 @@ package starlogo.models.collada
     import starlogo.steps.Steps;
 
     /**
-     * A COLLADA skin: its joints' names and matrices, and their weights at each point. Its steps read them. All elements that place it share it.
+     * A COLLADA skin: its joints' names and matrices, and their weights at each point. Its steps read them. All instances share it.
      */
     internal final class ColladaSkin extends StepSequence
     {
@@ -23,15 +23,15 @@ package starlogo.models.collada
         public var element:ColladaElement;
 
         /** What takes the points to where the skin was bound. */
-        public var shape:AffineTransform;
+        public var bindShape:AffineTransform;
 
         private var _names:ColladaAccessor = null; // of the joints
 
         // what takes points from where the skin was bound into each joint
-        private var _inverses:Vector.<AffineTransform> = null;
+        private var _inverseBindMatrices:Vector.<AffineTransform> = null;
 
-        // lists of the joints' nodes, by the index of an element that places the skin
-        private var _nodes:Object = {};
+        // lists of the joints' elements, by the index of an element that instantiates the skin
+        private var _joints:Object = {};
 
         // joint -1, which does not move, has the index after the last joint
         private var _influences:JointInfluences;
@@ -41,7 +41,7 @@ package starlogo.models.collada
         {
             this.element = element;
             var matrix:ColladaElement = element.child("bind_shape_matrix");
-            shape = matrix == null ? new AffineTransform() : matrix.toTransform();
+            bindShape = matrix == null ? new AffineTransform() : matrix.toTransform();
             call(function():void
                 {
                     readJoints(element.requiredChild("joints"));
@@ -52,32 +52,32 @@ package starlogo.models.collada
          * What moves points to the scene: by each joint, and last by joint -1. All must be read.
          *
          * @param scene knows where joints are
-         * @param place where the skin is in the scene
-         * @param instance the element that places the skin, with its skeletons
+         * @param node the node with the skin
+         * @param instance the element that instantiates the skin, with its skeletons
          * @throws ModelError if there is no such joint
          */
-        public function paletteOf(scene:ColladaScene, place:ColladaPlace, instance:ColladaElement):Vector.<AffineTransform>
+        public function jointMatricesOf(scene:ColladaScene, node:ColladaNode, instance:ColladaElement):Vector.<AffineTransform>
         {
-            var nodes:Vector.<ColladaElement> = _nodes[instance.index] ||= jointsOf(instance);
-            element.limits.spendNumbers(nodes.length, element);
-            var palette:Vector.<AffineTransform> = new Vector.<AffineTransform>();
-            for (var i:int = 0; i < nodes.length; i++)
+            var joints:Vector.<ColladaElement> = _joints[instance.index] ||= jointsOf(instance);
+            element.budget.spendNumbers(joints.length, element);
+            var jointMatrices:Vector.<AffineTransform> = new Vector.<AffineTransform>();
+            for (var i:int = 0; i < joints.length; i++)
             {
-                palette.push(scene.jointAt(nodes[i], place, element).after(_inverses[i]).after(shape));
+                jointMatrices.push(scene.jointAt(joints[i], node, element).after(_inverseBindMatrices[i]).after(bindShape));
             }
-            palette.push(shape);
-            return palette;
+            jointMatrices.push(bindShape);
+            return jointMatrices;
         }
 
-        /** The steps that move points by a palette. */
-        public function moving(points:Vector.<Number>, palette:Vector.<AffineTransform>):Steps
+        /** The steps that move points by joint matrices. */
+        public function moving(points:Vector.<Number>, jointMatrices:Vector.<AffineTransform>):Steps
         {
             var count:int = _influences.starts.length - 1;
             element.refuseIf(points.length != 3 * count, "it has weights for " + count + " points, but its geometry has " + points.length / 3);
-            element.limits.spendNumbers(2 * _influences.joints.length, element);
+            element.budget.spendNumbers(2 * _influences.joints.length, element);
             return new StepSequence().slices(count, POINTS_PER_STEP, function(first:int, end:int):void
                 {
-                    element.refuseIf(!_influences.move(points, palette, first, end), "it moves points too far: their coordinates are not finite numbers");
+                    element.refuseIf(!_influences.skinPoints(points, jointMatrices, first, end), "it moves points too far: their coordinates are not finite numbers");
                 });
         }
 
@@ -85,13 +85,13 @@ package starlogo.models.collada
         {
             _names = ColladaAccessor.read(joints, "JOINT", ColladaAccessor.NAMES, element);
             var matrices:ColladaAccessor = ColladaAccessor.read(joints, "INV_BIND_MATRIX", ["float_array"], element);
-            joints.refuseIf(_names.words.length == 0 || matrices.count != _names.words.length || matrices.width != ColladaTransform.MATRIX_SIZE,
+            joints.refuseIf(_names.words.length == 0 || matrices.count != _names.words.length || matrices.stride != ColladaTransform.MATRIX_SIZE,
                     "expected at least one joint, and a matrix for each, but found " + _names.words.length + " and " + matrices.count);
-            _inverses = new Vector.<AffineTransform>();
+            _inverseBindMatrices = new Vector.<AffineTransform>();
             for (var i:int = 0; i < _names.words.length; i++)
             {
-                var numbers:Vector.<Number> = matrices.numbers.slice(i * matrices.width, (i + 1) * matrices.width);
-                _inverses.push(ColladaTransform.matrix(matrices.array, numbers, LAST_ROW_TOLERANCE));
+                var numbers:Vector.<Number> = matrices.numbers.slice(i * matrices.stride, (i + 1) * matrices.stride);
+                _inverseBindMatrices.push(ColladaTransform.matrix(matrices.array, numbers, LAST_ROW_TOLERANCE));
             }
         }
 
@@ -114,9 +114,9 @@ package starlogo.models.collada
                 {
                     for (var i:int = first; i < end; i++)
                     {
-                        var joint:int = weighted.toInteger(indices[i * stride + jointOffset], -1, _inverses.length - 1, "a joint's index");
+                        var joint:int = weighted.toInteger(indices[i * stride + jointOffset], -1, _inverseBindMatrices.length - 1, "a joint's index");
                         var weight:int = weighted.toInteger(indices[i * stride + weightOffset], 0, weights.words.length - 1, "a weight's index");
-                        _influences.joints.push(joint < 0 ? _inverses.length : joint);
+                        _influences.joints.push(joint < 0 ? _inverseBindMatrices.length : joint);
                         _influences.weights.push(weights.array.toNumber(weights.words[weight]));
                     }
                 });
@@ -141,7 +141,7 @@ package starlogo.models.collada
                 });
         }
 
-        // The nodes of the joints at an element that places the skin.
+        // The elements of the joints at an element that instantiates the skin.
         private function jointsOf(instance:ColladaElement):Vector.<ColladaElement>
         {
             var joints:Vector.<ColladaElement> = new Vector.<ColladaElement>();
@@ -164,7 +164,7 @@ package starlogo.models.collada
             while (pending.length > 0)
             {
                 var node:ColladaElement = pending.pop();
-                instance.limits.spendNumbers(1 + node.children.length, instance);
+                instance.budget.spendNumbers(1 + node.children.length, instance);
                 nodes[keyOf(node.attribute("sid"))] ||= node;
                 for each (var child:ColladaElement in node.childrenNamed("node").reverse())
                 {

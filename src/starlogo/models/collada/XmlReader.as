@@ -2,7 +2,7 @@ package starlogo.models.collada
 {
     import starlogo.data.keyOf;
     import starlogo.models.ModelError;
-    import starlogo.models.files.FileLimits;
+    import starlogo.models.files.FileBudget;
     import starlogo.models.text.TextWords;
     import starlogo.steps.Steps;
 
@@ -35,7 +35,7 @@ package starlogo.models.collada
         /** The root element, when no step is left; null if there is none. */
         public var root:ColladaElement = null;
 
-        private var _limits:FileLimits;
+        private var _budget:FileBudget;
         private var _text:String;
         private var _at:int = 0;
         private var _elementCount:int = 0;
@@ -46,11 +46,11 @@ package starlogo.models.collada
 
         /**
          * @param text the text
-         * @param limits limit the elements
+         * @param budget limits the elements
          */
-        public function XmlReader(text:String, limits:FileLimits)
+        public function XmlReader(text:String, budget:FileBudget)
         {
-            _limits = limits;
+            _budget = budget;
             _text = text;
         }
 
@@ -127,7 +127,7 @@ package starlogo.models.collada
             var quote:int = TextWords.indexOfEither(_text, QUOTE, APOSTROPHE, _at, end);
             var name:String = _text.substring(_at, quote).split(NAME_END, 1)[0];
             refuseIf(name == "" || root != null && _open == null);
-            _limits.spendElements(1, this);
+            _budget.spendElements(1, this);
             var attributes:Object = {};
             _at += name.length;
             for (var count:int = 0; quote < end && count < MAX_ATTRIBUTES; count++)
@@ -142,7 +142,7 @@ package starlogo.models.collada
             }
             refuseIf(quote < end, "an element has more than " + MAX_ATTRIBUTES + " attributes");
             refuseIf(!TAG_END.test(_text.substring(_at, end)));
-            var element:ColladaElement = new ColladaElement(_limits, _elementCount++, localName(name), _open, attributes);
+            var element:ColladaElement = new ColladaElement(_budget, _elementCount++, localName(name), _open, attributes);
             root ||= element;
             if (_text.charAt(end - 1) != "/")
             {
@@ -173,7 +173,7 @@ package starlogo.models.collada
         {
             if (isWrong)
             {
-                throw new ModelError(_limits.modelName, String(this), problem);
+                throw new ModelError(_budget.modelName, String(this), problem);
             }
         }
 

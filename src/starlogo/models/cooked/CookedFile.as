@@ -3,7 +3,7 @@ package starlogo.models.cooked
     import flash.utils.ByteArray;
     import flash.utils.Endian;
     import starlogo.data.Fingerprint;
-    import starlogo.models.files.FileLimits;
+    import starlogo.models.files.FileBudget;
     import starlogo.steps.StepSequence;
 
     /**
@@ -211,7 +211,7 @@ package starlogo.models.cooked
         {
             var length:int = bytes.length;
             bytes.position = LENGTH_AT;
-            return length % Fingerprint.LENGTH == 0 && length <= FileLimits.MOST_BYTES && bytes.readInt() == length && length >= HEAD_LENGTH + Fingerprint.LENGTH;
+            return length % Fingerprint.LENGTH == 0 && length <= FileBudget.MAX_BYTES && bytes.readInt() == length && length >= HEAD_LENGTH + Fingerprint.LENGTH;
         }
     }
 }

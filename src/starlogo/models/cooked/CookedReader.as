@@ -12,7 +12,7 @@ package starlogo.models.cooked
     import starlogo.models.building.ModelData;
     import starlogo.models.building.ModelReader;
     import starlogo.models.building.TriangleLabels;
-    import starlogo.models.files.FileLimits;
+    import starlogo.models.files.FileBudget;
     import starlogo.models.files.refuseIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -75,7 +75,7 @@ package starlogo.models.cooked
             try
             {
                 hasMore = super.step();
-                _data.readShare = _bytes == null ? 0 : _bytes.position / _bytes.length;
+                _data.readProgress = _bytes == null ? 0 : _bytes.position / _bytes.length;
             }
             catch (error:Error)
             {
@@ -101,7 +101,7 @@ package starlogo.models.cooked
             var hasTransform:Boolean = readInteger(0, encoding == DOUBLE ? 0 : 1) == 1;
             var vertexCount:int = readInteger(0, int.MAX_VALUE);
             var triangleCount:int = readInteger(0, int.MAX_VALUE);
-            new FileLimits(_data.name, _bytes.length).requireMesh(vertexCount, triangleCount);
+            new FileBudget(_data.name, _bytes.length).requireMesh(vertexCount, triangleCount);
             _data.transform = hasTransform ? new ModelTransform(readVector(), readVector(), readVector()) : null;
             if (encoding == DOUBLE)
             {

@@ -18,9 +18,9 @@ package starlogo.models.gltf
         private static const UNSIGNED_INT:int = 5125;
         private static const FLOAT:int = 5126;
 
-        private static const SIZES:Object = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4};
-        private static const WIDTHS:Object = {SCALAR: 1, VEC3: 3, VEC4: 4, MAT4: 16};
-        private static const LARGEST:Object = {5120: 127, 5121: 255, 5122: 32767, 5123: 65535};
+        private static const COMPONENT_SIZES:Object = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4};
+        private static const COMPONENT_COUNTS:Object = {SCALAR: 1, VEC3: 3, VEC4: 4, MAT4: 16};
+        private static const MAX_VALUES:Object = {5120: 127, 5121: 255, 5122: 32767, 5123: 65535};
 
         /** The numbers, when no step is left. */
         public var numbers:Vector.<Number>;
@@ -31,7 +31,7 @@ package starlogo.models.gltf
         /** Where the JSON says where its numbers are. */
         public var json:GltfJson;
 
-        private var _width:int;
+        private var _componentCount:int;
         private var _componentType:int;
 
         // integers are divided by this; 0 for no division
@@ -41,36 +41,36 @@ package starlogo.models.gltf
          * @param file the file; all its steps must be done
          * @param json says where its numbers are: an accessor, or a part of a sparse one
          * @param count the number of elements
-         * @param width the numbers of each element
+         * @param componentCount the numbers of each element
          * @param componentType the kind of its numbers: BYTE or another
          * @param isNormalised whether its numbers stand for fractions of the largest one
          */
-        public function GltfAccessor(file:GltfFile, json:GltfJson, count:int, width:int, componentType:int, isNormalised:Boolean)
+        public function GltfAccessor(file:GltfFile, json:GltfJson, count:int, componentCount:int, componentType:int, isNormalised:Boolean)
         {
             this.json = json;
             this.count = count;
-            _width = width;
+            _componentCount = componentCount;
             _componentType = componentType;
-            json.refuseIf(!SIZES.hasOwnProperty(componentType), "expected 5120 to 5123, 5125 or 5126, but found " + componentType, "componentType");
-            _divisor = isNormalised && LARGEST[componentType] > 0 ? LARGEST[componentType] : 0;
+            json.refuseIf(!COMPONENT_SIZES.hasOwnProperty(componentType), "expected 5120 to 5123, 5125 or 5126, but found " + componentType, "componentType");
+            _divisor = isNormalised && MAX_VALUES[componentType] > 0 ? MAX_VALUES[componentType] : 0;
             var view:int = json.reference("bufferView", "bufferViews");
             var offset:int = json.integer("byteOffset", int.MAX_VALUE, 0);
             if (view < 0)
             {
-                file.limits.spendZeros(Number(count) * width, json.place);
+                file.budget.spendZeros(Number(count) * componentCount, json.place);
             }
             else
             {
                 addRows(file, view, offset);
-                file.limits.spendNumbers(Number(count) * width, json.place);
+                file.budget.spendNumbers(Number(count) * componentCount, json.place);
             }
-            numbers = new Vector.<Number>(count * width);
+            numbers = new Vector.<Number>(count * componentCount);
         }
 
         /** The accessor that is an entry of the file. */
         public static function of(file:GltfFile, json:GltfJson):GltfAccessor
         {
-            var accessor:GltfAccessor = new GltfAccessor(file, json, json.requiredInteger("count", int.MAX_VALUE), WIDTHS[json.value.type],
+            var accessor:GltfAccessor = new GltfAccessor(file, json, json.requiredInteger("count", int.MAX_VALUE), COMPONENT_COUNTS[json.value.type],
                     json.requiredInteger("componentType", int.MAX_VALUE), json.value.normalized === true);
             var sparse:GltfJson = json.object("sparse");
             if (sparse != null)
@@ -95,13 +95,13 @@ package starlogo.models.gltf
         // Adds the steps that read the rows: from an offset in a bufferView on, at the view's distance from one another.
         private function addRows(file:GltfFile, view:int, offset:int):void
         {
-            var size:int = SIZES[_componentType] * _width;
-            var entry:GltfJson = file.json.fileEntry("bufferViews", view);
+            var size:int = COMPONENT_SIZES[_componentType] * _componentCount;
+            var entry:GltfJson = file.json.rootEntry("bufferViews", view);
             var stride:int = entry.integer("byteStride", 252, size);
             entry.refuseIf(stride < size, "expected at least " + size + ", but found " + stride, "byteStride");
             // data that end early are refused before the numbers get their memory
             file.openView(view, offset, count == 0 ? 0 : Number(count - 1) * stride + size, json);
-            slices(count, NUMBERS_PER_STEP / _width, function(first:int, end:int):void
+            slices(count, NUMBERS_PER_STEP / _componentCount, function(first:int, end:int):void
                 {
                     if (first < end)
                     {
@@ -114,10 +114,10 @@ package starlogo.models.gltf
         private function readRows(bytes:ByteArray, first:int, end:int, stride:int):void
         {
             var start:int = bytes.position;
-            for (var at:int = first * _width; at < end * _width; at += _width)
+            for (var at:int = first * _componentCount; at < end * _componentCount; at += _componentCount)
             {
                 bytes.position = start;
-                for (var i:int = at; i < at + _width; i++)
+                for (var i:int = at; i < at + _componentCount; i++)
                 {
                     var number:Number = readNumber(bytes);
                     numbers[i] = _divisor == 0 ? number : Math.max(-1, number / _divisor);
@@ -154,8 +154,8 @@ package starlogo.models.gltf
             sparse.refuseIf(indices == null || values == null, "expected indices and values");
             sparse.refuseIf(!indices.has("bufferView") || !values.has("bufferView"), "expected indices and values in bufferViews");
             var at:GltfAccessor = new GltfAccessor(file, indices, some, 1, indices.requiredInteger("componentType", int.MAX_VALUE), false);
-            var by:GltfAccessor = new GltfAccessor(file, values, some, _width, _componentType, _divisor > 0);
-            add(at).add(by).slices(some, NUMBERS_PER_STEP / _width, function(first:int, end:int):void
+            var by:GltfAccessor = new GltfAccessor(file, values, some, _componentCount, _componentType, _divisor > 0);
+            add(at).add(by).slices(some, NUMBERS_PER_STEP / _componentCount, function(first:int, end:int):void
                 {
                     for (var i:int = first; i < end; i++)
                     {
@@ -164,9 +164,9 @@ package starlogo.models.gltf
                         {
                             throw indices.error("element " + i + " is " + index + ", but there are only " + count + " to replace");
                         }
-                        for (var k:int = 0; k < _width; k++)
+                        for (var k:int = 0; k < _componentCount; k++)
                         {
-                            numbers[int(index) * _width + k] = by.numbers[i * _width + k];
+                            numbers[int(index) * _componentCount + k] = by.numbers[i * _componentCount + k];
                         }
                     }
                 });

@@ -2,7 +2,8 @@ package starlogo.models.gltf
 {
     import starlogo.models.animation.AnimationChannel;
     import starlogo.models.animation.FileAnimation;
-    import starlogo.models.animation.KeyFrames;
+    import starlogo.models.animation.AnimationSampler;
+    import starlogo.models.animation.Pose;
     import starlogo.models.building.ModelReader;
     import starlogo.steps.finish;
 
@@ -26,10 +27,10 @@ package starlogo.models.gltf
         public static function allIn(file:GltfFile, upAxis:Object):Vector.<FileAnimation>
         {
             var animations:Vector.<FileAnimation> = new Vector.<FileAnimation>();
-            var newReader:Function = function(moved:Object):ModelReader
+            var newReader:Function = function(pose:Pose):ModelReader
             {
-                file.limits.restart();
-                return new GltfReader(file, upAxis, null, moved);
+                file.budget.reset();
+                return new GltfReader(file, upAxis, null, pose);
             };
             for (var i:int = 0; i < file.json.count("animations"); i++)
             {
@@ -52,39 +53,39 @@ package starlogo.models.gltf
                 // otherwise it is the target of an extension
                 if (node >= 0 && TYPES.hasOwnProperty(path))
                 {
-                    target.refuseIf(file.json.fileEntry("nodes", node).has("matrix") && path != "weights", "a node with a matrix can't be animated");
+                    target.refuseIf(file.json.rootEntry("nodes", node).has("matrix") && path != "weights", "a node with a matrix can't be animated");
                     var sampler:int = channel.requiredInteger("sampler", animation.count("samplers") - 1);
-                    var keys:KeyFrames = keysOf(file, animation.element("samplers", sampler), path);
-                    channels.push(new AnimationChannel(GltfScene.targetOf(node, path), keys, new Vector.<Number>(keys.width)));
+                    var keys:AnimationSampler = samplerOf(file, animation.element("samplers", sampler), path);
+                    channels.push(new AnimationChannel(GltfScene.targetOf(node, path), keys, new Vector.<Number>(keys.componentCount)));
                 }
             }
             return channels;
         }
 
         // Reads the keys of a sampler. @param path the property that they move
-        private static function keysOf(file:GltfFile, sampler:GltfJson, path:String):KeyFrames
+        private static function samplerOf(file:GltfFile, sampler:GltfJson, path:String):AnimationSampler
         {
             var input:int = sampler.reference("input", "accessors");
             var output:int = sampler.reference("output", "accessors");
             sampler.refuseIf(input < 0 || output < 0, "expected input and output");
-            var interpolation:String = sampler.has("interpolation") ? sampler.text("interpolation") : KeyFrames.LINEAR;
-            sampler.refuseIf([KeyFrames.LINEAR, KeyFrames.STEP, CUBIC].indexOf(interpolation) < 0, "expected LINEAR, STEP or CUBICSPLINE", "interpolation");
+            var interpolation:String = sampler.has("interpolation") ? sampler.text("interpolation") : AnimationSampler.LINEAR;
+            sampler.refuseIf([AnimationSampler.LINEAR, AnimationSampler.STEP, CUBIC].indexOf(interpolation) < 0, "expected LINEAR, STEP or CUBICSPLINE", "interpolation");
             var times:GltfAccessor = file.accessor(input, "SCALAR");
             var values:GltfAccessor = file.accessor(output, TYPES[path]);
             var wanted:Number = Number(times.count) * (interpolation == CUBIC ? 3 : 1);
             values.json.refuseIf(times.count == 0 || values.count < wanted || values.count % wanted != 0 || path != "weights" && values.count != wanted,
                     "it has " + values.count + " elements for " + times.count + " keys");
-            file.limits.spendNumbers(times.count, sampler.place);
+            file.budget.spendNumbers(times.count, sampler.place);
             finish(times);
             finish(values);
             var isRotation:Boolean = path == "rotation";
             return interpolation == CUBIC ? splines(sampler, times.numbers, values.numbers, isRotation)
-                : new KeyFrames(sampler.modelName, sampler.place, times.numbers, values.numbers, [interpolation], null, null, isRotation);
+                : new AnimationSampler(sampler.modelName, sampler.place, times.numbers, values.numbers, [interpolation], null, null, isRotation);
         }
 
         // The keys of Hermite splines: for each key the tangents before it, the values, and the tangents after it (glTF specification, appendix
         // C). A control point of the same curve is a third of the tangent away from its key.
-        private static function splines(sampler:GltfJson, times:Vector.<Number>, numbers:Vector.<Number>, areRotations:Boolean):KeyFrames
+        private static function splines(sampler:GltfJson, times:Vector.<Number>, numbers:Vector.<Number>, areRotations:Boolean):AnimationSampler
         {
             var width:int = numbers.length / times.length / 3;
             var values:Vector.<Number> = new Vector.<Number>();
@@ -100,7 +101,7 @@ package starlogo.models.gltf
                     before.push(key == 0 ? value : value - numbers[i] * (times[key] - times[key - 1]) / 3);
                 }
             }
-            return new KeyFrames(sampler.modelName, sampler.place, times, values, [CUBIC], after, before, areRotations);
+            return new AnimationSampler(sampler.modelName, sampler.place, times, values, [CUBIC], after, before, areRotations);
         }
     }
 }

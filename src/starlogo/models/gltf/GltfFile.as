@@ -2,9 +2,9 @@ package starlogo.models.gltf
 {
     import flash.utils.ByteArray;
     import flash.utils.Endian;
-    import starlogo.models.files.FileAddress;
-    import starlogo.models.files.FileLimits;
-    import starlogo.models.files.FileText;
+    import starlogo.data.keyOf;
+    import starlogo.models.files.FileUrl;
+    import starlogo.models.files.FileBudget;
     import starlogo.models.files.ModelFile;
     import starlogo.models.files.refuseIf;
     import starlogo.models.files.shortened;
@@ -25,7 +25,7 @@ package starlogo.models.gltf
         private static const HEADER_LENGTH:int = 12;
         private static const CHUNK_HEADER_LENGTH:int = 8;
 
-        // the most buffers in files beside this one
+        // the most files beside this one
         private static const MAX_FILES:int = 100;
 
         private static const READ_VERSION:RegExp = /^2\.0/;
@@ -48,13 +48,14 @@ package starlogo.models.gltf
         internal var json:GltfJson = null;
 
         /** What the file may have and cost. It grows with the buffers in other files. */
-        internal var limits:FileLimits;
+        internal var budget:FileBudget;
 
         // gives the content of another file
         private var _fetch:Function;
 
-        // the indices of the buffers in other files
-        private var _others:Vector.<int> = new Vector.<int>();
+        // the addresses of the other files, and the indices of the buffers that each has, by keyOf() the address
+        private var _uris:Vector.<String> = new Vector.<String>();
+        private var _buffersOf:Object = {};
 
         // the bytes of each buffer (null if it is missing), and the binary chunk of a .glb file
         private var _buffers:Vector.<ByteArray> = new Vector.<ByteArray>();
@@ -66,16 +67,16 @@ package starlogo.models.gltf
 
         /**
          * @param file the file; the endianness of its bytes is set
-         * @param fetch <code>function(uri:String, take:Function):void</code>; is asked for each other file. It calls <code>take(bytes, problem)</code>,
+         * @param fetch <code>function(uri:String, take:Function):void</code>; is asked once for each other file. It calls <code>take(bytes, problem)</code>,
          * at once or before the next step. The bytes' endianness is set. If the file is missing they are null, and the problem says why
          * @throws ModelError if there is no JSON
          */
         public function GltfFile(file:ModelFile, fetch:Function)
         {
             _fetch = fetch;
-            var text:String = file.bytes != null && isBinary(file.bytes) ? openChunks(file.name, file.bytes) : file.textOf("glTF file");
-            limits = new FileLimits(file.name, text.length);
-            var reader:JsonReader = new JsonReader(text, limits);
+            var text:String = file.bytes != null && isBinary(file.bytes) ? openChunks(file) : file.textOf("glTF file");
+            budget = new FileBudget(file.name, text.length);
+            var reader:JsonReader = new JsonReader(text, budget);
             add(reader).call(function():void
                 {
                     json = new GltfJson(file.name, reader.root);
@@ -116,7 +117,7 @@ package starlogo.models.gltf
          */
         internal function accessor(index:int, type:String):GltfAccessor
         {
-            var found:GltfJson = json.fileEntry("accessors", index);
+            var found:GltfJson = json.rootEntry("accessors", index);
             found.refuseIf(found.value.type !== type, "expected \"" + type + "\", but found " + GltfJson.shown(found.value.type), "type");
             return _accessors[index] ||= GltfAccessor.of(this, found);
         }
@@ -130,7 +131,7 @@ package starlogo.models.gltf
          */
         internal function skinWeights(attributes:GltfJson, vertexCount:int, skin:int):GltfSkinWeights
         {
-            return _skinWeights[attributes.place + " " + skin] ||= new GltfSkinWeights(this, attributes, vertexCount, json.fileEntry("skins", skin).count("joints"));
+            return _skinWeights[attributes.place + " " + skin] ||= new GltfSkinWeights(this, attributes, vertexCount, json.rootEntry("skins", skin).count("joints"));
         }
 
         /**
@@ -141,7 +142,7 @@ package starlogo.models.gltf
          */
         internal function openView(index:int, offset:Number, length:Number, user:GltfJson):ByteArray
         {
-            var view:GltfJson = json.fileEntry("bufferViews", index);
+            var view:GltfJson = json.rootEntry("bufferViews", index);
             var buffer:int = view.reference("buffer", "buffers");
             view.refuseIf(buffer < 0, "it names no buffer");
             var start:int = view.integer("byteOffset", int.MAX_VALUE, 0);
@@ -150,7 +151,7 @@ package starlogo.models.gltf
             if (_buffers[buffer] == null)
             {
                 view.refuseIf(view.hasExtension("EXT_meshopt_compression") || view.hasExtension("KHR_meshopt_compression"), "its data are " + MESHOPT_PROBLEM);
-                throw json.fileEntry("buffers", buffer).error("its data are missing");
+                throw json.rootEntry("buffers", buffer).error("its data are missing");
             }
             view.refuseIf(Number(start) + size > _buffers[buffer].length, "it ends at byte " + (Number(start) + size) + " of buffers[" + buffer +
                     "], which has " + _buffers[buffer].length);
@@ -159,11 +160,13 @@ package starlogo.models.gltf
         }
 
         // Keeps the binary chunk of a .glb file. Returns its JSON.
-        private function openChunks(name:String, bytes:ByteArray):String
+        private function openChunks(file:ModelFile):String
         {
+            var name:String = file.name;
+            var bytes:ByteArray = file.bytes;
             var text:String = null;
             var length:int = bytes.length;
-            FileText.checkSize(name, bytes);
+            file.checkSize();
             refuseIf(length < HEADER_LENGTH + CHUNK_HEADER_LENGTH, name, "the file is cut off: it has " + length + " bytes");
             bytes.endian = Endian.LITTLE_ENDIAN;
             var version:uint = wordAt(bytes, 4);
@@ -226,20 +229,23 @@ package starlogo.models.gltf
 
         private function fetchOthers():void
         {
-            for each (var index:int in _others)
+            for each (var uri:String in _uris)
             {
-                _fetch(json.fileEntry("buffers", index).text("uri"), takerOf(index));
+                _fetch(uri, takerOf(_buffersOf[keyOf(uri)]));
             }
         }
 
-        // The function that takes the content of the file with a buffer.
-        private function takerOf(index:int):Function
+        // The function that takes the content of the file with some buffers.
+        private function takerOf(indices:Array):Function
         {
             return function(bytes:ByteArray, problem:String):void
             {
-                json.refuseIf(bytes == null, problem, "buffers[" + index + "].uri");
-                keep(index, bytes);
-                limits.addBytes(bytes.length);
+                json.refuseIf(bytes == null, problem, "buffers[" + indices[0] + "].uri");
+                budget.addBytes(bytes.length);
+                for each (var index:int in indices)
+                {
+                    keep(index, bytes);
+                }
             };
         }
 
@@ -247,17 +253,17 @@ package starlogo.models.gltf
         private function readingBuffer(index:int):Steps
         {
             var work:StepSequence = new StepSequence();
-            var buffer:GltfJson = json.fileEntry("buffers", index);
+            var buffer:GltfJson = json.rootEntry("buffers", index);
             _buffers.push(null);
             // keep() reads the length; here a wrong one is refused before the buffer is fetched or decoded
-            buffer.requiredInteger("byteLength", FileLimits.MOST_BYTES);
+            buffer.requiredInteger("byteLength", FileBudget.MAX_BYTES);
             var uri:* = buffer.value.uri;
             buffer.refuseIf(uri !== undefined && !(uri is String), "expected an address", "uri");
             if (uri === undefined)
             {
                 if (index == 0 && _chunk != null)
                 {
-                    limits.addBytes(_chunk.length);
+                    budget.addBytes(_chunk.length);
                     keep(0, _chunk);
                 }
             }
@@ -270,24 +276,29 @@ package starlogo.models.gltf
                     uri = uri.substring(0, comma + 1) + unescape(uri.substring(comma + 1));
                 }
                 var bytes:ByteArray = new ByteArray();
-                work.add(Base64.decoding(limits.modelName, uri, comma + 1, buffer.place + ".uri", bytes)).call(function():void
+                work.add(Base64.decoding(budget.modelName, uri, comma + 1, buffer.place + ".uri", bytes)).call(function():void
                     {
                         keep(index, bytes);
                     });
             }
             else
             {
-                buffer.refuseIf(!FileAddress.isWithin(uri), "expected data, or a path from the file's folder on, but found " + GltfJson.shown(uri), "uri");
-                buffer.refuseIf(_others.length == MAX_FILES, "it has more than " + MAX_FILES + " buffers in other files", "uri");
-                _others.push(index);
+                buffer.refuseIf(!FileUrl.isWithin(uri), "expected data, or a path from the file's folder on, but found " + GltfJson.shown(uri), "uri");
+                if (!(keyOf(uri) in _buffersOf))
+                {
+                    buffer.refuseIf(_uris.length == MAX_FILES, "its buffers are in more than " + MAX_FILES + " other files", "uri");
+                    _uris.push(uri);
+                    _buffersOf[keyOf(uri)] = [];
+                }
+                _buffersOf[keyOf(uri)].push(index);
             }
             return work;
         }
 
         private function keep(index:int, bytes:ByteArray):void
         {
-            var buffer:GltfJson = json.fileEntry("buffers", index);
-            var wanted:int = buffer.requiredInteger("byteLength", FileLimits.MOST_BYTES);
+            var buffer:GltfJson = json.rootEntry("buffers", index);
+            var wanted:int = buffer.requiredInteger("byteLength", FileBudget.MAX_BYTES);
             buffer.refuseIf(bytes.length < wanted, "it should have " + wanted + " bytes, but has " + bytes.length);
             bytes.endian = Endian.LITTLE_ENDIAN;
             _buffers[index] = bytes;

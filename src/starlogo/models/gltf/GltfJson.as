@@ -105,7 +105,7 @@ package starlogo.models.gltf
         }
 
         /** An entry of one of the file's lists, for example "nodes". */
-        public function fileEntry(list:String, index:int):GltfJson
+        public function rootEntry(list:String, index:int):GltfJson
         {
             return _root.element(list, index);
         }

@@ -1,5 +1,6 @@
 package starlogo.models.gltf
 {
+    import starlogo.models.animation.Pose;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.ModelReader;
     import starlogo.models.building.removingUnusedVertices;
@@ -14,8 +15,6 @@ package starlogo.models.gltf
      * primitive of a mesh, GltfVertices and GltfTriangles add what its GltfAccessors say to the model. The
      * scene has the joints of a skin, and GltfSkinWeights say how much vertices follow them.</p>
      *
-     * <p>The reader of a pose gets the numbers that a FileAnimation has moved, which count in place of those in the file.</p>
-     *
      * @private
      */
     public final class GltfReader extends StepSequence implements ModelReader
@@ -28,15 +27,15 @@ package starlogo.models.gltf
          * @param file the file; its steps may be done
          * @param upAxis "x", "y" or "z"; a ModelTransform leaves the file as it is; null for y
          * @param scaling as for Model's constructor; null if the vertices are not normalised
-         * @param moved the numbers that count in place of a node's own, by <code>GltfScene.targetOf()</code> the property; null at rest
+         * @param pose the pose, whose targets are what <code>GltfScene.targetOf()</code> returns; null at rest
          */
-        public function GltfReader(file:GltfFile, upAxis:Object, scaling:String, moved:Object = null)
+        public function GltfReader(file:GltfFile, upAxis:Object, scaling:String, pose:Pose = null)
         {
-            _data = ModelData.forFile(file.limits.modelName, upAxis, scaling, "y");
+            _data = ModelData.forFile(file.budget.modelName, upAxis, scaling, "y");
             _file = file;
             add(file).begin(function():Steps
                 {
-                    _scene = new GltfScene(file, moved);
+                    _scene = new GltfScene(file, pose);
                     return _scene;
                 }).begin(readingNodes).call(endReading).add(removingUnusedVertices(_data.vertices, _data.triangles));
         }
@@ -52,7 +51,7 @@ package starlogo.models.gltf
             var json:GltfJson = _file.json;
             for (var i:int = 0; i < json.count("materials"); i++)
             {
-                _data.materials.addLabel(json.fileEntry("materials", i).text("name"));
+                _data.materials.addLabel(json.rootEntry("materials", i).text("name"));
             }
             return new StepSequence().beginEach(_scene.nodes.length, readingNode);
         }
@@ -61,14 +60,14 @@ package starlogo.models.gltf
         private function readingNode(index:int):Steps
         {
             var nodeIndex:int = _scene.nodes[index];
-            var node:GltfJson = _file.json.fileEntry("nodes", nodeIndex);
-            var mesh:GltfJson = node.fileEntry("meshes", node.reference("mesh", "meshes"));
+            var node:GltfJson = _file.json.rootEntry("nodes", nodeIndex);
+            var mesh:GltfJson = node.rootEntry("meshes", node.reference("mesh", "meshes"));
             var name:String = node.text("name") || mesh.text("name");
             // The vertices of this node so far. The key is everything that they depend on.
             var placed:Object = {};
-            _data.readShare = index / _scene.nodes.length;
+            _data.readProgress = index / _scene.nodes.length;
             // each primitive may have a target for each weight
-            _file.limits.spendElements((1 + _scene.weightsOf(nodeIndex).length) * (1 + mesh.count("primitives")), mesh.place);
+            _file.budget.spendElements((1 + _scene.weightsOf(nodeIndex).length) * (1 + mesh.count("primitives")), mesh.place);
             return new StepSequence().beginEach(mesh.count("primitives"), function(primitive:int):Steps
                 {
                     return readingPrimitive(nodeIndex, name, mesh.element("primitives", primitive), placed);
@@ -104,7 +103,7 @@ package starlogo.models.gltf
 
         private function endReading():void
         {
-            _data.readShare = 1;
+            _data.readProgress = 1;
             refuseIf(_data.vertices.length == 0, _data.name, "no vertices: expected a mesh in the scene");
         }
     }

@@ -2,6 +2,7 @@ package starlogo.models.gltf
 {
     import starlogo.geometry.AffineTransform;
     import starlogo.geometry.Placement;
+    import starlogo.models.animation.Pose;
     import starlogo.steps.StepSequence;
 
     /** The scene of a glTF file, at rest or in a pose. Its steps find the nodes with meshes. */
@@ -13,21 +14,21 @@ package starlogo.models.gltf
         public var nodes:Vector.<int> = new Vector.<int>();
 
         private var _file:GltfFile;
-        private var _moved:Object;
+        private var _pose:Pose;
         private var _parents:Vector.<int>;
         private var _globalTransforms:Vector.<AffineTransform>;
         private var _pending:Vector.<int> = new Vector.<int>();
         private var _isVisited:Vector.<Boolean>;
-        private var _palettes:Array = []; // the palettes so far, by the skin's index
+        private var _jointMatrices:Array = []; // lists of those so far, by the skin's index
 
         /**
          * @param file the file; all its steps must be done
-         * @param moved the numbers that count in place of a node's own, by <code>targetOf()</code> the property; null at rest
+         * @param pose the pose, whose targets are what <code>targetOf()</code> returns; null at rest
          */
-        public function GltfScene(file:GltfFile, moved:Object)
+        public function GltfScene(file:GltfFile, pose:Pose)
         {
             _file = file;
-            _moved = moved;
+            _pose = pose;
             var count:int = file.json.count("nodes");
             _parents = new Vector.<int>(count);
             _globalTransforms = new Vector.<AffineTransform>(count);
@@ -63,9 +64,9 @@ package starlogo.models.gltf
         }
 
         /** The inverse bind matrices of a skin's joints; null if it has none. */
-        public function matricesOf(skin:int):GltfAccessor
+        public function inverseBindMatricesOf(skin:int):GltfAccessor
         {
-            var json:GltfJson = _file.json.fileEntry("skins", skin);
+            var json:GltfJson = _file.json.rootEntry("skins", skin);
             var count:int = json.count("joints");
             json.refuseIf(count == 0, "expected at least one joint", "joints");
             var index:int = json.reference("inverseBindMatrices", "accessors");
@@ -78,35 +79,35 @@ package starlogo.models.gltf
         }
 
         /** What each joint of a skin does to points. It is the same for all that use the skin. Its matrices must be read. */
-        public function paletteOf(skin:int):Vector.<AffineTransform>
+        public function jointMatricesOf(skin:int):Vector.<AffineTransform>
         {
-            return _palettes[skin] ||= newPalette(_file.json.fileEntry("skins", skin), matricesOf(skin));
+            return _jointMatrices[skin] ||= newJointMatrices(_file.json.rootEntry("skins", skin), inverseBindMatricesOf(skin));
         }
 
-        private function newPalette(skin:GltfJson, matrices:GltfAccessor):Vector.<AffineTransform>
+        private function newJointMatrices(skin:GltfJson, matrices:GltfAccessor):Vector.<AffineTransform>
         {
-            var palette:Vector.<AffineTransform> = new Vector.<AffineTransform>();
+            var jointMatrices:Vector.<AffineTransform> = new Vector.<AffineTransform>();
             for (var i:int = 0; i < skin.count("joints"); i++)
             {
                 var transform:AffineTransform = globalTransformOf(skin.indexIn("joints", i, "nodes"));
-                palette.push(matrices == null ? transform : transform.after(ofColumns(matrices.numbers, 16 * i)));
+                jointMatrices.push(matrices == null ? transform : transform.after(ofColumns(matrices.numbers, 16 * i)));
             }
-            return palette;
+            return jointMatrices;
         }
 
         /** The weights of the morph targets of a node's mesh: those of the pose, otherwise of the node, otherwise of the mesh. */
         public function weightsOf(index:int):Vector.<Number>
         {
-            var node:GltfJson = _file.json.fileEntry("nodes", index);
-            var mesh:GltfJson = node.fileEntry("meshes", node.reference("mesh", "meshes"));
-            return moved(index, "weights") || node.numbers("weights", GltfJson.ANY_LENGTH) || mesh.numbers("weights", GltfJson.ANY_LENGTH, new Vector.<Number>());
+            var node:GltfJson = _file.json.rootEntry("nodes", index);
+            var mesh:GltfJson = node.rootEntry("meshes", node.reference("mesh", "meshes"));
+            return posed(index, "weights") || node.numbers("weights", GltfJson.ANY_LENGTH) || mesh.numbers("weights", GltfJson.ANY_LENGTH, new Vector.<Number>());
         }
 
         private function findParents(first:int, end:int):void
         {
             for (var i:int = first; i < end; i++)
             {
-                var node:GltfJson = _file.json.fileEntry("nodes", i);
+                var node:GltfJson = _file.json.rootEntry("nodes", i);
                 var count:int = node.count("children");
                 for (var k:int = 0; k < count; k++)
                 {
@@ -124,7 +125,7 @@ package starlogo.models.gltf
             var sceneCount:int = _file.json.count("scenes");
             for (var index:int = Math.max(shown, 0); index < (shown < 0 ? sceneCount : shown + 1); index++)
             {
-                var scene:GltfJson = _file.json.fileEntry("scenes", index);
+                var scene:GltfJson = _file.json.rootEntry("scenes", index);
                 var rootCount:int = scene.count("nodes");
                 for (var i:int = 0; i < rootCount; i++)
                 {
@@ -155,7 +156,7 @@ package starlogo.models.gltf
             for (var i:int = 0; i < NODES_PER_STEP && _pending.length > 0; i++)
             {
                 var node:int = _pending.pop();
-                var entry:GltfJson = _file.json.fileEntry("nodes", node);
+                var entry:GltfJson = _file.json.rootEntry("nodes", node);
                 if (entry.has("mesh"))
                 {
                     nodes.push(node);
@@ -170,25 +171,25 @@ package starlogo.models.gltf
 
         private function localTransformOf(index:int):AffineTransform
         {
-            var node:GltfJson = _file.json.fileEntry("nodes", index);
+            var node:GltfJson = _file.json.rootEntry("nodes", index);
             var m:Vector.<Number> = node.numbers("matrix", 16);
             if (m != null)
             {
                 node.refuseIf(m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1, "expected 0, 0, 0 and 1 as every fourth number", "matrix");
                 return ofColumns(m, 0);
             }
-            var t:Vector.<Number> = moved(index, "translation") || node.numbers("translation", 3, new <Number>[0, 0, 0]);
-            var r:Vector.<Number> = moved(index, "rotation") || node.numbers("rotation", 4, new <Number>[0, 0, 0, 1]);
-            var s:Vector.<Number> = moved(index, "scale") || node.numbers("scale", 3, new <Number>[1, 1, 1]);
+            var t:Vector.<Number> = posed(index, "translation") || node.numbers("translation", 3, new <Number>[0, 0, 0]);
+            var r:Vector.<Number> = posed(index, "rotation") || node.numbers("rotation", 4, new <Number>[0, 0, 0, 1]);
+            var s:Vector.<Number> = posed(index, "scale") || node.numbers("scale", 3, new <Number>[1, 1, 1]);
             var turn:Placement = new Placement();
             turn.setQuaternion(r[0], r[1], r[2], r[3]);
             return AffineTransform.of(turn, s[0], s[1], s[2], t[0], t[1], t[2]);
         }
 
         // The numbers of a node's property in the pose; null if they are those in the file.
-        private function moved(node:int, path:String):Vector.<Number>
+        private function posed(node:int, path:String):Vector.<Number>
         {
-            return _moved == null ? null : _moved[targetOf(node, path)];
+            return _pose == null ? null : _pose.numbersOf(targetOf(node, path));
         }
 
         /** The target of an animation that moves a property of a node. @param path "translation", "rotation", "scale" or "weights" */

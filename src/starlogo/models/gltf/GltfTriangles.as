@@ -35,7 +35,7 @@ package starlogo.models.gltf
             var cornerCount:int = _indices == null ? _vertices.count : _indices.count;
             var mode:int = modeOf(primitive);
             var triangleCount:int = mode == TRIANGLES ? cornerCount / 3 : Math.max(0, cornerCount - 2);
-            file.limits.requireMesh(0, triangles.length / 3 + triangleCount, primitive.place);
+            file.budget.requireMesh(0, triangles.length / 3 + triangleCount, primitive.place);
             slices(triangleCount, TRIANGLES_PER_STEP, function(first:int, end:int):void
                 {
                     addTriangles(mode, first, end, triangles);
@@ -60,14 +60,14 @@ package starlogo.models.gltf
                 var b:int = a + 1;
                 var c:int = mode == FAN ? 0 : a + 2;
                 var isReversed:Boolean = isMirror != (mode == STRIP && (i & 1) == 1);
-                to[at] = cornerAt(a);
-                to[int(at + 1)] = cornerAt(isReversed ? c : b);
-                to[int(at + 2)] = cornerAt(isReversed ? b : c);
+                to[at] = vertexAt(a);
+                to[int(at + 1)] = vertexAt(isReversed ? c : b);
+                to[int(at + 2)] = vertexAt(isReversed ? b : c);
                 at += 3;
             }
         }
 
-        private function cornerAt(corner:int):int
+        private function vertexAt(corner:int):int
         {
             if (_indices == null)
             {

@@ -24,7 +24,7 @@ package starlogo.models.gltf
         // the points before the node places them
         private var _points:Vector.<Number>;
         // What moves the points: the joints of a skin, or the transform of the node.
-        private var _palette:Vector.<AffineTransform> = null;
+        private var _jointMatrices:Vector.<AffineTransform> = null;
         private var _transform:AffineTransform;
 
         /**
@@ -37,49 +37,49 @@ package starlogo.models.gltf
         public function GltfVertices(file:GltfFile, scene:GltfScene, node:int, primitive:GltfJson, vertices:Vector.<Number>)
         {
             var attributes:GltfJson = primitive.object("attributes");
-            _node = file.json.fileEntry("nodes", node);
+            _node = file.json.rootEntry("nodes", node);
             _positions = file.accessor(attributes.reference("POSITION", "accessors"), "VEC3");
             _vertices = vertices;
             firstVertex = vertices.length / 3;
             count = _positions.count;
-            file.limits.requireMesh(firstVertex + Number(count), 0, primitive.place);
+            file.budget.requireMesh(firstVertex + Number(count), 0, primitive.place);
             add(_positions).call(function():void
                 {
                     // other nodes may have the same mesh
                     _points = _positions.numbers.slice();
                 });
-            addTargets(file, primitive, scene.weightsOf(node));
+            addMorphTargets(file, primitive, scene.weightsOf(node));
             var skin:int = _node.reference("skin", "skins");
             var isSkinned:Boolean = skin >= 0 && attributes.has("JOINTS_0");
             if (isSkinned)
             {
-                var matrices:GltfAccessor = scene.matricesOf(skin);
+                var matrices:GltfAccessor = scene.inverseBindMatricesOf(skin);
                 if (matrices != null)
                 {
                     add(matrices);
                 }
                 call(function():void
                     {
-                        _palette = scene.paletteOf(skin);
+                        _jointMatrices = scene.jointMatricesOf(skin);
                     });
                 var read:GltfSkinWeights = file.skinWeights(attributes, count, skin);
-                file.limits.spendNumbers(read.mostInfluences, attributes.place);
+                file.budget.spendNumbers(read.mostInfluences, attributes.place);
                 add(read).slices(count, SKINNED_PER_STEP, function(first:int, end:int):void
                     {
-                        read.influences.move(_points, _palette, first, end);
+                        read.influences.skinPoints(_points, _jointMatrices, first, end);
                     });
             }
             _transform = isSkinned ? new AffineTransform() : scene.globalTransformOf(node);
-            slices(count, VERTICES_PER_STEP, placeVertices);
+            slices(count, VERTICES_PER_STEP, transformVertices);
         }
 
         /** Whether the node mirrors, or the first joint of its skin. Read it when no step is left. */
         public function get isMirror():Boolean
         {
-            return (_palette == null ? _transform : _palette[0]).isMirror;
+            return (_jointMatrices == null ? _transform : _jointMatrices[0]).isMirror;
         }
 
-        private function addTargets(file:GltfFile, primitive:GltfJson, weights:Vector.<Number>):void
+        private function addMorphTargets(file:GltfFile, primitive:GltfJson, weights:Vector.<Number>):void
         {
             var targetCount:int = primitive.count("targets");
             for (var i:int = 0; i < targetCount && i < weights.length; i++)
@@ -87,13 +87,13 @@ package starlogo.models.gltf
                 var index:int = primitive.element("targets", i).reference("POSITION", "accessors");
                 if (index >= 0 && weights[i] != 0)
                 {
-                    addTarget(file.accessor(index, "VEC3"), weights[i]);
-                    file.limits.spendNumbers(3 * Number(count), primitive.place);
+                    addMorphTarget(file.accessor(index, "VEC3"), weights[i]);
+                    file.budget.spendNumbers(3 * Number(count), primitive.place);
                 }
             }
         }
 
-        private function addTarget(target:GltfAccessor, weight:Number):void
+        private function addMorphTarget(target:GltfAccessor, weight:Number):void
         {
             target.requireCount(count);
             add(target).slices(3 * count, 3 * VERTICES_PER_STEP, function(first:int, end:int):void
@@ -105,7 +105,7 @@ package starlogo.models.gltf
                 });
         }
 
-        private function placeVertices(first:int, end:int):void
+        private function transformVertices(first:int, end:int):void
         {
             if (!_transform.transformPoints(_points, first, end, _vertices, firstVertex + first))
             {

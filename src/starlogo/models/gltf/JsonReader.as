@@ -1,7 +1,7 @@
 package starlogo.models.gltf
 {
     import starlogo.models.ModelError;
-    import starlogo.models.files.FileLimits;
+    import starlogo.models.files.FileBudget;
     import starlogo.models.text.Decimal;
     import starlogo.steps.Steps;
 
@@ -36,7 +36,7 @@ package starlogo.models.gltf
 
         private var _text:String;
         private var _at:int = 0;
-        private var _limits:FileLimits;
+        private var _budget:FileBudget;
 
         // The marks that may come next; none after the outermost value.
         private var _allowed:String = VALUE;
@@ -47,11 +47,11 @@ package starlogo.models.gltf
 
         /**
          * @param text possible JSON
-         * @param limits limit the values
+         * @param budget limits the values
          */
-        public function JsonReader(text:String, limits:FileLimits)
+        public function JsonReader(text:String, budget:FileBudget)
         {
-            _limits = limits;
+            _budget = budget;
             _text = text;
         }
 
@@ -199,7 +199,7 @@ package starlogo.models.gltf
         private function put(value:*):void
         {
             var around:Object = _open.length == 0 ? null : _open[_open.length - 1];
-            _limits.spendElements(ELEMENTS_PER_VALUE, this);
+            _budget.spendElements(ELEMENTS_PER_VALUE, this);
             if (around == null)
             {
                 root = value;
@@ -230,7 +230,7 @@ package starlogo.models.gltf
 
         private function errorOf(problem:String):ModelError
         {
-            return new ModelError(_limits.modelName, String(this), "its JSON can't be read: " + problem);
+            return new ModelError(_budget.modelName, String(this), "its JSON can't be read: " + problem);
         }
     }
 }

@@ -2,7 +2,7 @@ package starlogo.models.loading
 {
     import flash.utils.ByteArray;
     import starlogo.data.keyOf;
-    import starlogo.models.files.FileAddress;
+    import starlogo.models.files.FileUrl;
 
     /**
      * The list of the cooked files in a folder and below. It is fetched when it is first needed.
@@ -32,16 +32,16 @@ package starlogo.models.loading
         }
 
         /** Whether the download is running. */
-        public function get isUnderWay():Boolean
+        public function get isRunning():Boolean
         {
-            return _download != null && _download.isUnderWay;
+            return _download != null && _download.isRunning;
         }
 
         /** The address of the cooked file for a model's file; null if the list has none, or has not come. */
         public function addressFor(file:String):String
         {
-            var path:String = FileAddress.pathOf(file);
-            var folder:String = FileAddress.folderOf(url);
+            var path:String = FileUrl.pathOf(file);
+            var folder:String = FileUrl.folderOf(url);
             if (path.indexOf(folder) != 0 || _download == null || _download.bytes == null)
             {
                 return null;
@@ -51,7 +51,7 @@ package starlogo.models.loading
             var cooked:String = _cooked[keyOf(model)] || "";
             // A cooked file's address may begin with the model's, which the game chose. Only what the list adds is checked.
             var added:String = cooked.indexOf(model) == 0 ? cooked.substr(model.length) : cooked;
-            return FileAddress.isWithin(added) ? folder + cooked + FileAddress.endOf(file) : null;
+            return FileUrl.isWithin(added) ? folder + cooked + FileUrl.endOf(file) : null;
         }
 
         // A file that is no list counts as an empty list.

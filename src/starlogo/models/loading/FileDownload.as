@@ -20,7 +20,7 @@ package starlogo.models.loading
         private static const EVENTS:Array = [Event.COMPLETE, ProgressEvent.PROGRESS, IOErrorEvent.IO_ERROR, SecurityErrorEvent.SECURITY_ERROR];
 
         /** Whether the download is running: it is not complete, not cancelled, and has not failed. */
-        public var isUnderWay:Boolean = true;
+        public var isRunning:Boolean = true;
 
         /** The share that has arrived, from 0 to 1. */
         public var progress:Number = 0;
@@ -62,7 +62,7 @@ package starlogo.models.loading
         /** Stops fetching. */
         public function cancel():void
         {
-            if (isUnderWay)
+            if (isRunning)
             {
                 end();
                 _loader.close();
@@ -103,7 +103,7 @@ package starlogo.models.loading
 
         private function end():void
         {
-            isUnderWay = false;
+            isRunning = false;
             for each (var type:String in EVENTS)
             {
                 _loader.removeEventListener(type, onEvent);

@@ -9,7 +9,7 @@ package starlogo.models.loading
     import starlogo.models.building.ModelBuilder;
     import starlogo.models.cooked.CookedFile;
     import starlogo.models.cooked.CookedReader;
-    import starlogo.models.files.FileAddress;
+    import starlogo.models.files.FileUrl;
     import starlogo.models.files.ModelFile;
     import starlogo.models.files.refuseIf;
     import starlogo.steps.StepSequence;
@@ -23,7 +23,7 @@ package starlogo.models.loading
      * <p>Each method adds the steps that come after it. <code>fetch</code> fetches the list of cooked files, if there is one. Then
      * <code>fetchCooked</code> and <code>readCooked</code> try the cooked file. If that gives no model, <code>fetchFile</code> fetches the model's own
      * file and its transform file. <code>addReading</code> decodes the file. <code>addMaking</code> has its reader make the model, which may fetch other
-     * files (<code>fetchBeside</code>), and <code>keepModel</code> gives it to the receiver.</p>
+     * files (<code>fetchSibling</code>), and <code>keepModel</code> gives it to the receiver.</p>
      *
      * @private
      */
@@ -56,8 +56,8 @@ package starlogo.models.loading
         private var _usesTransforms:Boolean = false;
         private var _manifest:CookedManifest = null;
 
-        // the progress of a cooked file that gave no model; 0 if there was none
-        private var _tried:Number = 0;
+        // the progress that a cooked file has made that gave no model; 0 if there was none
+        private var _cookedProgress:Number = 0;
 
         // The downloads that the next step waits for: the file and its transform file, or its cooked file; or other files that its reader asks for.
         private var _downloads:Vector.<FileDownload> = new Vector.<FileDownload>();
@@ -87,7 +87,7 @@ package starlogo.models.loading
         /** Whether the load can go on: no download is running. */
         public function get isReady():Boolean
         {
-            return !_downloads.some(isUnderWay) && (_manifest == null || !_manifest.isUnderWay);
+            return !_downloads.some(isRunning) && (_manifest == null || !_manifest.isRunning);
         }
 
         /** The share of the load that is done, from 0 to 1. */
@@ -100,7 +100,7 @@ package starlogo.models.loading
             var fetching:Number = _url == null ? 0 : FETCHING;
             var fetched:Number = _downloads.length == 0 ? 0 : _downloads[0].progress;
             var share:Number = _maker == null ? fetching * fetched : fetching + (1 - fetching) * _maker.progress;
-            return _tried + (READ - _tried) * share;
+            return _cookedProgress + (READ - _cookedProgress) * share;
         }
 
         /**
@@ -114,7 +114,7 @@ package starlogo.models.loading
         {
             _url = url || "";
             _usesTransforms = usesTransforms && !(_upAxis is ModelTransform);
-            if (manifest == null || !FileAddress.hasFolder(_url))
+            if (manifest == null || !FileUrl.hasFolder(_url))
             {
                 fetchFile();
                 return;
@@ -134,7 +134,7 @@ package starlogo.models.loading
                     format = ModelFormat.of(file);
                 }).call(function():void
                 {
-                    addMaking(ModelBuilder.reading(ModelFormat.newReader(file, format, _upAxis, _scaling, fetchBeside)));
+                    addMaking(ModelBuilder.reading(ModelFormat.newReader(file, format, _upAxis, _scaling, fetchSibling)));
                 });
         }
 
@@ -155,9 +155,9 @@ package starlogo.models.loading
             }
         }
 
-        private static function isUnderWay(download:FileDownload, index:int, all:Vector.<FileDownload>):Boolean
+        private static function isRunning(download:FileDownload, index:int, all:Vector.<FileDownload>):Boolean
         {
-            return download.isUnderWay;
+            return download.isRunning;
         }
 
         private function fetchCooked():void
@@ -188,7 +188,7 @@ package starlogo.models.loading
             }
             catch (error:ModelError)
             {
-                _tried = progress;
+                _cookedProgress = progress;
                 _maker = null;
                 fetchFile();
             }
@@ -199,7 +199,7 @@ package starlogo.models.loading
         {
             _downloads.length = 0;
             var file:FileDownload = _url == "" ? null : download(_url);
-            var address:String = _usesTransforms && FileAddress.hasFolder(_url) ? FileAddress.besideOf(_url, ".slb") : null;
+            var address:String = _usesTransforms && FileUrl.hasFolder(_url) ? FileUrl.siblingOf(_url, ".slb") : null;
             var transformFile:FileDownload = address == null ? null : download(address);
             call(function():void
                 {
@@ -231,11 +231,11 @@ package starlogo.models.loading
         }
 
         // Starts to fetch a file that the model's file names. The maker's next step is done when it has come.
-        private function fetchBeside(uri:String, take:Function):void
+        private function fetchSibling(uri:String, take:Function):void
         {
-            if (FileAddress.hasFolder(_url))
+            if (FileUrl.hasFolder(_url))
             {
-                var file:FileDownload = download(FileAddress.folderOf(_url) + uri);
+                var file:FileDownload = download(FileUrl.folderOf(_url) + uri);
                 _deliveries.push(function():void
                     {
                         take(file.bytes, file.problem);

@@ -5,7 +5,7 @@ package starlogo.models.obj
     import starlogo.models.building.ModelReader;
     import starlogo.models.building.TriangleLabels;
     import starlogo.models.building.removingUnusedVertices;
-    import starlogo.models.files.FileLimits;
+    import starlogo.models.files.FileBudget;
     import starlogo.models.files.refuseIf;
     import starlogo.models.files.shortened;
     import starlogo.models.polygons.Triangulator;
@@ -23,11 +23,10 @@ package starlogo.models.obj
     {
         private var _data:ModelData;
         private var _lines:LineReader;
-        private var _limits:FileLimits;
+        private var _budget:FileBudget;
 
-        // Faces with more than three corners, each with the labels of its material and mesh. They are kept until all vertices are known.
-        // Then the most triangles that they are cut into.
-        private var _polygons:Array = [];
+        // The polygons are kept until all vertices are known. Then the most triangles that they can have.
+        private var _polygons:Vector.<ObjPolygon> = new Vector.<ObjPolygon>();
         private var _polygonTriangles:int = 0;
 
         // The highest index of a vertex in a face, and its line.
@@ -42,8 +41,8 @@ package starlogo.models.obj
             refuseIf(text.indexOf("\u0000") >= 0, name, "this is a binary file, not OBJ text");
             refuseMarkup(name, text);
             _lines = new LineReader(name, text);
-            _limits = new FileLimits(name, text.length);
-            repeat(readSome).call(checkIndices).begin(cutting).add(removingUnusedVertices(_data.vertices, _data.triangles));
+            _budget = new FileBudget(name, text.length);
+            repeat(readSome).call(checkIndices).begin(triangulating).add(removingUnusedVertices(_data.vertices, _data.triangles));
         }
 
         /** @inheritDoc */
@@ -65,8 +64,8 @@ package starlogo.models.obj
 
         private function readSome():Boolean
         {
-            _data.readShare = _lines.readStatements(readStatement);
-            _limits.requireMesh(_data.vertices.length / 3, _data.triangles.length / 3 + _polygonTriangles, _lines.place);
+            _data.readProgress = _lines.readStatements(readStatement);
+            _budget.requireMesh(_data.vertices.length / 3, _data.triangles.length / 3 + _polygonTriangles, _lines.place);
             return _lines.hasMore;
         }
 
@@ -111,7 +110,7 @@ package starlogo.models.obj
             }
             else if (corners.length > 3)
             {
-                _polygons.push({"corners": corners, "material": _data.materials.current, "mesh": _data.meshes.current});
+                _polygons.push(new ObjPolygon(corners, _data.materials.current, _data.meshes.current));
                 _polygonTriangles += corners.length - 2;
             }
         }
@@ -148,16 +147,16 @@ package starlogo.models.obj
             refuseIf(_highestIndex >= vertexCount, _data.name, "there is no vertex " + (_highestIndex + 1) + ": the file has " + vertexCount, LineReader.placeOf(_highestLine));
         }
 
-        // The steps that cut all polygons.
-        private function cutting():Steps
+        // The steps that triangulate all polygons.
+        private function triangulating():Steps
         {
-            var triangulator:Triangulator = new Triangulator(_limits, _data.vertices, _data.triangles);
+            var triangulator:Triangulator = new Triangulator(_budget, _data.vertices, _data.triangles);
             return triangulator.addingEach(_polygons.length, function(index:int):Steps
                 {
-                    var polygon:Object = _polygons[index];
-                    _data.materials.beginRun(polygon["material"], _data.triangles.length / 3);
-                    _data.meshes.beginRun(polygon["mesh"], _data.triangles.length / 3);
-                    return triangulator.addPolygon(polygon["corners"]);
+                    var polygon:ObjPolygon = _polygons[index];
+                    _data.materials.beginRun(polygon.material, _data.triangles.length / 3);
+                    _data.meshes.beginRun(polygon.mesh, _data.triangles.length / 3);
+                    return triangulator.addPolygon(polygon.corners);
                 });
         }
     }

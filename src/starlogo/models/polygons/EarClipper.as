@@ -1,6 +1,6 @@
 package starlogo.models.polygons
 {
-    import starlogo.models.files.FileLimits;
+    import starlogo.models.files.FileBudget;
     import starlogo.steps.Steps;
 
     /**
@@ -36,10 +36,10 @@ package starlogo.models.polygons
         {
             var next:Vector.<int> = _rings.next;
             var vertex:Vector.<uint> = _rings.vertex;
-            var limits:FileLimits = _rings.limits;
-            var end:Number = limits.cornerTestsLeft - PolygonRings.TESTS_PER_STEP;
+            var budget:FileBudget = _rings.budget;
+            var end:Number = budget.cornerTestsLeft - PolygonRings.TESTS_PER_STEP;
             _count ||= _rings.countFrom(_node);
-            while (_count > 2 && limits.cornerTestsLeft > end)
+            while (_count > 2 && budget.cornerTestsLeft > end)
             {
                 var before:int = _rings.previous[_node];
                 var after:int = next[_node];
@@ -47,7 +47,7 @@ package starlogo.models.polygons
                 // An outline that crosses itself may have no ear left. After one round without an ear any left turn is cut, after two
                 // rounds any corner.
                 var cutsLeftTurns:Boolean = _misses > _count;
-                var cutsAll:Boolean = _misses > 2 * _count || limits.cornerTestsLeft <= 0;
+                var cutsAll:Boolean = _misses > 2 * _count || budget.cornerTestsLeft <= 0;
                 var isCut:Boolean = cutsAll || area == 0 || cutsLeftTurns && area > 0;
                 var outside:int = 0;
                 if (!isCut && area > 0)
@@ -55,7 +55,7 @@ package starlogo.models.polygons
                     outside = countOutside(before, _node, after);
                     isCut = outside == _count - 3;
                 }
-                limits.spendCornerTests(1 + outside);
+                budget.spendCornerTests(1 + outside);
                 if (isCut)
                 {
                     if (area > 0)

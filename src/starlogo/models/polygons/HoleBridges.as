@@ -1,6 +1,6 @@
 package starlogo.models.polygons
 {
-    import starlogo.models.files.FileLimits;
+    import starlogo.models.files.FileBudget;
     import starlogo.steps.Steps;
 
     /**
@@ -34,9 +34,9 @@ package starlogo.models.polygons
         /** @inheritDoc Joins holes until none is left, or for one step. Holes outside the outline are left out. */
         public function step():Boolean
         {
-            var limits:FileLimits = _rings.limits;
-            var end:Number = limits.cornerTestsLeft - PolygonRings.TESTS_PER_STEP;
-            while (_nodes.length > 0 && limits.cornerTestsLeft > end)
+            var budget:FileBudget = _rings.budget;
+            var end:Number = budget.cornerTestsLeft - PolygonRings.TESTS_PER_STEP;
+            while (_nodes.length > 0 && budget.cornerTestsLeft > end)
             {
                 addBridge(_nodes.pop());
             }
@@ -66,12 +66,12 @@ package starlogo.models.polygons
         // Joins a hole to a corner of the outline that sees it.
         private function addBridge(hole:int):void
         {
-            if (_rings.limits.cornerTestsLeft <= 0)
+            if (_rings.budget.cornerTestsLeft <= 0)
             {
                 return;
             }
             // the search goes around the outline three times
-            _rings.limits.spendCornerTests(3 * _rings.countFrom(_outline));
+            _rings.budget.spendCornerTests(3 * _rings.countFrom(_outline));
             var corner:int = visibleCorner(hole);
             // without one, the hole is not inside the outline
             if (corner >= 0)

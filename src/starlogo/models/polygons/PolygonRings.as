@@ -1,7 +1,7 @@
 package starlogo.models.polygons
 {
     import starlogo.geometry.roundingOfProduct;
-    import starlogo.models.files.FileLimits;
+    import starlogo.models.files.FileBudget;
 
     /**
      * A polygon's outline and holes as rings of corners in a plane. The polygon is projected along the coordinate axis nearest to the
@@ -36,7 +36,7 @@ package starlogo.models.polygons
         internal var previous:Vector.<int> = new Vector.<int>();
 
         /** Limit the tests of corners. */
-        internal var limits:FileLimits;
+        internal var budget:FileBudget;
 
         // x, y, z of each vertex, and the vertex of the outline's first corner
         private var _vertices:Vector.<Number>;
@@ -50,13 +50,13 @@ package starlogo.models.polygons
         /**
          * The plane of a polygon, without rings yet.
          *
-         * @param limits limit the tests of corners
+         * @param budget limits the tests of corners
          * @param vertices x, y, z, ...; corners are indices of these
          * @param outline the corners of the outline
          */
-        public function PolygonRings(limits:FileLimits, vertices:Vector.<Number>, outline:Vector.<uint>)
+        public function PolygonRings(budget:FileBudget, vertices:Vector.<Number>, outline:Vector.<uint>)
         {
-            this.limits = limits;
+            this.budget = budget;
             _vertices = vertices;
             _origin = outline[0];
             chooseAxis(outline);

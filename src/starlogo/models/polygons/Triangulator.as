@@ -1,11 +1,11 @@
 package starlogo.models.polygons
 {
-    import starlogo.models.files.FileLimits;
+    import starlogo.models.files.FileBudget;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     /**
-     * Cuts polygons in space into triangles. Polygons may be concave and have holes.
+     * Triangulates polygons in space. They may be concave and have holes.
      *
      * <p>A triangle stays as it is, and a quad is cut along a diagonal. Other polygons become rings in a plane (PolygonRings). If their first
      * corner sees all others, as in a convex polygon without corners in a straight line, they are cut from there. Otherwise their holes are
@@ -24,17 +24,17 @@ package starlogo.models.polygons
         /** Three indices for each triangle, in the direction of its polygon. */
         public var triangles:Vector.<uint>;
 
-        private var _limits:FileLimits;
+        private var _budget:FileBudget;
         private var _vertices:Vector.<Number>;
 
         /**
-         * @param limits limit the tests of corners
+         * @param budget limits the tests of corners
          * @param vertices x, y, z, ...; the polygons' corners are indices of these
          * @param triangles takes the triangles
          */
-        public function Triangulator(limits:FileLimits, vertices:Vector.<Number>, triangles:Vector.<uint>)
+        public function Triangulator(budget:FileBudget, vertices:Vector.<Number>, triangles:Vector.<uint>)
         {
-            _limits = limits;
+            _budget = budget;
             _vertices = vertices;
             this.triangles = triangles;
         }
@@ -63,11 +63,11 @@ package starlogo.models.polygons
         }
 
         /**
-         * Cuts a polygon, or begins to cut a large one.
+         * Triangulates a polygon, or begins to do so with a large one.
          *
          * @param outline the corners of its outline; the vector is not kept
          * @param holes the corners of each hole, in either direction; null for none
-         * @return the work that cuts the rest of it, which must be done before other triangles are added; null if all is cut
+         * @return the work on the rest of it, which must be done before other triangles are added; null if all is done
          */
         public function addPolygon(outline:Vector.<uint>, holes:Vector.<Vector.<uint>> = null):Steps
         {
@@ -81,7 +81,7 @@ package starlogo.models.polygons
                 addSmall(outline);
                 return null;
             }
-            var rings:PolygonRings = new PolygonRings(_limits, _vertices, outline);
+            var rings:PolygonRings = new PolygonRings(_budget, _vertices, outline);
             if (!rings.hasArea)
             {
                 return null;
@@ -104,8 +104,8 @@ package starlogo.models.polygons
                 }
             }
             var clipper:EarClipper = new EarClipper(rings, start, triangles);
-            var cutting:Steps = nodes.length == 0 ? clipper : new StepSequence().add(new HoleBridges(rings, start, nodes)).add(clipper);
-            return cutting.step() ? cutting : null;
+            var rest:Steps = nodes.length == 0 ? clipper : new StepSequence().add(new HoleBridges(rings, start, nodes)).add(clipper);
+            return rest.step() ? rest : null;
         }
 
         /** Adds a triangle, if its three corners are different. */

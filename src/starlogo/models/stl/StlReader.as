@@ -6,8 +6,7 @@ package starlogo.models.stl
     import starlogo.models.ModelError;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.ModelReader;
-    import starlogo.models.files.FileLimits;
-    import starlogo.models.files.FileText;
+    import starlogo.models.files.FileBudget;
     import starlogo.models.files.ModelFile;
     import starlogo.models.files.refuseIf;
     import starlogo.models.text.LineReader;
@@ -27,7 +26,7 @@ package starlogo.models.stl
         private static const FACETS_PER_STEP:int = 300;
 
         private var _data:ModelData;
-        private var _limits:FileLimits;
+        private var _budget:FileBudget;
         private var _points:PointTable;
 
         // of a text file; null for a binary one
@@ -46,7 +45,7 @@ package starlogo.models.stl
             _data = ModelData.forFile(file.name, upAxis, scaling);
             if (file.bytes != null && isBinary(file.bytes))
             {
-                addBinary(file.bytes);
+                addBinary(file);
             }
             else
             {
@@ -64,25 +63,26 @@ package starlogo.models.stl
 
         private function addText(text:String):void
         {
-            _limits = new FileLimits(_data.name, text.length);
-            _points = new PointTable(Math.min(text.length / 20, FileLimits.MOST_VERTICES));
+            _budget = new FileBudget(_data.name, text.length);
+            _points = new PointTable(Math.min(text.length / 20, FileBudget.MAX_VERTICES));
             _lines = new LineReader(_data.name, text);
             repeat(readSome);
         }
 
-        private function addBinary(bytes:ByteArray):void
+        private function addBinary(file:ModelFile):void
         {
-            FileText.checkSize(_data.name, bytes);
-            _limits = new FileLimits(_data.name, bytes.length);
+            var bytes:ByteArray = file.bytes;
+            file.checkSize();
+            _budget = new FileBudget(_data.name, bytes.length);
             bytes.endian = Endian.LITTLE_ENDIAN;
             var count:int = countIn(bytes);
-            _limits.requireMesh(0, count);
-            _points = new PointTable(Math.min(3 * count, FileLimits.MOST_VERTICES));
+            _budget.requireMesh(0, count);
+            _points = new PointTable(Math.min(3 * count, FileBudget.MAX_VERTICES));
             slices(count, FACETS_PER_STEP, function(first:int, end:int):void
                 {
                     readFacets(bytes, first, end);
-                    _limits.requireMesh(_data.vertices.length / 3, _data.triangles.length / 3, "triangle " + end);
-                    _data.readShare = end / Math.max(1, count);
+                    _budget.requireMesh(_data.vertices.length / 3, _data.triangles.length / 3, "triangle " + end);
+                    _data.readProgress = end / Math.max(1, count);
                 });
         }
 
@@ -131,8 +131,8 @@ package starlogo.models.stl
 
         private function readSome():Boolean
         {
-            _data.readShare = _lines.readStatements(readStatement);
-            _limits.requireMesh(_data.vertices.length / 3, _data.triangles.length / 3, _lines.place);
+            _data.readProgress = _lines.readStatements(readStatement);
+            _budget.requireMesh(_data.vertices.length / 3, _data.triangles.length / 3, _lines.place);
             return _lines.hasMore;
         }
 

@@ -15,7 +15,7 @@ package starlogo.models.text
 
         private static const RETURN:int = 0x0D;
         private static const LINE_FEED:int = 0x0A;
-        private static const CHARACTERS_PER_PIECE:int = 30000;
+        private static const CHARACTERS_PER_CHUNK:int = 30000;
         private static const STATEMENTS_PER_STEP:int = 250;
         private static const COMMENT:RegExp = /(^| )#[^\n]*/;
 
@@ -25,7 +25,7 @@ package starlogo.models.text
         private var _name:String;
         private var _text:String;
 
-        // The lines of the piece that is being read, which is the text from _start up to _end; and the index of the next one.
+        // The lines of the chunk that is being read, which is the text from _start up to _end; and the index of the next one.
         private var _lines:Array = [];
         private var _next:int = 0;
         private var _start:int = 0;
@@ -62,7 +62,7 @@ package starlogo.models.text
         }
 
         /**
-         * Does a step: reads some statements, or none if the next piece of the text must be divided first.
+         * Does a step: reads some statements, or none if the next chunk of the text must be divided first.
          *
          * @param read <code>function(words:Array):void</code>; gets the words of a statement, at least one
          * @return the share of the text that is read, from 0 to 1
@@ -71,7 +71,7 @@ package starlogo.models.text
         {
             if (_next == _lines.length)
             {
-                readPiece();
+                readChunk();
             }
             else
             {
@@ -119,7 +119,7 @@ package starlogo.models.text
             {
                 if (_next == _lines.length)
                 {
-                    readPiece();
+                    readChunk();
                 }
                 var next:String = _lines[_next++];
                 _lineCount++;
@@ -148,10 +148,10 @@ package starlogo.models.text
         }
 
         // Divides the next lines: up to the end of the line after so many characters.
-        private function readPiece():void
+        private function readChunk():void
         {
             _start = _end;
-            _end = TextWords.indexOfEither(_text, LINE_FEED, RETURN, Math.min(_start + CHARACTERS_PER_PIECE, _text.length), _text.length);
+            _end = TextWords.indexOfEither(_text, LINE_FEED, RETURN, Math.min(_start + CHARACTERS_PER_CHUNK, _text.length), _text.length);
             _end = Math.min(_end + (_text.substr(_end, 2) == "\r\n" ? 2 : 1), _text.length);
             var text:String = _text.substring(_start, _end);
             text = TextWords.replaceAll(text, "\r\n", "\n");

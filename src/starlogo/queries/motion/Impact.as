@@ -3,7 +3,8 @@ package starlogo.queries.motion
     import starlogo.convex.ContactPoint;
 
     /**
-     * What the shrunk body meets on a motion, as a record. ShrunkSweep writes it. A slide removes it, or turns its normal (Slider).
+     * What stops the shrunk body on a motion, as a record: a row that it meets, or a plane of an overlap, which stops it at once. ShrunkSweep writes
+     * it. A slide turns its normal (Slider).
      *
      * @private
      */

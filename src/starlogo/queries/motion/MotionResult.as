@@ -4,9 +4,7 @@ package starlogo.queries.motion
     import starlogo.convex.ContactPoint;
 
     /**
-     * How a straight motion of a body ends, as a record. ShrunkSweep.findStop() writes it, except for the place, which depends on the question. It
-     * writes the contact only if something stops the body, and the shrunk body's place only if the shrunk body meets a row. TouchSweep takes pushes
-     * out of it.
+     * How a motion of a body ends, a slide or a straight one, as a record. The methods of Slider write it.
      *
      * @private
      */
@@ -15,36 +13,25 @@ package starlogo.queries.motion
         /** The place of the body at the end. */
         public var place:Vector3D = new Vector3D();
 
-        /** The place of the body where the shrunk body touches what stops it. */
-        public var shrunkPlace:Vector3D = new Vector3D();
+        /** The length of its way, as a fraction of the length of the motion, from 0 to 1. That of a straight motion goes up to the touch. */
+        public var fraction:Number = 1;
 
-        /** When it ends: in the touch, from 0 to 1; 1 without one. */
-        public var time:Number = 1;
+        /** The row of the last wall that a slide met, a surface that was too steep for it; -1 if it met none. */
+        public var wallRow:int = -1;
 
-        /** The row that stops it; -1 for none. */
-        public var row:int = -1;
-
-        /** The contact with that row. */
+        /** The contact that it has met. Of those of a slide it is the most level one: with the greatest z of its normal. */
         public var contact:ContactPoint = new ContactPoint();
+
+        /** The row of that contact; -1 if it has met nothing, or a slide only what showed no contact (Impact.isNormalFallback). */
+        public var row:int = -1;
 
         /** Whether planes stand for what the body overlaps at the start, deeply or without a way out. */
         public var hasPlanes:Boolean = false;
 
-        /** Whether a row stops it. */
-        public function get isStopped():Boolean
+        /** Whether it has a contact. */
+        public function get hasContact():Boolean
         {
             return row >= 0;
-        }
-
-        /** Becomes a copy of another result. */
-        public function copyFrom(other:MotionResult):void
-        {
-            place.copyFrom(other.place);
-            shrunkPlace.copyFrom(other.shrunkPlace);
-            time = other.time;
-            row = other.row;
-            contact.copyFrom(other.contact);
-            hasPlanes = other.hasPlanes;
         }
     }
 }

@@ -143,13 +143,10 @@ package starlogo.queries.motion
          */
         public function collectRowsAlong(filter:AgentFilter):void
         {
-            var collector:Collector = _seen.beginSearch(Collector.ALL, 1, agent, filter);
-            rows.count = 0;
-            if (hasShape)
+            if (beginSearch())
             {
-                _search.setAround(_seen.treeOfExtents(), moveTo(from));
                 _search.moveAlong(motion.x, motion.y, motion.z, 1);
-                collector.endWithRows(_search, rows);
+                collectRows(filter);
             }
         }
 
@@ -163,13 +160,35 @@ package starlogo.queries.motion
          */
         public function collectRowsWithin(range:Number, up:Number, down:Number, filter:AgentFilter):void
         {
-            var collector:Collector = _seen.beginSearch(Collector.ALL, 1, agent, filter);
+            if (beginSearch())
+            {
+                _search.widen(range, up, down);
+                collectRows(filter);
+            }
+        }
+
+        // Begins a search around the body where it begins, without rows. Returns whether the body has a shape.
+        private function beginSearch():Boolean
+        {
             rows.count = 0;
             if (hasShape)
             {
                 _search.setAround(_seen.treeOfExtents(), moveTo(from));
-                _search.widen(range, up, down);
-                collector.endWithRows(_search, rows);
+            }
+            return hasShape;
+        }
+
+        private function collectRows(filter:AgentFilter):void
+        {
+            var collector:Collector = _seen.beginSearch(Collector.ALL, 1, agent, filter);
+            for (var row:int = _search.next(collector); row >= 0; row = _search.next(collector))
+            {
+                collector.add(row, 0);
+            }
+            var count:int = collector.end();
+            for (var i:int = 0; i < count; i++)
+            {
+                rows.add(collector.rowAt(i));
             }
         }
 

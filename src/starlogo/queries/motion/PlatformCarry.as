@@ -32,7 +32,7 @@ package starlogo.queries.motion
         private var _motion:Vector3D = new Vector3D();
 
         // How the agent goes with the platform.
-        private var _slid:SlideResult = new SlideResult();
+        private var _slid:MotionResult = new MotionResult();
         private var _straight:MotionResult = new MotionResult();
 
         /**
@@ -48,17 +48,17 @@ package starlogo.queries.motion
         /**
          * Finds the platform that carries an agent: it has moved since the last walk, and the options do not exclude it.
          *
-         * @param link what the agent stood on after its last walk
-         * @param walk receives how the platform carries the agent
+         * @param walk has the options, and receives how the platform carries the agent
          * @return the platform's row; -1 if none carries the agent
          */
-        public function find(link:PlatformLink, walk:Walk):int
+        public function find(agent:Agent, walk:Walk):int
         {
-            var row:int = walk.options.carried && link.isValid ? _seen.rowOf(link.platform) : -1;
+            var link:PlatformLink = agent.platformLink;
+            var row:int = link != null && walk.options.carried && link.isValid ? _seen.rowOf(link.platform) : -1;
             if (row >= 0 && _seen.table.shapes[row] != null)
             {
                 walk.carryTurn = findMotion(link, _seen.table.bodyOf(row).placement, walk.carry);
-                if ((walk.carryTurn != 0 || walk.carry.length > 0) && isAdmitted(row, link.agent, walk.options.filter))
+                if ((walk.carryTurn != 0 || walk.carry.length > 0) && isAdmitted(row, agent, walk.options.filter))
                 {
                     return row;
                 }

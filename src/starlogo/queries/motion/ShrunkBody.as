@@ -120,17 +120,19 @@ package starlogo.queries.motion
          */
         public function narrow(row:int, place:Vector3D):Boolean
         {
-            var inset:Number = _inset;
-            while (_inset < _maxInset)
+            var before:Number = _inset;
+            setInset(_maxInset);
+            if (shrunkTouches(row, place))
+            {
+                setInset(before);
+                return false;
+            }
+            setInset(Math.min(NARROWING * before, _maxInset));
+            while (_inset < _maxInset && shrunkTouches(row, place))
             {
                 setInset(Math.min(NARROWING * _inset, _maxInset));
-                if (!shrunkTouches(row, place))
-                {
-                    return true;
-                }
             }
-            setInset(inset);
-            return false;
+            return true;
         }
 
         private function setInset(width:Number):void

@@ -62,31 +62,21 @@ package starlogo.queries.motion
          *
          * @param rows the rows that may be in its way
          * @param from where the motion begins
-         * @param state receives how it starts, and what it meets
-         * @param out receives the answer, all but its place
+         * @param state receives how it starts, and what stops it as its impact
+         * @return when the body touches that: from 0 to 1; 0 for a plane, 1 if nothing stops it
          */
-        public function findStop(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, state:MotionState, out:MotionResult):void
+        public function findStop(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, state:MotionState):Number
         {
             startMotion(body, rows, from, motion, state);
-            out.hasPlanes = state.planes.count > 0;
-            out.row = state.isImpactKnown ? -1 : findCrossedPlane(state.planes, motion, out.contact);
-            if (out.isStopped)
-            {
-                out.time = 0;
-                return;
-            }
             if (!state.isImpactKnown)
             {
+                if (findCrossedPlane(state.planes, motion, state.impact))
+                {
+                    return 0;
+                }
                 findFirstObstacle(state.shrunk, state.obstacles, state.start, motion, state.impact);
             }
-            out.row = state.impact.row;
-            out.time = 1;
-            if (out.isStopped)
-            {
-                out.contact.copyFrom(state.impact.contact);
-                out.time = findTouchTime(state.shrunk, state.start, motion, state.impact);
-                setAlong(state.start, motion, state.impact.time, out.shrunkPlace);
-            }
+            return state.impact.isMet ? findTouchTime(state.shrunk, state.start, motion, state.impact) : 1;
         }
 
         /**
@@ -94,18 +84,17 @@ package starlogo.queries.motion
          * one in their order counts.
          *
          * @param from where the motion begins
-         * @param countsInside whether a row stops the shrunk body at the beginning if one of the two is inside of the other there
          * @param out receives the answer
          * @return whether anything is met
          */
-        public function findFirstImpact(shrunk:ShrunkBody, rows:IntList, from:Vector3D, motion:Vector3D, countsInside:Boolean, out:Impact):Boolean
+        public function findFirstImpact(shrunk:ShrunkBody, rows:IntList, from:Vector3D, motion:Vector3D, out:Impact):Boolean
         {
             out.row = -1;
             out.time = out.comparedTime = RelativeMotion.NEVER;
             var end:int = hasLength(motion) ? rows.count : 0;
             for (var i:int = 0; i < end && out.comparedTime > 0; i++)
             {
-                if (findImpact(shrunk, rows.values[i], from, motion, countsInside, _met) && _met.comparedTime < out.comparedTime)
+                if (findImpact(shrunk, rows.values[i], from, motion, _met) && _met.comparedTime < out.comparedTime)
                 {
                     out.copyFrom(_met);
                 }
@@ -122,7 +111,7 @@ package starlogo.queries.motion
          */
         public function findFirstObstacle(shrunk:ShrunkBody, obstacles:IntList, from:Vector3D, motion:Vector3D, out:Impact):void
         {
-            while (findFirstImpact(shrunk, obstacles, from, motion, false, out) && shrunk.body.passesOneWay(out.row, out.contact))
+            while (findFirstImpact(shrunk, obstacles, from, motion, out) && shrunk.body.passesOneWay(out.row, out.contact))
             {
                 obstacles.remove(out.row);
             }
@@ -131,7 +120,7 @@ package starlogo.queries.motion
         /** Whether a row would stop a shrunk body on a straight motion. What it overlaps at the beginning stops it too. */
         public function meets(shrunk:ShrunkBody, row:int, from:Vector3D, motion:Vector3D):Boolean
         {
-            return hasLength(motion) && findImpact(shrunk, row, from, motion, false, _met);
+            return hasLength(motion) && findImpact(shrunk, row, from, motion, _met);
         }
 
         /**
@@ -183,38 +172,60 @@ package starlogo.queries.motion
         // decided here, nor motions that a one-way obstacle may stop first. Returns whether the shrunk body certainly overlaps nothing.
         private function findImpactIfFree(shrunk:ShrunkBody, obstacles:IntList, from:Vector3D, motion:Vector3D, out:Impact):Boolean
         {
-            return !shrunk.isFlat && (!findFirstImpact(shrunk, obstacles, from, motion, true, out) || out.time > 0 && !shrunk.body.isOneWay(out.row));
+            if (shrunk.isFlat || (findFirstImpact(shrunk, obstacles, from, motion, out) && (out.time == 0 || shrunk.body.isOneWay(out.row))))
+            {
+                return false;
+            }
+            // it touches no surface where the motion begins
+            setAlong(from, motion, 1, _end);
+            _relative.endAfter(motion.x, motion.y, motion.z);
+            var isInside:Boolean = false;
+            for (var i:int = 0; i < obstacles.count && !isInside; i++)
+            {
+                isInside = beginsInside(shrunk, obstacles.values[i], _end, _relative);
+            }
+            return !isInside;
+        }
+
+        // Whether the shrunk body or a row is inside of the other where a motion begins.
+        private static function beginsInside(shrunk:ShrunkBody, row:int, end:Vector3D, motion:RelativeMotion):Boolean
+        {
+            var moved:Body = shrunk.moveTo(end);
+            var other:Body = shrunk.body.bodyOf(row);
+            return shrunk.isNear(moved, other, motion) && shrunk.body.narrowPhase.pairTestsFor(moved, other).beginsInside(moved, other, motion);
         }
 
         // Finds the plane that the motion crosses at the steepest angle. Its contact is without a triangle, because the plane stands for all triangles of the
-        // row. Returns the row; -1 if the motion crosses no plane.
-        private static function findCrossedPlane(planes:ContactList, motion:Vector3D, out:ContactPoint):int
+        // row. Returns whether the motion crosses one.
+        private static function findCrossedPlane(planes:ContactList, motion:Vector3D, out:Impact):Boolean
         {
-            var row:int = -1;
             var least:Number = -RemainingMotion.PARALLEL_SINE * motion.length;
+            out.row = -1;
             for (var i:int = 0; i < planes.count; i++)
             {
                 var along:Number = planes.contacts[i].along(motion);
                 if (along < least)
                 {
                     least = along;
-                    row = planes.rows[i];
-                    out.copyFrom(planes.contacts[i]);
-                    out.triangle = -1;
+                    out.row = planes.rows[i];
+                    out.contact.copyFrom(planes.contacts[i]);
                 }
             }
-            return row;
+            out.time = out.comparedTime = 0;
+            out.isNormalFallback = false;
+            out.contact.triangle = -1;
+            return out.isMet;
         }
 
         // Finds when and how a row stops the shrunk body. If the first contact does not point against the motion, the shrunk body leaves there what
         // it touches. At the same time it may enter another face, as the top of a tile at its edge. So it is swept again from a clearance farther on.
         // A flat shrunk body may be past a sheet there, so it is not swept again. Returns whether the row stops it.
-        private function findImpact(shrunk:ShrunkBody, row:int, from:Vector3D, motion:Vector3D, countsInside:Boolean, out:Impact):Boolean
+        private function findImpact(shrunk:ShrunkBody, row:int, from:Vector3D, motion:Vector3D, out:Impact):Boolean
         {
             var contact:ContactPoint = out.contact;
             setAlong(from, motion, 1, _end);
             _relative.endAfter(motion.x, motion.y, motion.z);
-            if (!sweepShrunk(shrunk, row, _end, countsInside, _relative, contact))
+            if (!sweepShrunk(shrunk, row, _end, _relative, contact))
             {
                 return false;
             }
@@ -227,7 +238,7 @@ package starlogo.queries.motion
                 var beyond:Number = Math.min(1, out.time + clearanceTime);
                 var rest:Number = 1 - beyond;
                 _relative.endAfter(rest * motion.x, rest * motion.y, rest * motion.z);
-                if (!sweepShrunk(shrunk, row, _end, false, _relative, contact))
+                if (!sweepShrunk(shrunk, row, _end, _relative, contact))
                 {
                     return false;
                 }
@@ -246,7 +257,7 @@ package starlogo.queries.motion
         }
 
         // Finds when and how the shrunk body first meets a row on a motion, which receives the time. Returns whether it meets the row.
-        private static function sweepShrunk(shrunk:ShrunkBody, row:int, end:Vector3D, countsInside:Boolean, motion:RelativeMotion, out:ContactPoint):Boolean
+        private static function sweepShrunk(shrunk:ShrunkBody, row:int, end:Vector3D, motion:RelativeMotion, out:ContactPoint):Boolean
         {
             var moved:Body = shrunk.moveTo(end);
             var other:Body = shrunk.body.bodyOf(row);
@@ -256,8 +267,7 @@ package starlogo.queries.motion
                 var tests:PairTests = shrunk.body.narrowPhase.pairTestsFor(moved, other);
                 tests.findImpactOfSurfaces(moved, other, motion, out);
                 // a sheet may be wholly under the ground at the beginning, and then it touches no surface
-                var mayBeInside:Boolean = countsInside ? motion.time > 0 : motion.time == RelativeMotion.NEVER && other.form == ModelShape.GROUND;
-                if (mayBeInside && tests.beginsInside(moved, other, motion))
+                if (motion.time == RelativeMotion.NEVER && other.form == ModelShape.GROUND && tests.beginsInside(moved, other, motion))
                 {
                     motion.time = 0;
                     out.setNormal(0, 0, 0);

@@ -37,15 +37,16 @@ package starlogo.queries.motion
          * @param limits how it may go
          * @param out receives the answer
          */
-        public function slide(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, limits:SlideLimits, out:SlideResult):void
+        public function slide(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, limits:SlideLimits, out:MotionResult):void
         {
             var shrunk:ShrunkBody = _state.shrunk;
             var planes:ContactList = _state.planes;
             var impact:Impact = _state.impact;
             out.wallRow = -1;
-            out.floorRow = -1;
+            out.row = -1;
             _remaining.begin(motion, limits);
             _sweep.startMotion(body, rows, from, _remaining.motion, _state);
+            out.hasPlanes = planes.count > 0;
             out.place.copyFrom(_state.start);
             if (!_state.isImpactKnown)
             {
@@ -92,13 +93,17 @@ package starlogo.queries.motion
          */
         public function moveStraight(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, out:MotionResult):void
         {
-            _sweep.findStop(body, rows, from, motion, _state, out);
-            var time:Number = 1;
-            if (out.isStopped)
+            out.fraction = _sweep.findStop(body, rows, from, motion, _state);
+            out.hasPlanes = _state.planes.count > 0;
+            out.wallRow = -1;
+            out.row = _state.impact.row;
+            var end:Number = 1;
+            if (out.hasContact)
             {
-                time = Math.max(out.time + _state.shrunk.clearance / out.contact.along(motion), 0);
+                out.contact.copyFrom(_state.impact.contact);
+                end = Math.max(out.fraction + _state.shrunk.clearance / out.contact.along(motion), 0);
             }
-            ShrunkSweep.setAlong(_state.start, motion, time, out.place);
+            ShrunkSweep.setAlong(_state.start, motion, end, out.place);
         }
 
         /** Whether a row, one of those near the way of a body, would stop a straight motion. */
@@ -108,14 +113,14 @@ package starlogo.queries.motion
             return _sweep.meets(_state.shrunk, row, from, motion);
         }
 
-        // Notes what a slide meets: the most level surface is its floor. What is too steep becomes an upright wall. The rest climbs what is not.
-        private static function noteContact(impact:Impact, limits:SlideLimits, remaining:RemainingMotion, out:SlideResult):void
+        // Notes what a slide meets. What is too steep becomes an upright wall. The rest climbs what is not.
+        private static function noteContact(impact:Impact, limits:SlideLimits, remaining:RemainingMotion, out:MotionResult):void
         {
             var contact:ContactPoint = impact.contact;
-            if (!impact.isNormalFallback && (!out.hasFloor || contact.normalZ > out.floor.normalZ))
+            if (!impact.isNormalFallback && (!out.hasContact || contact.normalZ > out.contact.normalZ))
             {
-                out.floor.copyFrom(contact);
-                out.floorRow = impact.row;
+                out.contact.copyFrom(contact);
+                out.row = impact.row;
             }
             if (contact.normalZ < limits.walkableZ)
             {
@@ -173,7 +178,7 @@ package starlogo.queries.motion
         // Whether a motion from this corner is stopped in it.
         private function meetsInCorner(state:MotionState, place:Vector3D, motion:Vector3D):Boolean
         {
-            return _sweep.findFirstImpact(state.shrunk, state.obstacles, place, motion, false, _impactWithoutPlane)
+            return _sweep.findFirstImpact(state.shrunk, state.obstacles, place, motion, _impactWithoutPlane)
                 && isInCorner(state.shrunk, _impactWithoutPlane, motion)
                 && !state.shrunk.body.passesOneWay(_impactWithoutPlane.row, _impactWithoutPlane.contact);
         }

@@ -3,13 +3,7 @@ package starlogo.queries.motion
     import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
     import starlogo.data.IntList;
-    import starlogo.engine;
     import starlogo.geometry.Tolerances;
-    import starlogo.queries.SeenAgents;
-    import starlogo.queries.rays.Hits;
-    import starlogo.queries.trees.Collector;
-
-    use namespace engine;
 
     /**
      * Finds where a straight motion of a body first touches rows, for casts and moveUntilTouch. A row that the body would go into stops it. A row that
@@ -34,97 +28,87 @@ package starlogo.queries.motion
         // meet it.
         private static const SLOPS_TO_LEAVE:Number = 2;
 
-        private var _seen:SeenAgents;
         private var _sweep:ShrunkSweep = new ShrunkSweep();
 
         // How the motion starts among all rows.
         private var _start:MotionState = new MotionState();
 
-        // A row alone as a list, how the motion starts with it, and the answer.
+        // A row alone as a list, and how the motion starts with it.
         private var _rowAlone:IntList = new IntList();
         private var _alone:MotionState = new MotionState();
-        private var _touch:MotionResult = new MotionResult();
 
         // The way from the computed end of a motion to where the shrunk body touches.
         private var _toShrunk:Vector3D = new Vector3D();
-
-        /** @param seen the agents that the motions are among */
-        public function TouchSweep(seen:SeenAgents)
-        {
-            _seen = seen;
-        }
 
         /**
          * Finds the rows of a body that stop its motion, each as if the others were not there.
          *
          * @param body has begun, and has the motion and the rows near its way
-         * @param maxCount how many of the first ones count, or Collector.ALL
-         * @param hits receives how the body touches each row
-         * @param first receives the answer for the first row, or the free end of the motion
-         * @return these rows, with their times as keys
+         * @param out receives a result for each of these rows
+         * @return the first of them, or if there are none, the result of the free motion
          */
-        public function findTouches(body:MovingBody, maxCount:int, hits:Hits, first:MotionResult):Collector
+        public function findTouches(body:MovingBody, out:CastResults):CastResult
         {
-            var collector:Collector = _seen.beginSearch(maxCount, Infinity, null, null);
             _start.start.copyFrom(body.from);
             _start.pushes.clear();
-            if (addTouches(body, _start, collector, hits, first))
+            if (addTouches(body, _start, out))
             {
                 // a floor may be many rows: what is pushed out of one of them does not run into the next
                 _sweep.startMotion(body, body.rows, body.from, body.motion, _start);
                 if (!_start.start.equals(body.from))
                 {
-                    collector = _seen.beginSearch(maxCount, Infinity, null, null);
-                    addTouches(body, _start, collector, hits, first);
+                    addTouches(body, _start, out);
                 }
             }
+            out.sortByTime();
+            var first:CastResult = out.at(0);
             if (!first.isStopped)
             {
                 setEnd(body, 1, _start, first.place);
             }
-            return collector;
+            return first;
         }
 
-        // Adds the rows that stop the body from a start. Returns whether another start may change the answer.
-        private function addTouches(body:MovingBody, start:MotionState, collector:Collector, hits:Hits, first:MotionResult):Boolean
+        // Adds the rows that stop the body from a start. The next result is that of a free motion. Returns whether another start may change the answer.
+        private function addTouches(body:MovingBody, start:MotionState, out:CastResults):Boolean
         {
             var mayPush:Boolean = false;
-            hits.clear();
-            first.row = -1;
-            first.time = 1;
-            first.hasPlanes = false;
+            out.clear();
             // what stops the body at once does not end the loop, because a row behind it may push the body
             for (var i:int = 0; i < body.rows.count; i++)
             {
-                var row:int = body.rows.values[i];
-                findTouch(body, row, start, _alone, _touch);
+                var touch:CastResult = out.next;
+                findTouch(body, body.rows.values[i], start, _alone, touch);
                 // the row alone pushes the body, or stops it at once in a shallow overlap
-                mayPush ||= !_alone.start.equals(start.start) || (_touch.time == 0 && !_touch.hasPlanes);
-                if (_touch.isStopped)
+                mayPush ||= !_alone.start.equals(start.start) || (touch.time == 0 && !touch.hasPlane);
+                if (touch.isStopped)
                 {
-                    collector.add(row, _touch.time);
-                    hits.add(row, _touch.time).copyFrom(_touch.contact);
-                    if (!first.isStopped || _touch.time < first.time)
-                    {
-                        first.copyFrom(_touch);
-                    }
+                    out.add();
                 }
             }
+            var free:CastResult = out.next;
+            free.row = -1;
+            free.time = 1;
+            free.hasPlane = false;
             return mayPush;
         }
 
         // Finds whether and when a row stops the body from a start, as if there were no others. Another state receives how the motion starts there with the
         // row alone, which may push the body farther. Rounding may hide the touch at its place: see moveIntoTouch.
-        private function findTouch(body:MovingBody, row:int, start:MotionState, alone:MotionState, out:MotionResult):void
+        private function findTouch(body:MovingBody, row:int, start:MotionState, alone:MotionState, out:CastResult):void
         {
             _rowAlone.count = 0;
             _rowAlone.add(row);
-            _sweep.findStop(body, _rowAlone, start.start, body.motion, alone, out);
+            out.time = _sweep.findStop(body, _rowAlone, start.start, body.motion, alone);
+            out.row = alone.impact.row;
+            out.hasPlane = out.isStopped && alone.planes.count > 0;
             if (out.isStopped)
             {
-                if (!out.hasPlanes)
+                out.contact.copyFrom(alone.impact.contact);
+                if (!out.hasPlane)
                 {
                     out.contact.depth = 0;
+                    ShrunkSweep.setAlong(alone.start, body.motion, alone.impact.time, out.shrunkPlace);
                     leaveOutPush(body, alone, out);
                 }
                 setEnd(body, out.time, start, out.place);
@@ -138,9 +122,9 @@ package starlogo.queries.motion
          * contact. Rounding may hide the touch on a long way, and at an edge that the body meets at a grazing angle. Then the touch is found between the
          * computed end and where the shrunk body touches the row, which may be much farther on: at a grazing angle along the side of a tile.
          *
-         * @param touch an answer for this body, which a row stops. Its place changes
+         * @param touch a result for this body, which a row stops. Its place changes
          */
-        public function moveIntoTouch(body:MovingBody, touch:MotionResult):void
+        public function moveIntoTouch(body:MovingBody, touch:CastResult):void
         {
             if (touch.time == 0)
             {
@@ -179,7 +163,7 @@ package starlogo.queries.motion
         }
 
         // Takes the push out of a time of touch: without it the body would have touched earlier.
-        private static function leaveOutPush(body:MovingBody, state:MotionState, out:MotionResult):void
+        private static function leaveOutPush(body:MovingBody, state:MotionState, out:CastResult):void
         {
             var from:Vector3D = body.from;
             var contact:ContactPoint = out.contact;

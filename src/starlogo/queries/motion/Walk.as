@@ -7,7 +7,7 @@ package starlogo.queries.motion
     import starlogo.queries.WalkOptions;
 
     /**
-     * A walk, as a record: what the options mean for this agent, how far it has come, and its footing. MoveQueries begins it, and the WalkMover goes it.
+     * A walk, as a record: what the options mean for this agent, how far it has come, and its footing. The WalkMover writes it.
      *
      * @private
      */
@@ -52,7 +52,7 @@ package starlogo.queries.motion
         /** The row of the last wall that the agent met and did not step over; -1 if it met none. */
         public var wallRow:int = -1;
 
-        /** What comes of it. */
+        /** How the agent stands at the end. */
         public var footing:Footing = new Footing();
 
         /** @param seen the agents that the walk is among */

@@ -2,10 +2,15 @@ package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
-    import starlogo.agents.PlatformLink;
-    import starlogo.convex.ContactPoint;
+    import starlogo.engine;
+    import starlogo.geometry.Trigonometry;
+    import starlogo.geometry.copyVector;
+    import starlogo.queries.Footing;
     import starlogo.queries.SeenAgents;
     import starlogo.queries.WalkOptions;
+    import starlogo.queries.requireMotion;
+
+    use namespace engine;
 
     /**
      * Goes a Walk, as a game character does. The agent slides along the ground. For this slide, surfaces that are too steep are walls. If a wall stops
@@ -19,6 +24,12 @@ package starlogo.queries.motion
      */
     public final class WalkMover
     {
+        // Ground as steep as the limit is not too steep, although its normal has rounding errors. A fraction of the limit's cosine.
+        private static const SLOPE_ROUNDING:Number = 1e-9;
+
+        // A leg of a walk is as long as the agent, or longer if the walk would have more legs than this.
+        private static const MAX_LEGS:int = 64;
+
         // Walk.closeDepth, as a part of the extent.
         private static const CLOSE_DEPTH:Number = 1e-6;
 
@@ -28,6 +39,9 @@ package starlogo.queries.motion
         // The most pushes out of what the agent overlaps where a walk begins.
         private static const MAX_PUSHES:int = 8;
 
+        private static const UP:Vector3D = new Vector3D(0, 0, 1);
+
+        private var _seen:SeenAgents;
         private var _slider:Slider = new Slider();
         private var _recovery:OverlapRecovery = new OverlapRecovery();
         private var _platforms:PlatformCarry;
@@ -37,43 +51,49 @@ package starlogo.queries.motion
         private var _motion:Vector3D = new Vector3D();
         private var _limits:SlideLimits = new SlideLimits();
 
-        // How the last slide ended, and the last way straight up or down. moveVertically() writes only _vertical, slideAlong() and slideDown() only _slid,
-        // and a method that begins with "stand" both.
-        private var _slid:SlideResult = new SlideResult();
+        // How a slide ended, and a way straight up or down. Each is returned, and valid until the next one of its kind.
+        private var _slid:MotionResult = new MotionResult();
         private var _vertical:MotionResult = new MotionResult();
-
-        // Where a fall has come.
-        private var _fallen:Vector3D = new Vector3D();
 
         /** @param seen has the rows */
         public function WalkMover(seen:SeenAgents)
         {
+            _seen = seen;
             _platforms = new PlatformCarry(seen, _slider);
             _foothold = new Foothold(seen);
         }
 
         /**
-         * Goes a walk. A platform carries the agent first. Then it is pushed out of what it overlaps, goes the legs of its way, and falls if it does not
-         * stand.
+         * Finds where a walk leads. A platform carries the agent first. Then it is pushed out of what it overlaps, goes the legs of its way, and falls if
+         * it does not stand. Nothing moves.
          *
-         * @param link the agent, and what it stood on after its last walk
-         * @param walk has the options and the way. It receives where it ends, how far the agent was pushed, and which part of the motion it
-         *     has made
-         * @return whether the agent stands at the end
+         * @param agent the agent that walks
+         * @param dx how far along x
+         * @param dy how far along y
+         * @param options how it walks
+         * @param out receives where the walk ends, and the footing there
          */
-        public function go(link:PlatformLink, walk:Walk):Boolean
+        public function go(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:Walk):void
         {
-            begin(link, walk);
-            var stands:Boolean = walkLegs(walk, recover(walk)) || fall(walk);
-            _recovery.restoreClearance(walk.body, walk.place);
-            return stands;
+            begin(agent, dx, dy, options, out);
+            var stands:Boolean = walkLegs(out, recover(out)) || fall(out);
+            _recovery.restoreClearance(out.body, out.place);
+            writeFooting(out, stands, out.footing);
         }
 
         // Begins a walk where the agent is, or where its platform carries it.
-        private function begin(link:PlatformLink, walk:Walk):void
+        private function begin(agent:Agent, dx:Number, dy:Number, options:WalkOptions, walk:Walk):void
         {
-            var platform:int = _platforms.find(link, walk);
-            walk.body.setToAgent(link.agent, walk.carryTurn);
+            var size:Number = _seen.placementOf(agent).size;
+            requireMotion(dx, dy, 0, agent);
+            var length:Number = Math.sqrt(dx * dx + dy * dy);
+            walk.options = options;
+            walk.walkableZ = (1 - SLOPE_ROUNDING) * Trigonometry.cosine(options.slopeDegrees);
+            walk.legCount = Math.min(MAX_LEGS, Math.max(1, Math.ceil(length / size)));
+            walk.legMotion.setTo(dx / walk.legCount, dy / walk.legCount, 0);
+            walk.legLength = length / walk.legCount;
+            var platform:int = _platforms.find(agent, walk);
+            walk.body.setToAgent(agent, walk.carryTurn);
             walk.place.copyFrom(walk.body.from);
             walk.closeDepth = CLOSE_DEPTH * walk.body.extent;
             collectRows(walk, 0);
@@ -81,6 +101,16 @@ package starlogo.queries.motion
             {
                 _platforms.carry(walk, platform);
             }
+        }
+
+        // Writes how the agent stands where the walk has ended. The push and the part of the way are written already.
+        private function writeFooting(walk:Walk, stands:Boolean, out:Footing):void
+        {
+            var agents:Vector.<Agent> = _seen.table.list.agentsByRow;
+            out.stands = stands;
+            out.on = stands ? agents[walk.floorRow] : null;
+            out.against = walk.wallRow >= 0 ? agents[walk.wallRow] : null;
+            copyVector(stands ? walk.floorNormal : UP, out.normal);
         }
 
         // Finds the rows near a walk, and up to a distance from it.
@@ -97,10 +127,10 @@ package starlogo.queries.motion
         {
             walk.legStart.copyFrom(walk.place);
             walk.footing.pushed = 0;
-            moveVertically(walk, walk.place, -walk.closeDepth);
-            if (!_vertical.hasPlanes)
+            var down:MotionResult = moveVertically(walk, walk.place, -walk.closeDepth);
+            if (!down.hasPlanes)
             {
-                return standAtEnd(walk);
+                return standAtEnd(walk, down);
             }
             pushOut(walk);
             var x:Number = walk.place.x - walk.legStart.x;
@@ -157,8 +187,7 @@ package starlogo.queries.motion
                 else
                 {
                     // in the air all surfaces are walls, except of level floors
-                    slideAlong(walk, walk.legStart, 0, SlideLimits.LEVEL_Z);
-                    endLeg(walk);
+                    endLeg(walk, slideAlong(walk, walk.legStart, 0, SlideLimits.LEVEL_Z));
                 }
             }
             var dx:Number = walk.place.x - startX;
@@ -181,9 +210,9 @@ package starlogo.queries.motion
             var normal:Vector3D = walk.floorNormal;
             var rise:Number = -(normal.x * walk.legMotion.x + normal.y * walk.legMotion.y) / normal.z;
             var wallBefore:int = walk.wallRow;
-            slideAlong(walk, walk.place, rise, walk.walkableZ);
-            endLeg(walk);
-            if (_slid.wallRow >= 0 && stepUp(walk))
+            var slid:MotionResult = slideAlong(walk, walk.place, rise, walk.walkableZ);
+            endLeg(walk, slid);
+            if (slid.wallRow >= 0 && stepUp(walk))
             {
                 walk.wallRow = wallBefore;
                 return true;
@@ -194,33 +223,33 @@ package starlogo.queries.motion
         }
 
         // Ends a leg where its slide ended.
-        private function endLeg(walk:Walk):void
+        private static function endLeg(walk:Walk, slid:MotionResult):void
         {
-            walk.place.copyFrom(_slid.place);
-            if (_slid.wallRow >= 0)
+            walk.place.copyFrom(slid.place);
+            if (slid.wallRow >= 0)
             {
-                walk.wallRow = _slid.wallRow;
+                walk.wallRow = slid.wallRow;
             }
         }
 
         // Tries a leg again a step higher, and goes down again. Returns whether the agent comes farther than without the step, and stands.
         private function stepUp(walk:Walk):Boolean
         {
-            moveVertically(walk, walk.legStart, walk.options.stepHeight);
-            var height:Number = _vertical.place.z - walk.legStart.z;
+            var up:MotionResult = moveVertically(walk, walk.legStart, walk.options.stepHeight);
+            var height:Number = up.place.z - walk.legStart.z;
             if (height <= walk.closeDepth)
             {
                 return false;
             }
-            slideAlong(walk, _vertical.place, 0, walk.walkableZ);
-            if (!isFarther(walk, _slid.place))
+            var slid:MotionResult = slideAlong(walk, up.place, 0, walk.walkableZ);
+            if (!isFarther(walk, slid.place))
             {
                 return false;
             }
             var depth:Number = height + walk.options.snap + walk.closeDepth;
-            var top:Number = _slid.place.z;
-            moveVertically(walk, _slid.place, -depth);
-            return standAtEnd(walk) || (_vertical.isStopped && slideOff(walk, depth - (top - _vertical.place.z)));
+            var top:Number = slid.place.z;
+            var down:MotionResult = moveVertically(walk, slid.place, -depth);
+            return standAtEnd(walk, down) || (down.hasContact && slideOff(walk, down.place, depth - (top - down.place.z)));
         }
 
         // Whether a place is farther along the leg than where the walk is.
@@ -232,13 +261,12 @@ package starlogo.queries.motion
 
         // Slides down what is too steep to stand on, from the end of the way down: a round agent that has met the edge of the next step hangs on it. Returns
         // whether the agent comes farther than without the step, but no farther from where the leg began than the leg is long, and stands.
-        private function slideOff(walk:Walk, depth:Number):Boolean
+        private function slideOff(walk:Walk, from:Vector3D, depth:Number):Boolean
         {
-            slideDown(walk, _vertical.place, depth, walk.legLength);
-            var dx:Number = _slid.place.x - walk.legStart.x;
-            var dy:Number = _slid.place.y - walk.legStart.y;
-            return dx * dx + dy * dy <= walk.legLength * walk.legLength && isFarther(walk, _slid.place)
-                && standBelow(walk, _slid.place, walk.closeDepth);
+            var place:Vector3D = slideDown(walk, from, depth, walk.legLength).place;
+            var dx:Number = place.x - walk.legStart.x;
+            var dy:Number = place.y - walk.legStart.y;
+            return dx * dx + dy * dy <= walk.legLength * walk.legLength && isFarther(walk, place) && standBelow(walk, place, walk.closeDepth);
         }
 
         // Falls until something stops the agent, and slides down what is too steep. It falls in drops that get longer, because rounding
@@ -251,34 +279,35 @@ package starlogo.queries.motion
                 return false;
             }
             var left:Number = walk.options.fall;
+            var place:Vector3D = walk.place;
             var isStopped:Boolean = false;
-            _fallen.copyFrom(walk.place);
+            var down:MotionResult = null;
             for (var drop:Number = 1; left > 0 && !isStopped; drop *= 2)
             {
                 var depth:Number = Math.min(left, drop);
-                if (_fallen.z - depth < -Agent.LARGEST_COORDINATE)
+                if (place.z - depth < -Agent.LARGEST_COORDINATE)
                 {
                     return false;
                 }
-                moveVertically(walk, _fallen, -depth);
-                left -= _vertical.time * depth;
-                isStopped = _vertical.isStopped;
-                _fallen.copyFrom(_vertical.place);
+                down = moveVertically(walk, place, -depth);
+                left -= down.fraction * depth;
+                isStopped = down.hasContact;
+                place = down.place;
             }
             if (!isStopped)
             {
                 // a fall can also end where the ground begins, without being stopped
-                walk.place.copyFrom(_fallen);
+                walk.place.copyFrom(place);
                 return standBelow(walk, walk.place, walk.closeDepth);
             }
-            if (standOn(walk, _vertical.contact, _vertical.row, _fallen))
+            if (standOn(walk, down, place))
             {
                 return true;
             }
-            slideDown(walk, _fallen, Math.min(left, depthAfterFall(walk)), widthAfterFall(walk));
-            if (!(walk.place.z - _slid.place.z < MIN_FALL * walk.body.extent))
+            var slid:MotionResult = slideDown(walk, place, Math.min(left, depthAfterFall(walk)), widthAfterFall(walk));
+            if (!(walk.place.z - slid.place.z < MIN_FALL * walk.body.extent))
             {
-                walk.place.copyFrom(_slid.place);
+                walk.place.copyFrom(slid.place);
             }
             return standBelow(walk, walk.place, walk.closeDepth);
         }
@@ -299,56 +328,57 @@ package starlogo.queries.motion
         // is. Returns whether it stands.
         private function standBelow(walk:Walk, place:Vector3D, depth:Number):Boolean
         {
-            moveVertically(walk, place, -depth);
-            return standAtEnd(walk);
+            return standAtEnd(walk, moveVertically(walk, place, -depth));
         }
 
-        // Lets the agent stand where the way down has ended, on what has stopped it or on what else it touches there. Otherwise the agent stays where it is.
+        // Lets the agent stand where a way down has ended, on what has stopped it or on what else it touches there. Otherwise the agent stays where it is.
         // Returns whether it stands.
-        private function standAtEnd(walk:Walk):Boolean
+        private function standAtEnd(walk:Walk, down:MotionResult):Boolean
         {
-            var place:Vector3D = _vertical.place;
-            if (!_vertical.isStopped || standOn(walk, _vertical.contact, _vertical.row, place))
+            if (!down.hasContact || standOn(walk, down, down.place))
             {
-                return _vertical.isStopped;
+                return down.hasContact;
             }
-            slideDown(walk, place, walk.closeDepth, walk.body.extent);
-            return _slid.hasFloor && standOn(walk, _slid.floor, _slid.floorRow, place);
+            var slid:MotionResult = slideDown(walk, down.place, walk.closeDepth, walk.body.extent);
+            return slid.hasContact && standOn(walk, slid, down.place);
         }
 
-        // Lets the agent stand at a place, on a row that it touches there, if the row carries it.
-        private function standOn(walk:Walk, contact:ContactPoint, row:int, place:Vector3D):Boolean
+        // Lets the agent stand at a place, on the row that a motion has met there, if the row carries it. Returns whether it does.
+        private function standOn(walk:Walk, met:MotionResult, place:Vector3D):Boolean
         {
-            if (!_foothold.findSurface(walk, contact, row, place, walk.floorNormal))
+            if (!_foothold.findSurface(walk, met.contact, met.row, place, walk.floorNormal))
             {
                 return false;
             }
             walk.place.copyFrom(place);
-            walk.floorRow = row;
+            walk.floorRow = met.row;
             return true;
         }
 
         // Goes straight up, or down if dz is less than 0, until something is in the way.
-        private function moveVertically(walk:Walk, from:Vector3D, dz:Number):void
+        private function moveVertically(walk:Walk, from:Vector3D, dz:Number):MotionResult
         {
             _motion.setTo(0, 0, dz);
             _slider.moveStraight(walk.body, walk.body.rows, from, _motion, _vertical);
+            return _vertical;
         }
 
         // Slides along the way of a leg, and up or down.
-        private function slideAlong(walk:Walk, from:Vector3D, rise:Number, walkableZ:Number):void
+        private function slideAlong(walk:Walk, from:Vector3D, rise:Number, walkableZ:Number):MotionResult
         {
             _limits.setWalls(walkableZ, walk.legLength);
             _motion.setTo(walk.legMotion.x, walk.legMotion.y, rise);
             _slider.slide(walk.body, walk.body.rows, from, _motion, _limits, _slid);
+            return _slid;
         }
 
         // Slides down like a fall, as long as what it slides on is too steep to stand on.
-        private function slideDown(walk:Walk, from:Vector3D, depth:Number, maxHorizontal:Number):void
+        private function slideDown(walk:Walk, from:Vector3D, depth:Number, maxHorizontal:Number):MotionResult
         {
             _limits.setFall(Math.sqrt(1 - walk.walkableZ * walk.walkableZ) / walk.walkableZ, maxHorizontal);
             _motion.setTo(0, 0, -depth);
             _slider.slide(walk.body, walk.body.rows, from, _motion, _limits, _slid);
+            return _slid;
         }
     }
 }

@@ -5,15 +5,14 @@ package starlogo.queries.rays
     import starlogo.engine;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayEntry;
-    import starlogo.queries.CastHit;
+    import starlogo.queries.RayHit;
     import starlogo.queries.SeenAgents;
     import starlogo.queries.trees.Collector;
-    import starlogo.search.Body;
 
     use namespace engine;
 
     /**
-     * Keeps how a ray or a moving body meets rows, until the answer of the question is known.
+     * Keeps how a ray meets rows, until the answer of the question is known.
      *
      * @private
      */
@@ -21,7 +20,7 @@ package starlogo.queries.rays
     {
         private var _seen:SeenAgents;
 
-        // The hits: the row of each, with the distance or time as its key. The hits of a row stand side by side.
+        // The hits: the row of each, with the distance as its key. The hits of a row stand side by side.
         private var _hits:SortableIntList = new SortableIntList();
 
         // By hit: the rank of its row, and its contact.
@@ -33,13 +32,13 @@ package starlogo.queries.rays
 
         // The hits of the answer, in their order.
         private var _answer:SortableIntList = new SortableIntList();
-
-        private var _triangle:TriangleOfHit = new TriangleOfHit();
+        private var _writer:HitWriter;
 
         /** @param seen has the rows */
         public function Hits(seen:SeenAgents)
         {
             _seen = seen;
+            _writer = new HitWriter(seen);
         }
 
         /** Begins without hits. */
@@ -48,13 +47,8 @@ package starlogo.queries.rays
             _hits.count = 0;
         }
 
-        /**
-         * Adds a hit of a row, after the row's other ones.
-         *
-         * @param key the distance or time
-         * @return the contact. The caller writes to it
-         */
-        public function add(row:int, key:Number):ContactPoint
+        /** Adds the hit where a ray enters a row, after the row's other ones. */
+        public function add(row:int, ray:Ray, entry:RayEntry):void
         {
             var index:int = _hits.count;
             if (_firsts.length <= row)
@@ -69,15 +63,9 @@ package starlogo.queries.rays
             {
                 _contacts.push(new ContactPoint());
             }
-            _hits.add(row, key);
+            _hits.add(row, entry.distance);
             _ranks[index] = _seen.table.list.ranks[row];
-            return _contacts[index];
-        }
-
-        /** Adds the hit where a ray enters a row, with the normal and the triangle there. */
-        public function addEntry(row:int, ray:Ray, entry:RayEntry):void
-        {
-            var contact:ContactPoint = add(row, entry.distance);
+            var contact:ContactPoint = _contacts[index];
             contact.x = ray.x + entry.distance * ray.directionX;
             contact.y = ray.y + entry.distance * ray.directionY;
             contact.z = ray.z + entry.distance * ray.directionZ;
@@ -85,13 +73,13 @@ package starlogo.queries.rays
             contact.triangle = entry.triangle;
         }
 
-        /** The distance or time of the first hit of a row that has one. */
-        public function firstKeyOf(row:int):Number
+        /** The distance of the first hit of a row that has one. */
+        public function firstDistanceOf(row:int):Number
         {
             return _hits.keys[_firsts[row]];
         }
 
-        /** Ends a collector's search. The answer has the hits of the rows that it has found, sorted by their keys. Returns how many they are. */
+        /** Ends a collector's search. The answer has the hits of the rows that it has found, sorted by distance. Returns how many they are. */
         public function end(collector:Collector):int
         {
             var rows:int = collector.end();
@@ -112,43 +100,13 @@ package starlogo.queries.rays
             return _answer.count;
         }
 
-        /** The body of a hit of the answer. */
-        public function bodyOf(index:int):Body
+        /** Writes a hit of the answer. Returns it. */
+        public function writeHit(index:int, out:RayHit):RayHit
         {
-            return _seen.table.bodyOf(rowOf(index));
-        }
-
-        private function rowOf(index:int):int
-        {
-            return _hits.values[_answer.values[index]];
-        }
-
-        /** The distance or time of a hit of the answer. */
-        public function keyOf(index:int):Number
-        {
-            return _answer.keys[index];
-        }
-
-        /** The contact of a hit of the answer. */
-        public function contactOf(index:int):ContactPoint
-        {
-            return _contacts[_answer.values[index]];
-        }
-
-        /** Writes a hit of the answer, all but its distance or time. */
-        public function fillHit(index:int, hit:CastHit):void
-        {
-            var from:ContactPoint = contactOf(index);
-            hit.agent = _seen.table.list.agentsByRow[rowOf(index)];
-            // not setTo, because a game in JavaScript may have given a hit any objects with x, y and z
-            hit.point.x = from.x;
-            hit.point.y = from.y;
-            hit.point.z = from.z;
-            hit.normal.x = from.normalX;
-            hit.normal.y = from.normalY;
-            hit.normal.z = from.normalZ;
-            hit.triangle = from.triangle;
-            _triangle.fillTriangle(bodyOf(index), hit);
+            var hit:int = _answer.values[index];
+            _writer.write(_hits.values[hit], _contacts[hit], out);
+            out.distance = _answer.keys[index];
+            return out;
         }
     }
 }

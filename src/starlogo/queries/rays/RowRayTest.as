@@ -10,7 +10,6 @@ package starlogo.queries.rays
     import starlogo.queries.SeenAgents;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
-    import starlogo.search.TreeLimits;
     import starlogo.solid.TreeRayEntryQuery;
 
     use namespace engine;
@@ -107,8 +106,7 @@ package starlogo.queries.rays
             var shape:ModelShape = body.shape;
             if (shape.tree != null)
             {
-                var limits:TreeLimits = _seen.narrowPhase.treeLimits;
-                return _solid.find(shape.tree, limits.depthOf(body), limits.isExact, line, out);
+                return _solid.find(shape.tree, _seen.narrowPhase.treeLimits.depthOf(body), line, out);
             }
             return SpanFinder.find(line, shape.structure, _seen.narrowPhase.convexSpans, _span) && out.enter(line, _span);
         }

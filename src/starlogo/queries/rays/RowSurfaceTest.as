@@ -9,7 +9,6 @@ package starlogo.queries.rays
     import starlogo.queries.SeenAgents;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
-    import starlogo.search.TreeLimits;
     import starlogo.solid.TreeRayCrossingQuery;
 
     use namespace engine;
@@ -70,7 +69,7 @@ package starlogo.queries.rays
                 }
                 if (_entry.distance <= ray.to)
                 {
-                    out.addEntry(row, ray, _entry);
+                    out.add(row, ray, _entry);
                     isMet = true;
                 }
             }
@@ -83,8 +82,7 @@ package starlogo.queries.rays
             var shape:ModelShape = body.shape;
             if (shape.tree != null)
             {
-                var limits:TreeLimits = _seen.narrowPhase.treeLimits;
-                return _trees.findAll(shape.tree, limits.depthOf(body), limits.isExact, line, out);
+                return _trees.findAll(shape.tree, _seen.narrowPhase.treeLimits.depthOf(body), line, out);
             }
             if (SpanFinder.find(line, shape.structure, _seen.narrowPhase.convexSpans, _span))
             {

@@ -1,12 +1,10 @@
 package starlogo.queries.trees
 {
     import starlogo.agents.Agent;
-    import starlogo.data.IntList;
     import starlogo.data.SortableIntList;
     import starlogo.engine;
     import starlogo.queries.AgentFilter;
     import starlogo.queries.SeenAgents;
-    import starlogo.search.table.ListedAgents;
 
     use namespace engine;
 
@@ -14,8 +12,7 @@ package starlogo.queries.trees
      * The answer of a question while it is searched for: the rows with the smallest keys, as many as are wanted. A key is a distance, a squared
      * distance or a time. Rows with the same key are in the order of the list.
      *
-     * <p>A question takes one row after the other from <code>nextCandidate()</code>, tests it, and adds it with its key. Only a NearSearch finds rows by itself.
-     * The limit is the largest key of a row that is still wanted. It shrinks when enough rows are found, so the search visits less. One of the methods
+     * <p>A question takes one row after the other from a SweptBoxSearch, tests it, and adds it with its key. A NearSearch adds rows itself. The limit is the largest key of a row that is still wanted. It shrinks when enough rows are found, so the search visits less. One of the methods
      * that begin with "end" makes the answer.</p>
      *
      * <p>Rows that a filter excludes are left out before they are tested. The filter's own function, <code>accepts</code>, is called
@@ -49,9 +46,6 @@ package starlogo.queries.trees
         // The number of rows that accepts has admitted, in order.
         private var _admitted:int = 0;
 
-        // Whether the row of the ground has not been taken yet.
-        private var _isGroundLeft:Boolean = false;
-
         /** @param seen the agents that the question is about */
         public function Collector(seen:SeenAgents)
         {
@@ -73,36 +67,10 @@ package starlogo.queries.trees
             this.limit = maxCount == 0 ? -1 : limit;
             _trimCount = filter.accepts == null ? maxCount : ALL;
             _rows.count = _admitted = 0;
-            _isGroundLeft = true;
         }
 
-        /** The next row of a search that the filter may admit and that has a shape; -1 if there are no more. The last one is the row of the ground. */
-        public function nextCandidate(search:SweptBoxSearch):int
-        {
-            for (var row:int = search.next(filter.breedSet, limit); row >= 0; row = search.next(filter.breedSet, limit))
-            {
-                if (isCandidate(row))
-                {
-                    if (filter.mayAdmit(row))
-                    {
-                        return row;
-                    }
-                    search.tree.countExcluded(1);
-                }
-            }
-            return _isGroundLeft ? takeGround() : -1;
-        }
-
-        // The row of the ground, which is in no tree, because it is near every row; -1 if there is no ground or the filter excludes it.
-        private function takeGround():int
-        {
-            var row:int = ListedAgents.GROUND_ROW;
-            _isGroundLeft = false;
-            return isCandidate(row) && filter.mayAdmit(row) ? row : -1;
-        }
-
-        // Whether a row may be in the answer: it has a shape, and is not the row of the agent that asks.
-        private function isCandidate(row:int):Boolean
+        /** Whether a row has a shape, and is not the row of the agent that asks. */
+        public function isCandidate(row:int):Boolean
         {
             return row != filter.askerRow && _seen.table.shapes[row] != null;
         }
@@ -269,20 +237,6 @@ package starlogo.queries.trees
                 listed[i] = agentAt(i);
             }
             return listed;
-        }
-
-        /** Ends with all rows of a search that the filter admits and that have a shape, in the order of the list. They are added to <code>out</code>. */
-        public function endWithRows(search:SweptBoxSearch, out:IntList):void
-        {
-            for (var row:int = nextCandidate(search); row >= 0; row = nextCandidate(search))
-            {
-                add(row, 0);
-            }
-            var count:int = end();
-            for (var i:int = 0; i < count; i++)
-            {
-                out.add(rowAt(i));
-            }
         }
     }
 }

@@ -3,19 +3,22 @@ package starlogo.queries.trees
     import starlogo.agents.Agent;
     import starlogo.engine;
     import starlogo.search.Body;
+    import starlogo.search.table.ListedAgents;
 
     use namespace engine;
 
     /**
-     * Finds the rows of a tree whose boxes a moving box meets. It returns one row at a time. If the box moves, nearer nodes come first. The rows
+     * Finds the rows of a tree whose boxes a moving box meets, and that a Collector wants. It returns one row at a time. If the box moves, nearer nodes come first. The rows
      * of a leaf come in no order. A ray is a moving box without size. A box that stands still has a motion without length.
      *
      * @private
      */
     public final class SweptBoxSearch
     {
-        /** The tree of the present search. Read only. */
-        public var tree:RowTree = null;
+        private var _tree:RowTree = null;
+
+        // Whether the row of the ground has not been returned yet.
+        private var _isGroundLeft:Boolean = false;
 
         // How much of the motion is still searched, as a multiple of its vector.
         private var _limit:Number = 1;
@@ -47,7 +50,8 @@ package starlogo.queries.trees
         public function setTo(tree:RowTree, x:Number, y:Number, z:Number, halfX:Number = 0, halfY:Number = 0, halfZ:Number = 0, offset:Number = 0):void
         {
             var slack:Number = RowTree.slackOf(x, y, z, halfX + halfY + halfZ, offset);
-            this.tree = tree;
+            _tree = tree;
+            _isGroundLeft = true;
             _isMoving = false;
             _around[0] = x - halfX - slack;
             _around[1] = y - halfY - slack;
@@ -122,37 +126,62 @@ package starlogo.queries.trees
         }
 
         /**
-         * The next row, or -1 if there are no more.
+         * The next row that a collector wants and that has a shape; -1 if there are no more. The last one is the row of the ground, which is in no tree,
+         * because it is near every row.
+         *
+         * @param collector has the filter. Its limit says how much of a motion is still searched, as a multiple of its vector
+         */
+        public function next(collector:Collector):int
+        {
+            var filter:RowFilter = collector.filter;
+            for (var row:int = nextInTree(filter.breedSet, collector.limit); row >= 0; row = nextInTree(filter.breedSet, collector.limit))
+            {
+                if (collector.isCandidate(row))
+                {
+                    if (filter.mayAdmit(row))
+                    {
+                        return row;
+                    }
+                    _tree.countExcluded(1);
+                }
+            }
+            var isGround:Boolean = _isGroundLeft && collector.isCandidate(ListedAgents.GROUND_ROW) && filter.mayAdmit(ListedAgents.GROUND_ROW);
+            _isGroundLeft = false;
+            return isGround ? ListedAgents.GROUND_ROW : -1;
+        }
+
+        /**
+         * The next row of the tree that the box meets, or -1 if there are no more.
          *
          * @param breedSet the breeds that count, see RowTree. Nodes without them are skipped, but single rows may have others
          * @param limit if the box moves: how much of the motion is still searched, as a multiple of its vector. It may become less during the search
          */
-        public function next(breedSet:int, limit:Number):int
+        public function nextInTree(breedSet:int, limit:Number):int
         {
             _limit = limit;
             while (_waiting > 0)
             {
                 _waiting--;
+                var next:int = _stack[_waiting];
                 if (_isMoving && _entries[_waiting] > limit)
                 {
                     continue;
                 }
-                var next:int = _stack[_waiting];
                 if (next < 0)
                 {
-                    return tree.rows[-1 - next];
+                    return _tree.rows[-1 - next];
                 }
-                if (!tree.mayHave(next, breedSet))
+                if (!_tree.mayHave(next, breedSet))
                 {
                     continue;
                 }
-                if (next < tree.firstLeaf)
+                if (next < _tree.firstLeaf)
                 {
-                    push(tree.nodeBoxes, next << 1, (next << 1) + 2, false);
+                    push(_tree.nodeBoxes, next << 1, (next << 1) + 2, false);
                 }
                 else
                 {
-                    push(tree.rowBoxes, tree.startOf(next), tree.startOf(next + 1), true);
+                    push(_tree.rowBoxes, _tree.startOf(next), _tree.startOf(next + 1), true);
                 }
             }
             return -1;

@@ -36,7 +36,6 @@ package starlogo.search.pairs
 
         private var _supportSearch:SupportSearch;
         private var _farthest:SupportPoint = new SupportPoint();
-        private var _wayBack:Vector3D = new Vector3D();
 
         /** @param limits how far trees are tested */
         public function EdgePairTests(limits:TreeLimits)
@@ -66,7 +65,7 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override protected function findTime(a:Body, b:Body, motion:RelativeMotion):void
+        override public function findFirstTouch(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             var tolerance:Number = toleranceOf(a);
             findPenetrations(a, b, motion, tolerance, _penetrations);
@@ -84,6 +83,7 @@ package starlogo.search.pairs
                     motion.time = Math.min(motion.time, start / (start - end));
                 }
             }
+            findContactIfNeeded(a, b, motion, out);
         }
 
         /**
@@ -151,7 +151,9 @@ package starlogo.search.pairs
             out.y = _farthest.y - left * motion.y;
             out.z = _farthest.z - left * motion.z;
             // the edges are at right angles, so the shortest way back from all is the sum of the ways back from each
-            _wayBack.setTo(0, 0, 0);
+            var wayX:Number = 0;
+            var wayY:Number = 0;
+            var wayZ:Number = 0;
             var count:int = 0;
             for (var edge:int = 0; edge < 6; edge += 2)
             {
@@ -160,15 +162,15 @@ package starlogo.search.pairs
                 if (penetrations[one] >= -toleranceOf(a) || one == deepest)
                 {
                     var way:Number = lengthOfWayBack(penetrations[one], one == deepest, a);
-                    _wayBack.x -= way * OUTWARDS[one].x;
-                    _wayBack.y -= way * OUTWARDS[one].y;
-                    _wayBack.z -= way * OUTWARDS[one].z;
+                    wayX -= way * OUTWARDS[one].x;
+                    wayY -= way * OUTWARDS[one].y;
+                    wayZ -= way * OUTWARDS[one].z;
                     count++;
                     moveToMiddle(one, penetrations[one], b, out);
                 }
             }
-            var length:Number = _wayBack.length;
-            out.setNormal(_wayBack.x / length, _wayBack.y / length, _wayBack.z / length);
+            var length:Number = Math.sqrt(wayX * wayX + wayY * wayY + wayZ * wayZ);
+            out.setNormal(wayX / length, wayY / length, wayZ / length);
             var depth:Number = Math.max(0, penetrations[deepest]);
             out.depth = count > 1 && depth > 0 ? length : depth;
         }

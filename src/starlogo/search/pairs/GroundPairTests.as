@@ -10,7 +10,6 @@ package starlogo.search.pairs
     import starlogo.ground.GroundModelQuery;
     import starlogo.ground.GroundRayQuery;
     import starlogo.ground.HeightGrid;
-    import starlogo.hierarchy.BoxTree;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayCrossings;
     import starlogo.intersection.ray.RayEntry;
@@ -168,7 +167,7 @@ package starlogo.search.pairs
         private function queryOf(a:Body, b:Body):GroundModelQuery
         {
             var shape:ModelShape = a.shape;
-            var depth:int = shape.tree == null ? 1 : _limits.isExact && shape.tree.hasTriangles ? BoxTree.EXACT : _limits.depthOf(a);
+            var depth:int = shape.tree == null ? 1 : _limits.depthOf(a);
             _query.setTo(gridOf(b), shape.tree, shape.structure, a.placement, depth);
             return _query;
         }

@@ -56,17 +56,16 @@ package starlogo.search.pairs
          */
         public function findFirstTouch(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            findTime(a, b, motion);
+            throw new IllegalOperationError(this + " does not implement findFirstTouch");
+        }
+
+        /** Finds the contact for <code>findFirstTouch()</code>, if the two touch and it is needed. The motion has the time. */
+        protected function findContactIfNeeded(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
             if (out != null && motion.time != RelativeMotion.NEVER)
             {
                 findContactOfParts(a, b, motion, out);
             }
-        }
-
-        /** Finds the time for <code>findFirstTouch()</code>. A subclass overrides this method, or <code>findFirstTouch()</code> if it finds both at once. */
-        protected function findTime(a:Body, b:Body, motion:RelativeMotion):void
-        {
-            throw new IllegalOperationError(this + " does not implement findTime");
         }
 
         /**
@@ -191,10 +190,13 @@ package starlogo.search.pairs
             throw new IllegalOperationError(this + " does not implement findClosest");
         }
 
-        /** Finds the contact of convex covers of two bodies, where they are. The way out of the covers leads out of the bodies too. */
+        /**
+         * Finds the contact of convex covers of two bodies, where they are. The way out of the covers leads out of the bodies too. Convex bodies are
+         * their own covers.
+         */
         public function findContactOfCovers(a:Body, b:Body, out:ContactPoint):void
         {
-            throw new IllegalOperationError(this + " does not implement findContactOfCovers");
+            findContactOfParts(a, b, RelativeMotion.NONE, out);
         }
 
         /**

@@ -12,8 +12,8 @@ package starlogo.search.pairs
     import starlogo.convex.RelativeMotion;
     import starlogo.convex.findTimeOfSpheres;
     import starlogo.engine;
-    import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
+    import starlogo.geometry.Touching;
     import starlogo.intersection.SphereSphereKernel;
     import starlogo.search.Body;
     import starlogo.search.NarrowPhase;
@@ -106,10 +106,11 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override protected function findTime(a:Body, b:Body, motion:RelativeMotion):void
+        override public function findFirstTouch(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             readGap(a, b, _gap);
             sweep(_gap, motion);
+            findContactIfNeeded(a, b, motion, out);
         }
 
         /**
@@ -154,11 +155,9 @@ package starlogo.search.pairs
 
         private static function readGap(a:Body, b:Body, out:CoreGap):void
         {
-            // Body.margin written out: it would be two calls more for each pair
-            var placeA:Placement = a.placement;
-            var placeB:Placement = b.placement;
-            var marginA:Number = Tolerances.PLACES * (Math.abs(placeA.x) + Math.abs(placeA.y) + Math.abs(placeA.z));
-            var marginB:Number = Tolerances.PLACES * (Math.abs(placeB.x) + Math.abs(placeB.y) + Math.abs(placeB.z));
+            // not Body.margin, because V8 makes an object for the Number of a getter
+            var marginA:Number = Touching.marginOfPlace(a.placement.x, a.placement.y, a.placement.z);
+            var marginB:Number = Touching.marginOfPlace(b.placement.x, b.placement.y, b.placement.z);
             out.x = a.middleX - b.middleX;
             out.y = a.middleY - b.middleY;
             out.z = a.middleZ - b.middleZ;
@@ -169,8 +168,8 @@ package starlogo.search.pairs
         {
             var extents:Extents = table.extents;
             var places:Points = table.places;
-            var marginA:Number = Tolerances.PLACES * (Math.abs(places.x[a]) + Math.abs(places.y[a]) + Math.abs(places.z[a]));
-            var marginB:Number = Tolerances.PLACES * (Math.abs(places.x[b]) + Math.abs(places.y[b]) + Math.abs(places.z[b]));
+            var marginA:Number = Touching.marginOfPlace(places.x[a], places.y[a], places.z[a]);
+            var marginB:Number = Touching.marginOfPlace(places.x[b], places.y[b], places.z[b]);
             out.x = extents.x[a] - extents.x[b];
             out.y = extents.y[a] - extents.y[b];
             out.z = extents.z[a] - extents.z[b];

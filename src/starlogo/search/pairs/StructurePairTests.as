@@ -46,7 +46,7 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override protected function findTime(a:Body, b:Body, motion:RelativeMotion):void
+        override public function findFirstTouch(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             var structureA:BoundingStructure = a.worldStructure();
             var structureB:BoundingStructure = b.worldStructure();
@@ -57,6 +57,7 @@ package starlogo.search.pairs
             {
                 motion.time = 1;
             }
+            findContactIfNeeded(a, b, motion, out);
         }
 
         /** @inheritDoc */

@@ -122,8 +122,8 @@ package starlogo.search.pairs
         private function findOfTree(body:Body, direction:Vector3D, out:SupportPoint):void
         {
             var tree:BoxTree = body.shape.tree.boxTree;
-            var mesh:TriangleMesh = _limits.isExact && body.shape.tree.hasTriangles ? body.shape.tree.mesh : null;
-            var depth:int = mesh != null ? BoxTree.EXACT : _limits.depthOf(body);
+            var depth:int = _limits.depthOf(body);
+            var mesh:TriangleMesh = depth == BoxTree.EXACT ? body.shape.tree.mesh : null;
             _nodes[0] = 0;
             _upperBounds[0] = Infinity;
             for (var top:int = 0; top >= 0; top--)

@@ -147,7 +147,7 @@ package starlogo.search.pairs
             _at.x = point.x;
             _at.y = point.y;
             _at.z = point.z;
-            _treeAndStructure.setTo(body.shape.tree, body.placement, _limits.depthOf(body), POINT, _at, _limits.isExact);
+            _treeAndStructure.setTo(body.shape.tree, body.placement, _limits.depthOf(body), POINT, _at);
             return _treeAndStructure.findNearestTriangle();
         }
 
@@ -188,9 +188,9 @@ package starlogo.search.pairs
             var tree:ModelTree = a.shape.tree;
             if (b.shape.tree != null)
             {
-                return _trees.setTo(tree, a.placement, _limits.depthOf(a), b.shape.tree, b.placement, _limits.depthOf(b), _limits.isExact);
+                return _trees.setTo(tree, a.placement, _limits.depthOf(a), b.shape.tree, b.placement, _limits.depthOf(b));
             }
-            return _treeAndStructure.setTo(tree, a.placement, _limits.depthOf(a), b.shape.structure, b.placement, _limits.isExact);
+            return _treeAndStructure.setTo(tree, a.placement, _limits.depthOf(a), b.shape.structure, b.placement);
         }
     }
 }

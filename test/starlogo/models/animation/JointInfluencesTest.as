@@ -8,7 +8,7 @@ package starlogo.models.animation
     public class JointInfluencesTest
     {
         private var _influences:JointInfluences;
-        private var _palette:Vector.<AffineTransform>;
+        private var _jointMatrices:Vector.<AffineTransform>;
 
         // one point that follows no joint, and one that follows the second joint three times as much as the first
         [Before]
@@ -18,14 +18,14 @@ package starlogo.models.animation
             _influences.starts.push(0, 2);
             _influences.joints.push(0, 1);
             _influences.weights.push(0.5, 1.5);
-            _palette = new <AffineTransform>[movedBy(8), movedBy(16)];
+            _jointMatrices = new <AffineTransform>[movedBy(8), movedBy(16)];
         }
 
         [Test]
         public function weightsAreDividedByTheirSum():void
         {
             var points:Vector.<Number> = new <Number>[1, 2, 3, 4, 5, 6];
-            assertTrue(_influences.move(points, _palette, 1, 2));
+            assertTrue(_influences.skinPoints(points, _jointMatrices, 1, 2));
             assertEquals("1,2,3,18,5,6", points.join());
         }
 
@@ -33,16 +33,16 @@ package starlogo.models.animation
         public function aPointWithoutWeightsFollowsTheFirstJoint():void
         {
             var points:Vector.<Number> = new <Number>[1, 2, 3, 4, 5, 6];
-            assertTrue(_influences.move(points, _palette, 0, 2));
+            assertTrue(_influences.skinPoints(points, _jointMatrices, 0, 2));
             assertEquals("9,2,3,18,5,6", points.join());
         }
 
         [Test]
         public function saysWhetherAPointIsTooFar():void
         {
-            _palette[1] = movedBy(Infinity);
-            assertTrue(_influences.move(new <Number>[1, 2, 3, 4, 5, 6], _palette, 0, 1));
-            assertFalse(_influences.move(new <Number>[1, 2, 3, 4, 5, 6], _palette, 0, 2));
+            _jointMatrices[1] = movedBy(Infinity);
+            assertTrue(_influences.skinPoints(new <Number>[1, 2, 3, 4, 5, 6], _jointMatrices, 0, 1));
+            assertFalse(_influences.skinPoints(new <Number>[1, 2, 3, 4, 5, 6], _jointMatrices, 0, 2));
         }
 
         private static function movedBy(x:Number):AffineTransform

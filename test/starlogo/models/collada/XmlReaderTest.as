@@ -3,7 +3,7 @@ package starlogo.models.collada
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertNull;
     import starlogo.models.ModelError;
-    import starlogo.models.files.FileLimits;
+    import starlogo.models.files.FileBudget;
     import starlogo.models.text.TextWords;
     import starlogo.steps.finish;
     import support.assertThrows;
@@ -68,7 +68,7 @@ package starlogo.models.collada
 
         private static function read(source:String):ColladaElement
         {
-            var work:XmlReader = new XmlReader(source, new FileLimits("a", source.length));
+            var work:XmlReader = new XmlReader(source, new FileBudget("a", source.length));
             finish(work);
             return work.root;
         }

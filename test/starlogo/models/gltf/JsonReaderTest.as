@@ -4,7 +4,7 @@ package starlogo.models.gltf
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertNull;
     import org.flexunit.asserts.assertTrue;
-    import starlogo.models.files.FileLimits;
+    import starlogo.models.files.FileBudget;
     import starlogo.steps.finish;
     import support.Failures;
 
@@ -65,14 +65,14 @@ package starlogo.models.gltf
         [Test]
         public function namesTheValueThatIsTooMany():void
         {
-            var limits:FileLimits = new FileLimits("a", 0);
+            var limits:FileBudget = new FileBudget("a", 0);
             limits.spendElements(49999, "");
             Failures.assertFails("character 8", "more than 50000 elements", finish, new JsonReader("[0,0,0,0,0,0,0]", limits));
         }
 
         private static function read(text:String):*
         {
-            var reader:JsonReader = new JsonReader(text, new FileLimits("a", text.length));
+            var reader:JsonReader = new JsonReader(text, new FileBudget("a", text.length));
             finish(reader);
             return reader.root;
         }

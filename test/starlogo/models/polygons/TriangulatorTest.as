@@ -4,7 +4,7 @@ package starlogo.models.polygons
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
-    import starlogo.models.files.FileLimits;
+    import starlogo.models.files.FileBudget;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
     import support.Effort;
@@ -172,7 +172,7 @@ package starlogo.models.polygons
                 corners.push(i);
             }
             var triangles:Vector.<uint> = new Vector.<uint>();
-            var triangulator:Triangulator = new Triangulator(new FileLimits("polygons", 250000), vertices, triangles);
+            var triangulator:Triangulator = new Triangulator(new FileBudget("polygons", 250000), vertices, triangles);
             var work:Steps = triangulator.addingEach(1, function(index:int):Steps
                 {
                     return triangulator.addPolygon(corners);
@@ -272,7 +272,7 @@ package starlogo.models.polygons
 
         private static function cut(vertices:Vector.<Number>, triangles:Vector.<uint>, loops:Vector.<Vector.<uint>>):void
         {
-            var triangulator:Triangulator = new Triangulator(new FileLimits("polygons", 250000), vertices, triangles);
+            var triangulator:Triangulator = new Triangulator(new FileBudget("polygons", 250000), vertices, triangles);
             var holes:Vector.<Vector.<uint>> = loops.slice(1);
             finish(triangulator.addingEach(1, function(index:int):Steps
                     {

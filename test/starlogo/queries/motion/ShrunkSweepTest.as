@@ -53,14 +53,14 @@ package starlogo.queries.motion
                 body.collectRowsAlong(null);
                 shrunk.begin(body, body.rows, from, motion);
                 var found:Impact = new Impact();
-                sweep.findFirstImpact(shrunk, body.rows, from, motion, false, found);
+                sweep.findFirstImpact(shrunk, body.rows, from, motion, found);
                 var expected:Impact = new Impact();
                 for (k = 0; k < body.rows.count; k++)
                 {
                     var alone:Impact = new Impact();
                     row.count = 0;
                     row.add(body.rows.values[k]);
-                    if (new ShrunkSweep().findFirstImpact(shrunk, row, from, motion, false, alone) && alone.comparedTime < expected.comparedTime)
+                    if (new ShrunkSweep().findFirstImpact(shrunk, row, from, motion, alone) && alone.comparedTime < expected.comparedTime)
                     {
                         expected = alone;
                     }

@@ -25,13 +25,13 @@ package starlogo.queries.motion
             seen.update(new <Agent>[agent, agentAt("cube", 0.2, 0, 0)]);
             var body:MovingBody = new MovingBody(seen);
             var from:Vector3D = new Vector3D(0, 0, 1.5);
-            var result:SlideResult = new SlideResult();
+            var result:MotionResult = new MotionResult();
             body.setToAgent(agent);
             body.collectRowsWithin(1, 0, 0, null);
             slider.slide(body, body.rows, from, new Vector3D(0, 0, -1), SlideLimits.NONE, result);
-            assertTrue("it met the cube below: " + result.floor.normalZ, Math.abs(result.floor.normalZ - 1) < 1e-9);
+            assertTrue("it met the cube below: " + result.contact.normalZ, Math.abs(result.contact.normalZ - 1) < 1e-9);
             slider.slide(body, body.rows, from, new Vector3D(), SlideLimits.NONE, result);
-            assertEquals(-1, result.floorRow);
+            assertEquals(-1, result.row);
             assertEquals(-1, result.wallRow);
         }
 
@@ -49,7 +49,7 @@ package starlogo.queries.motion
             body.collectRowsWithin(1, 0, 0, null);
             for each (var limits:SlideLimits in [SlideLimits.NONE, SlideLimits.LEVEL])
             {
-                var result:SlideResult = new SlideResult();
+                var result:MotionResult = new MotionResult();
                 slider.slide(body, body.rows, new Vector3D(1.2, 0, 0), new Vector3D(0.5, 0, 0), limits, result);
                 assertEquals(limits === SlideLimits.LEVEL, Math.abs(result.place.z) < 1e-9);
             }

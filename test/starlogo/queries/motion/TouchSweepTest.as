@@ -16,7 +16,6 @@ package starlogo.queries.motion
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import starlogo.queries.SeenAgents;
-    import starlogo.queries.rays.Hits;
     import starlogo.search.Body;
     import support.Complaints;
     import support.EachCollider;
@@ -39,9 +38,9 @@ package starlogo.queries.motion
         private var _model:Model = BuiltInModel.sphere();
         private var _seen:SeenAgents = new SeenAgents(EachCollider.make("triangles", landOf(_model)));
         private var _body:MovingBody = new MovingBody(_seen);
-        private var _sweep:TouchSweep = new TouchSweep(_seen);
-        private var _hits:Hits = new Hits(_seen);
-        private var _result:MotionResult = new MotionResult();
+        private var _sweep:TouchSweep = new TouchSweep();
+        private var _results:CastResults = new CastResults();
+        private var _result:CastResult;
         private var _corners:Vector.<Number> = new Vector.<Number>();
         private var _wrong:Complaints = new Complaints();
         private var _met:int = 0;
@@ -105,9 +104,9 @@ package starlogo.queries.motion
         {
             var from:Vector3D = new Vector3D(2, 0, 2);
             assertStops(true, from, new Vector3D(-0.5, 0, 0));
-            assertTrue("deep", _result.hasPlanes);
+            assertTrue("deep", _result.hasPlane);
             assertStops(false, from, new Vector3D(9, 0, 0));
-            assertFalse("nothing stops it, so nothing is deep", _result.hasPlanes);
+            assertFalse("nothing stops it, so nothing is deep", _result.hasPlane);
         }
 
         private function assertStops(isStopped:Boolean, from:Vector3D, motion:Vector3D):void
@@ -126,7 +125,7 @@ package starlogo.queries.motion
             _body.setToStructure(new Sphere(from, 0.1));
             _body.aim(motion.x, motion.y, motion.z);
             _body.collectRowsAlong(null);
-            _sweep.findTouches(_body, 1, _hits, _result);
+            _result = _sweep.findTouches(_body, _results);
         }
 
         private function compare(make:Function):void
@@ -148,7 +147,7 @@ package starlogo.queries.motion
                 motion.setTo(_random.between(-0.3, 0.3) - 1.2 * side.x, _random.between(-0.3, 0.3) - 1.2 * side.y, _random.between(-0.3, 0.3) - 1.2 * side.z);
                 _body.aim(motion.x, motion.y, motion.z);
                 _body.collectRowsAlong(null);
-                _sweep.findTouches(_body, 1, _hits, _result);
+                _result = _sweep.findTouches(_body, _results);
                 if (_result.row >= 0)
                 {
                     check(_seen.table.bodyOf(_result.row));
@@ -160,7 +159,7 @@ package starlogo.queries.motion
 
         private function check(tree:Body):void
         {
-            if (_result.hasPlanes)
+            if (_result.hasPlane)
             {
                 assertEquals("the contact's plane stands for all triangles", -1, _result.contact.triangle);
                 _deep++;

@@ -126,7 +126,7 @@ package starlogo.queries.trees
             }
             var times:Vector.<int> = new Vector.<int>(_sizes.x.length);
             var met:int = 0;
-            for (var row:int = _way.next(RowTree.ALL_BREEDS, limit); row >= 0; row = _way.next(RowTree.ALL_BREEDS, limit))
+            for (var row:int = _way.nextInTree(RowTree.ALL_BREEDS, limit); row >= 0; row = _way.nextInTree(RowTree.ALL_BREEDS, limit))
             {
                 times[row]++;
                 met++;

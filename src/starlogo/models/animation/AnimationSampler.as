@@ -1,16 +1,17 @@
 package starlogo.models.animation
 {
+    import starlogo.data.areFinite;
     import starlogo.data.lastNotAfter;
     import starlogo.geometry.Trigonometry;
     import starlogo.models.ModelError;
     import starlogo.models.files.refuseIf;
 
     /**
-     * Numbers over time: the keys of an animation's sampler, and what is between them. The readers of formats make them.
+     * A sampler of an animation: numbers over time, as keys and what is between them. The readers of formats make it.
      *
      * @private
      */
-    public final class KeyFrames
+    public final class AnimationSampler
     {
         /** The interpolation in a straight line. That of quaternions is along the arc. */
         public static const LINEAR:String = "LINEAR";
@@ -18,7 +19,7 @@ package starlogo.models.animation
         /** The interpolation that stays at a key until the next one. All others are curves. */
         public static const STEP:String = "STEP";
 
-        private static const HALVINGS:int = 52;
+        private static const BISECTIONS:int = 52;
 
         // Quaternions closer than this are mixed in a straight line: the cosine of half of the angle.
         private static const STRAIGHT:Number = 1 - 1e-9;
@@ -46,7 +47,7 @@ package starlogo.models.animation
          * @param areRotations whether each key is a quaternion
          * @throws ModelError if a time is not finite, or the times go back
          */
-        public function KeyFrames(modelName:String, place:Object, times:Vector.<Number>, values:Vector.<Number>, interpolations:Array,
+        public function AnimationSampler(modelName:String, place:Object, times:Vector.<Number>, values:Vector.<Number>, interpolations:Array,
                 after:Vector.<Number> = null, before:Vector.<Number> = null, areRotations:Boolean = false)
         {
             _modelName = modelName;
@@ -67,7 +68,7 @@ package starlogo.models.animation
         }
 
         /** How many numbers a key has. */
-        public function get width():int
+        public function get componentCount():int
         {
             return _values.length / _times.length;
         }
@@ -84,28 +85,23 @@ package starlogo.models.animation
             var key:int = lastNotAfter(_times, time);
             var next:int = Math.min(key + 1, _times.length - 1);
             var length:Number = _times[next] - _times[key];
-            var share:Number = time > _times[key] && length > 0 ? (time - _times[key]) / length : 0;
+            var fraction:Number = time > _times[key] && length > 0 ? (time - _times[key]) / length : 0;
             var interpolation:String = _interpolations[Math.min(key, _interpolations.length - 1)];
-            var result:Vector.<Number> = ofKey(key);
-            var isBetween:Boolean = share > 0 && interpolation != STEP;
+            var result:Vector.<Number> = valuesOf(key);
+            var isBetween:Boolean = fraction > 0 && interpolation != STEP;
             if (isBetween && interpolation != LINEAR)
             {
-                goAlongCurves(result, ofKey(next), key, share);
+                followCurves(result, valuesOf(next), key, fraction);
             }
             else if (isBetween && _areRotations)
             {
-                goAlongArc(result, ofKey(next), share);
+                slerp(result, valuesOf(next), fraction);
             }
             else if (isBetween)
             {
-                goStraight(result, ofKey(next), share);
+                lerp(result, valuesOf(next), fraction);
             }
-            var areFinite:Boolean = true;
-            for each (var number:Number in result)
-            {
-                areFinite &&= isFinite(number);
-            }
-            refuseIf(!areFinite, _modelName, "its numbers at " + time + " seconds are not finite", _place);
+            refuseIf(!areFinite(result), _modelName, "its numbers at " + time + " seconds are not finite", _place);
             if (_areRotations)
             {
                 normalise(result);
@@ -113,36 +109,36 @@ package starlogo.models.animation
             return result;
         }
 
-        private function ofKey(key:int):Vector.<Number>
+        private function valuesOf(key:int):Vector.<Number>
         {
-            return _values.slice(key * width, (key + 1) * width);
+            return _values.slice(key * componentCount, (key + 1) * componentCount);
         }
 
-        // Takes numbers on to the next key, in a straight line. By the differences, so that equal numbers stay exactly as they are.
-        private static function goStraight(numbers:Vector.<Number>, to:Vector.<Number>, share:Number):void
+        // Interpolates numbers to the next key. By the differences, so that equal numbers stay exactly as they are.
+        private static function lerp(numbers:Vector.<Number>, to:Vector.<Number>, fraction:Number):void
         {
             for (var i:int = 0; i < numbers.length; i++)
             {
-                numbers[i] += share * (to[i] - numbers[i]);
+                numbers[i] += fraction * (to[i] - numbers[i]);
             }
         }
 
-        // Takes a quaternion to the next one along the shorter arc.
-        private static function goAlongArc(from:Vector.<Number>, to:Vector.<Number>, share:Number):void
+        // Interpolates a quaternion to the next one along the shorter arc.
+        private static function slerp(from:Vector.<Number>, to:Vector.<Number>, fraction:Number):void
         {
             // those of integers are rounded
             normalise(from);
             normalise(to);
             var cosine:Number = from[0] * to[0] + from[1] * to[1] + from[2] * to[2] + from[3] * to[3];
             var sign:Number = cosine < 0 ? -1 : 1;
-            var ofFrom:Number = 1 - share;
-            var ofTo:Number = share;
+            var ofFrom:Number = 1 - fraction;
+            var ofTo:Number = fraction;
             if (sign * cosine < STRAIGHT)
             {
                 var sine:Number = Math.sqrt(1 - cosine * cosine);
                 var angle:Number = Trigonometry.arctangent(sine, sign * cosine);
                 ofFrom = Trigonometry.sine(ofFrom * angle) / sine;
-                ofTo = Trigonometry.sine(share * angle) / sine;
+                ofTo = Trigonometry.sine(fraction * angle) / sine;
             }
             for (var i:int = 0; i < 4; i++)
             {
@@ -159,31 +155,31 @@ package starlogo.models.animation
             }
         }
 
-        // Takes numbers along the curves from a key to the next one. Where a curve is at a time is found by halving.
-        private function goAlongCurves(numbers:Vector.<Number>, to:Vector.<Number>, key:int, share:Number):void
+        // Interpolates numbers along the curves from a key to the next one. The parameter of a curve at a time is found by bisection.
+        private function followCurves(numbers:Vector.<Number>, to:Vector.<Number>, key:int, fraction:Number):void
         {
             var start:Number = _times[key];
             var length:Number = _times[key + 1] - start;
             var hasTimes:Boolean = _after.length > _values.length;
             for (var i:int = 0; i < numbers.length; i++)
             {
-                var out:int = key * width + i;
-                var into:int = out + width;
-                var at:Number = hasTimes ? placeAt(share, (_after[2 * out] - start) / length, (_before[2 * into] - start) / length) : share;
+                var out:int = key * componentCount + i;
+                var into:int = out + componentCount;
+                var at:Number = hasTimes ? parameterAt(fraction, (_after[2 * out] - start) / length, (_before[2 * into] - start) / length) : fraction;
                 numbers[i] = bezier(numbers[i], _after[hasTimes ? 2 * out + 1 : out], _before[hasTimes ? 2 * into + 1 : into], to[i], at);
             }
         }
 
-        // Where a curve is at a share of its time, from 0 to 1. Its control points have two more shares. The curve does not go back in time.
-        private static function placeAt(share:Number, first:Number, second:Number):Number
+        // The parameter of a curve at a fraction of its time. Its control points are at two more fractions. The curve does not go back in time.
+        private static function parameterAt(fraction:Number, first:Number, second:Number):Number
         {
             first = Math.max(0, Math.min(first, 1));
             second = Math.max(0, Math.min(second, 1));
             var at:Number = 0;
             var step:Number = 0.5;
-            for (var i:int = 0; i < HALVINGS; i++)
+            for (var i:int = 0; i < BISECTIONS; i++)
             {
-                at += bezier(0, first, second, 1, at + step) <= share ? step : 0;
+                at += bezier(0, first, second, 1, at + step) <= fraction ? step : 0;
                 step /= 2;
             }
             return at;

@@ -6,7 +6,7 @@ package starlogo.models.files
      *
      * @private
      */
-    public final class FileAddress
+    public final class FileUrl
     {
         private static const LONGEST:int = 2000;
         private static const FOLDER:RegExp = /^([a-z][a-z0-9+.\-]*:)?(\/\/[^\/?#]*)?([^?#]*\/)?/i;
@@ -44,7 +44,7 @@ package starlogo.models.files
         }
 
         /** The address of the file with the same name and another extension, which begins with a dot. Null if the file has no name. */
-        public static function besideOf(url:String, extension:String):String
+        public static function siblingOf(url:String, extension:String):String
         {
             var folder:String = folderOf(url);
             var name:String = pathOf(url).substr(folder.length).replace(EXTENSION, "");

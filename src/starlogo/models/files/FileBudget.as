@@ -3,19 +3,19 @@ package starlogo.models.files
     import starlogo.models.ModelError;
 
     /**
-     * The largest numbers of vertices, triangles and other things that a file may have, and the tests of corners that cutting its polygons
-     * may take. A reader asks before it reserves memory for a declared count, and before it reads or places something once more. The limits grow with the
+     * What a file may have and cost: vertices, triangles, numbers, elements, and the tests of corners that its polygons may take. A reader
+     * asks before it reserves memory for a declared count, and spends before it reads or places something once more. The budget grows with the
      * bytes that are present, so time and memory are in proportion to them (docs/limits.md).
      *
      * @private
      */
-    public final class FileLimits
+    public final class FileBudget
     {
         /** The most vertices of a model. */
-        public static const MOST_VERTICES:int = 1000000;
+        public static const MAX_VERTICES:int = 1000000;
 
         /** The most bytes of a file. */
-        public static const MOST_BYTES:int = 67108864;
+        public static const MAX_BYTES:int = 67108864;
 
         // What a file may have if it has no bytes (FREE), what each byte allows more, and what no file may exceed. There may be twice as many triangles
         // as vertices.
@@ -23,13 +23,13 @@ package starlogo.models.files
         private static const VERTICES_PER_BYTE:int = 16;
         private static const FREE_NUMBERS:int = 100000;
         private static const NUMBERS_PER_BYTE:int = 16;
-        private static const MOST_NUMBERS:int = 40000000;
+        private static const MAX_NUMBERS:int = 40000000;
         private static const FREE_ELEMENTS:int = 50000;
         private static const ELEMENTS_PER_BYTE:int = 1;
-        private static const MOST_ELEMENTS:int = 500000;
+        private static const MAX_ELEMENTS:int = 500000;
         private static const ZEROS_PER_BYTE:int = 1;
 
-        // The most tests of corners while polygons are cut: FREE_CORNER_TESTS, and CORNER_TESTS_PER_BYTE more for each byte.
+        // The most tests of corners while polygons are triangulated: FREE_CORNER_TESTS, and CORNER_TESTS_PER_BYTE more for each byte.
         private static const CORNER_TESTS_PER_BYTE:Number = 40;
         private static const FREE_CORNER_TESTS:Number = 100000;
 
@@ -37,7 +37,7 @@ package starlogo.models.files
         public var modelName:String;
 
         /**
-         * The tests of corners that are left for cutting polygons. If there are none, corners are cut off without a test, and holes are filled.
+         * The tests of corners that are left for triangulating polygons. If there are none, corners are cut off without a test, and holes are filled.
          * Read only.
          */
         public var cornerTestsLeft:Number;
@@ -51,15 +51,15 @@ package starlogo.models.files
          * @param modelName the model's name
          * @param bytes the bytes or characters that are present
          */
-        public function FileLimits(modelName:String, bytes:Number)
+        public function FileBudget(modelName:String, bytes:Number)
         {
             this.modelName = modelName;
             _bytes = bytes;
-            restart();
+            reset();
         }
 
-        /** Counts anew, because what the file has is read once more. */
-        public function restart():void
+        /** Begins anew, because what the file has is read once more. */
+        public function reset():void
         {
             _numbers = _zeros = _elements = 0;
             cornerTestsLeft = FREE_CORNER_TESTS + CORNER_TESTS_PER_BYTE * _bytes;
@@ -74,15 +74,15 @@ package starlogo.models.files
         /** Checks how many vertices and triangles the model has, with those of every instance. @throws ModelError if there are too many */
         public function requireMesh(vertexCount:Number, triangleCount:Number, place:Object = ""):void
         {
-            require(vertexCount, FREE_VERTICES, VERTICES_PER_BYTE, MOST_VERTICES, "vertices", place);
-            require(triangleCount, 2 * FREE_VERTICES, 2 * VERTICES_PER_BYTE, 2 * MOST_VERTICES, "triangles", place);
+            require(vertexCount, FREE_VERTICES, VERTICES_PER_BYTE, MAX_VERTICES, "vertices", place);
+            require(triangleCount, 2 * FREE_VERTICES, 2 * VERTICES_PER_BYTE, 2 * MAX_VERTICES, "triangles", place);
         }
 
         /** Counts numbers that are read. They count as often as they are used. @throws ModelError if these are too many */
         public function spendNumbers(more:Number, place:Object):void
         {
             _numbers += more;
-            require(_numbers, FREE_NUMBERS, NUMBERS_PER_BYTE, MOST_NUMBERS, "numbers, each counted as often as it is used", place);
+            require(_numbers, FREE_NUMBERS, NUMBERS_PER_BYTE, MAX_NUMBERS, "numbers, each counted as often as it is used", place);
         }
 
         /** Counts numbers that a file declares without data, so they are 0. @throws ModelError if these are too many */
@@ -96,7 +96,7 @@ package starlogo.models.files
         public function spendElements(more:Number, place:Object):void
         {
             _elements += more;
-            require(_elements, FREE_ELEMENTS, ELEMENTS_PER_BYTE, MOST_ELEMENTS, "elements, values, nodes, transforms and instances, each counted as often as it is placed", place);
+            require(_elements, FREE_ELEMENTS, ELEMENTS_PER_BYTE, MAX_ELEMENTS, "elements, values, nodes, transforms and instances, each counted as often as it is placed", place);
         }
 
         /** Counts tests of corners. */

@@ -5,7 +5,7 @@ package starlogo.models.files
     import org.flexunit.asserts.assertTrue;
 
     /** Addresses in files never lead out of the folder of the file, whatever a browser or server makes of them. */
-    public class FileAddressTest
+    public class FileUrlTest
     {
         [Test]
         public function filesInTheFolderAndBelow():void
@@ -13,7 +13,7 @@ package starlogo.models.files
             for each (var inside:String in ["a.bin", "./a.bin", "a/b/c.bin", "my model.bin", "my%20model.bin", "a.b.c", "%E2%82%AC.bin", "\u20AC.bin",
                         "a.bin?v=1", "a%.bin", "a/./b.bin", "100%25.bin", "a.../b.bin"])
             {
-                assertTrue(inside, FileAddress.isWithin(inside));
+                assertTrue(inside, FileUrl.isWithin(inside));
             }
         }
 
@@ -26,7 +26,7 @@ package starlogo.models.files
                         "a/%2e%2e/%2e%2e/x", "%2Fx", "%2f%2fother.host", "%5Cx", "%5c%5Cother.host/x", "%252e%252e/x", "%25252e./x", "https%3A//x", "%09//x",
                         "a/ ../b", "a/%20../b", "\u0000a", "a\u007F", "%00", "%u002e%u002e/x", "a/..;/x", new Array(2002).join("a")])
             {
-                assertFalse(outside, FileAddress.isWithin(outside));
+                assertFalse(outside, FileUrl.isWithin(outside));
             }
         }
 
@@ -35,9 +35,9 @@ package starlogo.models.files
         {
             for each (var alone:String in ["data:model/gltf+json,{}", "DATA:x", "blob:https://host/1", "Blob:x", "", null])
             {
-                assertFalse(alone, FileAddress.hasFolder(alone));
+                assertFalse(alone, FileUrl.hasFolder(alone));
             }
-            assertTrue(FileAddress.hasFolder("models/data.obj"));
+            assertTrue(FileUrl.hasFolder("models/data.obj"));
         }
 
         [Test]
@@ -48,7 +48,7 @@ package starlogo.models.files
                     "app:/a/b.gltf": "app:/a/", "../a.gltf": "../"};
             for (var url:String in folders)
             {
-                assertEquals(url, folders[url], FileAddress.folderOf(url));
+                assertEquals(url, folders[url], FileUrl.folderOf(url));
             }
         }
     }

@@ -8,7 +8,7 @@ package starlogo.models.files
     import support.Failures;
     import support.encoded;
 
-    public class FileTextTest
+    public class ModelFileTest
     {
         private static const OBJ:String = "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n# \u00E9\u4E2D\n";
         private static const DOCUMENT:String = Collada.document(Collada.geometry("\u00E9", "0 0 0 1 0 0 1 1 0",
@@ -37,13 +37,13 @@ package starlogo.models.files
         [Test]
         public function everyByteIsTheRightLetter():void
         {
-            assertEquals("\u20AC\u0178\u0081\u00E9A", FileText.latin(bytesOf("\u0080\u009F\u0081\u00E9A", "latin", []), true));
-            assertEquals("\u0080\u009F\u0081\u00E9A", FileText.latin(bytesOf("\u0080\u009F\u0081\u00E9A", "latin", []), false));
+            assertEquals("\u20AC\u0178\u0081\u00E9A", ModelFile.latin(bytesOf("\u0080\u009F\u0081\u00E9A", "latin", []), true));
+            assertEquals("\u0080\u009F\u0081\u00E9A", ModelFile.latin(bytesOf("\u0080\u009F\u0081\u00E9A", "latin", []), false));
             var long:String = new Array(2000).join("\u4E2D\uD83D\uDE00");
-            assertEquals(long, FileText.utf16(bytesOf(long, "unicode", []), true));
-            assertEquals("an odd byte", "ab", FileText.utf16(bytesOf("ab", "unicodeFFFE", [], 1), false));
-            assertEquals("a zero ends a text", "ab", FileText.utf16(bytesOf("ab\u0000c", "unicode", []), true));
-            assertEquals("", FileText.latin(new ByteArray(), true));
+            assertEquals(long, ModelFile.utf16(bytesOf(long, "unicode", []), true));
+            assertEquals("an odd byte", "ab", ModelFile.utf16(bytesOf("ab", "unicodeFFFE", [], 1), false));
+            assertEquals("a zero ends a text", "ab", ModelFile.utf16(bytesOf("ab\u0000c", "unicode", []), true));
+            assertEquals("", ModelFile.latin(new ByteArray(), true));
         }
 
         [Test]

@@ -13,7 +13,7 @@ package starlogo.models.files
     import support.assertThrows;
 
     /** What a file only declares, or repeats, is refused before it costs more memory or time than the file's bytes pay for. */
-    public class FileLimitsTest
+    public class FileBudgetTest
     {
         private static const MANY:int = 30000;
         private static const CORNER:Array = [0, 0, 0, 1, 0, 0, 0, 1, 0];

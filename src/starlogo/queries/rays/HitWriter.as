@@ -1,0 +1,99 @@
+package starlogo.queries.rays
+{
+    import flash.geom.Vector3D;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.NearestPoint;
+    import starlogo.convex.SimplexPart;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.hierarchy.BoxTree;
+    import starlogo.models.building.TriangleLabels;
+    import starlogo.queries.CastHit;
+    import starlogo.queries.SeenAgents;
+    import starlogo.search.Body;
+
+    use namespace engine;
+
+    /**
+     * Writes what a ray or a cast tells of a row that it meets: the agent, the point and the normal, and the triangle there, with its mesh, its
+     * material, and where on it the point is.
+     *
+     * @private
+     */
+    public final class HitWriter
+    {
+        private var _seen:SeenAgents;
+
+        // From the point to each corner of the triangle: x, y, z of each; and the triangle's point that is nearest to the point.
+        private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
+        private var _nearest:NearestPoint = new NearestPoint();
+
+        /** @param seen has the rows */
+        public function HitWriter(seen:SeenAgents)
+        {
+            _seen = seen;
+        }
+
+        /**
+         * Writes a hit, all but its distance or time.
+         *
+         * @param row the row that is met
+         * @param contact where it is met
+         */
+        public function write(row:int, contact:ContactPoint, hit:CastHit):void
+        {
+            hit.agent = _seen.table.list.agentsByRow[row];
+            // not setTo, because a game in JavaScript may have given a hit any objects with x, y and z
+            hit.point.x = contact.x;
+            hit.point.y = contact.y;
+            hit.point.z = contact.z;
+            hit.normal.x = contact.normalX;
+            hit.normal.y = contact.normalY;
+            hit.normal.z = contact.normalZ;
+            hit.triangle = contact.triangle;
+            writeTriangle(_seen.table.bodyOf(row), hit);
+        }
+
+        private function writeTriangle(body:Body, hit:CastHit):void
+        {
+            hit.mesh = hit.material = -1;
+            hit.meshName = hit.materialName = null;
+            _nearest.clearWeights();
+            if (hit.triangle >= 0)
+            {
+                if (body.shape.model != null)
+                {
+                    var meshes:TriangleLabels = body.shape.model.data.meshes;
+                    var materials:TriangleLabels = body.shape.model.data.materials;
+                    hit.mesh = meshes.labelOf(hit.triangle);
+                    hit.meshName = meshes.nameOf(hit.mesh);
+                    hit.material = materials.labelOf(hit.triangle);
+                    hit.materialName = materials.nameOf(hit.material);
+                }
+                readCorners(body.shape.tree.boxTree, 3 * hit.triangle, body.placement, hit.point);
+                _nearest.squaredDistance = Infinity;
+                SimplexPart.tryTriangle(_corners, 0, 1, 2, -1, _nearest);
+            }
+            hit.weights.x = _nearest.weights[0];
+            hit.weights.y = _nearest.weights[1];
+            hit.weights.z = _nearest.weights[2];
+        }
+
+        private function readCorners(tree:BoxTree, corner:int, placement:Placement, point:Vector3D):void
+        {
+            var x:Number = (point.x - placement.x) / placement.size;
+            var y:Number = (point.y - placement.y) / placement.size;
+            var z:Number = (point.z - placement.z) / placement.size;
+            var inX:Number = placement.r00 * x + placement.r10 * y + placement.r20 * z;
+            var inY:Number = placement.r01 * x + placement.r11 * y + placement.r21 * z;
+            var inZ:Number = placement.r02 * x + placement.r12 * y + placement.r22 * z;
+            for (var i:int = 0; i < 3; i++)
+            {
+                var vertex:int = 3 * tree.triangles[corner + i];
+                _corners[int(3 * i)] = tree.vertices[vertex] - inX;
+                _corners[int(3 * i + 1)] = tree.vertices[int(vertex + 1)] - inY;
+                _corners[int(3 * i + 2)] = tree.vertices[int(vertex + 2)] - inZ;
+            }
+        }
+    }
+}

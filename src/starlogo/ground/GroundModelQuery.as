@@ -78,7 +78,7 @@ package starlogo.ground
             while (_pairs.nextTriangle())
             {
                 var near:NearTriangle = _pairs.triangle;
-                if (!near.plane.areApart(kernel.shape, RelativeMotion.NONE) && kernel.areTouching(near.ground.corners))
+                if (!near.plane.areApart(kernel.shape, RelativeMotion.NONE) && kernel.areTouching(near.corners))
                 {
                     return true;
                 }
@@ -104,11 +104,11 @@ package starlogo.ground
                 {
                     continue;
                 }
-                kernel.findTime(near.ground.corners, sweep);
+                kernel.findTime(near.corners, sweep);
                 if (_firstImpact.offer(sweep, near.plane) && out != null)
                 {
                     sweep.time = _firstImpact.time;
-                    kernel.findContact(near.ground.corners, sweep, out);
+                    kernel.findContact(near.corners, sweep, out);
                     near.plane.leadOutside(kernel.shape, sweep, out);
                     near.plane.alignContact(kernel.shape, sweep, out);
                 }
@@ -173,7 +173,7 @@ package starlogo.ground
             _pairs.begin(RelativeMotion.NONE, out.distance);
             while (_pairs.next())
             {
-                if (kernel.findCloser(_pairs.triangle.ground.corners, out))
+                if (kernel.findCloser(_pairs.triangle.corners, out))
                 {
                     _pairs.narrowToDistance(out.distance);
                 }
@@ -205,11 +205,11 @@ package starlogo.ground
             var farY:Number = Math.abs(y - box.y) + box.halfY;
             var farZ:Number = Math.abs(z - box.z) + box.halfZ;
             out.distance = Math.sqrt(farX * farX + farY * farY + farZ * farZ);
+            _pairs.pieces.begin();
+            _pairs.pieces.next();
             // without ground it is infinite
-            if (!_pairs.pieces.isTree && out.distance < Infinity)
+            if (_pairs.pieces.kind == ModelPieces.STRUCTURE && out.distance < Infinity)
             {
-                _pairs.pieces.begin();
-                _pairs.pieces.next();
                 _pairs.pieces.kernel.findCloser(pointAsTriangle(x, y, z), out);
             }
             out.distance = out.distance * Tolerances.OUTER + Tolerances.SURFACES * _pairs.search.grid.cellWidth;

@@ -92,7 +92,7 @@ package starlogo.ground
                     }
                 }
                 // A structure's middle is inside of it. A tree's piece may be flat, with its middle on the surface. So there it counts only if no triangle touches.
-                if ((isApart || !_pairs.pieces.isTree) && _pairs.hasPointUnder(depth))
+                if ((isApart || _pairs.pieces.kind == ModelPieces.STRUCTURE) && _pairs.hasPointUnder(depth))
                 {
                     return true;
                 }
@@ -113,7 +113,7 @@ package starlogo.ground
                 var near:NearTriangle = _pairs.triangle;
                 near.plane.findBehind(_kernel.shape, RelativeMotion.NONE, _tried);
                 // deeper by more than rounding
-                if (_tried.depth >= out.depth + near.margin && isThrough(near.ground.corners, _tried))
+                if (_tried.depth >= out.depth + near.margin && isThrough(near.corners, _tried))
                 {
                     _pairs.moveToWorld(_tried);
                     if (isDepthProven(_tried))
@@ -170,8 +170,8 @@ package starlogo.ground
             {
                 return false;
             }
-            _kernel.findContact(_pairs.triangle.ground.corners, RelativeMotion.NONE, out);
-            return out.depth > 0 || _kernel.areTouching(_pairs.triangle.ground.corners);
+            _kernel.findContact(_pairs.triangle.corners, RelativeMotion.NONE, out);
+            return out.depth > 0 || _kernel.areTouching(_pairs.triangle.corners);
         }
 
         // Whether the exit of a contact behind a triangle's plane passes through the triangle, seen along its normal. False if the triangle is flat.

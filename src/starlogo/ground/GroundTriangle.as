@@ -5,7 +5,7 @@ package starlogo.ground
      *
      * @private
      */
-    public final class GroundTriangle
+    public class GroundTriangle
     {
         /** The corners, nine numbers; counter-clockwise as seen from outside of the ground. */
         public var corners:Vector.<Number> = new Vector.<Number>(9, true);

@@ -50,13 +50,19 @@ package starlogo.ground
         /** Begins a search, which is kept until it ends. */
         internal function begin(search:GroundSearch):void
         {
+            stop();
             _path.begin(search);
-            _cell.leave();
-            _squaresEnd = 0;
             _passage.reset(search.motion.latest);
             var firstLevel:int = _path.firstLevel();
             comesToFewCells = firstLevel == 0;
             addSquares(firstLevel, 0, 0, int.MAX_VALUE);
+        }
+
+        /** Ends: there is no next triangle. */
+        internal function stop():void
+        {
+            _cell.leave();
+            _squaresEnd = 0;
         }
 
         /** How much nearer to the box a triangle of the search may be than its numbers say, because of rounding and its margin. */

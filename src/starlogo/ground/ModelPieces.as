@@ -19,38 +19,43 @@ package starlogo.ground
      * Goes through the convex pieces of a placed model, one after the other. A structure is one piece. The smallest pieces of a tree are its nodes at
      * the depth limit, or its triangles.
      *
-     * <p>Before these come the nodes above them, as divisible pieces. Only after <code>divide()</code> does <code>next()</code> go on to the pieces
-     * inside of such a piece.</p>
+     * <p>Before these come the nodes above them, the inner nodes. Only after <code>divide()</code> does <code>next()</code> go on to the pieces inside of
+     * one.</p>
      */
     internal final class ModelPieces
     {
-        // In the list of nodes: the structure around the whole model.
-        private static const WHOLE:int = -1;
+        /** A kind of piece: the structure that represents the model. */
+        public static const STRUCTURE:int = 0;
 
-        /** It decides about a triangle and the current piece, once <code>shape</code> has been read. */
+        /** A kind of piece: the box of a node at the depth limit. */
+        public static const NODE_BOX:int = 1;
+
+        /** A kind of piece: a triangle of the model. */
+        public static const TRIANGLE:int = 2;
+
+        /** A kind of piece: a node above the smallest pieces. It can be divided. */
+        public static const INNER_NODE:int = 3;
+
+        /** The kind of the current piece. Read only. */
+        public var kind:int = STRUCTURE;
+
+        /** It decides about a triangle of the ground and the current piece. It has no shape of an inner node, and a triangle's after makeShape(). */
         public var kernel:TriangleKernel = new TriangleKernel();
 
-        /** The margin of the kernel's shape, with the margins of the model's place and surface. Read only. */
+        /** The margin of the current piece, with the margins of the model's place and surface. Read only. */
         public var shapeMargin:Number = 0;
 
-        /** The box around the current piece; around the node of a triangle that has a list. Relative to the origin. Read only. */
+        /** The box around the current piece, relative to the origin. If the piece is a triangle, it is around the node of the triangle. Read only. */
         public var box:GroundBox = new GroundBox();
 
-        /** The kernel's shape if the box is around it, null otherwise. Read only. */
-        public var shapeInBox:ConvexShape = null;
+        /** The corners of the current piece if it is a triangle, relative to the origin. Read only. */
+        public var corners:Vector.<Number> = new Vector.<Number>(9, true);
 
-        /** Whether the current piece is a node above the smallest pieces. Read only. */
-        public var isDivisible:Boolean = false;
-
-        /** The corners of the current piece if it is a triangle, relative to the origin; null otherwise. Read only. */
-        public var corners:Vector.<Number> = null;
-
-        /** Where a list of the box around the current piece begins and ends: what <code>divide()</code> was told. Read only. */
-        public var listBegin:int = 0;
-        public var listEnd:int = 0;
-
-        /** A point of the current piece; the middle of the box of a divisible one. Read only. */
+        /** A point of the current piece; the middle of the box of an inner node. Read only. */
         public var point:Vector3D = new Vector3D();
+
+        /** How many nodes come after the current piece and those inside of it. Read only. */
+        public var nodesLeft:int = 0;
 
         private var _tree:ModelTree;
         private var _structure:BoundingStructure;
@@ -62,23 +67,16 @@ package starlogo.ground
         private var _placement:Placement = new Placement();
         private var _modelMargin:Number = 0;
 
-        // What comes next: a range of the tree's triangles, then nodes from the last one on. Each has three numbers: the node, and the list of the box
-        // around it. Behind these is the current node.
+        // What comes next: a range of the tree's triangles, then nodes from the last one on. Behind these is the current node.
         private var _nextTriangle:int = 0;
         private var _trianglesEnd:int = 0;
         private var _nodes:Vector.<int> = new Vector.<int>();
-        private var _nodesEnd:int = 0;
 
-        // A triangle in the model's space, the same relative to the origin, and whether the kernel's shape is not yet set to it.
-        private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
-        private var _placed:Vector.<Number> = new Vector.<Number>(9, true);
-        private var _isShapeMissing:Boolean = false;
+        // Whether the kernel's shape is the current piece.
+        private var _hasShape:Boolean = false;
 
-        // The middle and the half lengths of a structure's box, relative to the model's place.
+        // The middle and the half lengths of a box, relative to the model's place.
         private var _middleAndHalves:Vector.<Number> = new Vector.<Number>(6, true);
-
-        // How far a box of the tree extends along x, y and z for each half length: the rotation without signs, times the size, row by row.
-        private var _spans:Vector.<Number> = new Vector.<Number>(9, true);
 
         /** Sets the model, as <code>GroundModelQuery.setTo()</code> takes it. The origin is the place of the placement. */
         public function setTo(tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int):void
@@ -94,21 +92,7 @@ package starlogo.ground
                 _modelMargin += Touching.marginOfSurface(tree.boxTree.radius * placement.size);
             }
             _placement.copyFrom(placement);
-            if (isTree)
-            {
-                _placement.readRows(_spans, 0);
-                for (var i:int = 0; i < 9; i++)
-                {
-                    _spans[i] = (_spans[i] < 0 ? -_spans[i] : _spans[i]) * placement.size;
-                }
-            }
             moveTo(RelativeMotion.NONE, 0);
-        }
-
-        /** Whether the model is a tree; otherwise it is a structure. */
-        public function get isTree():Boolean
-        {
-            return _tree != null;
         }
 
         /** Moves the model to where a motion has brought it at a time. */
@@ -123,17 +107,8 @@ package starlogo.ground
         public function begin():void
         {
             _nextTriangle = _trianglesEnd = 0;
-            _nodesEnd = 0;
-            push(isTree ? 0 : WHOLE, 0, 0);
-        }
-
-        // Puts a node on the stack, and the list of the node around it.
-        private function push(node:int, listBegin:int, listEnd:int):void
-        {
-            _nodes[_nodesEnd] = node;
-            _nodes[int(_nodesEnd + 1)] = listBegin;
-            _nodes[int(_nodesEnd + 2)] = listEnd;
-            _nodesEnd += 3;
+            _nodes[0] = 0;
+            nodesLeft = 1;
         }
 
         /** Goes on to the next piece. Returns false if there is none. */
@@ -141,57 +116,41 @@ package starlogo.ground
         {
             if (_nextTriangle < _trianglesEnd)
             {
-                _tree.mesh.readTriangle(_nextTriangle, _corners);
-                placePoints(_placement, _corners, 0, 9, _placed);
-                _nextTriangle++;
-                if (listEnd == 0)
-                {
-                    box.setToTriangle(_placed, _modelMargin);
-                }
-                point.x = _placed[0];
-                point.y = _placed[1];
-                point.z = _placed[2];
-                corners = _placed;
-                isDivisible = false;
-                _isShapeMissing = true;
-                shapeMargin = _modelMargin;
-                shapeInBox = null;
+                enterTriangle();
                 return true;
             }
-            if (_nodesEnd == 0)
+            if (nodesLeft == 0)
             {
                 return false;
             }
-            _nodesEnd -= 3;
-            corners = null;
-            listBegin = _nodes[int(_nodesEnd + 1)];
-            listEnd = _nodes[int(_nodesEnd + 2)];
-            enter(_nodes[_nodesEnd]);
+            nodesLeft--;
+            if (_tree == null)
+            {
+                enterStructure(_structure, STRUCTURE);
+            }
+            else
+            {
+                enterNode(_nodes[nodesLeft]);
+            }
             return true;
         }
 
-        /**
-         * Divides the current piece, which is divisible: the pieces inside of it come next. The lower one of two nodes comes first, because the ground is
-         * below.
-         *
-         * @param listBegin where a list of the piece begins, for the pieces inside of it; <code>listEnd</code> is where it ends
-         */
-        public function divide(listBegin:int, listEnd:int):void
+        /** Divides the current piece, an inner node: the pieces inside of it come next. The lower one of two nodes comes first, because the ground is below. */
+        public function divide():void
         {
             var tree:BoxTree = _tree.boxTree;
-            var node:int = _nodes[_nodesEnd];
+            var node:int = _nodes[nodesLeft];
             var left:int = tree.left[node];
             if (left == 0)
             {
-                this.listBegin = listBegin;
-                this.listEnd = listEnd;
                 _nextTriangle = tree.first[node];
                 _trianglesEnd = tree.end[node];
                 return;
             }
             var isLeftLower:Boolean = heightOf(left) < heightOf(left + 1);
-            push(isLeftLower ? left + 1 : left, listBegin, listEnd);
-            push(isLeftLower ? left : left + 1, listBegin, listEnd);
+            _nodes[nodesLeft] = isLeftLower ? left + 1 : left;
+            _nodes[int(nodesLeft + 1)] = isLeftLower ? left : left + 1;
+            nodesLeft += 2;
         }
 
         // How high the middle of a node is, as a multiple of the model's size.
@@ -202,87 +161,83 @@ package starlogo.ground
             return _placement.r20 * boxes[at] + _placement.r21 * boxes[int(at + 1)] + _placement.r22 * boxes[int(at + 2)];
         }
 
+        /** Whether the piece is a structure or a node's box. Then <code>box</code> is around the kernel's shape. */
+        public function get hasShapeInBox():Boolean
+        {
+            return kind <= NODE_BOX;
+        }
+
+        /** Sets the kernel's shape to the current piece, which is no inner node. The shape of a triangle is not set before. */
+        public function makeShape():void
+        {
+            if (!_hasShape)
+            {
+                _hasShape = true;
+                kernel.shape.setTriangle(corners, 0);
+            }
+        }
+
         /** Finds the box around the whole model, relative to the origin. */
         public function findBoxAroundWhole(out:GroundBox):void
         {
-            _structure.findPlacedBox(_placement, _middleAndHalves);
+            findBoxAround(_structure, out);
+        }
+
+        // Makes the next triangle the current piece.
+        private function enterTriangle():void
+        {
+            _tree.mesh.readTriangle(_nextTriangle, corners);
+            placePoints(_placement, corners, 0, 9, corners);
+            _nextTriangle++;
+            kind = TRIANGLE;
+            point.x = corners[0];
+            point.y = corners[1];
+            point.z = corners[2];
+            shapeMargin = _modelMargin;
+            _hasShape = false;
+        }
+
+        // Makes a node the current piece.
+        private function enterNode(node:int):void
+        {
+            var tree:BoxTree = _tree.boxTree;
+            if (_depth != BoxTree.EXACT && tree.endsUpToDepth[node] >= _depth)
+            {
+                enterStructure(tree.boxOf(node), NODE_BOX);
+                return;
+            }
+            kind = INNER_NODE;
+            findBoxAround(tree.boxOf(node), box);
+            point.x = box.x;
+            point.y = box.y;
+            point.z = box.z;
+        }
+
+        // Makes a structure of the model the current piece.
+        private function enterStructure(structure:BoundingStructure, kind:int):void
+        {
+            var shape:ConvexShape = kernel.shape;
+            this.kind = kind;
+            findBoxAround(structure, box);
+            kernel.setStructure(structure, _placement);
+            shape.margin += _modelMargin;
+            shapeMargin = shape.margin;
+            point.x = shape.x;
+            point.y = shape.y;
+            point.z = shape.z;
+            _hasShape = true;
+        }
+
+        // Finds the box around a structure of the model.
+        private function findBoxAround(structure:BoundingStructure, out:GroundBox):void
+        {
+            structure.findPlacedBox(_placement, _middleAndHalves);
             out.x = _middleAndHalves[0] + _placement.x;
             out.y = _middleAndHalves[1] + _placement.y;
             out.z = _middleAndHalves[2] + _placement.z;
             out.halfX = _middleAndHalves[3] + _modelMargin;
             out.halfY = _middleAndHalves[4] + _modelMargin;
             out.halfZ = _middleAndHalves[5] + _modelMargin;
-        }
-
-        // Makes a node the current piece.
-        private function enter(node:int):void
-        {
-            if (node == WHOLE)
-            {
-                findBoxAroundWhole(box);
-                takeStructure(_structure);
-                return;
-            }
-            var tree:BoxTree = _tree.boxTree;
-            isDivisible = _depth == BoxTree.EXACT || tree.endsUpToDepth[node] < _depth;
-            findBoxOfNode(node);
-            if (!isDivisible)
-            {
-                takeStructure(tree.boxOf(node));
-                return;
-            }
-            shapeInBox = null;
-            point.x = box.x;
-            point.y = box.y;
-            point.z = box.z;
-        }
-
-        // Finds the box around a node's box.
-        private function findBoxOfNode(node:int):void
-        {
-            var boxes:Vector.<Number> = _tree.boxTree.boxes;
-            var at:int = 6 * node;
-            var size:Number = _placement.size;
-            var x:Number = boxes[at] * size;
-            var y:Number = boxes[int(at + 1)] * size;
-            var z:Number = boxes[int(at + 2)] * size;
-            var halfX:Number = boxes[int(at + 3)];
-            var halfY:Number = boxes[int(at + 4)];
-            var halfZ:Number = boxes[int(at + 5)];
-            // no coordinate and no half length is more than the radius
-            var margin:Number = _modelMargin + 6 * Tolerances.ROUNDING * _tree.boxTree.radiusAboutOrigin * size;
-            box.x = _placement.r00 * x + _placement.r01 * y + _placement.r02 * z + _placement.x;
-            box.y = _placement.r10 * x + _placement.r11 * y + _placement.r12 * z + _placement.y;
-            box.z = _placement.r20 * x + _placement.r21 * y + _placement.r22 * z + _placement.z;
-            box.halfX = _spans[0] * halfX + _spans[1] * halfY + _spans[2] * halfZ + margin;
-            box.halfY = _spans[3] * halfX + _spans[4] * halfY + _spans[5] * halfZ + margin;
-            box.halfZ = _spans[6] * halfX + _spans[7] * halfY + _spans[8] * halfZ + margin;
-        }
-
-        /** The shape of the current piece, relative to the origin, if the piece is not divisible. A triangle's is made when it is first asked for. */
-        public function get shape():ConvexShape
-        {
-            if (_isShapeMissing)
-            {
-                _isShapeMissing = false;
-                kernel.shape.setTriangle(_placed, 0);
-                kernel.shape.margin = shapeMargin;
-            }
-            return kernel.shape;
-        }
-
-        // Makes a structure of the model the current piece.
-        private function takeStructure(structure:BoundingStructure):void
-        {
-            var placed:ConvexShape = kernel.shape;
-            kernel.setStructure(structure, _placement);
-            isDivisible = _isShapeMissing = false;
-            placed.margin += _modelMargin;
-            shapeMargin = placed.margin;
-            shapeInBox = placed;
-            point.x = placed.x;
-            point.y = placed.y;
-            point.z = placed.z;
         }
     }
 }

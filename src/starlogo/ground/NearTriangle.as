@@ -4,31 +4,21 @@ package starlogo.ground
     import starlogo.geometry.Touching;
 
     /** A triangle of the ground near a model, as a record, with what the tests of all pieces of the model share. */
-    internal final class NearTriangle
+    internal final class NearTriangle extends GroundTriangle
     {
-        /** The triangle. */
-        public var ground:GroundTriangle = new GroundTriangle();
-
-        /** A box around it, once <code>setBox()</code> has been called. */
+        /** A box around it. */
         public var box:GroundBox = new GroundBox();
 
-        /** Its plane, and how far from it other shapes still touch it, because its surface is rounded (see Touching). Set if hasPlane. */
+        /** Its plane, and how far from it other shapes still touch it, because its surface is rounded (see Touching). */
         public var plane:TrianglePlane = new TrianglePlane();
         public var margin:Number = 0;
-        public var hasPlane:Boolean = false;
 
-        /** Sets the box, which is larger by a slack. */
-        public function setBox(slack:Number):void
+        /** Sets all this to the corners. The box is larger by a slack. */
+        public function update(slack:Number):void
         {
-            box.setToTriangle(ground.corners, slack);
-        }
-
-        /** Sets the plane and the margin. Many triangles are ruled out by their boxes, and need none. */
-        public function setPlane():void
-        {
-            plane.setTriangle(ground.corners, 0);
-            margin = Touching.marginOfSurface(ground.radius);
-            hasPlane = true;
+            box.setToTriangle(corners, slack);
+            plane.setTriangle(corners, 0);
+            margin = Touching.marginOfSurface(radius);
         }
     }
 }

@@ -1,210 +1,204 @@
 package starlogo.ground
 {
     import flash.geom.Vector3D;
-    import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
 
     /**
      * The triangles of the ground near a piece of a model, one after the other.
      *
-     * <p>A divisible piece that comes to few cells gets a list of the triangles near it. The list of a piece inside of it is chosen from this list, and
-     * comes behind it. So the lists are those of one branch of the model's tree. The triangles near other pieces are not kept.</p>
+     * <p>The triangles near an inner node that comes to few cells are found once, and kept for the pieces inside of it: each box is tested against them.
+     * If the pieces of a leaf are triangles, those near the leaf's box are chosen first, and only these are tested.</p>
      */
     internal final class NearTriangles
     {
         /** The triangle that <code>next()</code> has found. Read only. */
         public var triangle:NearTriangle = null;
 
-        /** Where the list of the current piece begins and ends; both 0 if it has none. Read only. */
-        public var listBegin:int = 0;
-        public var listEnd:int = 0;
-
         /** A limit: triangles count behind whose planes the piece is at least this deep. */
         public var minDepth:Number = 0;
 
         private var _search:GroundSearch;
+        private var _pieces:ModelPieces;
         private var _source:GroundTriangles = new GroundTriangles();
 
-        // Whether the source may have more triangles near the current piece, which has no list.
-        private var _hasMore:Boolean = false;
-
-        // The records of the triangles that the source has found, and the lists. They grow during the first searches, up to the triangles of few cells. So
-        // later frames allocate nothing.
+        // The triangles so far. If they are not kept, the first one is overwritten. The list grows during the first searches, up to the triangles of few
+        // cells. So later frames allocate nothing.
         private var _found:Vector.<NearTriangle> = new Vector.<NearTriangle>();
-        private var _lists:Vector.<NearTriangle> = new Vector.<NearTriangle>();
+        private var _count:int = 0;
 
-        // The place of the next triangle in the list; and the current piece if it is a triangle with the list of its node, or null.
+        // Whether they are kept, until fewer nodes are left than when the search began.
+        private var _areKept:Boolean = false;
+        private var _nodesLeft:int = 0;
+
+        // Those near the box of the current leaf. They are chosen if a triangle of the leaf is the current piece.
+        private var _ofLeaf:Vector.<NearTriangle> = new Vector.<NearTriangle>();
+        private var _ofLeafCount:int = 0;
+        private var _isInLeaf:Boolean = false;
+
+        // The place of the next triangle in the list of the current piece.
         private var _next:int = 0;
-        private var _inNode:ModelPieces = null;
 
-        // The box around the whole motion of the current piece.
-        private var _box:GroundBox = null;
-        private var _swept:GroundBox = new GroundBox();
+        // The box around the whole motion of the current piece, or of the leaf around it.
+        private var _box:GroundBox = new GroundBox();
 
-        /** @param search what is looked for, but for its box and shape. Before pieces begin, all of it is set. Then only the limits may be narrowed */
-        public function NearTriangles(search:GroundSearch)
+        /**
+         * @param search what is looked for, but for its box and shape. Before pieces begin, all of it is set. Then only the limits may be narrowed
+         * @param pieces has the current piece
+         */
+        public function NearTriangles(search:GroundSearch, pieces:ModelPieces)
         {
             _search = search;
+            _pieces = pieces;
         }
 
         /** Ends: there is no next triangle. */
         public function stop():void
         {
-            _hasMore = false;
-            _next = listEnd = 0;
+            _source.stop();
+            _areKept = _isInLeaf = false;
+            _next = _count = 0;
         }
 
-        /** Begins with a piece. */
-        public function begin(piece:ModelPieces):void
+        /** Begins with the current piece. */
+        public function begin():void
         {
-            var from:int = piece.listBegin;
-            var to:int = piece.listEnd;
-            _hasMore = false;
-            _inNode = null;
-            if (to > 0 && piece.corners != null)
+            var isTriangle:Boolean = _pieces.kind == ModelPieces.TRIANGLE;
+            var wasInLeaf:Boolean = _isInLeaf;
+            _next = 0;
+            _isInLeaf = isTriangle && _areKept;
+            if (_isInLeaf)
             {
-                _inNode = piece;
-                listBegin = _next = from;
-                listEnd = to;
+                if (!wasInLeaf)
+                {
+                    chooseForLeaf();
+                }
                 return;
             }
-            _box = piece.box;
-            if (_search.motion != RelativeMotion.NONE)
+            if (isTriangle)
             {
-                _swept.copyFrom(_box);
-                _swept.extendAlong(_search.motion);
-                _box = _swept;
+                _box.setToTriangle(_pieces.corners, _pieces.shapeMargin);
             }
-            listBegin = _next = to;
-            listEnd = to > 0 ? choose(from, to, to) : findAll(piece);
+            else
+            {
+                _box.copyFrom(_pieces.box);
+            }
+            if (!_areKept || _pieces.nodesLeft < _nodesLeft)
+            {
+                find();
+            }
+            if (!_search.motion.isStill)
+            {
+                _box.extendAlong(_search.motion);
+            }
         }
 
-        // Begins to look for triangles near a piece. Makes a list of all if it is divisible and comes to few cells. Returns the end of the list.
-        private function findAll(piece:ModelPieces):int
+        // Begins to find the triangles near the box of the current piece.
+        private function find():void
         {
-            var count:int = 0;
-            _search.box.copyFrom(piece.box);
-            _search.shape = piece.shapeInBox;
+            _search.box.copyFrom(_box);
+            _search.shape = _pieces.hasShapeInBox ? _pieces.kernel.shape : null;
             _source.begin(_search);
-            _hasMore = !(piece.isDivisible && _source.comesToFewCells);
-            while (!_hasMore && findMore(count))
+            _areKept = _pieces.kind == ModelPieces.INNER_NODE && _source.comesToFewCells;
+            _nodesLeft = _pieces.nodesLeft;
+            _count = 0;
+        }
+
+        // Chooses the triangles near the box of the current leaf, whose first triangle is the current piece.
+        private function chooseForLeaf():void
+        {
+            _ofLeafCount = 0;
+            while (nextFound())
             {
-                _lists[count] = _found[count];
-                _found[count].setBox(_source.slack);
-                count++;
+                _ofLeaf[_ofLeafCount] = triangle;
+                _ofLeafCount++;
             }
-            return count;
+            _next = 0;
         }
 
         /** Goes on to the next triangle near the piece. Returns false if there is none. */
         public function next():Boolean
         {
-            while (_next < listEnd)
+            if (!_isInLeaf)
             {
-                triangle = _lists[_next];
+                return nextFound();
+            }
+            while (_next < _ofLeafCount)
+            {
+                triangle = _ofLeaf[_next];
                 _next++;
-                if (!triangle.hasPlane)
-                {
-                    triangle.setPlane();
-                }
-                if (_inNode == null || !isInFront(_inNode, triangle))
+                if (!isInFront(triangle))
                 {
                     return true;
                 }
             }
-            return _hasMore && nextOfSource();
+            return false;
         }
 
-        // Goes on to the next triangle near the piece, which has no list. All triangles that the source finds for a standing box are near it.
-        private function nextOfSource():Boolean
+        // Goes on to the next triangle near the box.
+        private function nextFound():Boolean
         {
-            var areNear:Boolean = _box != _swept && _search.maxDistance == 0;
-            while (findMore(0))
+            while (_next < _count || findMore())
             {
-                triangle = _lists[0] = _found[0];
-                if (!areNear)
+                triangle = _found[_next];
+                _next++;
+                if (isNear(triangle))
                 {
-                    triangle.setBox(_source.slack);
-                }
-                if (areNear || choose(0, 1, 1) > 1)
-                {
-                    triangle.setPlane();
                     return true;
                 }
             }
-            _hasMore = false;
             return false;
         }
 
         // Finds one more triangle. Returns false if there is none.
-        private function findMore(at:int):Boolean
+        private function findMore():Boolean
         {
-            if (at == _found.length)
+            if (!_areKept)
+            {
+                _count = _next = 0;
+            }
+            if (_count == _found.length)
             {
                 _found.push(new NearTriangle());
             }
-            var found:NearTriangle = _found[at];
-            found.hasPlane = false;
-            return _source.next(found.ground);
-        }
-
-        // Chooses triangles of a list that are near the box: the box comes near the triangle's own box, and is not all in front of its plane. Adds them to the
-        // list that ends at an index. Returns its new end.
-        private function choose(from:int, to:int, end:int):int
-        {
-            var x:Number = _box.x;
-            var y:Number = _box.y;
-            var z:Number = _box.z;
-            var halfX:Number = _box.halfX;
-            var halfY:Number = _box.halfY;
-            var halfZ:Number = _box.halfZ;
-            var far:Number = _search.maxDistance;
-            var front:Number = far - minDepth + _source.slack;
-            for (var i:int = from; i < to; i++)
+            if (!_source.next(_found[_count]))
             {
-                var near:NearTriangle = _lists[i];
-                var box:GroundBox = near.box;
-                // the tests of boxes are written out because a call takes the player longer
-                var distance:Number = z - box.z;
-                var maxDistance:Number = halfZ + box.halfZ + far;
-                if (distance > maxDistance || distance < -maxDistance)
-                {
-                    continue;
-                }
-                distance = x - box.x;
-                maxDistance = halfX + box.halfX + far;
-                if (distance > maxDistance || distance < -maxDistance)
-                {
-                    continue;
-                }
-                distance = y - box.y;
-                maxDistance = halfY + box.halfY + far;
-                if (distance > maxDistance || distance < -maxDistance)
-                {
-                    continue;
-                }
-                if (!near.hasPlane)
-                {
-                    near.setPlane();
-                }
-                // the corner of the box that is farthest behind the plane
-                var normal:Vector3D = near.plane.normal;
-                distance = normal.x * (normal.x > 0 ? x - halfX : x + halfX) + normal.y * (normal.y > 0 ? y - halfY : y + halfY)
-                    + normal.z * (normal.z > 0 ? z - halfZ : z + halfZ) - near.plane.max;
-                // a flat triangle has no plane
-                if (!(distance > front))
-                {
-                    _lists[end++] = near;
-                }
+                return false;
             }
-            return end;
+            _found[_count].update(_source.slack);
+            _count++;
+            return true;
         }
 
-        // Whether a piece that is a triangle is all in front of a plane.
-        private function isInFront(piece:ModelPieces, near:NearTriangle):Boolean
+        // Whether a triangle is near the box: the box comes near the triangle's own box, and is not all in front of its plane.
+        private function isNear(triangle:NearTriangle):Boolean
         {
-            var corners:Vector.<Number> = piece.corners;
-            var normal:Vector3D = near.plane.normal;
+            var box:GroundBox = _box;
+            var other:GroundBox = triangle.box;
+            var far:Number = _search.maxDistance;
+            var x:Number = box.x - other.x;
+            var y:Number = box.y - other.y;
+            var z:Number = box.z - other.z;
+            var farX:Number = box.halfX + other.halfX + far;
+            var farY:Number = box.halfY + other.halfY + far;
+            var farZ:Number = box.halfZ + other.halfZ + far;
+            if (z > farZ || z < -farZ || x > farX || x < -farX || y > farY || y < -farY)
+            {
+                return false;
+            }
+            // the corner of the box that is farthest behind the plane
+            var normal:Vector3D = triangle.plane.normal;
+            x = normal.x > 0 ? box.x - box.halfX : box.x + box.halfX;
+            y = normal.y > 0 ? box.y - box.halfY : box.y + box.halfY;
+            z = normal.z > 0 ? box.z - box.halfZ : box.z + box.halfZ;
+            // a flat triangle has no plane
+            return !(normal.x * x + normal.y * y + normal.z * z - triangle.plane.max > far - minDepth + _source.slack);
+        }
+
+        // Whether the current piece, a triangle of the model, is all in front of a triangle's plane.
+        private function isInFront(triangle:NearTriangle):Boolean
+        {
+            var corners:Vector.<Number> = _pieces.corners;
+            var normal:Vector3D = triangle.plane.normal;
             var motion:RelativeMotion = _search.motion;
             var least:Number = normal.x * corners[0] + normal.y * corners[1] + normal.z * corners[2];
             var other:Number = normal.x * corners[3] + normal.y * corners[4] + normal.z * corners[5];
@@ -213,7 +207,7 @@ package starlogo.ground
             least = other < least ? other : least;
             var travel:Number = (normal.x * motion.x + normal.y * motion.y + normal.z * motion.z) * motion.latest;
             least = travel < 0 ? least + travel : least;
-            return least - near.plane.max > _search.maxDistance - minDepth + piece.shapeMargin + _source.slack;
+            return least - triangle.plane.max > _search.maxDistance - minDepth + _pieces.shapeMargin + _source.slack;
         }
     }
 }

@@ -10,7 +10,7 @@ package starlogo.ground
 
     /**
      * Finds the pairs of a placed model's convex pieces and the triangles of the ground's surface near each. The model is a structure or a tree.
-     * A divisible piece is divided if the surface comes near it. Otherwise it has no triangles, and stands for all pieces inside of it.
+     * An inner node is divided if the surface comes near it. Otherwise it has no triangles, and stands for all pieces inside of it.
      *
      * <p>After <code>begin()</code>, <code>next()</code> goes through the pairs. If the pieces count too, <code>nextPiece()</code> goes through them, and
      * <code>nextTriangle()</code> through the triangles near the current one. The limits may be narrowed meanwhile.</p>
@@ -26,7 +26,7 @@ package starlogo.ground
          */
         public var search:GroundSearch = new GroundSearch();
 
-        private var _triangles:NearTriangles = new NearTriangles(search);
+        private var _triangles:NearTriangles = new NearTriangles(search, pieces);
 
         // The ground under a point of the current piece, its normal there, and the piece's lowest point along this normal, relative to the origin.
         private var _under:GroundPoint = new GroundPoint();
@@ -95,12 +95,12 @@ package starlogo.ground
         {
             while (pieces.next())
             {
-                _triangles.begin(pieces);
-                if (!pieces.isDivisible || !_triangles.next())
+                _triangles.begin();
+                if (pieces.kind != ModelPieces.INNER_NODE || !_triangles.next())
                 {
                     return true;
                 }
-                pieces.divide(_triangles.listBegin, _triangles.listEnd);
+                pieces.divide();
             }
             return false;
         }
@@ -121,11 +121,11 @@ package starlogo.ground
             {
                 return true;
             }
-            if (pieces.shapeInBox == null)
+            if (!pieces.hasShapeInBox)
             {
                 return false;
             }
-            var shape:ConvexShape = pieces.shape;
+            var shape:ConvexShape = pieces.kernel.shape;
             search.grid.findNormal(_under, _normal);
             var at:int = shape.support(_normal, -1);
             _point.x = shape.x + shape.points[at] - shape.radius * _normal.x;
@@ -150,9 +150,8 @@ package starlogo.ground
             {
                 return false;
             }
-            // the shape is read first because it may have to be made
-            var shape:ConvexShape = pieces.shape;
-            shape.margin = pieces.shapeMargin + _triangles.triangle.margin;
+            pieces.makeShape();
+            pieces.kernel.shape.margin = pieces.shapeMargin + _triangles.triangle.margin;
             return true;
         }
 

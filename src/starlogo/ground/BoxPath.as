@@ -12,7 +12,7 @@ package starlogo.ground
     {
         // The search begins with squares of which the box is at most this many long. Most boxes are small, and then these are the cells. Smaller: more
         // boxes begin with squares that are larger than needed. Larger: long boxes begin with many squares.
-        private static const FIRST_SQUARES:int = 3;
+        private static const MAX_FIRST_SQUARES:int = 3;
 
         // How many rounded terms are compared with one another: of each axis the box's middle, half its length, and how far it has moved; and a limit.
         // Each may be off by Tolerances.ROUNDING of the lengths.
@@ -72,7 +72,7 @@ package starlogo.ground
             var length:Number = Math.max(2 * alongX.half + _latest * Math.abs(alongX.speed), 2 * alongY.half + _latest * Math.abs(alongY.speed))
                 + 2 * search.maxDistance;
             var level:int = 0;
-            while (level < search.grid.pyramid.lastLevel && length > FIRST_SQUARES * widthAt(level))
+            while (level < search.grid.pyramid.lastLevel && length > MAX_FIRST_SQUARES * widthAt(level))
             {
                 level++;
             }
@@ -147,11 +147,6 @@ package starlogo.ground
         private function narrowAlong(axis:AxisPath, square:int, level:int, passage:SquarePassage):void
         {
             var speed:Number = axis.speed;
-            if (speed == 0 && search.maxDistance == 0)
-            {
-                // firstOf() and lastOf() leave out all columns and rows beside the box
-                return;
-            }
             var width:Number = widthAt(level);
             if (speed == 0)
             {

@@ -73,7 +73,10 @@ package starlogo.ground
             _pairs.moveToWorld(out);
         }
 
-        /** Whether a piece of the model overlaps the surface by more than a depth, or a point of it is as deep under the ground. */
+        /**
+         * Whether a piece of the model overlaps the surface by more than a depth, or a point of it is as deep under the ground. An inner node of a tree that
+         * is wholly under the ground counts by the middle of its box, which need not be in the model.
+         */
         public function isDeeper(depth:Number):Boolean
         {
             _pairs.begin(RelativeMotion.NONE, 0);

@@ -139,10 +139,11 @@ package starlogo.ground
         }
 
         /**
-         * Reads a surface that was written: a grid of the same cells with it. Returns null if the bytes are no surface.
+         * Reads a surface that was written: a grid of the same cells with it.
          *
          * @throws ArgumentError if they are a surface of other cells
          * @throws EOFError if they are cut off
+         * @throws RangeError if they are no surface
          */
         public function read(bytes:ByteArray):HeightGrid
         {

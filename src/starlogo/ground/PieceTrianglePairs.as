@@ -151,6 +151,7 @@ package starlogo.ground
                 return false;
             }
             pieces.makeShape();
+            // SquareSeparation may read the margin of any triangle: none is more than its slack
             pieces.kernel.shape.margin = pieces.shapeMargin + _triangles.triangle.margin;
             return true;
         }

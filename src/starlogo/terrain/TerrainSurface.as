@@ -80,7 +80,6 @@ package starlogo.terrain
             {
                 return false;
             }
-            _revision = _terrain.worldAgent.revision;
             vertices.length = normals.length = triangles.length = 0;
             var source:GroundTriangles = new GroundTriangles();
             var triangle:GroundTriangle = new GroundTriangle();
@@ -89,6 +88,7 @@ package starlogo.terrain
             {
                 addTriangle(triangle);
             }
+            _revision = _terrain.worldAgent.revision;
             return true;
         }
 

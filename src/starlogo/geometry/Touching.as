@@ -10,7 +10,7 @@ package starlogo.geometry
      * <ul>
      * <li>the two radii, times Tolerances.TOUCHING. For two boxes and for hulls, half-extents count as radii</li>
      * <li>for each of the two, the margin of its place (<code>marginOfPlace()</code>)</li>
-     * <li>for each of the two that is a model's triangle or node, the margin of its surface (<code>marginOfSurface()</code>)</li>
+     * <li>for each of the two that is a model's triangle, the margin of its surface (<code>marginOfSurface()</code>). A node's box already includes it</li>
      * <li>while one of the two moves, the margins of its motion's two vectors (<code>marginOfMotion()</code>)</li>
      * <li>a ray is a shape without a radius. At a sphere and a capsule the radius counts, at a box and a hull the half-extents or the distances of the
      *     faces from the centre, times Tolerances.TOUCHING; at triangles the margin of the surface. The place of a hit at a box, a hull or a triangle

@@ -1,6 +1,5 @@
 package starlogo.ground
 {
-    import flash.geom.Vector3D;
     import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Tolerances;
 
@@ -13,7 +12,7 @@ package starlogo.ground
     {
         // The search begins with squares of which the box is at most this many long. Most boxes are small, and then these are the cells. Smaller: more
         // boxes begin with squares that are larger than needed. Larger: long boxes begin with many squares.
-        private static const FIRST_SQUARES:int = 3;
+        private static const MAX_FIRST_SQUARES:int = 3;
 
         // How many rounded terms are compared with one another: of each axis the box's middle, half its length, and how far it has moved; and a limit.
         // Each may be off by Tolerances.ROUNDING of the lengths.
@@ -39,8 +38,7 @@ package starlogo.ground
         private var _halfZ:Number = 0;
 
         private var _separation:SquareSeparation = new SquareSeparation();
-        private var _min:Vector3D = new Vector3D();
-        private var _max:Vector3D = new Vector3D();
+        private var _square:GroundBox = new GroundBox();
 
         /** Begins with a search, which is kept. */
         public function begin(search:GroundSearch):void
@@ -74,7 +72,7 @@ package starlogo.ground
             var length:Number = Math.max(2 * alongX.half + _latest * Math.abs(alongX.speed), 2 * alongY.half + _latest * Math.abs(alongY.speed))
                 + 2 * search.maxDistance;
             var level:int = 0;
-            while (level < search.grid.pyramid.lastLevel && length > FIRST_SQUARES * widthAt(level))
+            while (level < search.grid.pyramid.lastLevel && length > MAX_FIRST_SQUARES * widthAt(level))
             {
                 level++;
             }
@@ -111,8 +109,8 @@ package starlogo.ground
         public function isAtBorder(level:int, column:int, row:int):Boolean
         {
             var grid:HeightGrid = search.grid;
-            return column == 0 || row == 0 || column == HeightPyramid.squareOf(grid.lastCellColumn, level)
-                || row == HeightPyramid.squareOf(grid.lastCellRow, level);
+            var shift:int = level * HeightPyramid.SHIFT;
+            return column == 0 || row == 0 || column == grid.lastCellColumn >> shift || row == grid.lastCellRow >> shift;
         }
 
         /** Finds the passage over a square until the latest time. Returns whether there is one. */
@@ -137,18 +135,19 @@ package starlogo.ground
             narrowAlong(alongY, row, level, passage);
             var start:Number = search.box.z + passage.earliest * search.motion.z;
             var end:Number = search.box.z + passage.latest * search.motion.z;
+            var far:Number = search.maxDistance;
             // a triangle beside the box must be nearer in height to be near enough
-            var up:Number = Math.sqrt(Math.max(0, search.maxDistance * search.maxDistance - passage.besideSquared));
-            passage.min = Math.min(start, end) - _halfZ - up;
-            passage.max = Math.max(start, end) + _halfZ + up;
+            var up:Number = far > 0 ? Math.sqrt(Math.max(0, far * far - passage.besideSquared)) : 0;
+            passage.min = (start < end ? start : end) - _halfZ - up;
+            passage.max = (start < end ? end : start) + _halfZ + up;
         }
 
         // Narrows a passage to the part in which the box is over a column or a row. If the box does not move along this axis, it is near enough to the
         // column or row all the time or never.
         private function narrowAlong(axis:AxisPath, square:int, level:int, passage:SquarePassage):void
         {
-            var width:Number = widthAt(level);
             var speed:Number = axis.speed;
+            var width:Number = widthAt(level);
             if (speed == 0)
             {
                 var beside:Number = Math.max(0, Math.abs(axis.middle - axis.cellsBegin - (square + 0.5) * width) - width / 2 - axis.half);
@@ -169,12 +168,13 @@ package starlogo.ground
             {
                 return false;
             }
-            var width:Number = widthAt(level);
-            var x:Number = alongX.cellsBegin + column * width;
-            var y:Number = alongY.cellsBegin + row * width;
-            _min.setTo(x - slack, y - slack, heights.min - slack);
-            _max.setTo(x + width + slack, y + width + slack, heights.max + slack);
-            return _separation.isFarther(search, _min, _max);
+            var half:Number = widthAt(level) / 2;
+            _square.x = alongX.cellsBegin + (2 * column + 1) * half;
+            _square.y = alongY.cellsBegin + (2 * row + 1) * half;
+            _square.z = (heights.min + heights.max) / 2;
+            _square.halfX = _square.halfY = half + slack;
+            _square.halfZ = (heights.max - heights.min) / 2 + slack;
+            return _separation.isFarther(search, _square);
         }
     }
 }

@@ -1,7 +1,5 @@
 package starlogo.ground
 {
-    import flash.geom.Vector3D;
-
     /**
      * The triangles of a cell of the ground: two on top, and two on each side where a wall stands. A wall stands where a block is higher than its
      * neighbour, at the terrain's borders and around holes. A hole has no triangles.
@@ -18,12 +16,12 @@ package starlogo.ground
 
         private var _path:BoxPath;
 
-        // The cell, the heights of its corners, counter-clockwise, and the least and the greatest corner of the box around its top.
+        // The cell, the corners of its top, counter-clockwise from the one with the least x and y on, and the lowest and the highest of them.
         private var _column:int = 0;
         private var _row:int = 0;
-        private var _tops:Vector.<Number> = new Vector.<Number>(4, true);
-        private var _min:Vector3D = new Vector3D();
-        private var _max:Vector3D = new Vector3D();
+        private var _tops:Vector.<Number> = new Vector.<Number>(12, true);
+        private var _lowest:Number = 0;
+        private var _highest:Number = 0;
 
         // The index of the cell's next triangle, and the end of its triangles: 0, TOPS_END or WALLS_END.
         private var _next:int = 0;
@@ -57,8 +55,9 @@ package starlogo.ground
         {
             var grid:HeightGrid = _path.search.grid;
             var at:int = row * grid.columns + column;
+            var hasHoles:Boolean = grid.pyramid.whole.hasHole;
             leave();
-            if (grid.isHole(at))
+            if (hasHoles && grid.isHole(at))
             {
                 return;
             }
@@ -66,14 +65,9 @@ package starlogo.ground
             _row = row;
             _passage = passage;
             readTops(at);
-            var hasWalls:Boolean = grid.isBlocky || _path.isAtBorder(0, column, row) || grid.isBesideHole(at);
-            if (passage.min <= _max.z && (hasWalls || passage.max >= _min.z))
+            var hasWalls:Boolean = grid.isBlocky || _path.isAtBorder(0, column, row) || hasHoles && grid.isBesideHole(at);
+            if (passage.min <= _highest && (hasWalls || passage.max >= _lowest))
             {
-                var width:Number = grid.cellWidth;
-                _min.x = _path.alongX.cellsBegin + column * width;
-                _min.y = _path.alongY.cellsBegin + row * width;
-                _max.x = _path.alongX.cellsBegin + (column + 1) * width;
-                _max.y = _path.alongY.cellsBegin + (row + 1) * width;
                 _end = TOPS_END;
                 if (hasWalls)
                 {
@@ -83,28 +77,33 @@ package starlogo.ground
             }
         }
 
-        // Reads the heights of the corners. All corners of a block have one height.
+        // Reads the corners of the cell. All corners of a block have one height.
         private function readTops(at:int):void
         {
             var grid:HeightGrid = _path.search.grid;
             var heights:Vector.<Number> = grid.heights;
             var next:int = grid.isBlocky ? 0 : 1;
             var far:int = next * grid.columns;
+            var tops:Vector.<Number> = _tops;
+            tops[0] = tops[9] = _path.alongX.cellsBegin + _column * grid.cellWidth;
+            tops[3] = tops[6] = _path.alongX.cellsBegin + (_column + 1) * grid.cellWidth;
+            tops[1] = tops[4] = _path.alongY.cellsBegin + _row * grid.cellWidth;
+            tops[7] = tops[10] = _path.alongY.cellsBegin + (_row + 1) * grid.cellWidth;
             var first:Number = heights[at] + _path.zeroHeight;
             var second:Number = heights[int(at + next)] + _path.zeroHeight;
             var third:Number = heights[int(at + next + far)] + _path.zeroHeight;
             var fourth:Number = heights[int(at + far)] + _path.zeroHeight;
-            _tops[0] = first;
-            _tops[1] = second;
-            _tops[2] = third;
-            _tops[3] = fourth;
+            tops[2] = first;
+            tops[5] = second;
+            tops[8] = third;
+            tops[11] = fourth;
             // comparisons take the player less time than Math.min() and Math.max()
             var low:Number = first < second ? first : second;
             low = low < third ? low : third;
-            _min.z = low < fourth ? low : fourth;
+            _lowest = low < fourth ? low : fourth;
             var high:Number = first > second ? first : second;
             high = high > third ? high : third;
-            _max.z = high > fourth ? high : fourth;
+            _highest = high > fourth ? high : fourth;
         }
 
         /** Writes the next triangle near the box. Returns false if there is none. */
@@ -127,7 +126,8 @@ package starlogo.ground
             out.isWall = index >= TOPS_END;
             if (!out.isWall)
             {
-                writeTop(index == 0, corners);
+                // the first half of the top is beside the side with the greatest x
+                copyTops(0, index + 1, index + 2, corners);
             }
             else if (!writeWall((index - TOPS_END) >> 1, (index & 1) == 1, corners))
             {
@@ -137,29 +137,8 @@ package starlogo.ground
             low = low < corners[8] ? low : corners[8];
             var high:Number = corners[2] > corners[5] ? corners[2] : corners[5];
             high = high > corners[8] ? high : corners[8];
-            var slack:Number = _path.slack;
-            out.min.x = _min.x - slack;
-            out.min.y = _min.y - slack;
-            out.min.z = low - slack;
-            out.max.x = _max.x + slack;
-            out.max.y = _max.y + slack;
-            out.max.z = high + slack;
             out.radius = _path.search.grid.cellWidth + high - low;
             return _passage.min <= high && _passage.max >= low;
-        }
-
-        // Writes half of the top: the first half is beside the side with the greatest x.
-        private function writeTop(isFirst:Boolean, corners:Vector.<Number>):void
-        {
-            corners[0] = _min.x;
-            corners[1] = _min.y;
-            corners[2] = _tops[0];
-            corners[3] = _max.x;
-            corners[4] = isFirst ? _min.y : _max.y;
-            corners[5] = isFirst ? _tops[1] : _tops[2];
-            corners[6] = isFirst ? _max.x : _min.x;
-            corners[7] = _max.y;
-            corners[8] = isFirst ? _tops[2] : _tops[3];
         }
 
         // Writes half of the wall on a side, from one corner to the next. The half with the upper edge comes second. Returns false if there is
@@ -172,8 +151,8 @@ package starlogo.ground
             var end:int = (side + 1) & 3;
             var column:int = _column + TO_COLUMN[side];
             var row:int = _row + TO_ROW[side];
-            var top:Number = _tops[side];
-            var endTop:Number = _tops[end];
+            var top:Number = _tops[int(3 * side + 2)];
+            var endTop:Number = _tops[int(3 * end + 2)];
             var low:Number = floor;
             if (grid.hasCell(column, row))
             {
@@ -193,20 +172,28 @@ package starlogo.ground
             {
                 top = endTop = _longestPassage.max + width;
             }
-            writeCorner(side, corners, 0);
-            writeCorner(end, corners, 3);
-            writeCorner(isUpper ? side : end, corners, 6);
+            copyTops(side, end, isUpper ? side : end, corners);
             corners[2] = low;
             corners[5] = isUpper ? endTop : low;
             corners[8] = isUpper ? top : endTop;
             return true;
         }
 
-        // Writes x and y of a corner of the cell.
-        private function writeCorner(corner:int, out:Vector.<Number>, to:int):void
+        // Copies three corners of the cell's top.
+        private function copyTops(first:int, second:int, third:int, out:Vector.<Number>):void
         {
-            out[to] = corner == 1 || corner == 2 ? _max.x : _min.x;
-            out[int(to + 1)] = corner > 1 ? _max.y : _min.y;
+            first *= 3;
+            second *= 3;
+            third *= 3;
+            out[0] = _tops[first];
+            out[1] = _tops[int(first + 1)];
+            out[2] = _tops[int(first + 2)];
+            out[3] = _tops[second];
+            out[4] = _tops[int(second + 1)];
+            out[5] = _tops[int(second + 2)];
+            out[6] = _tops[third];
+            out[7] = _tops[int(third + 1)];
+            out[8] = _tops[int(third + 2)];
         }
     }
 }

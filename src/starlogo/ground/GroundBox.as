@@ -1,7 +1,9 @@
 package starlogo.ground
 {
+    import starlogo.convex.RelativeMotion;
+
     /**
-     * An axis-aligned box, as a record: what a GroundSearch looks near, or the extents of an agent.
+     * An axis-aligned box, as a record: around a piece of a model, a triangle or a square of the ground, or an agent.
      *
      * @private
      */
@@ -26,6 +28,46 @@ package starlogo.ground
             halfX = other.halfX;
             halfY = other.halfY;
             halfZ = other.halfZ;
+        }
+
+        /**
+         * Becomes the box around a triangle.
+         *
+         * @param corners nine numbers
+         * @param slack by how much the box is larger, on all sides
+         */
+        public function setToTriangle(corners:Vector.<Number>, slack:Number):void
+        {
+            var minX:Number = corners[0] < corners[3] ? corners[0] : corners[3];
+            var minY:Number = corners[1] < corners[4] ? corners[1] : corners[4];
+            var minZ:Number = corners[2] < corners[5] ? corners[2] : corners[5];
+            var maxX:Number = corners[0] > corners[3] ? corners[0] : corners[3];
+            var maxY:Number = corners[1] > corners[4] ? corners[1] : corners[4];
+            var maxZ:Number = corners[2] > corners[5] ? corners[2] : corners[5];
+            minX = minX < corners[6] ? minX : corners[6];
+            minY = minY < corners[7] ? minY : corners[7];
+            minZ = minZ < corners[8] ? minZ : corners[8];
+            maxX = maxX > corners[6] ? maxX : corners[6];
+            maxY = maxY > corners[7] ? maxY : corners[7];
+            maxZ = maxZ > corners[8] ? maxZ : corners[8];
+            x = (minX + maxX) / 2;
+            y = (minY + maxY) / 2;
+            z = (minZ + maxZ) / 2;
+            halfX = (maxX - minX) / 2 + slack;
+            halfY = (maxY - minY) / 2 + slack;
+            halfZ = (maxZ - minZ) / 2 + slack;
+        }
+
+        /** Becomes the box around a motion of the box until its latest time. */
+        public function extendAlong(motion:RelativeMotion):void
+        {
+            var half:Number = motion.latest / 2;
+            x += half * motion.x;
+            y += half * motion.y;
+            z += half * motion.z;
+            halfX += Math.abs(half * motion.x);
+            halfY += Math.abs(half * motion.y);
+            halfZ += Math.abs(half * motion.z);
         }
     }
 }

@@ -63,7 +63,7 @@ package starlogo.ground
             _pairs.begin(RelativeMotion.NONE, 0);
             while (_pairs.nextPiece())
             {
-                if (_pairs.reachesUnder() || touchesTriangle())
+                if (_pairs.isPartUnder() || touchesTriangle())
                 {
                     return true;
                 }
@@ -77,7 +77,7 @@ package starlogo.ground
             var kernel:TriangleKernel = _pairs.pieces.kernel;
             while (_pairs.nextTriangle())
             {
-                var near:GroundTriangle = _pairs.triangle;
+                var near:NearTriangle = _pairs.triangle;
                 if (!near.plane.areApart(kernel.shape, RelativeMotion.NONE) && kernel.areTouching(near.corners))
                 {
                     return true;
@@ -99,7 +99,7 @@ package starlogo.ground
             _pairs.begin(sweep, 0);
             while (_firstImpact.time > 0 && _pairs.next())
             {
-                var near:GroundTriangle = _pairs.triangle;
+                var near:NearTriangle = _pairs.triangle;
                 if (near.plane.areApart(kernel.shape, sweep))
                 {
                     continue;
@@ -205,11 +205,11 @@ package starlogo.ground
             var farY:Number = Math.abs(y - box.y) + box.halfY;
             var farZ:Number = Math.abs(z - box.z) + box.halfZ;
             out.distance = Math.sqrt(farX * farX + farY * farY + farZ * farZ);
+            _pairs.pieces.begin();
+            _pairs.pieces.next();
             // without ground it is infinite
-            if (!_pairs.pieces.isTree && out.distance < Infinity)
+            if (_pairs.pieces.kind == ModelPieces.STRUCTURE && out.distance < Infinity)
             {
-                _pairs.pieces.begin();
-                _pairs.pieces.next();
                 _pairs.pieces.kernel.findCloser(pointAsTriangle(x, y, z), out);
             }
             out.distance = out.distance * Tolerances.OUTER + Tolerances.SURFACES * _pairs.search.grid.cellWidth;

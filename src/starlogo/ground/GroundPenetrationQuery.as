@@ -73,7 +73,10 @@ package starlogo.ground
             _pairs.moveToWorld(out);
         }
 
-        /** Whether a piece of the model overlaps the surface by more than a depth, or a point of it is as deep under the ground. */
+        /**
+         * Whether a piece of the model overlaps the surface by more than a depth, or a point of it is as deep under the ground. An inner node of a tree that
+         * is wholly under the ground counts by the middle of its box, which need not be in the model.
+         */
         public function isDeeper(depth:Number):Boolean
         {
             _pairs.begin(RelativeMotion.NONE, 0);
@@ -92,7 +95,7 @@ package starlogo.ground
                     }
                 }
                 // A structure's middle is inside of it. A tree's piece may be flat, with its middle on the surface. So there it counts only if no triangle touches.
-                if ((isApart || !_pairs.pieces.isTree) && _pairs.hasPointUnder(depth))
+                if ((isApart || _pairs.pieces.kind == ModelPieces.STRUCTURE) && _pairs.hasPointUnder(depth))
                 {
                     return true;
                 }
@@ -110,9 +113,10 @@ package starlogo.ground
             _pairs.begin(RelativeMotion.NONE, 0);
             while (_pairs.next())
             {
-                _pairs.triangle.plane.findBehind(_kernel.shape, RelativeMotion.NONE, _tried);
+                var near:NearTriangle = _pairs.triangle;
+                near.plane.findBehind(_kernel.shape, RelativeMotion.NONE, _tried);
                 // deeper by more than rounding
-                if (_tried.depth >= out.depth + Touching.marginOfSurface(_pairs.triangle.radius) && isThrough(_pairs.triangle.corners, _tried))
+                if (_tried.depth >= out.depth + near.margin && isThrough(near.corners, _tried))
                 {
                     _pairs.moveToWorld(_tried);
                     if (isDepthProven(_tried))
@@ -209,7 +213,7 @@ package starlogo.ground
         private function roundingHere():Number
         {
             var origin:Placement = _pairs.search.origin;
-            return ROUNDED_TERMS * Touching.marginOfSurface(_pairs.triangle.radius) + 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
+            return ROUNDED_TERMS * _pairs.triangle.margin + 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
         }
 
         // Whether each exit from the ground is at least about as long as a contact in the world is deep, because the piece's deepest point has to get out.

@@ -7,10 +7,8 @@ package starlogo.ground
     /**
      * Which triangles of the ground GroundTriangles finds, as a record: those near a box, which stands or moves. All is set before the search
      * begins. During the search, only the limits may be narrowed.
-     *
-     * @private
      */
-    public final class GroundSearch
+    internal final class GroundSearch
     {
         /** The ground. */
         public var grid:HeightGrid = null;

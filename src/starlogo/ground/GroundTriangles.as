@@ -17,7 +17,7 @@ package starlogo.ground
     public final class GroundTriangles
     {
         /** Whether the box of the search comes to few cells. Read only. */
-        public var comesToFewCells:Boolean = false;
+        internal var comesToFewCells:Boolean = false;
 
         private var _path:BoxPath = new BoxPath();
 
@@ -30,19 +30,43 @@ package starlogo.ground
         private var _squares:Vector.<int> = new Vector.<int>();
         private var _squaresEnd:int = 0;
 
-        /** Begins a search, which is kept until it ends. */
-        public function begin(search:GroundSearch):void
+        /**
+         * Begins with all triangles of the cells that a rectangle passes over. All walls go down to the lowest height.
+         *
+         * @param rectangle a box of any height
+         */
+        public function beginOver(grid:HeightGrid, rectangle:GroundBox):void
         {
-            _path.begin(search);
+            var search:GroundSearch = new GroundSearch();
+            var whole:HeightBounds = grid.pyramid.whole;
+            search.grid = grid;
+            search.floor = whole.min;
+            search.box.copyFrom(rectangle);
+            search.box.z = (whole.min + whole.max) / 2;
+            search.box.halfZ = (whole.max - whole.min) / 2;
+            begin(search);
+        }
+
+        /** Begins a search, which is kept until it ends. */
+        internal function begin(search:GroundSearch):void
+        {
             stop();
+            _path.begin(search);
             _passage.reset(search.motion.latest);
             var firstLevel:int = _path.firstLevel();
             comesToFewCells = firstLevel == 0;
             addSquares(firstLevel, 0, 0, int.MAX_VALUE);
         }
 
+        /** Ends: there is no next triangle. */
+        internal function stop():void
+        {
+            _cell.leave();
+            _squaresEnd = 0;
+        }
+
         /** How much nearer to the box a triangle of the search may be than its numbers say, because of rounding and its margin. */
-        public function get slack():Number
+        internal function get slack():Number
         {
             return _path.slack;
         }
@@ -59,13 +83,6 @@ package starlogo.ground
                 visitSquare();
             }
             return true;
-        }
-
-        /** Ends the search. */
-        public function stop():void
-        {
-            _cell.leave();
-            _squaresEnd = 0;
         }
 
         // Puts squares of a level on the stack if the box may pass over them in the current passage. Only a rectangle counts, with a first column and row

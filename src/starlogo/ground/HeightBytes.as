@@ -44,11 +44,8 @@ package starlogo.ground
             }
             var flag:int = bytes.readUnsignedByte();
             var heights:Vector.<Number> = readNumbers(bytes, columns * rows, false);
-            var bits:Vector.<Number> = heights == null ? null : readNumbers(bytes, grid.holes.length, true);
-            if (flag > 1 || bits == null)
-            {
-                return null;
-            }
+            var bits:Vector.<Number> = readNumbers(bytes, grid.holes.length, true);
+            check(flag <= 1);
             var found:HeightGrid = new HeightGrid(columns, rows, cellWidth, x, y);
             for (var i:int = 0; i < bits.length; i++)
             {
@@ -83,7 +80,15 @@ package starlogo.ground
             }
         }
 
-        // Null if there are not so many numbers, or a height is not in the world.
+        private static function check(isSurface:Boolean):void
+        {
+            if (!isSurface)
+            {
+                throw new RangeError("bytes are no surface of a ground");
+            }
+        }
+
+        // Fails if there are not so many numbers, or a height is not in the world.
         private static function readNumbers(bytes:ByteArray, length:int, areInts:Boolean):Vector.<Number>
         {
             var numbers:Vector.<Number> = new Vector.<Number>(length, true);
@@ -96,10 +101,7 @@ package starlogo.ground
                 {
                     count = bytes.readUnsignedInt();
                 }
-                if (!areInts && !isInWorld(numbers[at], 0, 0) || count == 0 || count > length - at)
-                {
-                    return null;
-                }
+                check((areInts || isInWorld(numbers[at], 0, 0)) && count > 0 && count <= length - at);
             }
             return numbers;
         }

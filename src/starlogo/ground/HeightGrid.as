@@ -1,7 +1,7 @@
 // This room says how shapes and rays meet the ground, a solid whose surface is triangles over a grid of heights. HeightGrid has the heights, and
 // HeightPyramid bounds of them. Three parts build on these:
 // - GroundTriangles finds the triangles near the box of a GroundSearch: square by square (BoxPath), then those of each cell (CellTriangles).
-// - GroundModelQuery tests a model. PieceTrianglePairs are its convex pieces (ModelPieces), each with the triangles near it (KeptTriangles).
+// - GroundModelQuery tests a model. PieceTrianglePairs are its convex pieces (ModelPieces), each with the triangles near it (NearTriangles).
 // GroundPenetrationQuery finds how deep the model is, GroundExits a lower bound of the lengths of its exits.
 // - GroundRayQuery tests a ray, and GroundEarlyOut decides about most agents by the heights alone.
 // Read this file first, then GroundSearch, GroundTriangles and GroundModelQuery.
@@ -139,10 +139,11 @@ package starlogo.ground
         }
 
         /**
-         * Reads a surface that was written: a grid of the same cells with it. Returns null if the bytes are no surface.
+         * Reads a surface that was written: a grid of the same cells with it.
          *
          * @throws ArgumentError if they are a surface of other cells
          * @throws EOFError if they are cut off
+         * @throws RangeError if they are no surface
          */
         public function read(bytes:ByteArray):HeightGrid
         {
@@ -261,7 +262,7 @@ package starlogo.ground
             var column:int = Math.min(toX, columns - 2);
             var row:int = Math.min(toY, rows - 2);
             var corner:int = row * columns + column;
-            if (isHole(corner))
+            if (pyramid.whole.hasHole && isHole(corner))
             {
                 corner = cellBeside(corner, toX == column && column > 0, toY == row && row > 0);
                 if (corner < 0)

@@ -110,6 +110,7 @@ package starlogo.ground
         private function findRangeOfHeights(firstColumn:int, firstRow:int, lastColumn:int, lastRow:int, out:HeightBounds):void
         {
             var all:Vector.<Number> = _grid.heights;
+            var holes:Vector.<int> = _grid.holes;
             var columns:int = _grid.columns;
             var low:Number = Infinity;
             var high:Number = -Infinity;
@@ -130,7 +131,7 @@ package starlogo.ground
                     rise = row == firstRow ? 0 : here - all[int(at - columns)];
                     riseY = rise > riseY ? rise : riseY;
                     riseY = -rise > riseY ? -rise : riseY;
-                    out.hasHole ||= _grid.isHole(at);
+                    out.hasHole ||= holes[at >> 5] != 0 && _grid.isHole(at);
                 }
             }
             out.min = low;

@@ -2,11 +2,11 @@ package starlogo.ground
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
-    import starlogo.bounding.Box;
     import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.placePoints;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
     import starlogo.hierarchy.BoxTree;
@@ -19,34 +19,43 @@ package starlogo.ground
      * Goes through the convex pieces of a placed model, one after the other. A structure is one piece. The smallest pieces of a tree are its nodes at
      * the depth limit, or its triangles.
      *
-     * <p>Before these come the nodes above them, as divisible pieces. Only after <code>divide()</code> does <code>next()</code> go on to the pieces
-     * inside of such a piece.</p>
+     * <p>Before these come the nodes above them, the inner nodes. Only after <code>divide()</code> does <code>next()</code> go on to the pieces inside of
+     * one.</p>
      */
     internal final class ModelPieces
     {
-        // In the list of nodes: the structure around the whole model.
-        private static const WHOLE:int = -1;
+        /** A kind of piece: the structure that represents the model. */
+        public static const STRUCTURE:int = 0;
 
-        /** Its shape is the current piece, relative to the origin, unless that is divisible. It decides about the piece and a triangle. */
+        /** A kind of piece: the box of a node at the depth limit. */
+        public static const NODE_BOX:int = 1;
+
+        /** A kind of piece: a triangle of the model. */
+        public static const TRIANGLE:int = 2;
+
+        /** A kind of piece: a node above the smallest pieces. It can be divided. */
+        public static const INNER_NODE:int = 3;
+
+        /** The kind of the current piece. Read only. */
+        public var kind:int = STRUCTURE;
+
+        /** It decides about a triangle of the ground and the current piece. It has no shape of an inner node, and a triangle's after makeShape(). */
         public var kernel:TriangleKernel = new TriangleKernel();
 
-        /** The margin of the kernel's shape, with the margins of the model's place and surface. Read only. */
+        /** The margin of the current piece, with the margins of the model's place and surface. Read only. */
         public var shapeMargin:Number = 0;
 
-        /** The box around the current piece; if that is a triangle, around its node. Relative to the origin. Read only. */
+        /** The box around the current piece, relative to the origin. If the piece is a triangle, it is around the node of the triangle. Read only. */
         public var box:GroundBox = new GroundBox();
 
-        /** The kernel's shape if the box is around it, null otherwise. Read only. */
-        public var shapeInBox:ConvexShape = null;
+        /** The corners of the current piece if it is a triangle, relative to the origin. Read only. */
+        public var corners:Vector.<Number> = new Vector.<Number>(9, true);
 
-        /** Whether the current piece is a node above the smallest pieces. Read only. */
-        public var isDivisible:Boolean = false;
-
-        /** How many nodes come after the current piece and the pieces inside of it. Read only. */
-        public var nodesLeft:int = 0;
-
-        /** A point of the current piece; the middle of the box of a divisible one. Read only. */
+        /** A point of the current piece; the middle of the box of an inner node. Read only. */
         public var point:Vector3D = new Vector3D();
+
+        /** How many nodes come after the current piece and those inside of it. Read only. */
+        public var nodesLeft:int = 0;
 
         private var _tree:ModelTree;
         private var _structure:BoundingStructure;
@@ -61,8 +70,10 @@ package starlogo.ground
         // What comes next: a range of the tree's triangles, then nodes from the last one on. Behind these is the current node.
         private var _nextTriangle:int = 0;
         private var _trianglesEnd:int = 0;
-        private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
         private var _nodes:Vector.<int> = new Vector.<int>();
+
+        // Whether the kernel's shape is the current piece.
+        private var _hasShape:Boolean = false;
 
         // The middle and the half lengths of a box, relative to the model's place.
         private var _middleAndHalves:Vector.<Number> = new Vector.<Number>(6, true);
@@ -84,12 +95,6 @@ package starlogo.ground
             moveTo(RelativeMotion.NONE, 0);
         }
 
-        /** Whether the model is a tree; otherwise it is a structure. */
-        public function get isTree():Boolean
-        {
-            return _tree != null;
-        }
-
         /** Moves the model to where a motion has brought it at a time. */
         public function moveTo(motion:RelativeMotion, time:Number):void
         {
@@ -102,7 +107,7 @@ package starlogo.ground
         public function begin():void
         {
             _nextTriangle = _trianglesEnd = 0;
-            _nodes[0] = isTree ? 0 : WHOLE;
+            _nodes[0] = 0;
             nodesLeft = 1;
         }
 
@@ -111,11 +116,7 @@ package starlogo.ground
         {
             if (_nextTriangle < _trianglesEnd)
             {
-                _tree.mesh.readTriangle(_nextTriangle, _corners);
-                kernel.setShapeToTriangle(_corners, _placement);
-                _nextTriangle++;
-                takeShape();
-                shapeInBox = null;
+                enterTriangle();
                 return true;
             }
             if (nodesLeft == 0)
@@ -123,11 +124,18 @@ package starlogo.ground
                 return false;
             }
             nodesLeft--;
-            enter(_nodes[nodesLeft]);
+            if (_tree == null)
+            {
+                enterStructure(_structure, STRUCTURE);
+            }
+            else
+            {
+                enterNode(_nodes[nodesLeft]);
+            }
             return true;
         }
 
-        /** Divides the current piece, which is divisible: the pieces inside of it come next. The lower one of two nodes comes first, because the ground is below. */
+        /** Divides the current piece, an inner node: the pieces inside of it come next. The lower one of two nodes comes first, because the ground is below. */
         public function divide():void
         {
             var tree:BoxTree = _tree.boxTree;
@@ -153,54 +161,71 @@ package starlogo.ground
             return _placement.r20 * boxes[at] + _placement.r21 * boxes[int(at + 1)] + _placement.r22 * boxes[int(at + 2)];
         }
 
+        /** Whether the piece is a structure or a node's box. Then <code>box</code> is around the kernel's shape. */
+        public function get hasShapeInBox():Boolean
+        {
+            return kind <= NODE_BOX;
+        }
+
+        /** Sets the kernel's shape to the current piece, which is no inner node. The shape of a triangle is not set before. */
+        public function makeShape():void
+        {
+            if (!_hasShape)
+            {
+                _hasShape = true;
+                kernel.shape.setTriangle(corners, 0);
+            }
+        }
+
         /** Finds the box around the whole model, relative to the origin. */
         public function findBoxAroundWhole(out:GroundBox):void
         {
             findBoxAround(_structure, out);
         }
 
-        // Makes a node the current piece.
-        private function enter(node:int):void
+        // Makes the next triangle the current piece.
+        private function enterTriangle():void
         {
-            if (node == WHOLE)
-            {
-                takeStructure(_structure);
-                return;
-            }
+            _tree.mesh.readTriangle(_nextTriangle, corners);
+            placePoints(_placement, corners, 0, 9, corners);
+            _nextTriangle++;
+            kind = TRIANGLE;
+            point.x = corners[0];
+            point.y = corners[1];
+            point.z = corners[2];
+            shapeMargin = _modelMargin;
+            _hasShape = false;
+        }
+
+        // Makes a node the current piece.
+        private function enterNode(node:int):void
+        {
             var tree:BoxTree = _tree.boxTree;
-            var nodeBox:Box = tree.boxOf(node);
-            isDivisible = _depth == BoxTree.EXACT || tree.stopDepth[node] < _depth;
-            if (!isDivisible)
+            if (_depth != BoxTree.EXACT && tree.stopDepth[node] >= _depth)
             {
-                takeStructure(nodeBox);
+                enterStructure(tree.boxOf(node), NODE_BOX);
                 return;
             }
-            findBoxAround(nodeBox, box);
-            shapeInBox = null;
+            kind = INNER_NODE;
+            findBoxAround(tree.boxOf(node), box);
             point.x = box.x;
             point.y = box.y;
             point.z = box.z;
         }
 
         // Makes a structure of the model the current piece.
-        private function takeStructure(structure:BoundingStructure):void
-        {
-            kernel.setStructure(structure, _placement);
-            findBoxAround(structure, box);
-            takeShape();
-            shapeInBox = kernel.shape;
-        }
-
-        // Makes the kernel's new shape the current piece.
-        private function takeShape():void
+        private function enterStructure(structure:BoundingStructure, kind:int):void
         {
             var shape:ConvexShape = kernel.shape;
-            isDivisible = false;
+            this.kind = kind;
+            findBoxAround(structure, box);
+            kernel.setStructure(structure, _placement);
             shape.margin += _modelMargin;
             shapeMargin = shape.margin;
             point.x = shape.x;
             point.y = shape.y;
             point.z = shape.z;
+            _hasShape = true;
         }
 
         // Finds the box around a structure of the model.

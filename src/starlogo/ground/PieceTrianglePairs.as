@@ -6,12 +6,11 @@ package starlogo.ground
     import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Placement;
-    import starlogo.geometry.Touching;
     import starlogo.solid.ModelTree;
 
     /**
      * Finds the pairs of a placed model's convex pieces and the triangles of the ground's surface near each. The model is a structure or a tree.
-     * A divisible piece is divided if the surface comes near it. Otherwise it has no triangles, and stands for all pieces inside of it.
+     * An inner node is divided if the surface comes near it. Otherwise it has no triangles, and stands for all pieces inside of it.
      *
      * <p>After <code>begin()</code>, <code>next()</code> goes through the pairs. If the pieces count too, <code>nextPiece()</code> goes through them, and
      * <code>nextTriangle()</code> through the triangles near the current one. The limits may be narrowed meanwhile.</p>
@@ -27,7 +26,7 @@ package starlogo.ground
          */
         public var search:GroundSearch = new GroundSearch();
 
-        private var _triangles:KeptTriangles = new KeptTriangles(search);
+        private var _triangles:NearTriangles = new NearTriangles(search, pieces);
 
         // The ground under a point of the current piece, its normal there, and the piece's lowest point along this normal, relative to the origin.
         private var _under:GroundPoint = new GroundPoint();
@@ -45,7 +44,7 @@ package starlogo.ground
         }
 
         /** The current triangle of the ground. */
-        public function get triangle():GroundTriangle
+        public function get triangle():NearTriangle
         {
             return _triangles.triangle;
         }
@@ -96,8 +95,8 @@ package starlogo.ground
         {
             while (pieces.next())
             {
-                _triangles.setTo(pieces.box, pieces.shapeInBox, pieces.nodesLeft);
-                if (!pieces.isDivisible || !_triangles.next())
+                _triangles.begin();
+                if (pieces.kind != ModelPieces.INNER_NODE || !_triangles.next())
                 {
                     return true;
                 }
@@ -113,16 +112,16 @@ package starlogo.ground
         }
 
         /**
-         * Whether a quick test shows that the current piece reaches under the ground: its point is there, or its lowest point along the ground's normal.
-         * This shows it of nearly all pieces that do.
+         * Whether a quick test shows that a part of the current piece is under the ground: its point, or a structure's lowest point along the ground's
+         * normal. This shows it of nearly all structures whose lowest part is there.
          */
-        public function reachesUnder():Boolean
+        public function isPartUnder():Boolean
         {
             if (isUnder(pieces.point, 0, _under))
             {
                 return true;
             }
-            if (pieces.isDivisible)
+            if (!pieces.hasShapeInBox)
             {
                 return false;
             }
@@ -151,7 +150,9 @@ package starlogo.ground
             {
                 return false;
             }
-            pieces.kernel.shape.margin = pieces.shapeMargin + Touching.marginOfSurface(_triangles.triangle.radius);
+            pieces.makeShape();
+            // SquareSeparation may read the margin of any triangle: none is more than its slack
+            pieces.kernel.shape.margin = pieces.shapeMargin + _triangles.triangle.margin;
             return true;
         }
 

@@ -21,38 +21,41 @@ package starlogo.ground
          * boxes.
          *
          * @param search has the shape, and its motion
-         * @param min the least corner around the square
-         * @param max the greatest one
+         * @param square the box around the square
          */
-        public function isFarther(search:GroundSearch, min:Vector3D, max:Vector3D):Boolean
+        public function isFarther(search:GroundSearch, square:GroundBox):Boolean
         {
             var shape:ConvexShape = search.shape;
             var direction:Vector3D = _direction;
-            findDirection(shape, min, max);
+            findDirection(shape, square);
             if (!(direction.normalize() > 0))
             {
                 return false;
             }
             shape.project(direction, _ofShape);
-            var distance:Number = direction.x * shape.x + direction.y * shape.y + direction.z * shape.z + _ofShape.min
-                - (shape.radius + shape.margin) * Tolerances.OUTER - Tolerances.EXTENTS * shape.extent
-                - Math.max(direction.x * max.x, direction.x * min.x) - Math.max(direction.y * max.y, direction.y * min.y)
-                - Math.max(direction.z * max.z, direction.z * min.z);
+            var distance:Number = direction.x * (shape.x - square.x) + direction.y * (shape.y - square.y) + direction.z * (shape.z - square.z)
+                + _ofShape.min - (shape.radius + shape.margin) * Tolerances.OUTER - Tolerances.EXTENTS * shape.extent
+                - Math.abs(direction.x) * square.halfX - Math.abs(direction.y) * square.halfY - Math.abs(direction.z) * square.halfZ;
             var motion:RelativeMotion = search.motion;
             var travel:Number = motion.latest * (direction.x * motion.x + direction.y * motion.y + direction.z * motion.z);
             return distance + Math.min(0, travel) > search.maxDistance;
         }
 
         // Finds a direction along which the two may be apart. It is between points of both that are near each other.
-        private function findDirection(shape:ConvexShape, min:Vector3D, max:Vector3D):void
+        private function findDirection(shape:ConvexShape, square:GroundBox):void
         {
             var direction:Vector3D = _direction;
-            _place.setTo((min.x + max.x) / 2, (min.y + max.y) / 2, (min.z + max.z) / 2);
+            _place.setTo(square.x, square.y, square.z);
             findNear(shape, _place, direction);
-            _place.setTo(Math.max(min.x, Math.min(max.x, direction.x)), Math.max(min.y, Math.min(max.y, direction.y)),
-                    Math.max(min.z, Math.min(max.z, direction.z)));
+            _place.setTo(nearIn(square.x, square.halfX, direction.x), nearIn(square.y, square.halfY, direction.y), nearIn(square.z, square.halfZ, direction.z));
             findNear(shape, _place, direction);
             direction.decrementBy(_place);
+        }
+
+        // The number of an interval that is nearest to another one. The interval has a middle and half a length.
+        private static function nearIn(middle:Number, half:Number, to:Number):Number
+        {
+            return Math.max(middle - half, Math.min(middle + half, to));
         }
 
         // Finds the point of a core that is nearest to a place. For a hull it is the centre instead. The edges of a box are perpendicular, so each gives

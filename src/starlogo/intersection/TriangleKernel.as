@@ -8,7 +8,6 @@ package starlogo.intersection
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.geometry.placePoints;
 
     use namespace engine;
 
@@ -22,17 +21,15 @@ package starlogo.intersection
     public final class TriangleKernel
     {
         /**
-         * The shape, in the triangles' space. Set it by setStructure(), by setShapeToTriangle(), or itself by ConvexShape.setTriangle() if the triangle
-         * is in that space already. Its margin may be changed then.
+         * The shape, in the triangles' space. Set it by setStructure(), or itself by ConvexShape.setTriangle(). Its margin may be changed then.
          */
         public var shape:ConvexShape = new ConvexShape();
 
         private var _kernel:ConvexKernel = new ConvexKernel();
         private var _triangle:ConvexShape = new ConvexShape();
 
-        // The shape where it is placed: a structure for each kind, and a triangle's corners.
+        // The shape where it is placed: a structure for each kind.
         private var _structures:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(BoundingStructure.KIND_COUNT, true);
-        private var _placed:Vector.<Number> = new Vector.<Number>();
 
         /**
          * Sets the shape to a structure.
@@ -46,13 +43,6 @@ package starlogo.intersection
             var placed:BoundingStructure = _structures[structure.kind] = structure.place(placement, _structures[structure.kind]);
             placed.setShape(shape);
             return placed;
-        }
-
-        /** Sets the shape to a triangle: nine numbers. The placement moves it into the other triangles' space. */
-        public function setShapeToTriangle(corners:Vector.<Number>, placement:Placement):void
-        {
-            placePoints(placement, corners, 0, 9, _placed);
-            shape.setTriangle(_placed, 0);
         }
 
         /** Whether the shape touches a triangle. */

@@ -3,10 +3,8 @@ package starlogo.terrain
     import starlogo.data.requireGiven;
     import starlogo.engine;
     import starlogo.ground.GroundBox;
-    import starlogo.ground.GroundSearch;
     import starlogo.ground.GroundTriangle;
     import starlogo.ground.GroundTriangles;
-    import starlogo.ground.HeightBounds;
     import starlogo.ground.HeightGrid;
 
     use namespace engine;
@@ -31,8 +29,8 @@ package starlogo.terrain
         private var _revision:int = -1;
         private var _terrain:Terrain;
 
-        // The search whose triangles are drawn.
-        private var _search:GroundSearch = new GroundSearch();
+        // The rectangle, as a box that passes over its cells.
+        private var _box:GroundBox = new GroundBox();
 
         /**
          * Begins without triangles. <code>update()</code> makes them. With a rectangle, the surface has only the cells of slopes that are
@@ -64,7 +62,7 @@ package starlogo.terrain
             // heights and over the cells between them, and over no other.
             // With one column its half length is -0.25 cells. So it passes over exactly this column of blocks, and over no slopes. With none it is
             // -0.75, and it passes over nothing.
-            var box:GroundBox = _search.box;
+            var box:GroundBox = _box;
             box.x = grid.x + (firstColumn + lastColumn) / 2 * grid.cellWidth;
             box.y = grid.y + (firstRow + lastRow) / 2 * grid.cellWidth;
             box.halfX = ((lastColumn - firstColumn) / 2 - 0.25) * grid.cellWidth;
@@ -82,20 +80,15 @@ package starlogo.terrain
             {
                 return false;
             }
-            _revision = _terrain.worldAgent.revision;
-            _search.grid = _terrain.grid;
             vertices.length = normals.length = triangles.length = 0;
-            var whole:HeightBounds = _search.grid.pyramid.whole;
-            _search.floor = whole.min;
-            _search.box.z = (whole.min + whole.max) / 2;
-            _search.box.halfZ = (whole.max - whole.min) / 2;
             var source:GroundTriangles = new GroundTriangles();
             var triangle:GroundTriangle = new GroundTriangle();
-            source.begin(_search);
+            source.beginOver(_terrain.grid, _box);
             while (source.next(triangle))
             {
                 addTriangle(triangle);
             }
+            _revision = _terrain.worldAgent.revision;
             return true;
         }
 
@@ -130,7 +123,7 @@ package starlogo.terrain
         {
             var column:int = Math.round(x);
             var row:int = Math.round(y);
-            var grid:HeightGrid = _search.grid;
+            var grid:HeightGrid = _terrain.grid;
             var at:int = row * grid.columns + column;
             var slopeX:Number = grid.isBlocky ? 0 : slopeAt(at, 1, column, grid.columns - 1);
             var slopeY:Number = grid.isBlocky ? 0 : slopeAt(at, grid.columns, row, grid.rows - 1);
@@ -143,8 +136,8 @@ package starlogo.terrain
         {
             var before:int = place > 0 ? 1 : 0;
             var after:int = place < last ? 1 : 0;
-            var heights:Vector.<Number> = _search.grid.heights;
-            return (heights[at + after * step] - heights[at - before * step]) / (before + after) / _search.grid.cellWidth;
+            var heights:Vector.<Number> = _terrain.grid.heights;
+            return (heights[at + after * step] - heights[at - before * step]) / (before + after) / _terrain.grid.cellWidth;
         }
     }
 }

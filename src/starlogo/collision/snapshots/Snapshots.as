@@ -129,7 +129,7 @@ package starlogo.collision.snapshots
             }
             catch (error:Error)
             {
-                // others are an EOFError, and a RangeError of the names
+                // others are an EOFError, and a RangeError of the names or the ground
                 check(error is ArgumentError);
                 throw error;
             }
@@ -248,7 +248,6 @@ package starlogo.collision.snapshots
             if ((contents & HAS_HEIGHTS) != 0)
             {
                 parts.ground = ground.surface.grid.read(bytes);
-                check(parts.ground != null);
             }
             parts.hasTraits = (contents & HAS_TRAITS) != 0;
             check(parts.hasTraits || bytes.position == bytes.length);

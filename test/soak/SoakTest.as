@@ -11,7 +11,7 @@ package soak
         private static const CHECK_EVERY:int = 20;
 
         // A hash of all that the game has seen. They are the same on every machine.
-        private static const HASH:String = "55cd3423";
+        private static const HASH:String = "a4345bd0";
         private static const HASH_OF_THE_FIRST:String = "8a20fbe1";
         private static const FRAMES_HASHED:int = 200;
         private static const FIRST_FRAMES:int = 48;

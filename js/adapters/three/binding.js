@@ -4,8 +4,8 @@ import { optionsOf, textOf } from "./arguments.js";
 import { AgentPlace, isYUp } from "./axes.js";
 import { isPlaced, poseModel, upOf } from "./model.js";
 
-/** The engine's own: warnings, which do nothing in the minified module. */
-const [, , { $warnOfBindingWithoutModel, $warnOfScale }] = Model.$parts;
+/** The engine's own: warnings, which the minified module has not. */
+const [, , warnings] = Model.$parts;
 
 /** The relative error that a scene's numbers may have, because many are of single precision. */
 const TOLERANCE = 1e-6;
@@ -53,10 +53,10 @@ export class ThreeAgentBinding {
 		this.#place = new AgentPlace(agent, isLandYUp, "ThreeAgentBinding");
 		if (!object?.isObject3D) throw new ArgumentError(`ThreeAgentBinding: object must be an Object3D, not ${textOf(object)}`);
 		this.#drawn = index === null ? new DrawnObject(object) : new DrawnInstance(object, index);
-		if (index === null) $warnOfScale(agent, object);
+		if (index === null) warnings?.ofScale(agent, object);
 		this.#model = model;
 		if (model !== null) this.#setModel(model, isLandYUp);
-		else $warnOfBindingWithoutModel(agent, object);
+		else warnings?.ofNoModel(agent, object);
 		if (isYUp(modelUp === undefined ? upOf(model) ?? up : modelUp) !== isLandYUp) {
 			const turn = new Quaternion(isLandYUp ? -Math.SQRT1_2 : Math.SQRT1_2, 0, 0, Math.SQRT1_2);
 			this.#turn = this.#turn ? this.#turn.multiply(turn) : turn;

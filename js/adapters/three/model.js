@@ -12,8 +12,8 @@ export const upOf = (model) => origins.get(model)?.up;
 /** Whether a model has its object's place in it, which is not the origin. */
 export const isPlaced = (model) => origins.get(model)?.isPlaced === true;
 
-/** The engine's own: the work that makes a model of the record that a Surface fills, and warnings, which do nothing in the minified module. */
-const [, ModelBuilder, { $warnOfParent, $warnOfSource }] = Model.$parts;
+/** The engine's own: the work that makes a model of the record that a Surface fills, and warnings, which the minified module has not. */
+const [, ModelBuilder, warnings] = Model.$parts;
 
 const point = new Vector3();
 
@@ -41,7 +41,7 @@ export function levelFromObject(name, object, options = {}) {
 	const { up } = optionsOf("levelFromObject", options, { up: "y" });
 	requireName("levelFromObject", name);
 	const surface = surfaceOf(name, object, up, true);
-	$warnOfParent(name, object);
+	warnings?.ofParent(name, object);
 	return modelOf(name, object, surface, { up, isPlaced: object.isObject3D && !object.matrix.equals(identity) }, Model.AS_GIVEN);
 }
 
@@ -54,7 +54,7 @@ function modelOf(name, source, { data, parts, drawn }, origin, scaling) {
 	Object.assign(data, { scaling, isNormalised: scaling === Model.AS_GIVEN });
 	const model = new Model(name, null, null, null, new ModelBuilder(data).build());
 	origins.set(model, { ...origin, parts, drawn, isGeometry: !source.isObject3D, posed: null });
-	$warnOfSource(source, model);
+	warnings?.keepSource(source, model);
 	return model;
 }
 

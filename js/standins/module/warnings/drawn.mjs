@@ -1,16 +1,21 @@
-/** What the adapter to three.js draws elsewhere than it collides. Model.$parts gives the adapter these functions. */
+/** What the adapter to three.js draws elsewhere than it collides. The adapter calls these functions itself. */
 import { $rounded, $warn } from "./warn.mjs";
 
 /** For each source of a model: the name of its last one, and its place in that, if the two differ. */
 const $sources = /* @__PURE__ */ new WeakMap();
 
+/** Gives the adapter its warnings: see Model.$parts. */
+export function $warnInAdapter(parts) {
+	parts.push({ keepSource: $keepSource, ofNoModel: $adviseOfNoModel, ofScale: $adviseOfScale, ofParent: $adviseOfParent });
+}
+
 /** Keeps of which source a model was made. */
-export function $warnOfSource(source, model) {
+function $keepSource(source, model) {
 	$sources.set(source, { name: model.name, matrix: model.source.matrix.rawData });
 }
 
 /** Warns of a binding without the model that was made of the object, whose place and size in it are needed. */
-export function $warnOfBindingWithoutModel(agent, object) {
+function $adviseOfNoModel(agent, object) {
 	const { name, matrix } = $sources.get(object) ?? $sources.get(object.geometry) ?? {};
 	if (name === undefined || name !== agent.shape || matrix.every((value, i) => Math.abs(value - (i % 5 === 0 ? 1 : 0)) < 1e-6)) return;
 	$warn(`new ThreeAgentBinding(agent, object) draws ${agent} elsewhere, or of another size, than it collides: the model ${JSON.stringify(name)} `
@@ -18,7 +23,7 @@ export function $warnOfBindingWithoutModel(agent, object) {
 }
 
 /** Warns of an object with an uneven scale of its own, which no model has: updateObject() would set it to the agent's size. */
-export function $warnOfScale(agent, object) {
+function $adviseOfScale(agent, object) {
 	const sizes = object.scale.toArray();
 	if (!object.matrixAutoUpdate || Math.max(...sizes.map(Math.abs)) <= (1 + 1e-6) * Math.min(...sizes.map(Math.abs))) return;
 	$warn(`the object of ${agent} has a scale of its own, (${sizes.map($rounded).join(", ")}), which is not in its model and which updateObject() overwrites. `
@@ -26,7 +31,7 @@ export function $warnOfScale(agent, object) {
 }
 
 /** Warns of a level below a parent that is moved or scaled in the scene. It may be the land, so it is no error. */
-export function $warnOfParent(name, object) {
+function $adviseOfParent(name, object) {
 	if (!object.parent) return;
 	const { elements } = object.parent.matrixWorld;
 	const [x, y, z] = [12, 13, 14].map((i) => elements[i]);

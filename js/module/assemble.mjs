@@ -9,7 +9,7 @@ import { Program } from "./translation/translate.mjs";
 const here = fileURLToPath(new URL(".", import.meta.url));
 const standins = join(here, "../standins/module");
 const FILES = ["checks.mjs", "literals.mjs", "shown.mjs", "language.mjs", "ByteArray.mjs", "machine.mjs", "contacts.mjs"];
-const WARNINGS = ["warn", "spelling", "properties", "arguments", "angles", "frames", "shots", "handlers", "questions", "snapshots", "walks"].map((name) => `warnings/${name}.mjs`);
+const WARNINGS = ["warn", "spelling", "properties", "arguments", "angles", "frames", "shots", "handlers", "questions", "snapshots", "walks", "drawn"].map((name) => `warnings/${name}.mjs`);
 
 /**
  * Translates the compiler's output in a folder.

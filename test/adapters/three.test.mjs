@@ -214,8 +214,48 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 			const { x, z, warnings } = play(level, exact, 0.1);
 			assert.ok(x > 6 && z < -9, `${x}, ${z}`);
 			assert.equal(warnings.length, 1);
-			assert.match(warnings[0], /^starlogo-collision: the shape "hero" begins a motion at \(.*\), [\d.]+ deep inside of agent \d+ \(breed "turtles", shape "level \d+"\), which does not stop it\. What is inside/);
+			assert.match(warnings[0], /^starlogo-collision: agent \d+ \(.*shape "hero"\) begins a motion at \(.*\), [\d.]+ deep inside of agent \d+ \(breed "turtles", shape "level \d+"\), which does not stop it\. What is inside/);
 		}
+	});
+
+	test(`three ${version}: a level's model is not bound, and the engine warns of what is drawn elsewhere than it collides`, () => {
+		const { warn } = console;
+		const said = [];
+		console.warn = (text) => said.push(text);
+		try {
+			const land = new THREE.Scene();
+			const lift = new THREE.Mesh(new THREE.BoxGeometry(3, 0.4, 3));
+			land.add(lift);
+			lift.position.set(5, 2, 3);
+			const [placed, moved] = [levelFromObject("lift", lift), modelFromObject("lift", lift, { scaling: Model.AS_GIVEN })];
+			const agent = new Agent("lift", "lifts");
+			assert.throws(() => new ThreeAgentBinding(agent, lift, placed), /^ArgumentError: model "lift" is of levelFromObject and has its object's place in it: .*modelFromObject\(name, object, \{ scaling: Model\.AS_GIVEN \}\)$/);
+			new ThreeAgentBinding(agent, lift, moved).updateAgent();
+			assert.deepEqual([agent.x, agent.y, agent.z], [5, -3, 2]);
+			// without the model nothing is wrong if it has the mesh's units, or if the agent has another shape
+			new ThreeAgentBinding(agent, lift);
+			new ThreeAgentBinding(new Agent("hero"), lift);
+			lift.position.set(0, 0, 0);
+			new ThreeAgentBinding(agent, lift, levelFromObject("lift", lift));
+			assert.deepEqual(said, []);
+			modelFromObject("narrow", lift);
+			for (let i = 0; i < 2; i++) new ThreeAgentBinding(new Agent("narrow"), lift);
+			lift.scale.set(2, 2, 2);
+			new ThreeAgentBinding(agent, lift, moved);
+			lift.scale.set(4, 0.4, 2);
+			new ThreeAgentBinding(agent, lift, moved);
+			land.rotation.x = 1;
+			levelFromObject("level", lift);
+			land.add(new THREE.Group().add(lift));
+			lift.parent.scale.setScalar(2);
+			levelFromObject("level", lift);
+		} finally {
+			console.warn = warn;
+		}
+		const expected = [/draws agent \d+ \(.*shape "narrow"\) elsewhere.* the model "narrow" was made of the object\. Pass it as the third argument$/, /\(breed "lifts".* scale of its own, \(4, 0\.4, 2\), .*bind the group$/,
+			/levelFromObject\("level"\): the object's parent is moved or scaled.* 2 times its size/];
+		assert.equal(said.length, expected.length, said.join("\n"));
+		expected.forEach((pattern, i) => assert.match(said[i], pattern));
 	});
 
 	test(`three ${version}: options that there are not, and objects that are no level, are refused with what to do`, () => {

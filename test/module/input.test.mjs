@@ -366,7 +366,7 @@ test("while a game is developed, an error says which option is the nearest, if o
 });
 
 test("while a game is developed, an error says where a value of another kind belongs", async () => {
-	const { Agent, AgentMotions, AgentQueries, BinCollider, Collision, Footing, GreatLand } = await import(pathToFileURL(path.join(folder, manifest.exports["."].node)));
+	const { Agent, AgentMotions, AgentQueries, BinCollider, Collision, Contact, Footing, GreatLand, RayHit, ShapeHit, Sphere } = await import(pathToFileURL(path.join(folder, manifest.exports["."].node)));
 	const queries = new AgentQueries(new BinCollider());
 	const walker = new Agent("cube");
 	queries.update([walker]);
@@ -383,6 +383,15 @@ test("while a game is developed, an error says where a value of another kind bel
 	refused(() => queries.walk(walker, 0.1, 0, 0), "AgentQueries.walk: options must be WalkOptions", "not 0. A walk has no dz: its options come after dx and dy");
 	refused(() => new GreatLand().addModel(Promise.resolve()), "GreatLand.addModel: model must be a Model, not an object of class Promise: await it first");
 	refused(() => queries.near(walker, 5, { except: walker }), "AgentQueries.near: filter.except must be an array of Agents, not an object of class Agent: put it into one, [agent]");
+	const ray = [{ x: 0, y: 0, z: 9 }, { x: 0, y: 0, z: -1 }, 20];
+	const ball = new Sphere({ x: 0, y: 0, z: 9 }, 1);
+	for (const [call, kind, ask] of [["cast", "a RayHit", () => queries.cast(...ray, new RayHit())], ["castShape", "a ShapeHit", () => queries.castShape(ball, 1, 0, 0, new ShapeHit())],
+		["moveUntilTouch", "a Contact", () => queries.moveUntilTouch(walker, 0, 0, 1, new Contact())], ["slide", "a Contact", () => queries.slide(walker, 0, 0, 1, new Contact())]]) {
+		refused(ask, `AgentQueries.${call}: filter.`, `is no option; ${kind} is the argument after the filter: ${call}(..., null, ${kind === "a Contact" ? "contact" : "hit"}); there are `);
+	}
+	for (const ask of [() => queries.castAll(...ray, []), () => queries.near(walker, 5, [])]) refused(ask, "filter must be an AgentFilter", "not []. A list that is filled is the argument after the filter");
+	refused(() => queries.near(walker, 5, ["coins"]), 'not ["coins"]. Breeds go into one: { breeds: ["sheep"] }');
+	refused(() => new Collision(new BinCollider()).update(walker, new Agent("cube")), "Collision.update: agents must be an array, not an object of class Agent: all agents are in one, [level, hero]");
 	const small = new engine.AgentQueries(new engine.BinCollider());
 	assert.throws(() => small.near(new engine.Agent("cube"), 5, isLarge), /not the function isLarge$/);
 });

@@ -280,6 +280,10 @@ typed.onCollisionStart("heroes", "coins", (hero, coin, contact) => {
 	is<Same<typeof coin, Coin>>();
 	is<Same<typeof contact, Contact>>();
 });
+function nearOf<K extends "heroes" | "coins">(breed: K) {
+	return new AgentQueries(typed).near(near[0]!, 3, { breeds: [breed] });
+}
+is<Same<ReturnType<typeof nearOf<"coins">>, Coin[]>>();
 typed.onCollision("coins", Collision.ANY_BREED, (coin, other) => (is<Same<typeof other, Hero | Coin>>(), coin.worth));
 typed.onCollision("heroes", Collision.TERRAIN, (hero, ground) => (is<Same<typeof ground, Agent>>(), hero.life));
 typed.onCollisionEnd("coins", "heroes", (coin, hero) => coin.worth + hero.life);

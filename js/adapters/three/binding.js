@@ -1,8 +1,11 @@
 import { Matrix4, Quaternion, Vector3 } from "three";
-import { Agent, ArgumentError } from "starlogo-collision";
+import { Agent, ArgumentError, Model } from "starlogo-collision";
 import { optionsOf, textOf } from "./arguments.js";
 import { AgentPlace, isYUp } from "./axes.js";
-import { poseModel, upOf } from "./model.js";
+import { isPlaced, poseModel, upOf } from "./model.js";
+
+/** The engine's own: warnings, which the minified module has not. */
+const [, , warnings] = Model.$parts;
 
 /** The relative error that a scene's numbers may have, because many are of single precision. */
 const TOLERANCE = 1e-6;
@@ -50,8 +53,10 @@ export class ThreeAgentBinding {
 		this.#place = new AgentPlace(agent, isLandYUp, "ThreeAgentBinding");
 		if (!object?.isObject3D) throw new ArgumentError(`ThreeAgentBinding: object must be an Object3D, not ${textOf(object)}`);
 		this.#drawn = index === null ? new DrawnObject(object) : new DrawnInstance(object, index);
+		if (index === null) warnings?.ofScale(agent, object);
 		this.#model = model;
 		if (model !== null) this.#setModel(model, isLandYUp);
+		else warnings?.ofNoModel(agent, object);
 		if (isYUp(modelUp === undefined ? upOf(model) ?? up : modelUp) !== isLandYUp) {
 			const turn = new Quaternion(isLandYUp ? -Math.SQRT1_2 : Math.SQRT1_2, 0, 0, Math.SQRT1_2);
 			this.#turn = this.#turn ? this.#turn.multiply(turn) : turn;
@@ -60,6 +65,10 @@ export class ThreeAgentBinding {
 
 	#setModel(model, isLandYUp) {
 		if (!model.source?.matrix) throw new ArgumentError(`ThreeAgentBinding: model must be a Model or null, not ${textOf(model)}`);
+		if (isPlaced(model)) {
+			throw new ArgumentError(`model "${model.name}" is of levelFromObject and has its object's place in it: its agent stays at the origin, without a binding. `
+				+ "What moves has a model of modelFromObject(name, object, { scaling: Model.AS_GIVEN })");
+		}
 		const { matrix, position, quaternion, scale } = scratch;
 		matrix.fromArray(model.source.matrix.rawData);
 		if (!decompose(scratch)) throw new ArgumentError(`model "${model.name}" is mirrored or stretched in what it was made of: no object can be bound with it`);

@@ -95,7 +95,7 @@ export interface LevelOptions {
 /**
  * Makes a model of a level: of an object that stands still in the land, and of everything below it. All meshes become one model, and one unit
  * of the land is a patch. An agent of this shape that is at the origin, with size 1 and not turned, collides where the level is drawn. It
- * needs no binding.
+ * has no binding: what moves has a model of modelFromObject.
  *
  * The object's parent must be the land: the object's own transform counts here. Otherwise the same meshes count as in modelFromObject.
  *
@@ -146,7 +146,8 @@ export class ThreeAgentBinding<A extends Agent = Agent> {
      * @param object its object
      * @param model the agent's model, if the object is its source or has the same geometry; null if the object is drawn normalised
      * @param options the up axes
-     * @throws ArgumentError if an argument is of the wrong kind, or the model is mirrored or stretched in its source
+     * @throws ArgumentError if an argument is of the wrong kind, or the model is mirrored or stretched in its source, or
+     * is of levelFromObject and its object is not at the origin
      * @throws RangeError if the InstancedMesh has no such instance
      */
     constructor(agent: A, object: Object3D, model?: Model | null, options?: ObjectBindingOptions);

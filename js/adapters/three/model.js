@@ -9,8 +9,11 @@ const origins = new WeakMap();
 /** The up axis of a model's source, or undefined. */
 export const upOf = (model) => origins.get(model)?.up;
 
-/** The engine's own: the work that makes a model of the record that a Surface fills. */
-const [, ModelBuilder] = Model.$parts;
+/** Whether a model has its object's place in it, which is not the origin. */
+export const isPlaced = (model) => origins.get(model)?.isPlaced === true;
+
+/** The engine's own: the work that makes a model of the record that a Surface fills, and warnings, which the minified module has not. */
+const [, ModelBuilder, warnings] = Model.$parts;
 
 const point = new Vector3();
 
@@ -37,7 +40,9 @@ export function modelFromObject(name, source, options = {}) {
 export function levelFromObject(name, object, options = {}) {
 	const { up } = optionsOf("levelFromObject", options, { up: "y" });
 	requireName("levelFromObject", name);
-	return modelOf(name, object, surfaceOf(name, object, up, true), { up, isPlaced: true }, Model.AS_GIVEN);
+	const surface = surfaceOf(name, object, up, true);
+	warnings?.ofParent(name, object);
+	return modelOf(name, object, surface, { up, isPlaced: object.isObject3D && !object.matrix.equals(identity) }, Model.AS_GIVEN);
 }
 
 function requireName(call, name) {
@@ -49,6 +54,7 @@ function modelOf(name, source, { data, parts, drawn }, origin, scaling) {
 	Object.assign(data, { scaling, isNormalised: scaling === Model.AS_GIVEN });
 	const model = new Model(name, null, null, null, new ModelBuilder(data).build());
 	origins.set(model, { ...origin, parts, drawn, isGeometry: !source.isObject3D, posed: null });
+	warnings?.keepSource(source, model);
 	return model;
 }
 
@@ -79,13 +85,13 @@ export function faceOf(model, triangle) {
 /**
  * Gives a model the pose of an object: the vertices that its bones, morph targets and children's transforms give it now.
  *
- * @param {object} model a model of modelFromObject or levelFromObject
+ * @param {object} model a model that can be bound
  * @param {object} object its source, or a clone of it
  */
 export function poseModel(model, object) {
 	const origin = origins.get(model);
 	if (!origin) throw new ArgumentError(`model "${model.name}" was not made of an object: modelFromObject makes models that objects can pose`);
-	const { parts, isGeometry, isPlaced, up } = origin;
+	const { parts, isGeometry, up } = origin;
 	const posed = origin.posed ??= new Float64Array(model.vertices.length);
 	let part = 0;
 	let at = 0;
@@ -105,7 +111,7 @@ export function poseModel(model, object) {
 		throw new ArgumentError(`model "${model.name}" was made of other meshes than ${textOf(object)} "${object.name}" has`);
 	};
 	updateMatrices(object);
-	if (!isGeometry) eachMesh(object, isPlaced ? object.matrix : identity, place);
+	if (!isGeometry) eachMesh(object, identity, place);
 	else if (object.isMesh) place(object, identity);
 	if (part !== parts.length) refuse();
 	model.pose(posed);

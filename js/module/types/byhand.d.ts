@@ -72,7 +72,7 @@ export type AgentOf<B, N> = N extends "*terrain" | "*edge" ? Agent : B extends A
 	: N extends "*" ? AgentsOf<B> : Agent;
 
 /** A name in a filter's `breeds`. A name that the compiler knows has to be one of the game's breeds, if their classes are known. */
-export type NamedBreed<B, N extends string> = string extends N ? N : N extends BreedOf<B> ? N : BreedOf<B>;
+export type NamedBreed<B, N extends string> = string extends N ? N : [N] extends [BreedOf<B>] ? N : BreedOf<B>;
 
 /** What a question finds: agents of class F, and if the compiler knows the names in the filter's `breeds`, only those of these breeds. */
 export type Found<F, B, N> = string extends N ? F : Extract<F, AgentOf<B, N>>;

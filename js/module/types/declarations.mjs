@@ -301,7 +301,7 @@ class Writer {
 
 	#parameterType(parameter, said = "") {
 		// what is filled has to take the ground, too
-		if (parameter.type === "Footing" && this.#agent !== "Agent") return "(Footing<O> & ([Agent] extends [O] ? unknown : never)) | null";
+		if (parameter.type === "Footing" && this.#agent !== "Agent") return '(Footing<O> & ([Agent] extends [O] ? unknown : "a Footing of Agent, because a walker may stand on all agents and on the ground")) | null';
 		// who asks a question need not be in the list, and what it fills may have been made for any class of agents before
 		const agent = this.#agent;
 		const isForAny = parameter.type !== "SeenAgents" && this.#isGeneric(this.#exported.get(/^(?:Vector\.<)?(\w+)>?$/.exec(parameter.type)?.[1]));

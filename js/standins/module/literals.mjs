@@ -17,7 +17,7 @@ export function $options(target, name, value, options, kind) {
 		if (!(key in options)) {
 			if (/^[_$]/.test(key)) $refuse(target, name, value, kind);
 			const names = Object.keys($stateOf(options));
-			throw new ArgumentError(`${target === null ? "" : `${target}: `}${name}.${key} is no option; ${$hintOfOptions(value, key, names) || $hintOfOption(key, names)}there are ${names.join(", ")}`);
+			throw new ArgumentError(`${target === null ? "" : `${target}: `}${name}.${key} is no option; ${$hintOfOptions(name, value, key, names) || $hintOfOption(key, names)}there are ${names.join(", ")}`);
 		}
 		$warnOfSetting(target, name, key, value, options);
 		if (value[key] !== undefined) options[key] = value[key];

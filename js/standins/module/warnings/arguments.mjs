@@ -24,7 +24,7 @@ export function $warnOfMore(name, given, taken) {
 
 /** Warns of what is given to an update beside the list, probably the time. */
 export function $warnOfTime(name, given) {
-	if (given.length <= 1) return;
+	if (given.length <= 1 || !Array.isArray(given[0])) return;
 	$warn(`${name} takes the list alone: the engine knows no time and moves nothing. `
 		+ "Move an agent by its speed, multiplied by the time since the last frame");
 }

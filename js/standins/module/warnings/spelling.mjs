@@ -10,8 +10,10 @@ export function $hintOfName(name, names) {
 const $FILTER = ["breeds", "exceptBreeds", "except", "accepts"];
 
 /** What an error says about options that are something else, or that have an option of a filter. */
-export function $hintOfOptions(value, key, names) {
+export function $hintOfOptions(call, value, key, names) {
 	if (names.includes("filter") && $FILTER.includes(key)) return `a filter is one of them: { filter: { ${key}: ... } }; `;
+	const [kind] = /^(?:Contact|RayHit|ShapeHit)$/.exec(value.constructor?.name) ?? [];
+	if (kind && call.endsWith(": filter")) return `a ${kind} is the argument after the filter: ${call.slice(call.indexOf(".") + 1, -8)}(..., null, ${kind === "Contact" ? "contact" : "hit"}); `;
 	return "stands" in value ? "a Footing is the argument after the options: walk(agent, dx, dy, null, footing); " : "";
 }
 
@@ -59,12 +61,17 @@ function $commonLetters(word, other) {
 
 const $HINT_OF_WALK = ". A walk has no dz: its options come after dx and dy. { fall: 0.2 } lets it fall";
 
+const $HINT_OF_LIST = ". A list that is filled is the argument after the filter, which may be null";
+const $HINT_OF_BREEDS = ". Breeds go into one: { breeds: [\"sheep\"] }";
+
 /** What an error says about a value of the wrong kind: what is probably meant by it. */
 export function $hintOfValue(value, kind) {
 	if (typeof value === "function" && kind.startsWith("an AgentFilter")) return ". A function goes into one: { accepts: (agent) => agent.size > 1 }";
 	if (typeof value === "number" && kind.startsWith("WalkOptions")) return $HINT_OF_WALK;
 	if (typeof value === "string" && kind === "an array of strings") return `; is [${JSON.stringify(value)}] meant?`;
 	if (typeof value !== "object" || value === null) return "";
+	if (kind.startsWith("an AgentFilter") && Array.isArray(value)) return typeof value[0] === "string" ? $HINT_OF_BREEDS : $HINT_OF_LIST;
+	if (kind === "an array" && "sweeps" in value) return ": all agents are in one, [level, hero]";
 	if (typeof value.then === "function") return ": await it first";
 	if (kind === "an array of Agents" && "sweeps" in value) return ": put it into one, [agent]";
 	if (kind.startsWith("a Vector3D") && Array.isArray(value)) return ". A point is an object: { x: 1, y: 2, z: 3 }";

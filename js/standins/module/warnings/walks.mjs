@@ -19,9 +19,6 @@ const $MOST_WALKS = 100;
 /** So many walks that one breed stops are no accident. */
 const $MANY_STOPS = 10;
 
-/** What a cast structure is called: see StructureBody.read. */
-const $STRUCTURE = "structure";
-
 /**
  * Of an agent that walks: how many long strides it has taken in turn; in how many walks in turn it fell, from which height, and its
  * height now.
@@ -94,7 +91,7 @@ function $countStop({ interests, _pairIndices: met }, does, agent, other) {
 	const stops = ($stops.get(name + otherName) ?? 0) + 1;
 	$stops.set(name + otherName, stops);
 	if (stops !== $MANY_STOPS) return;
-	$warn(`a walk of ${name} ${does} ${otherName} and does not touch them, so the handlers of the two never run. `
+	$warn(`a walk of ${name} ${does} ${otherName} and does not touch them, so the handlers of the two do not run while it only stands there. `
 		+ `If it should go through them, leave them out: walk(agent, dx, dy, { filter: { exceptBreeds: [${otherName}] } }). `
 		+ "If it should bump into them, ask what has stopped it: the Footing's against");
 }
@@ -111,29 +108,38 @@ function $stopOf(agent, { queries, dx, dy, filter, x, y }) {
 
 /**
  * Warns of an agent that does not stop a motion, because the motion begins deep inside of its tree or its triangles, or whose
- * structure has all that moves inside. See warnOfInside.as. What moves is an agent if one of the shape is at the place.
+ * structure has all that moves inside. See warnOfInside.as. `mover` is null if a structure is cast.
  */
-export function $warnOfInside(agents, index, shape, place, below, depth, isTree) {
+export function $warnOfInside(agents, index, mover, place, below, depth, isTree) {
 	const level = agents[index];
-	const mover = agents.find((each) => each?.shape === shape && Math.hypot(each.x - place.x, each.y - place.y, each.z - place.z) <= 0.01 * each.size);
-	const isCast = !mover && shape === $STRUCTURE;
-	const name = mover ?? (isCast ? "a structure that is cast" : `the shape ${JSON.stringify(shape)}`);
-	const key = `inside ${level.shape} ${shape}`;
-	if (isTree) $warn($textOfTree(name, place, depth, level, isCast ? 0 : below), key);
-	else $warn($textOfStructure(name, depth, level, isCast), key);
+	const name = mover ?? "a structure that is cast";
+	const key = `inside ${level.shape} ${mover?.shape}`;
+	const rider = mover && agents.find((each) => each?.$platformLink?.platform === mover);
+	if (isTree) $warn($textOfTree(name, place, depth, level, rider ? $remedyForRider(rider) : $remedyForPlace(place, mover ? below : 0)), key);
+	else $warn($textOfStructure(name, depth, level, mover === null), key);
 }
 
-/** What is said of a motion that begins inside of a tree. `below` is how far the lowest point of what moves is below its place. */
-function $textOfTree(name, place, depth, level, below) {
+/** What is said of a motion that begins inside of a tree. */
+function $textOfTree(name, place, depth, level, remedy) {
+	const at = [place.x, place.y, place.z].map($rounded).join(", ");
+	return `${name} begins a motion at (${at}), ${$rounded(depth)} deep inside of ${level}, which does not stop it. ${remedy}`;
+}
+
+/** What to do if a walker stands on what moves, so that a platform that rises could not lift it. */
+function $remedyForRider(rider) {
+	return `Its way up is blocked by ${rider}, which stands on it: leave that one out of the filter of its walk. `
+		+ "See docs/queries.md in the package, \"Moving platforms\"";
+}
+
+/** What to do about a place that is wrong, or a model that is. `below` is how far the lowest point of what moves is below its place. */
+function $remedyForPlace(place, below) {
 	const up = $rounded(below);
 	const remedy = below > 0.01 * place.size
 		? `Its lowest point is ${up} below its place: a model that is AS_GIVEN keeps its origin. `
 			+ `If its place is on the ground, move it up by ${up}, or give it a model whose origin is its lowest point.`
 		: "What is inside of a closed model collides; without exact, what is inside of a box of its tree. "
 			+ "A room needs exact, and an opening or thick walls. A level that lies on its side needs another up axis.";
-	const at = [place.x, place.y, place.z].map($rounded).join(", ");
-	return `${name} begins a motion at (${at}), ${$rounded(depth)} deep inside of ${level}, which does not stop it. ${remedy} `
-		+ "See docs/questions.md in the package, \"floats in a room\"";
+	return `${remedy} See docs/questions.md in the package, "floats in a room"`;
 }
 
 /** What is said of a motion that begins inside of the structure around a level. */

@@ -285,7 +285,7 @@ package starlogo.queries.motion
             if (form != ModelShape.GROUND && contact.depth > allowed)
             {
                 var below:Number = whole.placement.r22 == 1 ? whole.halfZ - whole.offsetZ : 0;
-                warnOfInside(_seen.table.list.agentsByRow, row, whole.shape.modelName, whole.placement, below, contact.depth, isTree);
+                warnOfInside(_seen.table.list.agentsByRow, row, agent, whole.placement, below, contact.depth, isTree);
             }
         }
     }

@@ -1,0 +1,43 @@
+/** What the adapter to three.js draws elsewhere than it collides. The adapter calls these functions itself. */
+import { $rounded, $warn } from "./warn.mjs";
+
+/** For each source of a model: the name of the last one, and its place in the source. */
+const $sources = /* @__PURE__ */ new WeakMap();
+
+/** Gives the adapter its warnings: see Model.$parts. */
+export function $warnInAdapter(parts) {
+	parts.push({ keepSource: $keepSource, ofNoModel: $adviseOfNoModel, ofScale: $adviseOfScale, ofParent: $adviseOfParent });
+}
+
+/** Keeps of which source a model was made. */
+function $keepSource(source, model) {
+	$sources.set(source, { name: model.name, matrix: model.source.matrix.rawData });
+}
+
+/** Warns of a binding without the model that was made of the object, whose place and size in it are needed. */
+function $adviseOfNoModel(agent, object) {
+	const { name, matrix } = $sources.get(object) ?? $sources.get(object.geometry) ?? {};
+	if (name === undefined || name !== agent.shape || matrix.every((value, i) => Math.abs(value - (i % 5 === 0 ? 1 : 0)) < 1e-6)) return;
+	$warn(`new ThreeAgentBinding(agent, object) draws ${agent} elsewhere, or of another size, than it collides: the model ${JSON.stringify(name)} `
+		+ "was made of the object. Pass it as the third argument", `source of ${name}`);
+}
+
+/** Warns of an object with an uneven scale of its own, which no model has: updateObject() would set it to the agent's size. */
+function $adviseOfScale(agent, object) {
+	const sizes = object.scale.toArray();
+	if (!object.matrixAutoUpdate || Math.max(...sizes.map(Math.abs)) <= (1 + 1e-6) * Math.min(...sizes.map(Math.abs))) return;
+	$warn(`the object of ${agent} has a scale of its own, (${sizes.map($rounded).join(", ")}), which is not in its model and which updateObject() overwrites. `
+		+ "Put the mesh into a Group, make the model of the group, and bind the group", `scale of ${agent.shape}`);
+}
+
+/** Warns of a level below a parent that is moved or scaled in the scene. It may be the land, so it is no error. */
+function $adviseOfParent(name, object) {
+	if (!object.parent) return;
+	const { elements } = object.parent.matrixWorld;
+	const [x, y, z] = [12, 13, 14].map((i) => elements[i]);
+	const scale = object.parent.matrixWorld.getMaxScaleOnAxis();
+	if (Math.hypot(x, y, z) < 1e-6 && Math.abs(scale - 1) < 1e-6) return;
+	$warn(`levelFromObject(${JSON.stringify(name)}): the object's parent is moved or scaled in the scene, to (${[x, y, z].map($rounded).join(", ")}) and ${$rounded(scale)} times its size, `
+		+ "and the model does not have that: one unit of the parent is a patch. If one unit of the scene should be, put the object into the scene itself, "
+		+ "or pass an object that stands in it");
+}

@@ -93,7 +93,7 @@ package evaluation
 
         private function planPrecision():void
         {
-            tasks.push(new PrecisionTask(_models, _results));
+            tasks.push(new PrecisionTask(_models, _settings, _results));
         }
 
         private function planHierarchies():void

@@ -4,8 +4,10 @@ package docs
     import game.GameTests;
     import game.Turtle;
     import game.TurtleCollisions;
+    import game.TurtleQueries;
     import game.TurtlesMeetTest;
     import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
     import starlogo.collision.TightestFitCollider;
 
@@ -44,7 +46,7 @@ package docs
             checkComparison(shown["comparison"], shown["some"]);
             var collisions:TurtleCollisions = shown["collisions"];
             var calls:int = 0;
-            collisions.onCollision("birds", "kites", function(bird:Turtle, kite:Turtle):void
+            var added:Function = collisions.onCollision("birds", "kites", function(bird:Turtle, kite:Turtle):void
                 {
                     assertEquals("birds", bird.breedName);
                     assertEquals("kites", kite.breedName);
@@ -52,7 +54,9 @@ package docs
                 });
             collisions.update(turtles);
             assertEquals(meetingsOf(turtles), calls);
+            assertTrue("the handler can be removed", collisions.collision.removeHandler("birds", "kites", added));
             checkForgotten(collisions, turtles);
+            checkWalkers(shown["walkers"], shown["questions"]);
             collisions.collision.collisionSystem = new TightestFitCollider(shown["land"]);
             collisions.update(turtles);
             assertEquals("all are in the next frame", turtles.length, collisions.collision.statistics.agents);
@@ -67,6 +71,16 @@ package docs
             assertEquals(2, others.length);
             assertTrue(others[0], /^only the engine: .*, 0\.250000 deep$/.test(others[0]));
             assertTrue(others[1], /^only the client: .*, 0\.750000 apart$/.test(others[1]));
+        }
+
+        private function checkWalkers(walkers:Vector.<Turtle>, questions:TurtleQueries):void
+        {
+            assertEquals("2.000", walkers[0].xcor.toFixed(3));
+            questions.update(walkers);
+            assertFalse("it stops before it touches", questions.touchesAny(walkers[0]));
+            walkers[0].xcor = 2.5;
+            questions.update(walkers);
+            assertTrue("moved into it", questions.touchesAny(walkers[0]));
         }
 
         private function meetingsOf(turtles:Vector.<Turtle>):int

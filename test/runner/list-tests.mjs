@@ -72,6 +72,10 @@ write('tests.properties', known.map(([name, value]) => `${name}=${value}\n`).joi
  * tests of their own.
  */
 function changedFiles() {
+	if (!existsSync(path.join(root, '.git'))) {
+		console.log('FAILED -Dchanged needs a git clone, and this is none');
+		process.exit(1);
+	}
 	const git = (...words) => execFileSync('git', words, { cwd: root, encoding: 'utf8' }).split('\n').filter((file) => file !== '');
 	const changed = [...git('diff', '--name-only', 'HEAD'), ...git('ls-files', '--others', '--exclude-standard')];
 	const hasTests = (file) => /^(src|test|js\/standins\/common)\/.*\.as$|\.md$/.test(file) && existsSync(path.join(root, file));

@@ -71,6 +71,8 @@ const started = performance.now();
 const counts = { passed: 0, failed: 0, skipped: 0, leftOut: 0 };
 // those of OF_HASHES that have failed
 let hashesFailed = 0;
+// the first that has failed here, but for those
+let firstFailed;
 const notFound = new Set(NOT_HERE.keys());
 const begins = watch(Number(process.env.NO_END_S ?? (options.full ? NO_END_FULL_S : NO_END_S)), options.summary, options.until);
 const choice = { files: [], farther: [], of: [], ...options.choice && JSON.parse(readFileSync(options.choice, "utf8")) };
@@ -95,9 +97,10 @@ console.log(`on the ES module, in Node ${process.versions.node}: ${passed} passe
 writeSummary(options.summary, passed, failed, skipped);
 process.exitCode = failed === 0 ? 0 : 1;
 
-/** Counts a failure and says it. With --first it is the end. */
+/** Counts a failure and says it: what failed, then why. With --first it is the end. */
 function fail(said) {
 	counts.failed++;
+	if (counts.failed > hashesFailed) firstFailed ??= said.trim().split(/[: ]/)[0];
 	log(`FAILED${said}`);
 	if (options.first) process.exit(1);
 }
@@ -147,8 +150,8 @@ async function runFarther(fartherClasses) {
 	const before = done();
 	let late = 0;
 	for (const each of fartherClasses) late += await runClass(each, isNext, true);
-	const why = isOver() ? "one failed" : `the time for all is ${ENOUGH_S} s`;
-	console.log(`of the tests farther off ${done() - before} ran${late > 0 ? `, ${late} did not: ${why}` : ""}`);
+	const why = isOver() ? `${firstFailed ?? readFileSync(options.until, "utf8").trim()} failed before` : `the time for all is ${ENOUGH_S} s`;
+	console.log(`of the tests farther off ${done() - before} ran${late > 0 ? `, ${late} not begun: ${why}` : ""}`);
 	if (hashesFailed > 0 && !isOver()) console.log("of the tests that ran, only a hash says that something has changed");
 }
 

@@ -59,7 +59,7 @@ if (!isMainThread && workerData?.now) {
 		const isNeedless = isFarther === 1 && existsSync(until);
 		if (number === 0 || used() - began <= (isNeedless ? NEEDLESS_S : seconds)) return;
 		const name = new TextDecoder().decode(text.slice(0, bytes));
-		writeSync(1, isNeedless ? `${name} and the tests after it did not run: one failed\n`
+		writeSync(1, isNeedless ? `${name} and the tests after it were ended, as another failed before\n`
 			: `FAILED ${name}: it has not ended in ${seconds} s of a processor\n`);
 		writeSummary(summary, passed, isNeedless ? failed : failed + 1, skipped);
 		process.kill(process.pid, "SIGKILL");

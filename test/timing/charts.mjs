@@ -100,8 +100,8 @@ function crowds(entries) {
 	const most = Math.max(...entries.map((entry) => entry.agents ?? 0));
 	const count = entries.some((entry) => entry.agents === 100) ? 100 : most;
 	const subjects = bySubject(entries).filter(([name]) => name.startsWith(`${count} `));
-	const rows = collidersOf(entries).flatMap((collider) => subjects.filter(([, found]) => found[collider])
-		.map(([name, found]) => ({ name: [SHORT[collider] ?? collider.split('.').pop(), castOf({ subject: name })], entry: found[collider], literal: found[`${collider}, literal`] })));
+	const rows = subjects.flatMap(([name, found]) => collidersOf(entries).filter((collider) => found[collider])
+		.map((collider) => ({ name: [SHORT[collider] ?? collider.split('.').pop(), castOf({ subject: name })], entry: found[collider], literal: found[`${collider}, literal`] })));
 	return bars(rows.map(({ name }) => name), `ms a frame of ${count} agents`, [
 		{ name: 'this engine', color: 'engine', ...barsOf(rows.map(({ entry }) => entry)) },
 		{ name: 'this engine, JIT', color: 'jit', ...barsOf(rows.map(({ entry }) => entry), 1, 'beside') },

@@ -1,16 +1,19 @@
-import { COLLIDERS, DISTURBED, FIGURES, isNoisy } from './figures.mjs';
+import { COLLIDERS, DISTURBED, FIGURES, isNoisy, shownIn } from './figures.mjs';
 import { ratio, time } from './format.mjs';
 import { key } from './statistics.mjs';
 
 const WIDTH = 112;
 
-/** All figures as text, in lines of at most 112 characters. If something else was running, what was too slow may not be. */
-export function tables(entries, wasDisturbed = false) {
+/**
+ * All figures as text, in lines of at most 112 characters. If something else was running, what was too slow may not be; a run that ended
+ * early does not say how many agents are too many.
+ */
+export function tables(entries, { wasDisturbed = false, isComplete = true } = {}) {
 	const parts = [];
 	for (const figure of FIGURES) {
-		const own = entries.filter((entry) => entry.figure === figure.id);
+		const own = shownIn(figure, entries);
 		if (own.length > 0) {
-			const more = figure.more ? [figure.more.title + (wasDisturbed ? DISTURBED : ''), '', table(figure.more.head(own), figure.more.rows(own), 1), ''] : [];
+			const more = figure.more && isComplete ? [figure.more.title + (wasDisturbed ? DISTURBED : ''), '', table(figure.more.head(own), figure.more.rows(own), 1), ''] : [];
 			parts.push([figure.title, '', table(figure.head(own), figure.rows(own), figure.text ?? 1), '', ...more, wrap(figure.note)].join('\n'));
 		}
 	}

@@ -70,6 +70,33 @@ function others(entries, known) {
 	return [...new Set(entries.map((entry) => entry.variant))].filter((name) => !known.includes(name) && !name.endsWith(', literal'));
 }
 
+/** When to take each of the engine's colliders, in short; docs/choosing.md says more. */
+const TAKE = {
+	BinCollider: 'for many agents, roughly round',
+	TightestFitCollider: 'in most games',
+	HierarchicalCollider: 'for few agents of odd shapes',
+	CombinationCollider: 'if players look closely at one',
+};
+
+/** A row for each collider: how often it is right, what a frame of a crowd and of a scattered game takes, when to take it. */
+function colliderRows(entries) {
+	const games = comparedGames(entries);
+	const accuracies = Object.fromEntries(bySubject(entries.filter(({ figure }) => figure === 'colliders')));
+	const share = (entry) => (entry ? percent(entry.value / 100) : '');
+	const names = new Set([...COLLIDERS, ...Object.keys(accuracies), ...games.flatMap(([, found]) => others(Object.values(found), COLLIDERS))]);
+	return [...names].map((name) => [name, TAKE[name] ?? '(your own)', share(accuracies[name]?.precision),
+		share(accuracies[name]?.recall), ...games.flatMap(([, found]) => [short(found[name]), beside(found[name])])])
+		.filter((row) => row.slice(2).some(Boolean));
+}
+
+/** The crowd and the scattered game in which colliders are compared: those of docs/choosing.md, or the last that was measured. */
+function comparedGames(entries) {
+	return [['crowds', '100 bears'], ['scattered', '1000 mix']].flatMap(([figure, usual]) => {
+		const games = bySubject(entries.filter((entry) => entry.figure === figure));
+		return games.filter(([name]) => name === usual).concat(games.slice(-1)).slice(0, 1);
+	});
+}
+
 /** The least of a model's volumes that the thesis's algorithms give, by number. */
 function volumeRows(entries) {
 	const own = others(entries, STRUCTURES);
@@ -105,9 +132,12 @@ function gameRows(entries) {
 		const entry = found[name];
 		const literal = found[`${name}, literal`];
 		return [i === 0 ? scene : '', name.replace('Collider', ''), measured(entry), multiple(entry), beside(entry), short(literal), times(faster(entry, literal)),
-			thesisTime(entry), String(entry.collisions), entry.agrees ? 'yes' : 'NO'];
+			thesisTime(entry), String(entry.collisions), agreement([entry])];
 	}));
 }
+
+/** Whether games have the collisions of a test of all pairs. */
+const agreement = (games) => (games.every(({ agrees }) => agrees) ? 'same' : 'DIFFER');
 
 function scatteredRows(entries) {
 	return growth(entries).flatMap(({ cast, exponents, exponentsByWork }) => {
@@ -115,7 +145,7 @@ function scatteredRows(entries) {
 		const games = bySubject(entries.filter((entry) => castOf(entry) === cast)).flatMap(([scene, found]) => {
 			const jit = names.map((name) => beside(found[name]));
 			const game = [scene, ...names.map((name) => measured(found[name])), range(Object.values(found).map((entry) => entry.collisions)),
-				Object.values(found).every((entry) => entry.agrees) ? 'yes' : 'NO'];
+				agreement(Object.values(found))];
 			return jit.some(Boolean) ? [game, ['  JIT', ...jit, '', '']] : [game];
 		});
 		const row = (name, values) => [name, ...names.map((collider) => values[collider]?.toFixed(2) ?? ''), '', ''];
@@ -193,8 +223,22 @@ const VOLUMES = {
 const shortName = (name) => name.slice(name.lastIndexOf('.') + 1);
 const colliderNames = (entries) => ['bins', 'tightest fit', 'hierarchical', 'combination', ...others(entries, COLLIDERS).map(shortName)];
 
+/** The entries that a figure shows. */
+export const shownIn = ({ id, of = [id] }, entries) => entries.filter(({ figure }) => of.includes(figure));
+
 /** Every figure: its name, what it shows, and how the lines of its head and its rows come from the entries. */
 export const FIGURES = [
+	{
+		id: 'colliders', of: ['colliders', 'crowds', 'scattered'], title: 'Which collider to take: how often it is right, and how long a frame takes',
+		head: (entries) => [['collider', 'take it', 'precision', 'recall', ...comparedGames(entries).flatMap(([name]) => [name, 'JIT'])],
+			['', '', '', '', ...comparedGames(entries).flatMap(([, found]) => [Object.values(found)[0].figure === 'crowds' ? 'together' : 'scattered', ''])]],
+		text: 2,
+		rows: colliderRows,
+		see: ['docs/choosing.md', 'Choosing a collider'],
+		note: 'Precision: the share of the pairs it reports that touch. Recall: the share of the touching pairs that it reports. Exact mode says which'
+			+ ' touch, in the game of "Precision of shapes"; every other agent is hierarchical there. A frame is that of a crowd and of a'
+			+ ' scattered game below, with one hierarchical agent in the CombinationCollider\'s.',
+	},
 	{
 		id: 'volumes', title: 'Figure 6-1: volumes of bounding structures, in cubic patches', ...VOLUMES,
 		lead: 'Each group of bars is a model. A lower bar is a tighter structure. Blue should reach as low as grey.',
@@ -241,7 +285,8 @@ export const FIGURES = [
 			percent(recall.value / 100)]),
 		note: 'A game of 150 agents, fifty frames: bears, dragons, firemen, seagulls, fortresses and persons, scattered over the ground and five patches'
 			+ ' large. Exact mode says which touch. Precision: the share of the reported pairs that touch. Recall: the share of those that touch which'
-			+ ' are reported. Tightest: the smallest of sphere, box and capsule. Hulls have at most 16 corners.',
+			+ ' are reported. Tightest: the smallest of sphere, box and capsule. Hulls have at most 16 corners.'
+			+ ' The sphere here encloses the model. That of the BinCollider is as wide as the agent\'s size, so a fortress\'s corners stand out of it.',
 	},
 	{
 		id: 'hierarchies', title: 'Figure 6-5: time to build a hierarchy',
@@ -257,14 +302,15 @@ export const FIGURES = [
 	},
 	{
 		id: 'crowds', title: 'Sections 6.1 to 6.4: a frame of a crowd, all in one bin and all colliding',
-		lead: 'Each group of bars is a collider with a crowd. A lower bar is faster. Bars below the red line leave room for 25 frames a second.',
-		head: () => [['crowd', 'collider', 'engine', '× sphere', 'JIT', 'literal', '× engine', 'thesis', 'pairs', 'checked']],
+		lead: 'Each group of bars is a crowd with a collider; those of one crowd stand together. A lower bar is faster. Bars below the red line leave room for 25 frames a second.',
+		head: () => [['crowd', 'collider', 'engine', '× sphere', 'JIT', 'literal', '× engine', 'thesis', 'pairs', 'a test of'],
+			['', '', '', '', '', '', '', '', '', 'all pairs']],
 		text: 2,
 		rows: gameRows,
 		more: HOLDING,
 		note: 'The engine\'s frames include bins, breeds and handlers. The literal colliders are timed on 300 of the pairs and multiplied, each pair once'
 			+ ' (the thesis counts it twice), without these: so the literal BinCollider, a sphere test for each pair and no more, may take less. One agent of the CombinationCollider\'s crowds is hierarchical.'
-			+ ' Pairs: those that collide. Checked: whether a test of all pairs finds the same.',
+			+ ' Pairs: those that collide. A test of all pairs: whether it finds the same.',
 	},
 	{
 		id: 'visits', title: 'Section 6.3.3: nodes visited in a frame of these crowds',
@@ -278,7 +324,8 @@ export const FIGURES = [
 	{
 		id: 'combination', title: 'Section 6.4: CombinationCollider, by how many agents are hierarchical',
 		lead: 'Each group of bars has so many hierarchical agents. A lower bar is faster.',
-		head: () => [['crowd', 'of them', 'engine', '× sphere', 'JIT', 'literal', '× engine', 'thesis', 'pairs', 'checked']],
+		head: () => [['crowd', 'of them', 'engine', '× sphere', 'JIT', 'literal', '× engine', 'thesis', 'pairs', 'a test of'],
+			['', '', '', '', '', '', '', '', '', 'all pairs']],
 		text: 2,
 		rows: gameRows,
 		note: 'The thesis gives no number here; it says that it lies between those of the other two colliders.',
@@ -297,11 +344,11 @@ export const FIGURES = [
 	{
 		id: 'scattered', title: 'Scattered games: a frame, by the number of agents',
 		lead: 'Each line is a collider. A lower line is faster, and a flatter one grows less with the number of agents.',
-		head: (entries) => [['game', ...colliderNames(entries), 'pairs', 'checked']],
+		head: (entries) => [['game', ...colliderNames(entries), 'pairs', 'a test of all pairs']],
 		rows: scatteredRows,
 		more: HOLDING,
 		note: 'Agents all over SpaceLand\'s 100 by 100 patches, all moving: of size 1, and of sizes with which any number of them covers as'
-			+ ' much of the ground ("as dense"). Pairs: those that collide, by collider.'
+			+ ' much of the ground ("as dense"). Pairs: those that collide, by collider. A test of all pairs: whether it finds the same.'
 			+ ' Exponent e: for n times as many agents a frame takes n to the power of e times as long, fitted to all games of the list.'
 			+ ' With 1, twice the agents take twice the time; with 2, four times. The next row counts agents and collisions together,'
 			+ ' because the collisions of agents of size 1 grow with the square of the number of agents.',

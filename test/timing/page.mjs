@@ -1,14 +1,19 @@
 import { readFile } from 'node:fs/promises';
 import { chartsOf } from './charts.mjs';
-import { DISTURBED, FIGURES, bySubject, faster, measured } from './figures.mjs';
+import { DISTURBED, FIGURES, bySubject, faster, measured, shownIn } from './figures.mjs';
 import { ratio } from './format.mjs';
 import { loadText, wasDisturbed } from './machine.mjs';
 
 const library = new URL('../../node_modules/chart.js/dist/chart.umd.min.js', import.meta.url);
 const own = (name) => readFile(new URL(name, import.meta.url), 'utf8');
 
-/** The report as one self-contained page of HTML. */
-export async function page(report) {
+/**
+ * The report as one self-contained page of HTML.
+ *
+ * @param {object} report what report.json has
+ * @param {string} clone the way from the page's folder to the project's, for links to its docs
+ */
+export async function page(report, clone = '../..') {
 	const [style, draw, chart] = await Promise.all([own('page.css'), own('page-charts.js'), readFile(library, 'utf8')]);
 	const charts = chartsOf(report.entries);
 	const date = report.created.slice(0, 16).replace('T', ' ');
@@ -37,7 +42,7 @@ ${leftOut(report.entries)}
 <dl class="tiles">${tiles(report).map(([value, label]) => `<div><dt>${label}</dt><dd>${mark(value)}</dd></div>`).join('')}</dl>
 </header>
 <main>
-${FIGURES.map((figure) => section(figure, report, charts)).join('\n')}
+${FIGURES.map((figure) => section(figure, report, charts, clone)).join('\n')}
 </main>
 <footer>
 <p>Times are medians ± half the range of the repetitions, without the fastest and the slowest fifth, after a warm-up. “×” is a multiple of the sphere-sphere test, measured in turns
@@ -80,8 +85,8 @@ function takenIn({ player, beside }) {
 	return `All times but the thesis's were taken in ${escape(player ?? 'an unknown player')}${beside ? ', but for one colour.' : '.'}${slow}${green}`;
 }
 
-function section(figure, report, charts) {
-	const mine = report.entries.filter((entry) => entry.figure === figure.id);
+function section(figure, report, charts, clone) {
+	const mine = shownIn(figure, report.entries);
 	if (mine.length === 0) {
 		return '';
 	}
@@ -95,8 +100,8 @@ ${chart ? `<p class="lead">${escape(figure.lead)} Each grid line is ten times th
 ${picture}
 ${isMarked ? '<p class="note crosses">× stands for a number that was left out.</p>' : ''}
 <div class="scroll">${table(figure.head(mine), figure.rows(mine), figure.text)}</div>
-${figure.more ? `<h3>${escape(figure.more.title + (wasDisturbed(report) ? DISTURBED : ''))}</h3>\n<div class="scroll">${table(figure.more.head(mine), figure.more.rows(mine))}</div>` : ''}
-<p class="note">${escape(figure.note.replace(/^\* /, 'Bold: '))}</p>
+${figure.more && report.isComplete !== false ? `<h3>${escape(figure.more.title + (wasDisturbed(report) ? DISTURBED : ''))}</h3>\n<div class="scroll">${table(figure.more.head(mine), figure.more.rows(mine))}</div>` : ''}
+<p class="note">${escape(figure.note.replace(/^\* /, 'Bold: '))}${figure.see ? ` More: <a href="${escape(`${clone}/${figure.see[0]}`)}">${escape(figure.see[1])}</a>.` : ''}</p>
 </section>`;
 }
 

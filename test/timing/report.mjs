@@ -9,9 +9,10 @@
  * became faster or slower since then is printed. With another folder, that of a run in another player, its times stand beside; with
  * that of a run of the ES module the report says how many times as fast that is.
  */
-import { existsSync } from 'node:fs';
+import { existsSync, statSync } from 'node:fs';
 import { readFile, writeFile } from 'node:fs/promises';
 import path from 'node:path';
+import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
 import { addBeside, timesAsFast } from './beside.mjs';
 import { comparison, repeats, tables } from './console.mjs';
@@ -37,6 +38,7 @@ const module = values.module ? await resultsOf(values.module) : undefined;
 // first: the older report may be the one that is about to be replaced
 const older = olderReportOrEnd(values.compare);
 const file = (name) => path.join(folder, name);
+const began = statSync(file(existsSync(file('load.txt')) ? 'load.txt' : 'results.json')).mtime;
 const measured = {
 	machine: machine(),
 	versions: { ...versions(results.player), ...(beside && { beside: beside.player }) },
@@ -49,7 +51,7 @@ const entries = isContinued ? merged(earlier.entries, taken) : taken;
 const ownLoad = { start: existsSync(file('load.txt')) ? Number(await readFile(file('load.txt'), 'utf8')) : undefined, end: load() };
 const report = {
 	schema: 1,
-	created: new Date().toISOString(),
+	created: began.toISOString(),
 	...measured,
 	load: isContinued ? greatestLoad(earlier.load, ownLoad) : ownLoad,
 	...(entries.length > taken.length && { earlierEntries: entries.length - taken.length }),
@@ -60,9 +62,10 @@ const report = {
 };
 await writeFile(file('report.json'), JSON.stringify(report, null, 1) + '\n');
 await writeFile(file('report.csv'), csv(report.entries));
-await writeFile(file('report.html'), await page(report));
-await writeFile(file('timing.txt'), tables(report.entries, wasDisturbed(report)) + '\n');
-console.log(`\n${tables(taken, wasDisturbed(report))}\n`);
+await writeFile(file('report.html'), await page(report, path.relative(folder, fileURLToPath(new URL('../..', import.meta.url)))));
+const run = { wasDisturbed: wasDisturbed(report), isComplete: report.isComplete };
+await writeFile(file('timing.txt'), tables(report.entries, run) + '\n');
+console.log(`\n${tables(taken, run)}\n`);
 console.log(`Taken in ${report.versions.player}${beside ? `; the columns and rows named JIT in ${beside.player}` : ''}.`);
 if (report.module) {
 	console.log(moduleText(report.module));

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { spawnSync } from 'node:child_process';
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdtempSync, rmSync, utimesSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -9,7 +9,7 @@ import { addBeside, timesAsFast } from './beside.mjs';
 import { chartsOf } from './charts.mjs';
 import { comparison, repeats, tables } from './console.mjs';
 import { csv } from './csv.mjs';
-import { FIGURES, growth, holding } from './figures.mjs';
+import { FIGURES, growth, holding, shownIn } from './figures.mjs';
 import { greatestLoad, loadText, wasBusy } from './machine.mjs';
 import { percent, quoted, ratio, significant, time } from './format.mjs';
 import { olderReport } from './older.mjs';
@@ -92,7 +92,7 @@ test('tables are at most 112 columns wide and say what is not reported', () => {
 	}
 	assert.match(text, /bear +547 +box +6\.80 ms ±3 % +27,200× ±3 % +243 ms +36× +555 ms/);
 	assert.match(text, /±79 %, noisy/);
-	assert.match(text, /NO$/m);
+	assert.match(text, /DIFFER$/m);
 });
 
 test('a multiple is refused by its own range, and that of the base is 1', () => {
@@ -118,7 +118,7 @@ test('the games that keep 25 frames a second are named by their colliders', asyn
 	assert.deepEqual(holding([{ ...game(10, 'BinCollider', 39), high: 41 }]), [['mix', 'noisy', '', '', '']]);
 	const text = tables(games);
 	assert.match(text, /^25 frames a second: .*40 ms\n\ngame +bins +tightest fit +hierarchical\n─+\nmix +at least 1000 +100, not 1000 +fewer than 100\n/m);
-	assert.match(tables(games, true), /40 ms \(something else was running: it may be more\)\n/);
+	assert.match(tables(games, { wasDisturbed: true }), /40 ms \(something else was running: it may be more\)\n/);
 	assert.match(await page({ ...EMPTY, machine: { cores: 2 }, load: { start: 2, end: 2 }, entries: games }), /<h3>25 .*40 ms \(something else was running: it may be more\)<\/h3>/);
 	assert.match(await page({ ...EMPTY, entries: games }), /<h3>25 frames a second: .*40 ms<\/h3>\n.*<table>.*>game<.*>bins</);
 });
@@ -258,7 +258,7 @@ test('the page is self-contained and has every figure there are entries of', asy
 	const html = await page({ created: '2026-01-02T03:04:05Z', machine: { processor: '<fast>' }, versions: {}, exponents: [], entries });
 	assert.doesNotMatch(html, /<(link|img|iframe)\b|<script[^>]+src=|@import/);
 	for (const figure of FIGURES) {
-		assert.equal(html.includes(figure.title), entries.some((entry) => entry.figure === figure.id), figure.id);
+		assert.equal(html.includes(figure.title), shownIn(figure, entries).length > 0, figure.id);
 	}
 	assert.match(html, /&lt;fast&gt;/);
 	assert.match(html, /<dt>as fast as the thesis's box-box test in the same run<\/dt><dd>34×<\/dd>/);
@@ -271,6 +271,32 @@ test('the precision of a shape is in percent', () => {
 	const entry = (variant, value) => ({ figure: 'precision', subject: 'hull', variant, value, unit: variant === 'found' ? 'pairs' : '%' });
 	const row = tables([entry('found', 27628), entry('precision', 73.46), entry('recall', 100)]).split('\n').find((line) => line.startsWith('hull'));
 	assert.match(row, /^hull +27628 +73 % +100 %$/);
+});
+
+test('one table has a row for each collider: how often it is right, how long a frame takes, and when to take it', async () => {
+	const shares = [['BinCollider', 55, 96], ['TightestFitCollider', 53, 100], ['game.Discs', 40, 90]].flatMap(([subject, precision, recall]) =>
+		[['precision', precision], ['recall', recall]].map(([variant, value]) => ({ figure: 'colliders', subject, variant, value, unit: '%' })));
+	const text = tables([...entries, ...shares]);
+	assert.match(text, /^collider +take it +precision +recall +100 bears +1000 mix\n +together +scattered$/m);
+	assert.match(text, /^BinCollider +for many agents, roughly round +55 % +96 % +noisy +2\.00 ms$/m);
+	assert.match(text, /^TightestFitCollider +in most games +53 % +100 % +17\.5 ms$/m);
+	const jit = [...entries, ...shares].map((entry) => (['crowds', 'scattered'].includes(entry.figure) ? { ...entry, beside: 0.123 } : entry));
+	assert.ok(tables(jit).split('\n').every((line) => line.length <= 112));
+	assert.match(text, /^game\.Discs +\(your own\) +40 % +90 %$/m);
+	assert.doesNotMatch(text, /^HierarchicalCollider/m);
+	assert.match(await page({ ...EMPTY, entries: shares }, '..'), /Which collider to take[^]*<a href="\.\.\/docs\/choosing\.md">/);
+	assert.match(tables(entries), /^collider +take it +100 bears +1000 mix$/m);
+});
+
+test('a run that was cut does not say how many agents are too many', async () => {
+	assert.match(tables(entries), /25 frames a second/);
+	assert.doesNotMatch(tables(entries, { isComplete: false }), /25 frames a second/);
+	assert.doesNotMatch(await page({ ...EMPTY, entries, isComplete: false }), /25 frames a second: the most/);
+});
+
+test('the chart of a crowd has its colliders side by side', () => {
+	const crowds = ['BinCollider', 'TightestFitCollider'].flatMap((name) => ['bears', 'mix'].map((cast) => timed('crowds', `100 ${cast}`, name, 1, { agents: 100 })));
+	assert.deepEqual(chartsOf(crowds).crowds.labels, [['Bin', 'bears'], ['Tightest', 'bears'], ['Bin', 'mix'], ['Tightest', 'mix']]);
 });
 
 test('the volumes stand under the heads of their structures', () => {
@@ -343,4 +369,17 @@ test('without a number there is no chart, and no exponent', () => {
 	const found = ['BinCollider', 'TightestFitCollider'].flatMap((name) => [100, 1000].map((agents) => timed('scattered', `${agents} mix`, name, null, { agents, collisions: 0, refused: 'noisy' })));
 	assert.deepEqual(chartsOf([...found, timed('fits', 'bear', 'engine', null, { refused: 'noisy' })]), {});
 	assert.doesNotMatch(tables(found), /^exponent|with collisions/m);
+});
+
+test('an interrupted run says how far it was, if it had measured anything', (t) => {
+	const folder = mkdtempSync(path.join(tmpdir(), 'report-test-'));
+	t.after(() => rmSync(folder, { recursive: true }));
+	const cut = () => spawnSync(process.execPath, [fileURLToPath(new URL('cut.mjs', import.meta.url)), folder], { encoding: 'utf8' }).stdout;
+	assert.equal(cut(), '');
+	writeFileSync(path.join(folder, 'results.json'), JSON.stringify({ entries }));
+	writeFileSync(path.join(folder, 'load.txt'), '0.1');
+	utimesSync(path.join(folder, 'load.txt'), 1, 1);
+	assert.equal(cut(), `The timing run was interrupted after ${entries.length} entries, the last of them of scattered, 10000 mix.\n\`node test/timing/report.mjs ${folder}\` makes a report of them.\n`);
+	utimesSync(path.join(folder, 'results.json'), 0, 0);
+	assert.equal(cut(), '');
 });

@@ -86,8 +86,7 @@ package starlogo.queries
                 grown = growthIn(frames, ask);
             }
             assertTrue("something is found", _answers > frames * _guests.length);
-            trace("  " + message + ": " + grown + " bytes in " + frames + " frames");
-            assertTrue(message + ": " + grown + " bytes in " + frames + " frames", grown <= most);
+            assertTrue(message + ": " + Math.round(grown) + " bytes in " + frames + " frames", grown <= most);
         }
 
         private function growthIn(frames:int, ask:Function):Number

@@ -1,0 +1,18 @@
+#!/usr/bin/env node
+/**
+ * Says how far an interrupted timing run was, and what makes its report; nothing if it had measured nothing.
+ *
+ *   node test/timing/cut.mjs folder
+ */
+import { existsSync, readFileSync, statSync } from 'node:fs';
+import path from 'node:path';
+
+const [folder] = process.argv.slice(2);
+const [results, start] = ['results.json', 'load.txt'].map((name) => path.join(folder, name));
+// those of the last run may be there still
+if (existsSync(start) && existsSync(results) && statSync(results).mtimeMs >= statSync(start).mtimeMs) {
+	const { entries } = JSON.parse(readFileSync(results, 'utf8'));
+	const { figure, subject } = entries.at(-1);
+	console.log(`The timing run was interrupted after ${entries.length} entries, the last of them of ${figure}, ${subject}.`);
+	console.log(`\`node test/timing/report.mjs ${folder}\` makes a report of them.`);
+}

@@ -151,7 +151,10 @@ package starlogo.collision
             var pairs:FoundPairs = reader.read(findCollisionsAmong(listed, input.interests, _foundAgents));
             counts.copyFrom(statistics);
             // the engine's collider has all agents of the frame, even within another system. Other systems have only those that the filter admits
-            counts.agentsSkipped += counts.agents == input.agents.length ? 0 : input.agents.length - listed.length;
+            if (counts.agents != input.agents.length)
+            {
+                counts.agentsSkipped += input.agents.length - listed.length;
+            }
             counts.agents = input.agents.length;
             counts.collisions = pairs.count;
             counts.findMs = getTimer() - start;

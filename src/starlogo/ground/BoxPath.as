@@ -138,8 +138,8 @@ package starlogo.ground
             var far:Number = search.maxDistance;
             // a triangle beside the box must be nearer in height to be near enough
             var up:Number = far > 0 ? Math.sqrt(Math.max(0, far * far - passage.besideSquared)) : 0;
-            passage.min = (start < end ? start : end) - _halfZ - up;
-            passage.max = (start < end ? end : start) + _halfZ + up;
+            passage.min = Math.min(start, end) - _halfZ - up;
+            passage.max = Math.max(start, end) + _halfZ + up;
         }
 
         // Narrows a passage to the part in which the box is over a column or a row. If the box does not move along this axis, it is near enough to the

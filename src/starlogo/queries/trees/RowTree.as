@@ -204,7 +204,10 @@ package starlogo.queries.trees
             {
                 node >>= 1;
             }
-            _growthsLeft -= node < leaf ? 1 : 0;
+            if (node < leaf)
+            {
+                _growthsLeft--;
+            }
         }
 
         private function grow(rowCount:int):void

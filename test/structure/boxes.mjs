@@ -47,7 +47,6 @@ export const ALLOWED = {
 	'starlogo.handlers.requireParameters': { count: 2, why: 'the text of an error' },
 	'starlogo.handlers.warnOfMissingBreeds': { count: 1, why: 'runs when handlers change' },
 	'starlogo.queries.Footing.toString': { count: 4, why: 'the text of a trace' },
-	'starlogo.search.CollisionSearch.find': { count: 1, why: 'what a finally throws again' },
 	'starlogo.search.table.ListedAgents.requireAgent': { count: 2, why: 'the text of an error' },
 	'starlogo.queries.trees.Collector.admitTo': { count: 1, why: 'what a finally throws again' },
 };

@@ -49,6 +49,9 @@ package starlogo.search
         /** @private Whether all shapes so far are spheres. */
         engine var areSpheres:Boolean = true;
 
+        /** @private Whether <code>bind()</code> runs. Read only. */
+        engine var isBinding:Boolean = false;
+
         // The shapes that are not void.
         private var _shapes:Vector.<ModelShape> = new Vector.<ModelShape>();
 
@@ -159,7 +162,15 @@ package starlogo.search
             }
             var shape:ModelShape = new ModelShape(agent.shape, variant, revisionOf(agent.shape));
             shape.model = modelOf(agent.shape);
-            bind(shape, agent);
+            isBinding = true;
+            try
+            {
+                bind(shape, agent);
+            }
+            finally
+            {
+                isBinding = false;
+            }
             if (shape.form < 0)
             {
                 throw new ArgumentError(agent + ": its model has no shape, because bind() of the shape choice has not called setStructure()");

@@ -64,9 +64,6 @@ package starlogo.search
         private var _depth:int = 0;
         private var _isFiltered:Boolean = false;
 
-        // Whether a search is under way.
-        private var _isRunning:Boolean = false;
-
         // Whether the cells are prepared, so that the next search may begin with these pairs.
         private var _isPrepared:Boolean = false;
 
@@ -94,28 +91,14 @@ package starlogo.search
          * @return the pairs. The next search overwrites them, and the counts of the narrow phase
          * @throws ArgumentError as CollisionSystem.findCollisions does
          * @throws RangeError as CollisionSystem.findCollisions does
-         * @throws IllegalOperationError if called within a search of this object, from a game's <code>bind()</code> or its own structure
+         * @throws IllegalOperationError if called from a game's <code>bind()</code>, within a search
          */
         public function find(input:SearchInput):FoundPairs
         {
-            if (_isRunning)
+            if (narrowPhase.choice.isBinding)
             {
-                throw new IllegalOperationError("findCollisions must not be called while the collider searches, as from bind()");
+                throw new IllegalOperationError("findCollisions must not be called from bind(), while the collider searches");
             }
-            _isRunning = true;
-            try
-            {
-                findPairs(input);
-            }
-            finally
-            {
-                _isRunning = false;
-            }
-            return _pairs;
-        }
-
-        private function findPairs(input:SearchInput):void
-        {
             // if the search throws, the next one is of all rows
             var wasPrepared:Boolean = _isPrepared;
             _isPrepared = false;
@@ -134,6 +117,7 @@ package starlogo.search
                 findOfAll(input, isPrepared);
             }
             _isPrepared = isPrepared;
+            return _pairs;
         }
 
         // Finds the changed rows, and moves them to their cells. Returns false if the search has to be one of all rows.

@@ -7,7 +7,6 @@ package starlogo.ground
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.placePoints;
-    import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
     import starlogo.hierarchy.BoxTree;
     import starlogo.intersection.TriangleKernel;
@@ -86,7 +85,7 @@ package starlogo.ground
             _depth = depth;
             // Touching.marginOfPlace(), twice: as if another agent stood at the place of the touch. It is written out because V8 makes objects for
             // Numbers that are passed.
-            _modelMargin = 2 * Tolerances.PLACES * (Math.abs(placement.x) + Math.abs(placement.y) + Math.abs(placement.z));
+            _modelMargin = 2 * Touching.marginOfPlace(placement.x, placement.y, placement.z);
             if (_depth == BoxTree.EXACT)
             {
                 _modelMargin += Touching.marginOfSurface(tree.boxTree.radius * placement.size);

@@ -1,11 +1,9 @@
 package starlogo.queries
 {
-    import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.agents.PlatformLink;
     import starlogo.bounding.BoundingStructure;
     import starlogo.collision.Contact;
-    import starlogo.convex.ContactPoint;
     import starlogo.engine;
     import starlogo.queries.motion.CastResult;
     import starlogo.queries.motion.CastResults;

@@ -21,13 +21,16 @@ package starlogo.agents
         public var platform:Agent = null;
 
         /** Where the platform was. */
-        public var platformPlace:Placement = new Placement();
+        public var platformPlacement:Placement = new Placement();
+
+        /** Whether its rotation did not count there: see ModelShape.ignoresRotation. A snapshot does not keep this. */
+        public var ignoresRotation:Boolean = false;
 
         /** The revision that the platform had. */
         public var platformRevision:int = 0;
 
         /** Where the agent itself was. */
-        public var place:Vector3D = new Vector3D();
+        public var walkerPlace:Vector3D = new Vector3D();
 
         /** @param agent the agent that walks */
         public function PlatformLink(agent:Agent)
@@ -36,19 +39,20 @@ package starlogo.agents
         }
 
         /** Notes what the agent stands on. */
-        public function setTo(platform:Agent, platformPlace:Placement, platformRevision:int):void
+        public function setTo(platform:Agent, platformPlacement:Placement, ignoresRotation:Boolean, platformRevision:int):void
         {
             this.platform = platform;
-            this.platformPlace.copyFrom(platformPlace);
+            this.platformPlacement.copyFrom(platformPlacement);
+            this.ignoresRotation = ignoresRotation;
             this.platformRevision = platformRevision;
-            place.setTo(agent.placement.x, agent.placement.y, agent.placement.z);
+            walkerPlace.setTo(agent.placement.x, agent.placement.y, agent.placement.z);
         }
 
         /** Whether the agent is still where it was, and the platform has not jumped. */
         public function get isValid():Boolean
         {
             return platform != null && platform.jumpRevision <= platformRevision
-                && agent.placement.x == place.x && agent.placement.y == place.y && agent.placement.z == place.z;
+                && agent.placement.x == walkerPlace.x && agent.placement.y == walkerPlace.y && agent.placement.z == walkerPlace.z;
         }
     }
 }

@@ -115,7 +115,7 @@ package starlogo.blocks
         public function forward(agent:Agent, steps:Number):void
         {
             check("forward", agent, steps, "steps");
-            _detection.queries.slideLevel(agent, steps * Trigonometry.cosine(agent.heading), steps * Trigonometry.sine(agent.heading), _solid);
+            _detection.queries.moves.slideLevel(agent, steps * Trigonometry.cosine(agent.heading), steps * Trigonometry.sine(agent.heading), _solid);
         }
 
         /**
@@ -202,7 +202,7 @@ package starlogo.blocks
         public function standsOn(agent:Agent):Agent
         {
             BlockSubject.checkAgent("what I stand on", agent);
-            return _detection.queries.findFooting(agent, _walking, _footing).on;
+            return _detection.queries.moves.findFooting(agent, _walking, _footing).on;
         }
 
         private static function check(block:String, agent:Agent, value:Number, what:String):void

@@ -1,8 +1,8 @@
 // A walk is read in this order. WalkOptions go in; a Walk is filled, with the Footing that comes out:
-// 1. WalkMover.go: carried by a platform, pushed out of overlaps, leg by leg along the ground, a fall, and a clearance at the end
+// 1. WalkPlanner.go: carried by a platform, pushed out of overlaps, leg by leg along the ground, a fall, and a clearance at the end
 // 2. MoveQueries.walk: moves the agent to where the Walk ends, and copies its Footing
 // 3. Slider: each way of a walk is a slide, or goes straight up or down. Both end in a MotionResult
-// 4. ShrunkSweep: how such a way starts (startMotion), what stops it first (findFirstObstacle), and when (findTouchTime)
+// 4. ShrunkSweep: how such a way starts (startMotion), what stops it first (findFirstSolidImpact), and when (findTouchTime)
 // 5. ShrunkBody: what stops it is what the shrunk body meets, and not what the body only touches
 // moveUntilTouch and the casts: MoveQueries, TouchSweep (CastResult), ShrunkSweep.findStop. Slides end a clearance before a touch, these in the touch.
 // The head of MovingBody has the words of all these.
@@ -160,8 +160,8 @@ package starlogo.queries
 
         /**
          * Moves an agent, and lets it slide along what it touches. It begins like <code>moveUntilTouch()</code>. When the agent touches another,
-         * the rest of the motion is projected on the plane of the contact, or on the line where two such planes meet. All contacts of this
-         * motion count, so the agent stops in a corner. If there is room, it ends a clearance (1e-10 of its extent and more) away from what it touches,
+         * the rest of the motion is projected on the plane of the contact, or on the line where two such planes meet. So the agent stops in a
+         * corner. It turns at eight contacts at most. If there is room, it ends a clearance (1e-10 of its extent and more) away from what it touches,
          * so that the next motion along it is free.
          *
          * @param agent the agent that moves

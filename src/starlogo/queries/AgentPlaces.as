@@ -164,7 +164,8 @@ package starlogo.queries
 
         private function aroundAgent(agent:Agent, radius:Number, maxCount:int, filter:AgentFilter):NearSearch
         {
-            var at:Placement = _seen.placementOf(agent);
+            _seen.requirePlaced(agent);
+            var at:Placement = agent.placement;
             return begin(agent, at.x, at.y, at.z, radius, maxCount, filter);
         }
 
@@ -179,7 +180,7 @@ package starlogo.queries
         {
             requireNotNegative("radius", radius);
             var search:NearSearch = NearSearch(_searches.current);
-            return search.begin(_seen.beginSearch(maxCount, SQUARE_ROUNDING * radius * radius, asker, filter), x, y, z);
+            return search.begin(_seen.beginCollecting(maxCount, SQUARE_ROUNDING * radius * radius, asker, filter), x, y, z);
         }
     }
 }

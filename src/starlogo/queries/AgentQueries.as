@@ -4,7 +4,7 @@
 // - distance, distanceToPoint: TouchQueries measures between two bodies (NarrowPhase)
 // - cast, castAll, canSee: AgentRays finds the rows that a ray meets (SweptBoxSearch, RowRayTest)
 // - castShape to slide: MoveQueries finds how far a body can go (TouchSweep, Slider)
-// - walk: MoveQueries finds where a character comes to stand (WalkMover)
+// - walk: MoveQueries finds where a character comes to stand (WalkPlanner)
 // AgentPlaces, AgentRays and AgentMotions have the same questions for games that load only these. AgentMotions has those of the last two lines.
 package starlogo.queries
 {
@@ -44,18 +44,20 @@ package starlogo.queries
      * <p>The first question after an update builds a tree of the places, or of the extents. Times are in docs/measurements.md.
      * The time of a question grows with the logarithm of the number of agents, and with the length of its answer. Questions skip
      * agents of breeds that do not count. The tree learns the breeds after questions have tested about as many such agents as it has, and learns
-     * them anew after an agent has got another breed.</p>
+     * them anew after any agent of the game has got another breed. Until then questions skip none.</p>
      *
      * <p>A page that asks only some of the questions, and wants to load no more than these, takes SeenAgents with AgentPlaces, AgentRays or
      * AgentMotions in place of this class. Their answers are the same.</p>
      */
     public class AgentQueries
     {
+        /** @private How far agents can go. Blocks ask more of it than games. */
+        engine var moves:MoveQueries;
+
         private var _seen:SeenAgents;
         private var _places:AgentPlaces;
         private var _touches:TouchQueries;
         private var _rays:AgentRays;
-        private var _moves:MoveQueries;
 
         /**
          * Begins without agents. Call <code>update()</code> before you ask: before the first one, questions that search the list throw an
@@ -78,7 +80,7 @@ package starlogo.queries
             _places = new AgentPlaces(_seen);
             _touches = new TouchQueries(_seen);
             _rays = new AgentRays(_seen);
-            _moves = new MoveQueries(_seen);
+            moves = new MoveQueries(_seen);
         }
 
         /**
@@ -337,57 +339,45 @@ package starlogo.queries
         /** @copy AgentMotions#castShape() */
         public function castShape(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, hit:ShapeHit = null):ShapeHit
         {
-            return _moves.castShape(structure, dx, dy, dz, filter, hit);
+            return moves.castShape(structure, dx, dy, dz, filter, hit);
         }
 
         /** @copy AgentMotions#castShapeAll() */
         public function castShapeAll(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null,
                 out:Vector.<ShapeHit> = null):Vector.<ShapeHit>
         {
-            return _moves.castShapeAll(structure, dx, dy, dz, filter, out);
+            return moves.castShapeAll(structure, dx, dy, dz, filter, out);
         }
 
         /** @copy AgentMotions#castAgent() */
         public function castAgent(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, hit:ShapeHit = null):ShapeHit
         {
-            return _moves.castAgent(agent, dx, dy, dz, filter, hit);
+            return moves.castAgent(agent, dx, dy, dz, filter, hit);
         }
 
         /** @copy AgentMotions#castAgentAll() */
         public function castAgentAll(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null,
                 out:Vector.<ShapeHit> = null):Vector.<ShapeHit>
         {
-            return _moves.castAgentAll(agent, dx, dy, dz, filter, out);
+            return moves.castAgentAll(agent, dx, dy, dz, filter, out);
         }
 
         /** @copy AgentMotions#moveUntilTouch() */
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, contact:Contact = null):Number
         {
-            return _moves.moveUntilTouch(agent, dx, dy, dz, filter, contact);
+            return moves.moveUntilTouch(agent, dx, dy, dz, filter, contact);
         }
 
         /** @copy AgentMotions#slide() */
         public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null):Number
         {
-            return _moves.slide(agent, dx, dy, dz, filter);
-        }
-
-        /** @private As <code>slide()</code>, but at the agent's height: see MoveQueries.slideLevel. */
-        engine function slideLevel(agent:Agent, dx:Number, dy:Number, filter:AgentFilter):Number
-        {
-            return _moves.slideLevel(agent, dx, dy, filter);
+            return moves.slide(agent, dx, dy, dz, filter);
         }
 
         /** @copy AgentMotions#walk() */
         public function walk(agent:Agent, dx:Number, dy:Number, options:WalkOptions = null, out:Footing = null):Footing
         {
-            return _moves.walk(agent, dx, dy, options, out);
-        }
-
-        /** @private How an agent stands where it is: see MoveQueries.findFooting. */
-        engine function findFooting(agent:Agent, options:WalkOptions, out:Footing):Footing
-        {
-            return _moves.findFooting(agent, options, out);
+            return moves.walk(agent, dx, dy, options, out);
         }
     }
 }

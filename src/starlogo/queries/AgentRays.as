@@ -5,11 +5,10 @@ package starlogo.queries
     import starlogo.data.requireGiven;
     import starlogo.engine;
     import starlogo.geometry.compareVectors;
-    import starlogo.geometry.Placement;
     import starlogo.geometry.requireInWorld;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayEntry;
-    import starlogo.queries.rays.Hits;
+    import starlogo.queries.rays.RayHits;
     import starlogo.queries.rays.RowRayTest;
     import starlogo.queries.rays.RowSurfaceTest;
     import starlogo.queries.rays.SpareHits;
@@ -52,7 +51,7 @@ package starlogo.queries
             _seen = seen;
             _rowRays = new RowRayTest(seen);
             _rowSurfaces = new RowSurfaceTest(seen);
-            _hits = new PerQuery(seen, Hits);
+            _hits = new PerQuery(seen, RayHits);
         }
 
         /**
@@ -83,7 +82,7 @@ package starlogo.queries
         public function cast(origin:Vector3D, direction:Vector3D, maxDistance:Number = Infinity, filter:AgentFilter = null, hit:RayHit = null):RayHit
         {
             var collector:Collector = begin(1, requireOrigin(origin), direction, maxDistance, filter);
-            var hits:Hits = collect(collector);
+            var hits:RayHits = collect(collector);
             if (hits.end(collector) == 0)
             {
                 return null;
@@ -124,7 +123,7 @@ package starlogo.queries
         {
             var collector:Collector = begin(Collector.ALL, requireOrigin(origin), direction, maxDistance, filter);
             var listed:Vector.<RayHit> = out || new Vector.<RayHit>();
-            var hits:Hits = allSurfaces ? collectSurfaces(collector) : collect(collector);
+            var hits:RayHits = allSurfaces ? collectSurfaces(collector) : collect(collector);
             _spare.resize(listed, hits.end(collector));
             for (var i:int = 0; i < listed.length; i++)
             {
@@ -182,11 +181,11 @@ package starlogo.queries
         // Finds the middle of an agent's extents as it is now. While the model is loading it is the agent's place.
         private function findMiddle(agent:Agent, out:Vector3D):void
         {
-            var at:Placement = _seen.placementOf(agent);
+            _seen.requirePlaced(agent);
             var body:Body = _seen.bodyOf(agent);
             if (body.shape == null)
             {
-                out.setTo(at.x, at.y, at.z);
+                out.setTo(agent.x, agent.y, agent.z);
             }
             else
             {
@@ -209,16 +208,16 @@ package starlogo.queries
             _ray.aim(origin, direction);
             requireNotNegative("maxDistance", maxDistance);
             _ray.to = maxDistance;
-            var collector:Collector = _seen.beginSearch(maxCount, maxDistance, null, filter);
+            var collector:Collector = _seen.beginCollecting(maxCount, maxDistance, null, filter);
             _search.setTo(_seen.treeOfExtents(), _ray.x, _ray.y, _ray.z);
             _search.moveAlong(_ray.directionX, _ray.directionY, _ray.directionZ, maxDistance);
             return collector;
         }
 
         // Finds the rows that the ray meets. Returns how it meets them.
-        private function collect(collector:Collector):Hits
+        private function collect(collector:Collector):RayHits
         {
-            var hits:Hits = Hits(_hits.current);
+            var hits:RayHits = RayHits(_hits.current);
             hits.clear();
             for (var row:int = _search.next(collector); row >= 0; row = _search.next(collector))
             {
@@ -233,9 +232,9 @@ package starlogo.queries
         }
 
         // Finds the rows that the ray meets. Returns all surfaces of them that it crosses.
-        private function collectSurfaces(collector:Collector):Hits
+        private function collectSurfaces(collector:Collector):RayHits
         {
-            var hits:Hits = Hits(_hits.current);
+            var hits:RayHits = RayHits(_hits.current);
             hits.clear();
             for (var row:int = _search.next(collector); row >= 0; row = _search.next(collector))
             {

@@ -6,7 +6,6 @@ package starlogo.queries
     import starlogo.collision.Contact;
     import starlogo.engine;
     import starlogo.queries.motion.CastResult;
-    import starlogo.queries.motion.CastResults;
     import starlogo.queries.motion.MotionResult;
     import starlogo.queries.motion.MovingBody;
     import starlogo.queries.motion.OverlapRecovery;
@@ -14,7 +13,7 @@ package starlogo.queries
     import starlogo.queries.motion.Slider;
     import starlogo.queries.motion.TouchSweep;
     import starlogo.queries.motion.Walk;
-    import starlogo.queries.motion.WalkMover;
+    import starlogo.queries.motion.WalkPlanner;
     import starlogo.queries.rays.HitWriter;
     import starlogo.queries.rays.SpareHits;
     import starlogo.search.Body;
@@ -37,17 +36,15 @@ package starlogo.queries
 
         private var _slider:Slider = new Slider();
         private var _recovery:OverlapRecovery = new OverlapRecovery();
-        private var _walkMover:WalkMover;
+        private var _planner:WalkPlanner;
         private var _sweep:TouchSweep = new TouchSweep();
         private var _writer:HitWriter;
         private var _spare:SpareHits = new SpareHits(ShapeHit);
 
-        // The body of a question, and the walk of a question.
-        private var _bodies:PerQuery;
+        // The walk of a question. If the question is another one, only the walk's body takes part.
         private var _walks:PerQuery;
 
-        // How a cast touches rows, and how a slide ends.
-        private var _touches:CastResults = new CastResults();
+        // How a slide ends.
         private var _slid:MotionResult = new MotionResult();
 
         /** @param seen the agents that the questions are about */
@@ -55,8 +52,7 @@ package starlogo.queries
         {
             _seen = seen;
             _writer = new HitWriter(seen);
-            _bodies = new PerQuery(seen, MovingBody);
-            _walkMover = new WalkMover(seen);
+            _planner = new WalkPlanner(seen);
             _walks = new PerQuery(seen, Walk);
         }
 
@@ -96,10 +92,7 @@ package starlogo.queries
                 _sweep.moveIntoTouch(body, first);
             }
             // before the contact is written, because an agent that would leave the world throws an error
-            if (dx != 0 || dy != 0 || dz != 0)
-            {
-                _seen.moveAgent(agent, first.place);
-            }
+            _seen.moveAgent(agent, first.place);
             if (contact != null)
             {
                 contact.time = first.time;
@@ -129,7 +122,7 @@ package starlogo.queries
         {
             _seen.requireMovable(agent, "walk");
             var walk:Walk = Walk(_walks.current);
-            _walkMover.go(agent, dx, dy, options || DEFAULTS, walk);
+            _planner.go(agent, dx, dy, options || DEFAULTS, walk);
             // before the footing is written, because an agent that would leave the world throws an error
             _seen.moveAgent(agent, walk.place, walk.carryTurn);
             var footing:Footing = out || new Footing();
@@ -138,7 +131,8 @@ package starlogo.queries
             link.platform = null;
             if (footing.stands && walk.floorRow >= ListedAgents.FIRST_LISTED)
             {
-                link.setTo(footing.on, _seen.table.bodyOf(walk.floorRow).placement, _seen.table.revisions[walk.floorRow]);
+                var platform:Body = _seen.table.bodyOf(walk.floorRow);
+                link.setTo(footing.on, platform.placement, platform.shape.ignoresRotation, _seen.table.revisions[walk.floorRow]);
             }
             return footing;
         }
@@ -149,7 +143,7 @@ package starlogo.queries
         public function findFooting(agent:Agent, options:WalkOptions, out:Footing):Footing
         {
             var walk:Walk = Walk(_walks.current);
-            _walkMover.go(agent, 0, 0, options, walk);
+            _planner.go(agent, 0, 0, options, walk);
             out.copyFrom(walk.footing);
             return out;
         }
@@ -157,7 +151,7 @@ package starlogo.queries
         // The body of the question that begins now.
         private function currentBody():MovingBody
         {
-            return MovingBody(_bodies.current);
+            return Walk(_walks.current).body;
         }
 
         private function moveSliding(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, limits:SlideLimits):Number
@@ -167,15 +161,12 @@ package starlogo.queries
             body.collectRowsWithin(body.motion.length, 0, 0, filter);
             _slider.slide(body, body.rows, body.from, body.motion, limits, _slid);
             _recovery.restoreClearance(body, _slid.place);
-            if (limits.staysLevel)
+            if (limits == SlideLimits.LEVEL)
             {
                 // the clearance leads off slopes by their normals
                 _slid.place.z = body.from.z;
             }
-            if (dx != 0 || dy != 0 || dz != 0)
-            {
-                _seen.moveAgent(agent, _slid.place);
-            }
+            _seen.moveAgent(agent, dx == 0 && dy == 0 && dz == 0 ? body.from : _slid.place);
             return _slid.fraction;
         }
 
@@ -189,10 +180,10 @@ package starlogo.queries
         {
             var hits:Vector.<ShapeHit> = out || new Vector.<ShapeHit>();
             findTouches(body, filter);
-            _spare.resize(hits, _touches.count);
+            _spare.resize(hits, _sweep.count);
             for (var i:int = 0; i < hits.length; i++)
             {
-                writeHit(_touches.at(i), hits[i]);
+                writeHit(_sweep.touchAt(i), hits[i]);
             }
             return hits;
         }
@@ -202,7 +193,7 @@ package starlogo.queries
         private function findTouches(body:MovingBody, filter:AgentFilter):CastResult
         {
             body.collectRowsAlong(filter);
-            return _sweep.findTouches(body, _touches);
+            return _sweep.findTouches(body);
         }
 
         private function writeHit(touch:CastResult, hit:ShapeHit):ShapeHit

@@ -15,7 +15,6 @@ package starlogo.queries
     import starlogo.collision.QuerySource;
     import starlogo.data.requireGiven;
     import starlogo.engine;
-    import starlogo.geometry.Placement;
     import starlogo.queries.trees.Collector;
     import starlogo.queries.trees.RowTree;
     import starlogo.search.Body;
@@ -49,7 +48,7 @@ package starlogo.queries
 
         /**
          * @private How many questions under way are calling a filter's <code>accepts</code>. It may ask questions itself, nested one deeper than the
-         * question that calls it, but not change the agents. What a question needs after these calls is PerQuery. Read only.
+         * question that calls it, but not change the agents. What a question needs after these calls is PerQuery. Only a Collector counts it.
          */
         engine var nesting:int = 0;
 
@@ -174,23 +173,11 @@ package starlogo.queries
         }
 
         /** @private Begins the search of a question, and returns what collects its rows: see Collector.begin. */
-        engine function beginSearch(maxCount:int, limit:Number, asker:Agent, filter:AgentFilter):Collector
+        engine function beginCollecting(maxCount:int, limit:Number, asker:Agent, filter:AgentFilter):Collector
         {
             var collector:Collector = Collector(_collectors.current);
             collector.begin(maxCount, limit, asker, filter);
             return collector;
-        }
-
-        /** @private A question begins to call a filter's <code>accepts</code>. Questions are one deeper from now on. */
-        engine function enterFilter():void
-        {
-            nesting++;
-        }
-
-        /** @private The calls of <code>accepts</code> have ended. */
-        engine function leaveFilter():void
-        {
-            nesting--;
         }
 
         /** @private Throws an error if a filter's <code>accepts</code> is being called and the agent is in the list. */
@@ -217,13 +204,6 @@ package starlogo.queries
             {
                 throw new ArgumentError(agent + " has no place, and does not move: it stands for the ground or the edges of the world");
             }
-        }
-
-        /** @private Where an agent is now, and its size. Its rotation may be stale: see Agent.freshPlacement. Throws an error if the agent is not placed. */
-        engine function placementOf(agent:Agent):Placement
-        {
-            requirePlaced(agent);
-            return agent.placement;
         }
 
         /**

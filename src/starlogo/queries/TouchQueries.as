@@ -35,10 +35,9 @@ package starlogo.queries
         private var _search:SweptBoxSearch = new SweptBoxSearch();
         private var _closest:ClosestPoints = new ClosestPoints();
 
-        // A second body: an agent's, one at another place, or the edges of the world; the body of a structure or a point; and this place or point.
+        // A second body: an agent's, one at another place, or the edges of the world; the body of a structure or a point; and this place or point, a sphere.
         private var _body:Body = new Body();
         private var _structureBody:StructureBody = new StructureBody();
-        private var _place:Vector3D = new Vector3D();
         private var _point:Sphere = new Sphere(new Vector3D(), 0);
 
         /** @param seen the agents that the questions are about */
@@ -72,9 +71,9 @@ package starlogo.queries
         {
             _seen.requirePlaced(agent);
             requireInWorld("a place", x, y, z, agent);
-            _place.setTo(x, y, z);
+            _point.center.setTo(x, y, z);
             _body.copyFrom(_seen.bodyOf(agent));
-            _body.moveTo(_place);
+            _body.moveTo(_point.center);
             return find(agent, _body, 1, filter).end() > 0;
         }
 
@@ -151,7 +150,7 @@ package starlogo.queries
         private function find(asker:Agent, body:Body, maxCount:int, filter:AgentFilter):Collector
         {
             var table:AgentTable = _seen.table;
-            var collector:Collector = _seen.beginSearch(maxCount, Infinity, asker, filter);
+            var collector:Collector = _seen.beginCollecting(maxCount, Infinity, asker, filter);
             if (body.shape == null)
             {
                 return collector;

@@ -1,6 +1,7 @@
 package starlogo.queries
 {
     import evaluation.pairs.SeededRandom;
+    import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
@@ -229,6 +230,21 @@ package starlogo.queries
             assertEquals(1, queries.moveUntilTouch(mover, 0, 0, 0));
             assertEquals(1, queries.slide(mover, 0, 0, 0));
             assertEquals(revision, mover.x);
+        }
+
+        /** As after every motion, questions see the agent where it is, also if the game has moved it before. */
+        [Test]
+        public function aMotionWithoutAWayReadsTheAgentAgain():void
+        {
+            var queries:AgentQueries = new AgentQueries(new BinCollider());
+            var mover:Agent = new Agent("cube");
+            queries.update(new <Agent>[mover]);
+            for each (var motion:Function in [queries.moveUntilTouch, queries.slide])
+            {
+                mover.x += 50;
+                motion(mover, 0, 0, 0);
+                assertEquals(mover, queries.nearestToPoint(new Vector3D(mover.x, 0, 0), 1));
+            }
         }
 
         [Test]

@@ -14,6 +14,7 @@ package starlogo.queries
     import support.Fixtures;
     import support.RunningHash;
     import support.SolidModels;
+    import support.agentAt;
     import support.landOf;
 
     /**
@@ -115,6 +116,32 @@ package starlogo.queries
             queries.update(new <Agent>[leaf, cube]);
             queries.slide(leaf, axis == 2 ? 0.2 : 0, axis == 0 ? 0.2 : 0, axis == 1 ? 0.2 : 0);
             return -side * [leaf.x, leaf.y, leaf.z][axis] - (1 + LEAF) / 2;
+        }
+
+        /** What is pushed out of a large agent, which it overlaps a little, does not come into a small one beside it. */
+        [Test]
+        public function aShortSlideLeadsIntoNoNeighbour():void
+        {
+            for each (var way:Number in [0.5, 1e-4, 1e-6])
+            {
+                for each (var walks:Boolean in [false, true])
+                {
+                    var large:Agent = agentAt("cube", 5e-4 - 500.5, 0, -300);
+                    var mover:Agent = new Agent("cube");
+                    var queries:AgentQueries = new AgentQueries(EachCollider.make("tightest fits", sGreatLand));
+                    large.size = 1000;
+                    queries.update(new <Agent>[large, agentAt("cube", 1.0001, 0, 0), mover]);
+                    if (walks)
+                    {
+                        queries.walk(mover, 0, way);
+                    }
+                    else
+                    {
+                        queries.slide(mover, 0, way, 0);
+                    }
+                    assertTrue([way, walks, mover.x].join(), Math.abs(mover.x) < 1e-9);
+                }
+            }
         }
 
         [Test]

@@ -8,6 +8,10 @@ package starlogo.queries
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
+    import starlogo.collision.BinCollider;
+    import starlogo.collision.Collision;
+    import starlogo.collision.CollisionSystem;
+    import starlogo.collision.TightestFitCollider;
     import starlogo.models.BuiltInModel;
     import starlogo.terrain.Terrain;
     import support.EachCollider;
@@ -361,6 +365,29 @@ package starlogo.queries
             _queries.walk(_walker, 0, 0, _options, _footing);
             assertEquals(1, _walker.x);
             assertTrue(!_footing.stands);
+        }
+
+        /** For a BinCollider no agent is turned. So in the walk after it is exchanged, the floor's rotation is no turn, but its motion counts. */
+        [Test]
+        public function anotherCollisionSystemTurnsNobody():void
+        {
+            var collision:Collision = new Collision(new BinCollider());
+            var floor:Agent = agentAt("cube", 0, 0, 0);
+            floor.size = 4;
+            floor.heading = 90;
+            _walker = agentAt("cube", 0.3, 0.2, 6);
+            _walker.size = 0.5;
+            _queries = new AgentQueries(collision);
+            _options.fall = Infinity;
+            for each (var system:CollisionSystem in [new BinCollider(), new TightestFitCollider(_greatLand), new BinCollider()])
+            {
+                collision.collisionSystem = system;
+                floor.x += 0.125;
+                _queries.update(new <Agent>[floor, _walker]);
+                _queries.walk(_walker, 0, 0, _options, _footing);
+                assertStrictlyEquals(floor, _footing.on);
+                assertTrue(_walker.x + ", " + _walker.heading, Math.abs(_walker.x - 0.3 - (floor.x - 0.125)) < NEAR && _walker.heading == 0);
+            }
         }
 
         [Test]

@@ -57,6 +57,40 @@ package starlogo.queries
             _wrong.assertNone();
         }
 
+        /** A walker that stands a clearance above a floor stands there, and is carried, however little its options let it reach. */
+        [Test]
+        public function anIdleWalkerStandsWithoutSnapAndFall():void
+        {
+            for each (var floorSize:Number in [1, 100, 1e4, 1e6])
+            {
+                for each (var size:Number in [0.1, 1])
+                {
+                    for each (var fall:Number in [0, 1e-10])
+                    {
+                        var floor:Agent = agentAt("box", 0, 0, -floorSize);
+                        var walker:Agent = agentAt("box", 0, 0, 0.01);
+                        floor.size = floorSize;
+                        walker.size = size;
+                        var queries:AgentQueries = new AgentQueries(EachCollider.make(_random.pick(NAMES), _land));
+                        queries.update(new <Agent>[floor, walker]);
+                        _options.fall = 1;
+                        queries.walk(walker, 0, 0, _options, _footing);
+                        _options.fall = _options.snap = fall;
+                        for (var i:int = 1; i < 4; i++)
+                        {
+                            queries.walk(walker, 0, 0, _options, _footing);
+                            _wrong.addIf(!_footing.stands, "falls", [floorSize, size, fall, i].join());
+                            floor.moveTo(0.1 * i, 0, -floorSize);
+                            queries.update(new <Agent>[floor, walker]);
+                        }
+                        queries.walk(walker, 0, 0, _options, _footing);
+                        _wrong.addIf(Math.abs(walker.x - 0.3) > 1e-6, "is not carried", [floorSize, size, fall, walker.x].join());
+                    }
+                }
+            }
+            _wrong.assertNone();
+        }
+
         // Sizes and places that differ by orders of magnitude. Coordinates keep eight digits of the walker.
         private function chooseSizes():void
         {

@@ -110,8 +110,8 @@ function $stopOf(agent, { queries, dx, dy, filter, x, y }) {
  * Warns of an agent that does not stop a motion, because the motion begins deep inside of its tree or its triangles, or whose
  * structure has all that moves inside. See warnOfInside.as. `mover` is null if a structure is cast.
  */
-export function $warnOfInside(agents, index, mover, place, below, depth, isTree) {
-	const level = agents[index];
+export function $warnOfInside(agents, row, mover, place, below, depth, isTree) {
+	const level = agents[row];
 	const name = mover ?? "a structure that is cast";
 	const key = `inside ${level.shape} ${mover?.shape}`;
 	const rider = mover && agents.find((each) => each?.$platformLink?.platform === mover);

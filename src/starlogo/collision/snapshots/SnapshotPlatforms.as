@@ -38,8 +38,8 @@ package starlogo.collision.snapshots
                 count++;
                 bytes.writeInt(i);
                 bytes.writeInt(table.list.ranks[table.list.rowOf(link.platform)]);
-                writeNumbers(bytes, link.place.x, link.place.y, link.place.z);
-                var below:Placement = link.platformPlace;
+                writeNumbers(bytes, link.walkerPlace.x, link.walkerPlace.y, link.walkerPlace.z);
+                var below:Placement = link.platformPlacement;
                 writeNumbers(bytes, below.x, below.y, below.z);
                 bytes.writeDouble(below.size);
                 var rotation:Vector.<Number> = new Vector.<Number>(ROTATION, true);
@@ -73,8 +73,8 @@ package starlogo.collision.snapshots
                 }
                 var link:PlatformLink = new PlatformLink(agents[walker]);
                 link.platform = agents[on];
-                link.place.setTo(bytes.readDouble(), bytes.readDouble(), bytes.readDouble());
-                if (!isInWorld(link.place.x, link.place.y, link.place.z) || !readPlacement(bytes, link.platformPlace))
+                link.walkerPlace.setTo(bytes.readDouble(), bytes.readDouble(), bytes.readDouble());
+                if (!isInWorld(link.walkerPlace.x, link.walkerPlace.y, link.walkerPlace.z) || !readPlacement(bytes, link.platformPlacement))
                 {
                     return null;
                 }

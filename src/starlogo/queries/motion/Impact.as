@@ -13,7 +13,7 @@ package starlogo.queries.motion
         /** The row that is met; -1 if none is. */
         public var row:int = -1;
 
-        /** When the shrunk body meets it, as a fraction of the motion; Infinity if it meets none. */
+        /** When the shrunk body meets it, as a fraction of the motion. Without a row it means nothing, as all below. */
         public var time:Number = Infinity;
 
         /**

@@ -23,6 +23,7 @@ package starlogo.queries.motion
     import starlogo.search.NarrowPhase;
     import starlogo.search.StructureBody;
     import starlogo.search.pairs.PairTests;
+    import starlogo.search.table.ListedAgents;
 
     use namespace engine;
 
@@ -143,7 +144,7 @@ package starlogo.queries.motion
          */
         public function collectRowsAlong(filter:AgentFilter):void
         {
-            if (beginSearch())
+            if (searchAround())
             {
                 _search.moveAlong(motion.x, motion.y, motion.z, 1);
                 collectRows(filter);
@@ -151,24 +152,40 @@ package starlogo.queries.motion
         }
 
         /**
-         * Finds the rows near motions that are not known yet.
+         * Finds the rows near motions that are not known yet, and near the pushes with which they begin.
          *
-         * @param range how far it may go in any direction
-         * @param up how much farther it may go upwards
-         * @param down how much farther it may go downwards
+         * @param range how far it may go in any direction, without pushes
+         * @param up how much farther than the range it may go upwards
+         * @param down how much farther than the range it may go downwards
          * @param filter the agents that count; null for all. Its <code>accepts</code> is called, which may ask other questions
          */
         public function collectRowsWithin(range:Number, up:Number, down:Number, filter:AgentFilter):void
         {
-            if (beginSearch())
+            if (searchAround())
             {
-                _search.widen(range, up, down);
+                var longestPush:Number = ShrunkBody.SHALLOW * maxExtent + maxSlop(range);
+                _search.widen(range + longestPush, up, down);
                 collectRows(filter);
             }
         }
 
+        /** The slop of a motion of at most this length is no larger, whatever rows are near its way. */
+        public function maxSlop(length:Number):Number
+        {
+            var largest:Number = maxExtent;
+            var ground:ModelShape = _seen.table.shapes[ListedAgents.GROUND_ROW];
+            var cell:Number = ground == null ? 0 : ground.grid.cellWidth;
+            return ShrunkBody.slopOf(extent, largest, from, 2 * length + cell);
+        }
+
+        // No row has a larger extent, nor the body.
+        private function get maxExtent():Number
+        {
+            return Math.max(extent, _seen.treeOfExtents().maxExtent);
+        }
+
         // Begins a search around the body where it begins, without rows. Returns whether the body has a shape.
-        private function beginSearch():Boolean
+        private function searchAround():Boolean
         {
             rows.count = 0;
             if (hasShape)
@@ -180,7 +197,7 @@ package starlogo.queries.motion
 
         private function collectRows(filter:AgentFilter):void
         {
-            var collector:Collector = _seen.beginSearch(Collector.ALL, 1, agent, filter);
+            var collector:Collector = _seen.beginCollecting(Collector.ALL, 1, agent, filter);
             for (var row:int = _search.next(collector); row >= 0; row = _search.next(collector))
             {
                 collector.add(row, 0);

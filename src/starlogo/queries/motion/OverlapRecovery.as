@@ -16,7 +16,7 @@ package starlogo.queries.motion
      * contact stands for that row. The motion must not cross the plane, and nothing else of the row counts. If no pushes lead out of shallow overlaps, planes
      * stand for these rows too.</p>
      *
-     * <p>The pushes go out of one row after the other, in rounds, because a push out of one side of a hollow leads a part of the way into
+     * <p>Each push is a clearance longer than the depth of its contact. The pushes go from one row after the other, in rounds, because a push out of one side of a hollow leads a part of the way into
      * another. If it does not get free, for example between two opposite walls, it stays where it was. The tests of a pair know the shortest way
      * out of that pair (PairTests.separate).</p>
      *
@@ -24,6 +24,8 @@ package starlogo.queries.motion
      */
     public final class OverlapRecovery
     {
+        private static const NO_MOTION:Vector3D = new Vector3D();
+
         private static const MAX_ROUNDS:int = 30;
 
         // From this round on contacts have to separate. Contacts of parts of a body may point sideways, round after round.
@@ -56,14 +58,14 @@ package starlogo.queries.motion
          */
         public function leaveOverlaps(state:MotionState):void
         {
-            if (replaceByPlanes(state, false) && !pushFree(state.shrunk, state.obstacles, state.start, false, state.pushes))
+            if (replaceByPlanes(state, false) && !pushOutOfOverlaps(state.shrunk, state.obstacles, state.start, state.pushes))
             {
                 replaceByPlanes(state, true);
             }
             if (state.shrunk.isFlat && state.planes.count == 0)
             {
                 // the shrunk body is as flat, and a sweep touches across a wider gap than a body that stands
-                pushFree(state.shrunk, state.obstacles, state.start, true, _pushesOff);
+                pushOffTouches(state.shrunk, state.obstacles, state.start);
             }
         }
 
@@ -75,8 +77,8 @@ package starlogo.queries.motion
          */
         public function restoreClearance(body:MovingBody, place:Vector3D):void
         {
-            _shrunk.beginStanding(body, place);
-            pushFree(_shrunk, body.rows, place, true, _pushesOff);
+            _shrunk.begin(body, body.rows, place, NO_MOTION);
+            pushOffTouches(_shrunk, body.rows, place);
         }
 
         /**
@@ -91,7 +93,7 @@ package starlogo.queries.motion
         {
             var sum:Number = 0;
             deepest.depth = 0;
-            _shrunk.beginStanding(body, place);
+            _shrunk.begin(body, body.rows, place, NO_MOTION);
             for (var i:int = 0; i < body.rows.count; i++)
             {
                 if (measureOverlap(_shrunk, body.rows.values[i], place, _contact))
@@ -106,32 +108,45 @@ package starlogo.queries.motion
             return sum;
         }
 
-        // Pushes a body off the rows that it touches, or else out of those that the shrunk body overlaps. Each push is a clearance longer than the depth of its
-        // contact. They lead from one row after the other, round and round, until none is needed. Returns whether this succeeds. It does not if an overlap
-        // is not shallow. Then the body is where it was, and there are no pushes.
-        private function pushFree(shrunk:ShrunkBody, rows:IntList, place:Vector3D, clearsTouches:Boolean, pushes:ContactList):Boolean
+        // Pushes a body out of the rows that the shrunk body overlaps. Returns whether it is free then. It is not if an overlap is not shallow. Then the body is
+        // where it was, and there are no pushes.
+        private function pushOutOfOverlaps(shrunk:ShrunkBody, rows:IntList, place:Vector3D, pushes:ContactList):Boolean
+        {
+            return pushInRounds(shrunk, rows, place, false, pushes);
+        }
+
+        // Pushes a body off the rows that it touches. If it does not get free, it is where it was.
+        private function pushOffTouches(shrunk:ShrunkBody, rows:IntList, place:Vector3D):void
+        {
+            pushInRounds(shrunk, rows, place, true, _pushesOff);
+        }
+
+        // Pushes a body from one row after the other, in rounds, until a round needs no push. Returns whether this succeeds.
+        private function pushInRounds(shrunk:ShrunkBody, rows:IntList, place:Vector3D, isOff:Boolean, pushes:ContactList):Boolean
         {
             var last:ContactPoint = null;
-            var freeInTurn:int = 0;
+            var isFree:Boolean = false;
             _before.copyFrom(place);
             pushes.clear();
-            for (var i:int = 0; freeInTurn < rows.count; i++)
+            for (var round:int = 0; !isFree; round++)
             {
-                var row:int = rows.values[int(i % rows.count)];
-                var isSeparating:Boolean = i >= FIRST_SEPARATING_ROUND * rows.count;
-                freeInTurn++;
-                if (clearsTouches ? findPushOff(shrunk, row, place, isSeparating, last, _contact)
-                        : findPushOut(shrunk, row, place, isSeparating, last, _contact))
+                isFree = true;
+                for (var i:int = 0; i < rows.count; i++)
                 {
-                    if (i >= MAX_ROUNDS * rows.count || !clearsTouches && !shrunk.body.isShallow(row, _contact) || leadsBack(_contact, last))
+                    var row:int = rows.values[i];
+                    var length:Number = isOff ? findPushOff(shrunk, row, place, round, last, _contact) : findPushOut(shrunk, row, place, round, last, _contact);
+                    if (length > 0)
                     {
-                        place.copyFrom(_before);
-                        pushes.clear();
-                        return false;
+                        if (round == MAX_ROUNDS || length == Infinity || leadsBack(_contact, last))
+                        {
+                            place.copyFrom(_before);
+                            pushes.clear();
+                            return false;
+                        }
+                        _contact.movePoint(place, length);
+                        last = pushes.contacts[pushes.add(_contact, row)];
+                        isFree = false;
                     }
-                    _contact.movePoint(place, _contact.depth + shrunk.clearance);
-                    last = pushes.contacts[pushes.add(_contact, row)];
-                    freeInTurn = 0;
                 }
             }
             return true;
@@ -148,7 +163,7 @@ package starlogo.queries.motion
             {
                 var row:int = obstacles.values[i];
                 var isOverlapped:Boolean = state.shrunk.shrunkTouches(row, state.start);
-                if (isOverlapped && (state.shrunk.body.passesOneWayAt(row, state.start) || addPlane(row, state, alsoShallow)))
+                if (isOverlapped && (state.shrunk.mover.passesOneWayAt(row, state.start) || addPlane(row, state, alsoShallow)))
                 {
                     obstacles.remove(row);
                 }
@@ -167,64 +182,65 @@ package starlogo.queries.motion
         private function addPlane(row:int, state:MotionState, alsoShallow:Boolean):Boolean
         {
             var shrunk:ShrunkBody = state.shrunk;
-            shrunk.body.findContact(row, state.start, alsoShallow, _contact);
-            var isCounted:Boolean = alsoShallow || !shrunk.body.isShallow(row, _contact);
+            shrunk.mover.findContact(row, state.start, alsoShallow, _contact);
+            var isCounted:Boolean = alsoShallow || !shrunk.mover.isShallow(row, _contact);
             if (!isCounted || shrunk.narrow(row, state.start) || !shrunk.bodyOverlaps(row, state.start))
             {
                 return false;
             }
             state.planes.add(_contact, row);
-            shrunk.body.warnIfInside(row, _contact);
+            shrunk.mover.warnIfInside(row, _contact);
             return true;
         }
 
-        // Finds the contact for a push out of a row, if the shrunk body overlaps it. Returns whether it does.
-        private static function findPushOut(shrunk:ShrunkBody, row:int, place:Vector3D, isSeparating:Boolean, last:ContactPoint, out:ContactPoint):Boolean
+        // Finds the contact for a push out of a row. Returns the length of the push: 0 if the shrunk body does not overlap the row, Infinity if the overlap
+        // is not shallow.
+        private static function findPushOut(shrunk:ShrunkBody, row:int, place:Vector3D, round:int, last:ContactPoint, out:ContactPoint):Number
         {
             if (!shrunk.shrunkTouches(row, place))
             {
-                return false;
+                return 0;
             }
-            findContactOfPush(shrunk.body, row, place, isSeparating, last, out);
-            return true;
+            findContactOfPush(shrunk.mover, row, place, round, last, out);
+            return shrunk.mover.isShallow(row, out) ? out.depth + shrunk.clearance : Infinity;
         }
 
-        // Finds the contact for a push off a row, if the body touches it. It is so deep at the body's place. Returns whether there is one: not if the body
-        // overlaps the row deeply, or passes it.
-        private function findPushOff(shrunk:ShrunkBody, row:int, place:Vector3D, isSeparating:Boolean, last:ContactPoint, out:ContactPoint):Boolean
+        // Finds the contact for a push off a row. Returns the length of the push: 0 if the body does not touch the row, overlaps it deeply or passes it.
+        private function findPushOff(shrunk:ShrunkBody, row:int, place:Vector3D, round:int, last:ContactPoint, out:ContactPoint):Number
         {
-            var body:MovingBody = shrunk.body;
+            var mover:MovingBody = shrunk.mover;
             // mostly it is known faster that the shrunk body touches the row than how deep the overlap is
-            if (!findTouchingPlace(shrunk, row, place, _touching) || body.passesOneWayAt(row, _touching)
+            if (!findTouchingPlace(shrunk, row, place, _touching) || mover.passesOneWayAt(row, _touching)
                     || (!shrunk.isFlat && shrunk.shrunkTouches(row, place)))
             {
-                return false;
+                return 0;
             }
-            findContactOfPush(body, row, _touching, isSeparating, last, out);
+            findContactOfPush(mover, row, _touching, round, last, out);
             var most:Number = SLOPS_OF_TOUCH * shrunk.slop;
-            if (out.depth > most && !body.isShallow(row, out))
+            if (out.depth > most && !mover.isShallow(row, out))
             {
-                return false;
+                return 0;
             }
+            // from the body's place, which a flat body does not touch the row at
             var beside:Number = out.normalX * (place.x - _touching.x) + out.normalY * (place.y - _touching.y) + out.normalZ * (place.z - _touching.z);
-            out.depth = Math.min(out.depth, most) - beside;
-            return true;
+            return Math.min(out.depth, most) - beside + shrunk.clearance;
         }
 
         // Finds the contact with a row that the body touches at a place. It does not lead back against the last push if another contact does not.
-        private static function findContactOfPush(body:MovingBody, row:int, place:Vector3D, isSeparating:Boolean, last:ContactPoint, out:ContactPoint):void
+        private static function findContactOfPush(mover:MovingBody, row:int, place:Vector3D, round:int, last:ContactPoint, out:ContactPoint):void
         {
-            body.findContact(row, place, isSeparating, out);
+            var isSeparating:Boolean = round >= FIRST_SEPARATING_ROUND;
+            mover.findContact(row, place, isSeparating, out);
             if (!isSeparating && leadsBack(out, last))
             {
-                body.findContact(row, place, true, out);
+                mover.findContact(row, place, true, out);
             }
         }
 
         // Finds an overlap that a walk begins with a push out of: see measureOverlaps. Returns whether it counts.
         private static function measureOverlap(shrunk:ShrunkBody, row:int, place:Vector3D, out:ContactPoint):Boolean
         {
-            var body:MovingBody = shrunk.body;
+            var body:MovingBody = shrunk.mover;
             if (body.isOneWay(row) || !shrunk.shrunkTouches(row, place))
             {
                 return false;

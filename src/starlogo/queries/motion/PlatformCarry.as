@@ -10,6 +10,7 @@ package starlogo.queries.motion
     import starlogo.queries.AgentFilter;
     import starlogo.queries.SeenAgents;
     import starlogo.queries.trees.Collector;
+    import starlogo.search.Body;
 
     use namespace engine;
 
@@ -57,7 +58,7 @@ package starlogo.queries.motion
             var row:int = link != null && walk.options.carried && link.isValid ? _seen.rowOf(link.platform) : -1;
             if (row >= 0 && _seen.table.shapes[row] != null)
             {
-                walk.carryTurn = findMotion(link, _seen.table.bodyOf(row).placement, walk.carry);
+                walk.carryTurn = findMotion(link, _seen.table.bodyOf(row), walk.carry);
                 if ((walk.carryTurn != 0 || walk.carry.length > 0) && isAdmitted(row, agent, walk.options.filter))
                 {
                     return row;
@@ -71,7 +72,7 @@ package starlogo.queries.motion
         // Whether the filter of an agent that walks admits a row. Its accepts is called.
         private function isAdmitted(row:int, asker:Agent, filter:AgentFilter):Boolean
         {
-            var collector:Collector = _seen.beginSearch(1, 0, asker, filter);
+            var collector:Collector = _seen.beginCollecting(1, 0, asker, filter);
             if (collector.filter.mayAdmit(row))
             {
                 collector.add(row, 0);
@@ -80,14 +81,16 @@ package starlogo.queries.motion
         }
 
         // Finds how a platform carries an agent to where the platform is now: the motion, which it writes, and the turn about the z axis, which it returns.
-        private static function findMotion(link:PlatformLink, now:Placement, motion:Vector3D):Number
+        // Its rotation may count only now or only before, if the collision system is another one.
+        private static function findMotion(link:PlatformLink, platform:Body, motion:Vector3D):Number
         {
-            var from:Placement = link.platformPlace;
-            var offsetX:Number = link.place.x - from.x;
-            var offsetY:Number = link.place.y - from.y;
-            var offsetZ:Number = link.place.z - from.z;
+            var from:Placement = link.platformPlacement;
+            var now:Placement = platform.placement;
+            var offsetX:Number = link.walkerPlace.x - from.x;
+            var offsetY:Number = link.walkerPlace.y - from.y;
+            var offsetZ:Number = link.walkerPlace.z - from.z;
             motion.setTo(now.x - from.x, now.y - from.y, now.z - from.z);
-            if (from.size == now.size && from.hasRotationOf(now))
+            if (platform.shape.ignoresRotation != link.ignoresRotation || (from.size == now.size && from.hasRotationOf(now)))
             {
                 return 0;
             }

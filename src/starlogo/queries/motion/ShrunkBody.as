@@ -42,10 +42,8 @@ package starlogo.queries.motion
         // gap.
         private static const FLAT_SLOPS:Number = 0.01;
 
-        private static const NO_MOTION:Vector3D = new Vector3D();
-
-        /** The whole body. Read only. */
-        public var body:MovingBody;
+        /** Has the whole body. Read only. */
+        public var mover:MovingBody;
 
         /**
          * The slop of the motion, in patches: how far the shrunk body's nearest faces are behind the body's own. They are less far behind if the body
@@ -78,38 +76,45 @@ package starlogo.queries.motion
         /**
          * Becomes the shrunk body on a motion, with an inset of a slop, and finds the motion's tolerances.
          *
-         * @param body the whole body
+         * @param mover has the whole body
          * @param rows the rows that may be in the way
          * @param from where the motion begins
          * @param motion the whole motion
          */
-        public function begin(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D):void
+        public function begin(mover:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D):void
         {
-            var extent:Number = body.extent;
+            var extent:Number = mover.extent;
             var largest:Number = extent;
             var cell:Number = 0;
-            this.body = body;
+            this.mover = mover;
             for (var i:int = 0; i < rows.count; i++)
             {
-                var other:Body = body.bodyOf(rows.values[i]);
+                var other:Body = mover.bodyOf(rows.values[i]);
                 if (other.form == ModelShape.GROUND)
                 {
                     cell = other.shape.grid.cellWidth;
                 }
                 largest = Math.max(largest, 2 * other.maxHalf);
             }
-            slop = SLOP_OF_EXTENT * extent + SLOP_OF_OTHERS * largest + SLOP_OF_PLACES * (Math.abs(from.x) + Math.abs(from.y) + Math.abs(from.z))
-                + SLOP_OF_MOTION * (cell + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
+            slop = slopOf(extent, largest, from, cell + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             clearance = slop / 4;
             _maxInset = slop + SHALLOW * largest;
             setInset(slop);
-            isFlat = shrink * body.whole.minHalf < FLAT_SLOPS * slop;
+            isFlat = shrink * mover.whole.minHalf < FLAT_SLOPS * slop;
         }
 
-        /** Becomes the shrunk body that stands at a place, among its rows. */
-        public function beginStanding(body:MovingBody, place:Vector3D):void
+        /**
+         * The slop of a motion.
+         *
+         * @param extent the extent of the body
+         * @param largest the largest extent of the body and of the rows near its way
+         * @param from where the motion begins
+         * @param way the sum of its parts along the axes, and a cell of the ground
+         */
+        public static function slopOf(extent:Number, largest:Number, from:Vector3D, way:Number):Number
         {
-            begin(body, body.rows, place, NO_MOTION);
+            return SLOP_OF_EXTENT * extent + SLOP_OF_OTHERS * largest + SLOP_OF_PLACES * (Math.abs(from.x) + Math.abs(from.y) + Math.abs(from.z))
+                + SLOP_OF_MOTION * way;
         }
 
         /**
@@ -138,15 +143,15 @@ package starlogo.queries.motion
         private function setInset(width:Number):void
         {
             _inset = width;
-            shrink = shrinkOf(body.whole, width);
-            _shrunk.copyFrom(body.whole);
+            shrink = shrinkOf(mover.whole, width);
+            _shrunk.copyFrom(mover.whole);
             _shrunk.shrink(shrink);
         }
 
         /** Moves the shrunk body to where it is when the body stands at a place. Returns the shrunk body, which stays there until the next call. */
         public function moveTo(place:Vector3D):Body
         {
-            var whole:Body = body.whole;
+            var whole:Body = mover.whole;
             _place.setTo(place.x + shrink * whole.offsetX, place.y + shrink * whole.offsetY, place.z + shrink * whole.offsetZ);
             _shrunk.moveTo(_place);
             return _shrunk;
@@ -170,13 +175,13 @@ package starlogo.queries.motion
         /** Whether the whole body touches a row when it stands at a place. It compares their extents first. */
         public function bodyTouches(row:int, place:Vector3D):Boolean
         {
-            return isNear(body.moveTo(place), body.bodyOf(row), RelativeMotion.NONE) && body.touches(row, place);
+            return isNear(mover.moveTo(place), mover.bodyOf(row), RelativeMotion.NONE) && mover.touches(row, place);
         }
 
         /** Whether the shrunk body touches a row when the body stands at a place. The whole body is tested first, because mostly it does not touch either. */
         public function shrunkTouches(row:int, place:Vector3D):Boolean
         {
-            return bodyTouches(row, place) && body.narrowPhase.areTouching(moveTo(place), body.bodyOf(row));
+            return bodyTouches(row, place) && mover.narrowPhase.areTouching(moveTo(place), mover.bodyOf(row));
         }
 
         /**
@@ -186,15 +191,15 @@ package starlogo.queries.motion
          */
         public function bodyOverlaps(row:int, place:Vector3D):Boolean
         {
-            var other:Body = body.bodyOf(row);
-            var whole:Body = body.moveTo(place);
+            var other:Body = mover.bodyOf(row);
+            var whole:Body = mover.moveTo(place);
             if (other.form == ModelShape.GROUND)
             {
-                return body.narrowPhase.groundTestsOf(other).isDeeper(whole, other, slop);
+                return mover.narrowPhase.groundTestsOf(other).isDeeper(whole, other, slop);
             }
             _smaller.copyFrom(other);
             _smaller.shrink(shrinkOf(other, slop));
-            return body.narrowPhase.areTouching(whole, _smaller);
+            return mover.narrowPhase.areTouching(whole, _smaller);
         }
 
         // The part of its size that a body loses with an inset.

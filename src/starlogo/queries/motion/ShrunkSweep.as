@@ -50,7 +50,7 @@ package starlogo.queries.motion
             out.obstacles.copyFrom(rows);
             out.impact.row = -1;
             out.shrunk.begin(body, rows, from, motion);
-            out.isImpactKnown = !hasLength(motion) || findImpactIfFree(out.shrunk, out.obstacles, from, motion, out.impact);
+            out.isImpactKnown = !hasLength(motion) || tryStartFree(out.shrunk, out.obstacles, from, motion, out.impact);
             if (!out.isImpactKnown)
             {
                 _recovery.leaveOverlaps(out);
@@ -74,13 +74,13 @@ package starlogo.queries.motion
                 {
                     return 0;
                 }
-                findFirstObstacle(state.shrunk, state.obstacles, state.start, motion, state.impact);
+                findFirstSolidImpact(state.shrunk, state.obstacles, state.start, motion, state.impact);
             }
             return state.impact.isMet ? findTouchTime(state.shrunk, state.start, motion, state.impact) : 1;
         }
 
         /**
-         * Finds which row a shrunk body meets first: none, if the motion has no length. Of rows with the same <code>orderTime</code>, the first
+         * Finds which row a shrunk body meets first, also if it is a one-way row that the body passes: none, if the motion has no length. Of rows with the same <code>orderTime</code>, the first
          * one in their order counts.
          *
          * @param from where the motion begins
@@ -94,7 +94,7 @@ package starlogo.queries.motion
             var end:int = hasLength(motion) ? rows.count : 0;
             for (var i:int = 0; i < end && out.orderTime > 0; i++)
             {
-                if (findImpact(shrunk, rows.values[i], from, motion, _met) && _met.orderTime < out.orderTime)
+                if (findRowImpact(shrunk, rows.values[i], from, motion, _met) && _met.orderTime < out.orderTime)
                 {
                     out.copyFrom(_met);
                 }
@@ -109,9 +109,9 @@ package starlogo.queries.motion
          * @param from where the motion begins
          * @param out receives the answer
          */
-        public function findFirstObstacle(shrunk:ShrunkBody, obstacles:IntList, from:Vector3D, motion:Vector3D, out:Impact):void
+        public function findFirstSolidImpact(shrunk:ShrunkBody, obstacles:IntList, from:Vector3D, motion:Vector3D, out:Impact):void
         {
-            while (findFirstImpact(shrunk, obstacles, from, motion, out) && shrunk.body.passesOneWay(out.row, out.contact))
+            while (findFirstImpact(shrunk, obstacles, from, motion, out) && shrunk.mover.passesOneWay(out.row, out.contact))
             {
                 obstacles.remove(out.row);
             }
@@ -120,7 +120,7 @@ package starlogo.queries.motion
         /** Whether a row would stop a shrunk body on a straight motion. What it overlaps at the beginning stops it too. */
         public function meets(shrunk:ShrunkBody, row:int, from:Vector3D, motion:Vector3D):Boolean
         {
-            return hasLength(motion) && findImpact(shrunk, row, from, motion, _met);
+            return hasLength(motion) && findRowImpact(shrunk, row, from, motion, _met);
         }
 
         /**
@@ -135,7 +135,7 @@ package starlogo.queries.motion
         public function findTouchTime(shrunk:ShrunkBody, from:Vector3D, motion:Vector3D, impact:Impact):Number
         {
             var contact:ContactPoint = impact.contact;
-            var whole:Body = shrunk.body.whole;
+            var whole:Body = shrunk.mover.whole;
             var shrink:Number = shrunk.shrink;
             var recess:Number = shrink / (1 - shrink) * (contact.normalX * (from.x + whole.offsetX + impact.time * motion.x - contact.x)
                     + contact.normalY * (from.y + whole.offsetY + impact.time * motion.y - contact.y)
@@ -148,10 +148,10 @@ package starlogo.queries.motion
                 return ofPlane;
             }
             setAlong(from, motion, 1, _end);
-            shrunk.body.moveTo(_end);
-            var other:Body = shrunk.body.bodyOf(impact.row);
+            shrunk.mover.moveTo(_end);
+            var other:Body = shrunk.mover.bodyOf(impact.row);
             _relative.endAfter(motion.x, motion.y, motion.z);
-            shrunk.body.narrowPhase.pairTestsFor(whole, other).findImpactOfSurfaces(whole, other, _relative, null);
+            shrunk.mover.narrowPhase.pairTestsFor(whole, other).findImpactOfSurfaces(whole, other, _relative, null);
             var earliest:Number = Math.min(ofPlane, impact.time);
             var latest:Number = Math.max(ofPlane, impact.time);
             return Math.max(earliest, Math.min(latest, _relative.time));
@@ -168,11 +168,11 @@ package starlogo.queries.motion
             return motion.lengthSquared > Tolerances.VANISHING;
         }
 
-        // Finds what stops the shrunk body first, if it overlaps nothing where the motion begins: then nothing stops it at once. Flat bodies are not
-        // decided here, nor motions that a one-way obstacle may stop first. Returns whether the shrunk body certainly overlaps nothing.
-        private function findImpactIfFree(shrunk:ShrunkBody, obstacles:IntList, from:Vector3D, motion:Vector3D, out:Impact):Boolean
+        // Tries to find what stops the shrunk body first by a sweep alone. Returns whether it has succeeded: then the shrunk body overlaps nothing where the
+        // motion begins. Otherwise the impact means nothing: the body is flat, or touches something there, or a one-way obstacle comes first.
+        private function tryStartFree(shrunk:ShrunkBody, obstacles:IntList, from:Vector3D, motion:Vector3D, out:Impact):Boolean
         {
-            if (shrunk.isFlat || (findFirstImpact(shrunk, obstacles, from, motion, out) && (out.time == 0 || shrunk.body.isOneWay(out.row))))
+            if (shrunk.isFlat || (findFirstImpact(shrunk, obstacles, from, motion, out) && (out.time == 0 || shrunk.mover.isOneWay(out.row))))
             {
                 return false;
             }
@@ -191,8 +191,8 @@ package starlogo.queries.motion
         private static function beginsInside(shrunk:ShrunkBody, row:int, end:Vector3D, motion:RelativeMotion):Boolean
         {
             var moved:Body = shrunk.moveTo(end);
-            var other:Body = shrunk.body.bodyOf(row);
-            return shrunk.isNear(moved, other, motion) && shrunk.body.narrowPhase.pairTestsFor(moved, other).beginsInside(moved, other, motion);
+            var other:Body = shrunk.mover.bodyOf(row);
+            return shrunk.isNear(moved, other, motion) && shrunk.mover.narrowPhase.pairTestsFor(moved, other).beginsInside(moved, other, motion);
         }
 
         // Finds the plane that the motion crosses at the steepest angle. Its contact is without a triangle, because the plane stands for all triangles of the
@@ -220,7 +220,7 @@ package starlogo.queries.motion
         // Finds when and how a row stops the shrunk body. If the first contact does not point against the motion, the shrunk body leaves there what
         // it touches. At the same time it may enter another face, as the top of a tile at its edge. So it is swept again from a clearance farther on.
         // A flat shrunk body may be past a sheet there, so it is not swept again. Returns whether the row stops it.
-        private function findImpact(shrunk:ShrunkBody, row:int, from:Vector3D, motion:Vector3D, out:Impact):Boolean
+        private function findRowImpact(shrunk:ShrunkBody, row:int, from:Vector3D, motion:Vector3D, out:Impact):Boolean
         {
             var contact:ContactPoint = out.contact;
             setAlong(from, motion, 1, _end);
@@ -260,11 +260,11 @@ package starlogo.queries.motion
         private static function sweepShrunk(shrunk:ShrunkBody, row:int, end:Vector3D, motion:RelativeMotion, out:ContactPoint):Boolean
         {
             var moved:Body = shrunk.moveTo(end);
-            var other:Body = shrunk.body.bodyOf(row);
+            var other:Body = shrunk.mover.bodyOf(row);
             motion.time = RelativeMotion.NEVER;
             if (shrunk.isNear(moved, other, motion))
             {
-                var tests:PairTests = shrunk.body.narrowPhase.pairTestsFor(moved, other);
+                var tests:PairTests = shrunk.mover.narrowPhase.pairTestsFor(moved, other);
                 tests.findImpactOfSurfaces(moved, other, motion, out);
                 // a sheet may be wholly under the ground at the beginning, and then it touches no surface
                 if (motion.time == RelativeMotion.NEVER && other.form == ModelShape.GROUND && tests.beginsInside(moved, other, motion))

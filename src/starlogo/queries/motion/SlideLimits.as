@@ -11,20 +11,17 @@ package starlogo.queries.motion
         /** The least z of the normal of a level floor. */
         public static const LEVEL_Z:Number = 1 - 1e-12;
 
-        // A value of walkableZ: no contact is a wall.
-        private static const NO_WALLS:Number = -2;
-
         /** No limits. It must not be changed. */
         public static const NONE:SlideLimits = new SlideLimits();
 
-        /** For a level motion that stays level: all contacts but level ones are upright walls. It must not be changed. */
-        public static const LEVEL:SlideLimits = newLevel();
+        /**
+         * For a level motion that ends as high as it begins: all contacts but level ones are upright walls, also those of what the body overlaps deeply
+         * where it begins. It must not be changed.
+         */
+        public static const LEVEL:SlideLimits = new SlideLimits(LEVEL_Z);
 
-        /** A contact counts as an upright wall if the z of its normal is less than this. */
-        public var walkableZ:Number = NO_WALLS;
-
-        /** Whether the end is as high as the beginning, also if the body overlaps something deeply there: its contacts are upright walls too. */
-        public var staysLevel:Boolean = false;
+        /** A contact counts as an upright wall if the z of its normal is less than this, and else as floor. At -Infinity nothing is either. */
+        public var leastFloorZ:Number;
 
         /** The greatest length of its way on the ground plane. The planes of contacts can turn a motion up or down more level. */
         public var maxHorizontal:Number = Infinity;
@@ -35,18 +32,18 @@ package starlogo.queries.motion
         /** For a fall: the least slope on which it goes on, as a tangent. */
         public var fallSlope:Number = 0;
 
-        /** Whether a contact can be a wall. */
-        public function get hasWalls():Boolean
+        /** @param leastFloorZ see the field. There are no other limits */
+        public function SlideLimits(leastFloorZ:Number = -Infinity)
         {
-            return walkableZ != NO_WALLS;
+            this.leastFloorZ = leastFloorZ;
         }
 
         /** Sets the limits of a way along the ground and walls. */
-        public function setWalls(walkableZ:Number, maxHorizontal:Number):void
+        public function setWalls(leastFloorZ:Number, maxHorizontal:Number):void
         {
-            this.walkableZ = walkableZ;
+            this.leastFloorZ = leastFloorZ;
             this.maxHorizontal = maxHorizontal;
-            staysLevel = isFall = false;
+            isFall = false;
         }
 
         /** Sets the limits of a fall. */
@@ -54,17 +51,8 @@ package starlogo.queries.motion
         {
             this.fallSlope = fallSlope;
             this.maxHorizontal = maxHorizontal;
-            walkableZ = NO_WALLS;
-            staysLevel = false;
+            leastFloorZ = -Infinity;
             isFall = true;
-        }
-
-        private static function newLevel():SlideLimits
-        {
-            var level:SlideLimits = new SlideLimits();
-            level.setWalls(LEVEL_Z, Infinity);
-            level.staysLevel = true;
-            return level;
         }
     }
 }

@@ -51,12 +51,12 @@ package starlogo.queries.motion
             if (!_state.isImpactKnown)
             {
                 _remaining.beginCorner();
-                if (limits.staysLevel)
+                if (limits == SlideLimits.LEVEL)
                 {
                     makePlanesUpright(planes, _remaining);
                 }
                 _remaining.project(planes);
-                _sweep.findFirstObstacle(shrunk, _state.obstacles, out.place, _remaining.motion, impact);
+                _sweep.findFirstSolidImpact(shrunk, _state.obstacles, out.place, _remaining.motion, impact);
             }
             // the planes from this index on belong to the corner where the body is
             var corner:int = planes.count;
@@ -73,7 +73,7 @@ package starlogo.queries.motion
                 var newest:int = planes.add(impact.contact, impact.row);
                 dropNeedlessPlanes(out.place, _remaining, _state, corner, newest);
                 _remaining.project(planes);
-                _sweep.findFirstObstacle(shrunk, _state.obstacles, out.place, _remaining.motion, impact);
+                _sweep.findFirstSolidImpact(shrunk, _state.obstacles, out.place, _remaining.motion, impact);
             }
             if (!impact.isMet)
             {
@@ -106,13 +106,6 @@ package starlogo.queries.motion
             ShrunkSweep.setAlong(_state.start, motion, end, out.place);
         }
 
-        /** The slop of a motion of a body among its rows. */
-        public function slopOf(body:MovingBody, from:Vector3D, motion:Vector3D):Number
-        {
-            _state.shrunk.begin(body, body.rows, from, motion);
-            return _state.shrunk.slop;
-        }
-
         /** Whether a row, one of those near the way of a body, would stop a straight motion. */
         public function meets(body:MovingBody, row:int, from:Vector3D, motion:Vector3D):Boolean
         {
@@ -129,12 +122,12 @@ package starlogo.queries.motion
                 out.contact.copyFrom(contact);
                 out.row = impact.row;
             }
-            if (contact.normalZ < limits.walkableZ)
+            if (contact.normalZ < limits.leastFloorZ)
             {
                 out.wallRow = impact.row;
                 makeUpright(contact, remaining);
             }
-            else if (limits.hasWalls)
+            else if (limits.leastFloorZ > 0)
             {
                 remaining.liftOverPlane(contact);
             }
@@ -187,7 +180,7 @@ package starlogo.queries.motion
         {
             return _sweep.findFirstImpact(state.shrunk, state.obstacles, place, motion, _impactWithoutPlane)
                 && isInCorner(state.shrunk, _impactWithoutPlane, motion)
-                && !state.shrunk.body.passesOneWay(_impactWithoutPlane.row, _impactWithoutPlane.contact);
+                && !state.shrunk.mover.passesOneWay(_impactWithoutPlane.row, _impactWithoutPlane.contact);
         }
 
         // Whether what a motion meets first is met in the corner where it begins.

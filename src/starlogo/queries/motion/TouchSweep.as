@@ -3,6 +3,7 @@ package starlogo.queries.motion
     import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
     import starlogo.data.IntList;
+    import starlogo.data.SortableIntList;
     import starlogo.geometry.Tolerances;
 
     /**
@@ -40,56 +41,74 @@ package starlogo.queries.motion
         // The way from the computed end of a motion to where the shrunk body touches.
         private var _toShrunk:Vector3D = new Vector3D();
 
+        // The results, whose memory is used again, and the indices of those that count, with the times as keys.
+        private var _results:Vector.<CastResult> = new Vector.<CastResult>();
+        private var _touches:SortableIntList = new SortableIntList();
+
+        // The result of a free motion.
+        private var _free:CastResult = new CastResult();
+
         /**
-         * Finds the rows of a body that stop its motion, each as if the others were not there.
+         * Finds the rows of a body that stop its motion, each as if the others were not there. Those with the same time keep their order.
          *
          * @param body has begun, and has the motion and the rows near its way
-         * @param out receives a result for each of these rows
-         * @return the first of them, or if there are none, the result of the free motion
+         * @return the first of these touches, or if there are none, the result of the free motion
          */
-        public function findTouches(body:MovingBody, out:CastResults):CastResult
+        public function findTouches(body:MovingBody):CastResult
         {
             _start.start.copyFrom(body.from);
             _start.pushes.clear();
-            if (addTouches(body, _start, out))
+            if (addTouches(body, _start))
             {
                 // a floor may be many rows: what is pushed out of one of them does not run into the next
                 _sweep.startMotion(body, body.rows, body.from, body.motion, _start);
                 if (!_start.start.equals(body.from))
                 {
-                    addTouches(body, _start, out);
+                    addTouches(body, _start);
                 }
             }
-            out.sortByTime();
-            var first:CastResult = out.at(0);
-            if (!first.isStopped)
+            if (count > 0)
             {
-                setEnd(body, 1, _start, first.place);
+                _touches.sortFirst(count);
+                return touchAt(0);
             }
-            return first;
+            setEnd(body, 1, _start, _free.place);
+            return _free;
         }
 
-        // Adds the rows that stop the body from a start. The next result is that of a free motion. Returns whether another start may change the answer.
-        private function addTouches(body:MovingBody, start:MotionState, out:CastResults):Boolean
+        /** How many touches were found. */
+        public function get count():int
+        {
+            return _touches.count;
+        }
+
+        /** A touch that was found. They are sorted by time. */
+        public function touchAt(index:int):CastResult
+        {
+            return _results[_touches.values[index]];
+        }
+
+        // Adds the rows that stop the body from a start. Returns whether another start may change the answer.
+        private function addTouches(body:MovingBody, start:MotionState):Boolean
         {
             var mayPush:Boolean = false;
-            out.clear();
+            _touches.count = 0;
             // what stops the body at once does not end the loop, because a row behind it may push the body
             for (var i:int = 0; i < body.rows.count; i++)
             {
-                var touch:CastResult = out.next();
+                if (count == _results.length)
+                {
+                    _results.push(new CastResult());
+                }
+                var touch:CastResult = _results[count];
                 findTouch(body, body.rows.values[i], start, _alone, touch);
                 // the row alone pushes the body, or stops it at once in a shallow overlap
                 mayPush ||= !_alone.start.equals(start.start) || (touch.time == 0 && !touch.hasPlane);
                 if (touch.isStopped)
                 {
-                    out.add();
+                    _touches.add(count, touch.time);
                 }
             }
-            var free:CastResult = out.next();
-            free.row = -1;
-            free.time = 1;
-            free.hasPlane = false;
             return mayPush;
         }
 

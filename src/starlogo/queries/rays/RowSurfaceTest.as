@@ -43,7 +43,7 @@ package starlogo.queries.rays
          * @param out receives a hit for each surface, in the order of the ray
          * @return whether it crosses any
          */
-        public function findSurfaces(row:int, ray:Ray, out:Hits):Boolean
+        public function findSurfaces(row:int, ray:Ray, out:RayHits):Boolean
         {
             var body:Body = _seen.table.bodyOf(row);
             var isGround:Boolean = body.form == ModelShape.GROUND;

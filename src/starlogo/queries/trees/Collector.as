@@ -103,7 +103,7 @@ package starlogo.queries.trees
          * Calls <code>accepts</code> for the rows whose keys are smaller than a bound, in the order of the keys, until enough are admitted. Rows
          * that are found later must have no smaller keys.
          */
-        public function testBelow(bound:Number):void
+        public function askAcceptsBelow(bound:Number):void
         {
             var end:int = bound < Infinity ? bringForward(bound) : _rows.count;
             if (end == _admitted)
@@ -149,7 +149,7 @@ package starlogo.queries.trees
         private function admitTo(end:int):void
         {
             var decide:Function = filter.accepts;
-            _seen.enterFilter();
+            _seen.nesting++;
             try
             {
                 for (var i:int = _admitted; i < end && _admitted < maxCount; i++)
@@ -163,7 +163,7 @@ package starlogo.queries.trees
             }
             finally
             {
-                _seen.leaveFilter();
+                _seen.nesting--;
             }
         }
 
@@ -182,7 +182,7 @@ package starlogo.queries.trees
             }
             else
             {
-                testBelow(Infinity);
+                askAcceptsBelow(Infinity);
             }
             return _rows.count;
         }

@@ -94,7 +94,7 @@ package starlogo.queries.trees
                 {
                     if (usesAccepts)
                     {
-                        collector.testBelow(_squares[waiting]);
+                        collector.askAcceptsBelow(_squares[waiting]);
                     }
                     visit(node, cone);
                 }
@@ -232,7 +232,7 @@ package starlogo.queries.trees
                     limit = collector.limit;
                 }
             }
-            _tree.countExcluded(excluded);
+            _tree.excludedCount += excluded;
         }
     }
 }

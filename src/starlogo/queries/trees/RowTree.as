@@ -59,8 +59,11 @@ package starlogo.queries.trees
         /** By node: a box around the boxes of the node's rows. Read only. */
         public var nodeBoxes:Vector.<Number> = new Vector.<Number>();
 
-        // How many rows that filters exclude were tested by searches since the nodes learned their breeds. A unit test reads it.
-        engine var excludedCount:int = 0;
+        /** No row has had a larger extent since the tree was built. It may be too large by a factor of three. Read only. */
+        public var maxExtent:Number = 0;
+
+        /** How many rows that filters exclude, by their breeds or otherwise, were tested since the nodes learned their breeds. Searches add to it. */
+        public var excludedCount:int = 0;
 
         // By node: the set of its rows' breeds; and what Breeds.changes was when the nodes learned them, or -1.
         private var _breedSets:Vector.<int> = new Vector.<int>();
@@ -88,6 +91,7 @@ package starlogo.queries.trees
         {
             _growthsLeft = GROWTHS_PER_ROW * count;
             excludedCount = 0;
+            maxExtent = 0;
             _breedsAsOf = -1;
             this.count = count;
             _points = points;
@@ -122,12 +126,6 @@ package starlogo.queries.trees
         public static function breedBit(breed:int):int
         {
             return 1 << breed % BREED_BITS;
-        }
-
-        /** Counts rows that were tested, although a filter excludes them, by their breeds or otherwise. */
-        public function countExcluded(number:int):void
-        {
-            excludedCount += number;
         }
 
         /** Lets the nodes learn their breeds, if so many excluded rows were tested that this takes no longer. */
@@ -281,7 +279,9 @@ package starlogo.queries.trees
                 halfX = _sizes.halfX[row];
                 halfY = _sizes.halfY[row];
                 halfZ = _sizes.halfZ[row];
-                var slack:Number = slackOf(x, y, z, halfX + halfY + halfZ, _sizes.distanceFromPlace[row]);
+                var halves:Number = halfX + halfY + halfZ;
+                maxExtent = 2 * halves > maxExtent ? 2 * halves : maxExtent;
+                var slack:Number = slackOf(x, y, z, halves, _sizes.distanceFromPlace[row]);
                 halfX += slack;
                 halfY += slack;
                 halfZ += slack;

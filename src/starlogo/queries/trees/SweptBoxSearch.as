@@ -139,7 +139,7 @@ package starlogo.queries.trees
                     {
                         return row;
                     }
-                    _tree.countExcluded(1);
+                    _tree.excludedCount++;
                 }
             }
             var isGround:Boolean = _isGroundLeft && collector.isCandidate(ListedAgents.GROUND_ROW) && filter.mayAdmit(ListedAgents.GROUND_ROW);

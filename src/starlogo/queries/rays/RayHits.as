@@ -16,7 +16,7 @@ package starlogo.queries.rays
      *
      * @private
      */
-    public final class Hits
+    public final class RayHits
     {
         private var _seen:SeenAgents;
 
@@ -35,7 +35,7 @@ package starlogo.queries.rays
         private var _writer:HitWriter;
 
         /** @param seen has the rows */
-        public function Hits(seen:SeenAgents)
+        public function RayHits(seen:SeenAgents)
         {
             _seen = seen;
             _writer = new HitWriter(seen);

@@ -22,7 +22,7 @@ package starlogo.queries.motion
      *
      * @private
      */
-    public final class WalkMover
+    public final class WalkPlanner
     {
         // Ground as steep as the limit is not too steep, although its normal has rounding errors. A fraction of the limit's cosine.
         private static const SLOPE_ROUNDING:Number = 1e-9;
@@ -58,7 +58,7 @@ package starlogo.queries.motion
         private var _vertical:MotionResult = new MotionResult();
 
         /** @param seen has the rows */
-        public function WalkMover(seen:SeenAgents)
+        public function WalkPlanner(seen:SeenAgents)
         {
             _seen = seen;
             _platforms = new PlatformCarry(seen, _slider);
@@ -78,7 +78,7 @@ package starlogo.queries.motion
         public function go(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:Walk):void
         {
             begin(agent, dx, dy, options, out);
-            var stands:Boolean = walkLegs(out, recover(out)) || fall(out);
+            var stands:Boolean = walkLegs(out, standOrPushOut(out)) || fall(out);
             _recovery.restoreClearance(out.body, out.place);
             writeFooting(out, stands, out.footing);
         }
@@ -86,17 +86,17 @@ package starlogo.queries.motion
         // Begins a walk where the agent is, or where its platform carries it.
         private function begin(agent:Agent, dx:Number, dy:Number, options:WalkOptions, walk:Walk):void
         {
-            var size:Number = _seen.placementOf(agent).size;
+            _seen.requirePlaced(agent);
             requireMotion(dx, dy, 0, agent);
-            var length:Number = Math.sqrt(dx * dx + dy * dy);
             walk.options.copyFrom(options);
             walk.walkableZ = (1 - SLOPE_ROUNDING) * Trigonometry.cosine(options.slopeDegrees);
-            walk.legCount = Math.min(MAX_LEGS, Math.max(1, Math.ceil(length / size)));
+            walk.length = Math.sqrt(dx * dx + dy * dy);
+            walk.legCount = Math.min(MAX_LEGS, Math.max(1, Math.ceil(walk.length / agent.size)));
             walk.legMotion.setTo(dx / walk.legCount, dy / walk.legCount, 0);
-            walk.legLength = length / walk.legCount;
             var platform:int = _platforms.find(agent, walk);
             walk.body.setToAgent(agent, walk.carryTurn);
             walk.place.copyFrom(walk.body.from);
+            walk.closeDepth = Math.max(CLOSE_DEPTH * walk.body.extent, CLOSE_SLOPS * walk.body.maxSlop(walk.length / walk.legCount));
             collectRows(walk, 0);
             if (platform >= 0)
             {
@@ -114,18 +114,17 @@ package starlogo.queries.motion
             copyVector(stands ? walk.floorNormal : UP, out.normal);
         }
 
-        // Finds the rows near a walk, and up to a distance from it, and how close to them it stands.
+        // Finds the rows near a walk, and up to a distance from it.
         private function collectRows(walk:Walk, distance:Number):void
         {
             var options:WalkOptions = walk.options;
             // the way on the steepest slope, how far a slide after a fall goes sideways, and the way of the platform, whatever their directions
-            var range:Number = walk.legCount * walk.legLength / walk.walkableZ + widthAfterFall(walk) + walk.carry.length;
-            walk.body.collectRowsWithin(range + distance, walk.legCount * options.stepHeight, walk.legCount * options.snap + options.fall, options.filter);
-            walk.closeDepth = Math.max(CLOSE_DEPTH * walk.body.extent, CLOSE_SLOPS * _slider.slopOf(walk.body, walk.place, walk.legMotion));
+            var range:Number = walk.length / walk.walkableZ + depthAfterFall(walk) / 2 + walk.carry.length + walk.closeDepth + distance;
+            walk.body.collectRowsWithin(range, walk.legCount * options.stepHeight, walk.legCount * options.snap + options.fall, options.filter);
         }
 
         // Pushes the agent out of what it overlaps. Returns whether it stands then.
-        private function recover(walk:Walk):Boolean
+        private function standOrPushOut(walk:Walk):Boolean
         {
             walk.legStart.copyFrom(walk.place);
             walk.footing.pushed = 0;
@@ -194,7 +193,7 @@ package starlogo.queries.motion
             }
             var dx:Number = walk.place.x - startX;
             var dy:Number = walk.place.y - startY;
-            walk.footing.part = walk.legLength > 0 ? Math.min(1, Math.sqrt(dx * dx + dy * dy) / (walk.legCount * walk.legLength)) : 1;
+            walk.footing.part = walk.length > 0 ? Math.min(1, Math.sqrt(dx * dx + dy * dy) / walk.length) : 1;
             return stands;
         }
 
@@ -202,7 +201,7 @@ package starlogo.queries.motion
         // Returns whether it stands then.
         private function walkOnGround(walk:Walk):Boolean
         {
-            if (walk.legLength == 0)
+            if (walk.length == 0)
             {
                 // it stays exactly where it is
                 walk.place.copyFrom(walk.legStart);
@@ -258,17 +257,17 @@ package starlogo.queries.motion
         private static function isFarther(walk:Walk, place:Vector3D):Boolean
         {
             var farther:Number = (place.x - walk.place.x) * walk.legMotion.x + (place.y - walk.place.y) * walk.legMotion.y;
-            return farther > walk.closeDepth * walk.legLength;
+            return farther > walk.closeDepth * walk.legMotion.length;
         }
 
         // Slides down what is too steep to stand on, from the end of the way down: a round agent that has met the edge of the next step hangs on it. Returns
         // whether the agent comes farther than without the step, but no farther from where the leg began than the leg is long, and stands.
         private function trySlideOff(walk:Walk, from:Vector3D, depth:Number):Boolean
         {
-            var place:Vector3D = slideDown(walk, from, depth, walk.legLength).place;
+            var place:Vector3D = slideDown(walk, from, depth, walk.legMotion.length).place;
             var dx:Number = place.x - walk.legStart.x;
             var dy:Number = place.y - walk.legStart.y;
-            return dx * dx + dy * dy <= walk.legLength * walk.legLength && isFarther(walk, place) && tryStandBelow(walk, place, walk.closeDepth);
+            return dx * dx + dy * dy <= walk.legMotion.lengthSquared && isFarther(walk, place) && tryStandBelow(walk, place, walk.closeDepth);
         }
 
         // Falls until something stops the agent, and slides down what is too steep. It falls in drops that get longer, because rounding
@@ -306,7 +305,8 @@ package starlogo.queries.motion
             {
                 return true;
             }
-            var slid:MotionResult = slideDown(walk, place, Math.min(left, depthAfterFall(walk)), widthAfterFall(walk));
+            var depthAfter:Number = depthAfterFall(walk);
+            var slid:MotionResult = slideDown(walk, place, Math.min(left, depthAfter), depthAfter / 2);
             if (!(walk.place.z - slid.place.z < MIN_FALL * walk.body.extent))
             {
                 walk.place.copyFrom(slid.place);
@@ -314,16 +314,10 @@ package starlogo.queries.motion
             return tryStandBelow(walk, walk.place, walk.closeDepth);
         }
 
-        // How far down the slide after a fall may lead.
+        // How far down the slide after a fall may lead. Sideways it may lead half as far.
         private static function depthAfterFall(walk:Walk):Number
         {
             return Math.min(walk.options.fall, walk.body.whole.placement.size);
-        }
-
-        // How far sideways the slide after a fall may lead.
-        private static function widthAfterFall(walk:Walk):Number
-        {
-            return depthAfterFall(walk) / 2;
         }
 
         // Lets the agent stand on the ground below a place, if the ground is no deeper than this depth, and not too steep. Otherwise the agent stays where it
@@ -366,9 +360,9 @@ package starlogo.queries.motion
         }
 
         // Slides along the way of a leg, and up or down.
-        private function slideAlong(walk:Walk, from:Vector3D, rise:Number, walkableZ:Number):MotionResult
+        private function slideAlong(walk:Walk, from:Vector3D, rise:Number, leastFloorZ:Number):MotionResult
         {
-            _limits.setWalls(walkableZ, walk.legLength);
+            _limits.setWalls(leastFloorZ, walk.legMotion.length);
             _motion.setTo(walk.legMotion.x, walk.legMotion.y, rise);
             _slider.slide(walk.body, walk.body.rows, from, _motion, _limits, _slid);
             return _slid;

@@ -12,7 +12,7 @@ package starlogo.queries.motion
         public static const LEVEL_Z:Number = 1 - 1e-12;
 
         /** No limits. It must not be changed. */
-        public static const NONE:SlideLimits = new SlideLimits();
+        public static const NONE:SlideLimits = new SlideLimits(-Infinity);
 
         /**
          * For a level motion that ends as high as it begins: all contacts but level ones are upright walls, also those of what the body overlaps deeply
@@ -33,7 +33,7 @@ package starlogo.queries.motion
         public var fallSlope:Number = 0;
 
         /** @param leastFloorZ see the field. There are no other limits */
-        public function SlideLimits(leastFloorZ:Number = -Infinity)
+        public function SlideLimits(leastFloorZ:Number)
         {
             this.leastFloorZ = leastFloorZ;
         }

@@ -51,7 +51,7 @@ package starlogo.queries.motion
 
         // The motion and the limits of a step.
         private var _motion:Vector3D = new Vector3D();
-        private var _limits:SlideLimits = new SlideLimits();
+        private var _limits:SlideLimits = new SlideLimits(-Infinity);
 
         // How a slide ended, and a way straight up or down. Each is returned, and valid until the next one of its kind.
         private var _slid:MotionResult = new MotionResult();

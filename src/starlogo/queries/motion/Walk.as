@@ -19,14 +19,12 @@ package starlogo.queries.motion
         /** The body of the agent, and the rows near the walk. */
         public var body:MovingBody;
 
-        /** The length of its way. */
-        public var length:Number = 0;
-
         /** The number of legs. A walk that is longer than the agent goes in legs of its size, because the ground may be even only so far. */
         public var legCount:int = 1;
 
-        /** The motion of a leg on the ground plane. */
+        /** The motion of a leg on the ground plane, and its length. */
         public var legMotion:Vector3D = new Vector3D();
+        public var legLength:Number = 0;
 
         /** The least z of the normal of a surface that is not too steep to stand on. */
         public var walkableZ:Number = 1;

@@ -90,13 +90,14 @@ package starlogo.queries.motion
             requireMotion(dx, dy, 0, agent);
             walk.options.copyFrom(options);
             walk.walkableZ = (1 - SLOPE_ROUNDING) * Trigonometry.cosine(options.slopeDegrees);
-            walk.length = Math.sqrt(dx * dx + dy * dy);
-            walk.legCount = Math.min(MAX_LEGS, Math.max(1, Math.ceil(walk.length / agent.size)));
+            var length:Number = Math.sqrt(dx * dx + dy * dy);
+            walk.legCount = Math.min(MAX_LEGS, Math.max(1, Math.ceil(length / agent.size)));
             walk.legMotion.setTo(dx / walk.legCount, dy / walk.legCount, 0);
+            walk.legLength = length / walk.legCount;
             var platform:int = _platforms.find(agent, walk);
             walk.body.setToAgent(agent, walk.carryTurn);
             walk.place.copyFrom(walk.body.from);
-            walk.closeDepth = Math.max(CLOSE_DEPTH * walk.body.extent, CLOSE_SLOPS * walk.body.maxSlop(walk.length / walk.legCount));
+            walk.closeDepth = Math.max(CLOSE_DEPTH * walk.body.extent, CLOSE_SLOPS * walk.body.maxSlop(walk.legLength));
             collectRows(walk, 0);
             if (platform >= 0)
             {
@@ -119,7 +120,7 @@ package starlogo.queries.motion
         {
             var options:WalkOptions = walk.options;
             // the way on the steepest slope, how far a slide after a fall goes sideways, and the way of the platform, whatever their directions
-            var range:Number = walk.length / walk.walkableZ + depthAfterFall(walk) / 2 + walk.carry.length + walk.closeDepth + distance;
+            var range:Number = walk.legCount * walk.legLength / walk.walkableZ + depthAfterFall(walk) / 2 + walk.carry.length + walk.closeDepth + distance;
             walk.body.collectRowsWithin(range, walk.legCount * options.stepHeight, walk.legCount * options.snap + options.fall, options.filter);
         }
 
@@ -193,7 +194,7 @@ package starlogo.queries.motion
             }
             var dx:Number = walk.place.x - startX;
             var dy:Number = walk.place.y - startY;
-            walk.footing.part = walk.length > 0 ? Math.min(1, Math.sqrt(dx * dx + dy * dy) / walk.length) : 1;
+            walk.footing.part = walk.legLength > 0 ? Math.min(1, Math.sqrt(dx * dx + dy * dy) / (walk.legCount * walk.legLength)) : 1;
             return stands;
         }
 
@@ -201,7 +202,7 @@ package starlogo.queries.motion
         // Returns whether it stands then.
         private function walkOnGround(walk:Walk):Boolean
         {
-            if (walk.length == 0)
+            if (walk.legLength == 0)
             {
                 // it stays exactly where it is
                 walk.place.copyFrom(walk.legStart);
@@ -257,17 +258,17 @@ package starlogo.queries.motion
         private static function isFarther(walk:Walk, place:Vector3D):Boolean
         {
             var farther:Number = (place.x - walk.place.x) * walk.legMotion.x + (place.y - walk.place.y) * walk.legMotion.y;
-            return farther > walk.closeDepth * walk.legMotion.length;
+            return farther > walk.closeDepth * walk.legLength;
         }
 
         // Slides down what is too steep to stand on, from the end of the way down: a round agent that has met the edge of the next step hangs on it. Returns
         // whether the agent comes farther than without the step, but no farther from where the leg began than the leg is long, and stands.
         private function trySlideOff(walk:Walk, from:Vector3D, depth:Number):Boolean
         {
-            var place:Vector3D = slideDown(walk, from, depth, walk.legMotion.length).place;
+            var place:Vector3D = slideDown(walk, from, depth, walk.legLength).place;
             var dx:Number = place.x - walk.legStart.x;
             var dy:Number = place.y - walk.legStart.y;
-            return dx * dx + dy * dy <= walk.legMotion.lengthSquared && isFarther(walk, place) && tryStandBelow(walk, place, walk.closeDepth);
+            return dx * dx + dy * dy <= walk.legLength * walk.legLength && isFarther(walk, place) && tryStandBelow(walk, place, walk.closeDepth);
         }
 
         // Falls until something stops the agent, and slides down what is too steep. It falls in drops that get longer, because rounding
@@ -362,7 +363,7 @@ package starlogo.queries.motion
         // Slides along the way of a leg, and up or down.
         private function slideAlong(walk:Walk, from:Vector3D, rise:Number, leastFloorZ:Number):MotionResult
         {
-            _limits.setWalls(leastFloorZ, walk.legMotion.length);
+            _limits.setWalls(leastFloorZ, walk.legLength);
             _motion.setTo(walk.legMotion.x, walk.legMotion.y, rise);
             _slider.slide(walk.body, walk.body.rows, from, _motion, _limits, _slid);
             return _slid;

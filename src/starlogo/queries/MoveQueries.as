@@ -151,7 +151,8 @@ package starlogo.queries
         // The body of the question that begins now.
         private function currentBody():MovingBody
         {
-            return Walk(_walks.current).body;
+            var walk:Walk = Walk(_walks.current);
+            return walk.body;
         }
 
         private function moveSliding(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, limits:SlideLimits):Number

@@ -105,16 +105,27 @@ package starlogo.queries
             return first.time;
         }
 
-        /** See AgentMotions.slide. */
-        public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter):Number
+        /** See AgentMotions.slide. There may be limits. */
+        public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, limits:SlideLimits = null):Number
         {
-            return moveSliding(agent, dx, dy, dz, filter, SlideLimits.NONE);
+            _seen.requireMovable(agent, "slide");
+            var body:MovingBody = currentBody().setToAgent(agent).aim(dx, dy, dz);
+            body.collectRowsWithin(body.motion.length, 0, 0, filter);
+            _slider.slide(body, body.rows, body.from, body.motion, limits || SlideLimits.NONE, _slid);
+            _recovery.restoreClearance(body, _slid.place);
+            if (limits == SlideLimits.LEVEL)
+            {
+                // the clearance leads off slopes by their normals
+                _slid.place.z = body.from.z;
+            }
+            _seen.moveAgent(agent, dx == 0 && dy == 0 && dz == 0 ? body.from : _slid.place);
+            return _slid.fraction;
         }
 
         /** Slides, but at the agent's height: a slope is an upright wall. The errors are those of <code>slide()</code>. */
         public function slideLevel(agent:Agent, dx:Number, dy:Number, filter:AgentFilter):Number
         {
-            return moveSliding(agent, dx, dy, 0, filter, SlideLimits.LEVEL);
+            return slide(agent, dx, dy, 0, filter, SlideLimits.LEVEL);
         }
 
         /** See AgentMotions.walk. */
@@ -153,22 +164,6 @@ package starlogo.queries
         {
             var walk:Walk = Walk(_walks.current);
             return walk.body;
-        }
-
-        private function moveSliding(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, limits:SlideLimits):Number
-        {
-            _seen.requireMovable(agent, "slide");
-            var body:MovingBody = currentBody().setToAgent(agent).aim(dx, dy, dz);
-            body.collectRowsWithin(body.motion.length, 0, 0, filter);
-            _slider.slide(body, body.rows, body.from, body.motion, limits, _slid);
-            _recovery.restoreClearance(body, _slid.place);
-            if (limits == SlideLimits.LEVEL)
-            {
-                // the clearance leads off slopes by their normals
-                _slid.place.z = body.from.z;
-            }
-            _seen.moveAgent(agent, dx == 0 && dy == 0 && dz == 0 ? body.from : _slid.place);
-            return _slid.fraction;
         }
 
         private function cast(body:MovingBody, filter:AgentFilter, hit:ShapeHit):ShapeHit

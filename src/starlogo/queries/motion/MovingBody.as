@@ -172,6 +172,7 @@ package starlogo.queries.motion
         /** The slop of a motion of at most this length is no larger, whatever rows are near its way. */
         public function maxSlop(length:Number):Number
         {
+            // reads the ground too
             var largest:Number = maxExtent;
             var ground:ModelShape = _seen.table.shapes[ListedAgents.GROUND_ROW];
             var cell:Number = ground == null ? 0 : ground.grid.cellWidth;

@@ -73,7 +73,7 @@ package starlogo.queries.motion
         private function isAdmitted(row:int, asker:Agent, filter:AgentFilter):Boolean
         {
             var collector:Collector = _seen.beginCollecting(1, 0, asker, filter);
-            if (collector.filter.mayAdmit(row))
+            if (collector.mayWant(row))
             {
                 collector.add(row, 0);
             }

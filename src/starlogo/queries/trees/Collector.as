@@ -70,10 +70,10 @@ package starlogo.queries.trees
             _rows.count = _admitted = 0;
         }
 
-        /** Whether a row has a shape, and is not the row of the agent that asks. */
-        public function isCandidate(row:int):Boolean
+        /** Whether a row has a shape, is not the row of the agent that asks, and the filter may admit it. */
+        public function mayWant(row:int):Boolean
         {
-            return row != filter.askerRow && _seen.table.shapes[row] != null;
+            return row != filter.askerRow && _seen.table.shapes[row] != null && filter.mayAdmit(row);
         }
 
         /** Adds a row that the question has found. This may lower the limit. */

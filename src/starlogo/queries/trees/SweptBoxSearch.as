@@ -130,19 +130,16 @@ package starlogo.queries.trees
          */
         public function next(collector:Collector):int
         {
-            var filter:RowFilter = collector.filter;
-            for (var row:int = nextInTree(filter.breedSet, collector.limit); row >= 0; row = nextInTree(filter.breedSet, collector.limit))
+            var breedSet:int = collector.filter.breedSet;
+            for (var row:int = nextInTree(breedSet, collector.limit); row >= 0; row = nextInTree(breedSet, collector.limit))
             {
-                if (collector.isCandidate(row))
+                if (collector.mayWant(row))
                 {
-                    if (filter.mayAdmit(row))
-                    {
-                        return row;
-                    }
-                    _tree.excludedCount++;
+                    return row;
                 }
+                _tree.excludedCount++;
             }
-            var isGround:Boolean = _isGroundLeft && collector.isCandidate(ListedAgents.GROUND_ROW) && filter.mayAdmit(ListedAgents.GROUND_ROW);
+            var isGround:Boolean = _isGroundLeft && collector.mayWant(ListedAgents.GROUND_ROW);
             _isGroundLeft = false;
             return isGround ? ListedAgents.GROUND_ROW : -1;
         }

@@ -16,9 +16,9 @@ package starlogo.queries.motion
      * contact stands for that row. The motion must not cross the plane, and nothing else of the row counts. If no pushes lead out of shallow overlaps, planes
      * stand for these rows too.</p>
      *
-     * <p>Each push is a clearance longer than the depth of its contact. The pushes go from one row after the other, in rounds, because a push out of one side of a hollow leads a part of the way into
-     * another. If it does not get free, for example between two opposite walls, it stays where it was. The tests of a pair know the shortest way
-     * out of that pair (PairTests.separate).</p>
+     * <p>Each push is a clearance longer than the depth of its contact. The pushes go from one row after the other, in rounds, because a push out of
+     * one side of a hollow leads a part of the way into another. If it does not get free, for example between two opposite walls, it stays where it
+     * was. The tests of a pair know the shortest way out of that pair (PairTests.separate).</p>
      *
      * @private
      */
@@ -108,8 +108,8 @@ package starlogo.queries.motion
             return sum;
         }
 
-        // Pushes a body out of the rows that the shrunk body overlaps. Returns whether it is free then. It is not if an overlap is not shallow. Then the body is
-        // where it was, and there are no pushes.
+        // Pushes a body out of the rows that the shrunk body overlaps. Returns whether it is free then. It is not if an overlap is not shallow. Then
+        // the body is where it was, and there are no pushes.
         private function pushOutOfOverlaps(shrunk:ShrunkBody, rows:IntList, place:Vector3D, pushes:ContactList):Boolean
         {
             return pushInRounds(shrunk, rows, place, false, pushes);

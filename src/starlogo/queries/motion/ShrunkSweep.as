@@ -80,8 +80,8 @@ package starlogo.queries.motion
         }
 
         /**
-         * Finds which row a shrunk body meets first, also if it is a one-way row that the body passes: none, if the motion has no length. Of rows with the same <code>orderTime</code>, the first
-         * one in their order counts.
+         * Finds which row a shrunk body meets first, also if it is a one-way row that the body passes: none, if the motion has no length. Of rows
+         * with the same <code>orderTime</code>, the first one in their order counts.
          *
          * @param from where the motion begins
          * @param out receives the answer

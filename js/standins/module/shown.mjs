@@ -21,12 +21,21 @@ export function $stateOf(object) {
 	return state;
 }
 
+/** The objects that are being shown: one that names another names itself by way of that one. */
+const showing = new Set();
+
 /** Makes JSON.stringify and Node's console.log show a class's objects as $stateOf describes them. */
 export function $shown(type) {
 	const inspect = function(depth, options, inspectAny) {
 		const name = this.constructor.name;
 		if (depth < 0 || typeof inspectAny !== "function") return `[${name}]`;
-		return `${name} ${inspectAny($stateOf(this), { ...options, depth: options.depth === null ? null : options.depth })}`;
+		if (showing.has(this)) return `[Circular ${name}]`;
+		showing.add(this);
+		try {
+			return `${name} ${inspectAny($stateOf(this), { ...options, depth })}`;
+		} finally {
+			showing.delete(this);
+		}
 	};
 	Object.defineProperties(type.prototype, {
 		[Symbol.toStringTag]: { configurable: true, get() { return this.constructor.name; } },

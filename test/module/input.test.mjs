@@ -451,7 +451,7 @@ test("a literal serves as a filter", () => {
 	wolf.z = 5;
 	assert.equal(queries.walk(wolf, 0, 0, { fall: Infinity, filter: { breeds: ["sheep"] } }).on, sheep);
 	refused(() => queries.near(wolf, 1, { tags: ["sheep"] }), "AgentQueries.near: filter.tags is no option; there are ", "breeds", "exceptBreeds", "except", "accepts");
-	refused(() => queries.near(wolf, 1, { breeds: "sheep" }), 'AgentFilter.breeds must be an array of strings, not "sheep"');
+	refused(() => queries.near(wolf, 1, { breeds: "sheep" }), 'AgentQueries.near: filter.breeds must be an array of strings, not "sheep"');
 	for (const wrong of [3, "sheep", ["sheep"], wolf]) refused(() => queries.near(wolf, 1, wrong), 'AgentQueries.near: filter must be an AgentFilter, or a literal such as { breeds: ["sheep"] }, not ');
 	const collision = new Collision(new BinCollider());
 	const met = [];

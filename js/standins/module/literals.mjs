@@ -20,19 +20,15 @@ export function $options(target, name, given, defaults, kind) {
 			const names = Object.keys($stateOf(defaults));
 			throw new ArgumentError(`${where}.${key} is no option; ${$hintOfOptions(name, given, key, names) || $hintOfOption(key, names)}there are ${names.join(", ")}`);
 		}
-		if (given[key] !== undefined) setOption(where, key, given[key], defaults);
+		const value = given[key];
+		try {
+			if (value !== undefined) defaults[key] = value;
+		} catch ({ constructor: Refusal, message }) {
+			// a setter names only its class
+			throw new Refusal(`${where}.${message.replace(/^\w+\.(?=\w)/, "")}`);
+		}
 	}
 	return defaults;
-}
-
-/** Sets an option. A setter's own error names only its class, so it gets the call's name. */
-function setOption(where, key, value, options) {
-	try {
-		options[key] = value;
-	} catch ({ constructor: Refusal, message }) {
-		const ownMessage = message.replace(/^\w+\.(?=\w)/, "");
-		throw new Refusal(ownMessage.startsWith(key) ? `${where}.${ownMessage}` : message);
-	}
 }
 
 /** Whether an object was passed instead of a Boolean: the options of the platform's own addEventListener. */

@@ -156,6 +156,7 @@ export class Game {
 	}
 
 	#hit(bullet, other) {
+		if (bullet.frames >= BULLET_FRAMES) return; // it has hit another one in this frame
 		bullet.frames = BULLET_FRAMES;
 		if (other.breed !== "enemies") return;
 		this.hits++;

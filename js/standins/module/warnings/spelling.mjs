@@ -19,13 +19,19 @@ export function $hintOfOptions(call, value, key, names) {
 
 /** What an error says about an option that is not among the names of all: the nearest one. */
 export function $hintOfOption(key, names) {
+	const nearest = $nearestOption(key, names);
+	return nearest === undefined ? "" : `the nearest is ${nearest}; `;
+}
+
+/** The option that is nearest to one that is not among the names of all; undefined if none is near. */
+export function $nearestOption(key, names) {
 	const word = key.toLowerCase();
 	const longer = names.find((each) => word.length > 3 && each.toLowerCase().endsWith(word));
-	if (longer) return `the nearest is ${longer}; `;
+	if (longer) return longer;
 	// each letter in common counts against two changes, because abbreviations are common
 	const farAway = names.map((each) => $changesBetween(word, each.toLowerCase()) - 2 * $commonLetters(word, each.toLowerCase()));
 	const least = Math.min(...farAway);
-	return least < 1 ? `the nearest is ${names[farAway.indexOf(least)]}; ` : "";
+	return least < 1 ? names[farAway.indexOf(least)] : undefined;
 }
 
 /** Whether a breed's or a model's name may be another one, misspelled. Names that differ in numbers alone are of different breeds. */

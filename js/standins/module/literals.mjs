@@ -2,7 +2,7 @@
 import { $refuse } from "./checks.mjs";
 import { ArgumentError } from "./language.mjs";
 import { $stateOf } from "./shown.mjs";
-import { $hintOfOption, $hintOfOptions } from "./warnings/spelling.mjs";
+import { $hintOfOption, $hintOfOptions, $hintOfSetting } from "./warnings/spelling.mjs";
 
 /**
  * Options or a filter that a public method receives as a literal: a copy, whose setters check the values. An undefined value counts as absent.
@@ -12,20 +12,19 @@ import { $hintOfOption, $hintOfOptions } from "./warnings/spelling.mjs";
  * @param kind the required kind
  */
 export function $options(target, name, given, defaults, kind) {
-	if (typeof given !== "object" || given === null || Array.isArray(given)) $refuse(target, name, given, kind);
 	const where = target === null ? name : `${target}: ${name}`;
+	if (typeof given !== "object" || given === null || Array.isArray(given)) $refuse(null, where, given, kind);
 	for (const key of Object.keys(given)) {
 		if (!(key in defaults)) {
-			if (/^[_$]/.test(key)) $refuse(target, name, given, kind);
+			if (/^[_$]/.test(key)) $refuse(null, where, given, kind);
 			const names = Object.keys($stateOf(defaults));
 			throw new ArgumentError(`${where}.${key} is no option; ${$hintOfOptions(name, given, key, names) || $hintOfOption(key, names)}there are ${names.join(", ")}`);
 		}
-		const value = given[key];
+		if (given[key] === undefined) continue;
 		try {
-			if (value !== undefined) defaults[key] = value;
-		} catch ({ constructor: Refusal, message }) {
-			// a setter names only its class
-			throw new Refusal(`${where}.${message.replace(/^\w+\.(?=\w)/, "")}`);
+			defaults[key] = given[key];
+		} catch (error) {
+			throw $hintOfSetting(where, error) || error;
 		}
 	}
 	return defaults;

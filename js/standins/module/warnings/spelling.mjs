@@ -17,6 +17,11 @@ export function $hintOfOptions(call, value, key, names) {
 	return "stands" in value ? "a Footing is the argument after the options: walk(agent, dx, dy, null, footing); " : "";
 }
 
+/** A setter's error about an option, with the name of the call: the setter names only its class. */
+export function $hintOfSetting(where, { constructor: Refusal, message }) {
+	return new Refusal(`${where}.${message.replace(/^\w+\./, "")}`);
+}
+
 /** What an error says about an option that is not among the names of all: the nearest one. */
 export function $hintOfOption(key, names) {
 	const nearest = $nearestOption(key, names);

@@ -7,8 +7,8 @@ export function $stateOf(object) {
 		if (!/^[_$]/.test(name) && typeof value !== "function") state[name] = value;
 	};
 	const chain = [];
-	let each = object;
-	while ((each = Object.getPrototypeOf(each)) && each !== Object.prototype) chain.unshift(each);
+	let type = object;
+	while ((type = Object.getPrototypeOf(type)) && type !== Object.prototype) chain.unshift(type);
 	for (const [name, { get, set }] of chain.flatMap((each) => Object.entries(Object.getOwnPropertyDescriptors(each)))) {
 		try {
 			const value = get?.call(object);

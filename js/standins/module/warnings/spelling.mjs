@@ -18,8 +18,8 @@ export function $hintOfOptions(call, value, key, names) {
 }
 
 /** A setter's error about an option, with the name of the call: the setter names only its class. */
-export function $hintOfSetting(where, { constructor: Refusal, message }) {
-	return new Refusal(`${where}.${message.replace(/^\w+\./, "")}`);
+export function $hintOfSetting(where, error) {
+	return new error.constructor(`${where}.${error.message.replace(/^\w+\./, "")}`);
 }
 
 /** What an error says about an option that is not among the names of all: the nearest one. */

@@ -273,6 +273,13 @@ export class ThreeWireframe extends LineSegments<BufferGeometry, LineBasicMateri
     /** Moves the lines to their agents. If no agent has changed, it does nothing. */
     update(): void;
 
+    /**
+     * Takes over another wireframe's lines, as `clone()` does. The two share no geometry, because each moves its own lines.
+     *
+     * @returns this
+     */
+    copy(source: this, recursive?: boolean): this;
+
     /** Frees the renderer's data. */
     dispose(): void;
 }

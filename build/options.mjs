@@ -22,19 +22,19 @@ const withValues = new Set(found(/-D([a-z]+)=/g, descriptions));
 
 const [flag, target] = process.argv.slice(2);
 if (flag === '--no-target') {
-	console.error(`antw: there is no target ${target}${thereIs(target, found(/<target name="(\w[\w-]*)"/g))}`);
-	process.exit(64);
+	refuse(`there is no target ${target}${thereIs(target, found(/<target name="(\w[\w-]*)"/g))}`);
+	process.exit();
 }
 for (const option of process.argv.slice(2).filter((each) => !each.includes('.'))) {
 	const [name, value] = option.split('=');
-	let fault = '';
 	if (!options.includes(name)) {
-		fault = `there is no option -D${name}${thereIs(name, options, '-D')}`;
+		refuse(`there is no option -D${name}${thereIs(name, options, '-D')}`);
 	} else if (withValues.has(name) && value === undefined) {
-		fault = `-D${name} needs a value: -D${name}=...`;
+		refuse(`-D${name} needs a value: -D${name}=...`);
 	}
-	if (fault) {
-		console.error(`antw: ${fault}`);
-		process.exitCode = 64;
-	}
+}
+
+function refuse(problem) {
+	console.error(`antw: ${problem}`);
+	process.exitCode = 64;
 }

@@ -117,8 +117,7 @@ export class Game {
 	/** All that a later frame depends on. The snapshot has the agents' traits, what touches and what carries; the rest is the game's own. */
 	save() {
 		const own = this.#movers.map(({ speed, frames, footing }) => ({ speed, frames, stands: footing?.stands, part: footing?.part }));
-		const { shots, hits } = this;
-		return { own, shots, hits, random: this.#random, agents: [...this.#collision.lastAgents], bytes: this.#collision.snapshot(true) };
+		return { own, shots: this.shots, hits: this.hits, random: this.#random, agents: [...this.#collision.lastAgents], bytes: this.#collision.snapshot(true) };
 	}
 
 	/** Goes back to what save() gave. */
@@ -156,6 +155,7 @@ export class Game {
 	}
 
 	#hit(bullet, other) {
+		if (bullet.frames >= BULLET_FRAMES) return; // it has hit another one in this frame
 		bullet.frames = BULLET_FRAMES;
 		if (other.breed !== "enemies") return;
 		this.hits++;

@@ -85,8 +85,7 @@ export class Stage {
 
 	/** Adds a button below the picture. */
 	addButton(label, listener) {
-		const button = document.createElement("button");
-		button.textContent = label;
+		const button = Object.assign(document.createElement("button"), { textContent: label });
 		button.addEventListener("click", () => listener(button));
 		this.bar.append(button);
 		return button;

@@ -44,7 +44,7 @@ function textOf(files) {
 
 /** What users get of a line of the warnings: an empty function, if one begins there that is called from outside. */
 function withoutBody(line) {
-	const [head, kind] = /^function \$(warn|hint)\w*\([\w, ]*\)/.exec(line) ?? [];
+	const [head, kind] = /^function \$(warn|refuse|hint)\w+\([\w, ]*\)/.exec(line) ?? [];
 	return head === undefined ? "" : `${head} {${kind === "hint" ? ' return "";' : ""}}`;
 }
 

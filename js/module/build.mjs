@@ -80,7 +80,7 @@ function cleaned(code) {
 
 /** Code that warns of nothing, with as many lines. What a warning alone depends on goes too. */
 function withoutWarnings(code) {
-	const warning = String.raw`\t*\$warn\w*\(.*\);`;
+	const warning = String.raw`\t*\$(?:warn\w*|refuse\w+)\(.*\);`;
 	return code.replaceAll(new RegExp(`^\\t*if \\(.*\\) \\{\n${warning}\n\\t*\\}$`, "gm"), "\n\n").replaceAll(new RegExp(`^${warning}$`, "gm"), "");
 }
 

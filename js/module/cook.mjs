@@ -44,45 +44,54 @@ const options = {
 
 const { values, folder } = readArguments();
 const out = resolve(values.out ?? folder);
-const list = join(out, "manifest.json");
+const manifestPath = join(out, "manifest.json");
 const settings = JSON.stringify([version, values.up, values.scaling, values.transforms, values.increment, values["min-vertices"], values.depth, values["by-mean"], values.hulls]);
-const before = readList();
-const models = {};
-const files = readdirSync(folder, { recursive: true }).map(String)
-	.filter((file) => MODEL.test(file) && statSync(join(folder, file)).isFile() && (out === folder || !isIn(out, join(folder, file)))).sort();
+await cookAll();
 
-let failures = 0;
-let kept = 0;
-for (const file of files) {
-	const from = join(folder, file);
-	const to = join(out, file);
-	const name = file.split(sep).join("/");
-	try {
-		const start = performance.now();
-		const { bytes: source, transform, parts } = readSource(from);
-		const hash = hashOf([settings, ...parts.map((part) => readFileSync(part))]);
-		if (out !== folder) parts.forEach(copy);
-		models[name] = { cooked: `${name}.cooked`, source: hash };
-		if (!values.force && before[name]?.source === hash && existsSync(`${to}.cooked`)) {
-			kept++;
-			continue;
+/** Cooks the files of the folder, and writes the manifest. */
+async function cookAll() {
+	const files = readdirSync(folder, { recursive: true }).map(String).filter(isSource).sort();
+	const lastModels = readManifest();
+	const models = {};
+	let failures = 0;
+	let kept = 0;
+	for (const file of files) {
+		const name = file.split(sep).join("/");
+		try {
+			const start = performance.now();
+			const { bytes: source, transform, parts } = readSource(join(folder, file));
+			const hash = hashOf([settings, ...parts.map((part) => readFileSync(part))]);
+			if (out !== folder) parts.forEach(copy);
+			models[name] = { cooked: `${name}.cooked`, source: hash };
+			const path = join(out, `${file}.cooked`);
+			if (!values.force && lastModels[name]?.source === hash && existsSync(path)) {
+				kept++;
+				continue;
+			}
+			const model = await read(name, source, transform ?? values.up);
+			const bytes = newGame().cook(model, values.up, values.transforms);
+			writeFileSync(path, bytes);
+			const time = (performance.now() - start).toFixed(0);
+			console.log(`${relative(out, path)}: ${bytes.length} bytes for ${(model.triangles?.length ?? 0) / 3} triangles, ${time} ms`);
+		} catch (error) {
+			failures++;
+			delete models[name];
+			console.error(`${file}: ${error.message}`);
 		}
-		const model = await read(name, source, transform ?? values.up);
-		const bytes = newGame().cook(model, values.up, values.transforms);
-		writeFileSync(`${to}.cooked`, bytes);
-		const time = (performance.now() - start).toFixed(0);
-		console.log(`${relative(out, to)}.cooked: ${bytes.length} bytes for ${(model.triangles?.length ?? 0) / 3} triangles, ${time} ms`);
-	} catch (error) {
-		failures++;
-		delete models[name];
-		console.error(`${file}: ${error.message}`);
 	}
+	mkdirSync(out, { recursive: true });
+	writeFileSync(manifestPath, `${JSON.stringify({ models }, null, "\t")}\n`);
+	const counts = [`${files.length - failures - kept} cooked`, kept > 0 ? `${kept} as they were` : "", failures > 0 ? `${failures} that are no models` : ""];
+	console.log(counts.filter((text) => text !== "").join(", "));
+	process.exitCode = failures > 0 ? 1 : 0;
 }
-mkdirSync(out, { recursive: true });
-writeFileSync(list, `${JSON.stringify({ models }, null, "\t")}\n`);
-const counts = [`${files.length - failures - kept} cooked`, kept > 0 ? `${kept} as they were` : "", failures > 0 ? `${failures} that are no models` : ""];
-console.log(counts.filter((text) => text !== "").join(", "));
-process.exitCode = failures > 0 ? 1 : 0;
+
+/** Whether a path in the folder is a model's file, and no copy that an earlier run has made in it. */
+function isSource(file) {
+	const path = join(folder, file);
+	const isCopy = isIn(folder, out) && out !== folder && isIn(out, path);
+	return MODEL.test(file) && statSync(path).isFile() && !isCopy;
+}
 
 /** The options and the folder. Wrong arguments end the program with a message. */
 function readArguments() {
@@ -121,10 +130,10 @@ function fail(problem) {
 	process.exit(2);
 }
 
-/** The list of the last cook; an empty one if there is none, or it is damaged. */
-function readList() {
+/** The models in the manifest of the last run; none if there is no manifest, or it is damaged. */
+function readManifest() {
 	try {
-		return JSON.parse(readFileSync(list, "utf8")).models ?? {};
+		return JSON.parse(readFileSync(manifestPath, "utf8")).models ?? {};
 	} catch {
 		return {};
 	}

@@ -5,10 +5,10 @@ export const RETURNS_UINT8ARRAY = new Set(["starlogo.GreatLand.cook", "starlogo.
 
 /** Members of a class by its qualified name: their code, and their declaration in index.d.ts unless they are for the adapters alone. */
 export const ONLY_IN_JAVASCRIPT = {
-	// for the adapter to three.js, which fills the data of a model as a reader of files does; its warnings are not in the minified module
+	// for the adapters: to three.js, which fills the data of a model as a reader of files does; its warnings are not in the minified module
 	"starlogo.models.Model": {
 		text: `static get $parts() {
-const parts = [ModelData, ModelBuilder];
+const parts = [ModelData, ModelBuilder, $vector, $options, $named];
 $warnInAdapter(parts);
 return parts;
 }`,

@@ -8,7 +8,7 @@ import vm from "node:vm";
 import { BuiltInModel, Model, ModelTransform, ObjModel, TightestFitCollider, GreatLand, Agent } from "../../bin/module/starlogo-collision.js";
 import { serve } from "../../build/headless/server.mjs";
 import { asset, randomNumbers } from "../benchmark/games.mjs";
-import { addBlocks, addButton, installInto } from "../../bin/module/nova/index.js";
+import { addBlocks, addButton, installInto, toggle } from "../../bin/module/nova/index.js";
 import { alive, bruteCollisions, hatch, makeWindow, pairKeys, playGame, within } from "./nova-client.mjs";
 
 /** Checks that answers are equal, and counts those that say something. */
@@ -84,6 +84,7 @@ test("options that cannot be are refused, and what is installed stays", () => {
 	assert.throws(() => installation.exchange({ breeds: { Fish: { deep: 3 } } }), /not deep/);
 	assert.throws(() => installation.setTraits("Fish", { structure: "cone" }), /not cone/);
 	assert.throws(() => installation.setTraits("Fish", { depth: -1 }), /not -1/);
+	assert.throws(() => installation.exchange({ sytem: "tightest" }), /^ArgumentError: options\.sytem is no option; .*there are system, exact, /);
 	assert.deepEqual(installation.options, { system: "bins", exact: false });
 	assert.ok(installation.isInstalled);
 });
@@ -113,6 +114,26 @@ test("bins: spheres about their places, a size of 0 is a point, touching is not 
 	assert.equal(two({}, { x: NaN }, { x: 0 }, { size: Infinity }, { x: 0.5 }).pairs(), 1);
 	assert.equal(two({ system: "tightest" }, { size: 0 }, { size: 1 }).pairs(), 0);
 	assert.equal(two({ system: "tightest" }, { x: 0 }, { x: 1 }).pairs(), 1);
+});
+
+test("agents without blocks collide where they are now", () => {
+	for (const system of ["bins", "tightest", "combination"]) {
+		const { installation, window, Collisions } = two({ system }, { x: 0 });
+		window.Execution.AgentController.addBreed("Algae", 3);
+		const [first, second] = [{ x: 10, y: 10 }, { x: -20 }].map((state) => hatch(window, "Algae", state));
+		for (const agent of [first, second]) Collisions.add(agent);
+		Collisions.getCollisions();
+		assert.equal(installation.areColliding(first, second), false, system);
+		Object.assign(second.state, { x: 10.2, y: 10 });
+		assert.equal(installation.areColliding(first, second), true, system);
+	}
+});
+
+test("a toggle that fails leaves nothing behind", () => {
+	const window = makeWindow();
+	const given = Object.getOwnPropertyDescriptors(window.Execution.Collisions);
+	for (let i = 0; i < 2; i++) assert.throws(() => toggle(window), /no StarLogo Nova client with a toolbar/);
+	assert.deepEqual(Object.getOwnPropertyDescriptors(window.Execution.Collisions), given);
 });
 
 test("pairs come as the client comes upon them: by its list, bins, breeds of blocks, and who was updated last", () => {

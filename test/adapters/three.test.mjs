@@ -272,12 +272,12 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 		for (const none of [null, [], 5]) {
 			for (const make of [() => modelFromObject("any", geometry, none), () => levelFromObject("any", geometry, none), () => terrainFromMesh(geometry, 2, 2, 1, 0, 0, none), () => new TerrainGeometry(terrain, none),
 				() => new ThreeAgentBinding(new Agent("any"), object, null, none), () => bindInstance(new Agent("any"), crowd, 0, null, none), () => new ThreeWireframe(none)]) {
-				assert.throws(make, /^ArgumentError: \w+: options must be a literal such as \{ up: "y" \}, not (null|Array|5)$/);
+				assert.throws(make, /^ArgumentError: \w+: options must be a literal such as \{ up: "y" \}, not (null|\[\]|5)$/);
 			}
 		}
 		// an index that is not there would bind the whole mesh
 		for (const index of [undefined, null, 3, -1, 0.5, "0"]) assert.throws(() => bindInstance(new Agent("any"), crowd, index), /^RangeError: the mesh has instances 0 to 2, not /);
-		assert.throws(() => levelFromObject("any", { scene: object }), /^ModelError: model "any": expected an Object3D or a BufferGeometry, not Object\. Its scene is an Object3D$/);
+		assert.throws(() => levelFromObject("any", { scene: object }), /^ModelError: model "any": expected an Object3D or a BufferGeometry, not a plain object\. Its scene is an Object3D$/);
 		const group = new THREE.Group();
 		group.name = "hall";
 		assert.throws(() => levelFromObject("any", group), /^ModelError: model "any": no vertices: Group "hall" has no meshes with triangles yet$/);
@@ -306,7 +306,7 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 		}
 		assert.ok(Object.is(toEngine(new THREE.Vector3()).y, 0));
 		assert.throws(() => toEngine(null), /x, y and z must be numbers, as a Vector3 has them, not null/);
-		assert.throws(() => toScene({ x: 1, y: "2", z: 3 }), /must be numbers.*not Object/);
+		assert.throws(() => toScene({ x: 1, y: "2", z: 3 }), /must be numbers.*not a plain object/);
 	});
 
 	test(`three ${version}: a terrain is drawn where it is, as slopes and as blocks, and again when it has changed`, () => {
@@ -571,6 +571,58 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 		assert.throws(() => new ThreeAgentBinding(agent, object, new engine.ObjModel("flat", source, turns(2, 2, 1))), /ArgumentError: model "flat" is mirrored or stretched/);
 	});
 
+	test(`three ${version}: a refused update of the agent loses nothing, and what is there already stays to the last bit`, () => {
+		const object = box();
+		const agent = new Agent("box");
+		const binding = new ThreeAgentBinding(agent, object);
+		binding.updateObject();
+		agent.moveTo(3, 0, 0);
+		object.scale.y = 2;
+		assert.throws(() => binding.updateAgent(), /evenly scaled/);
+		object.scale.y = 1;
+		binding.updateObject();
+		assert.equal(object.position.x, 3);
+		for (let i = 0; i < 300; i++) {
+			const walker = new Agent("box");
+			Object.assign(walker, { size: i === 0 ? 1e6 : 0.1 + 0.013 * i, heading: 1.7 * i, pitch: 0.3 * i });
+			const { size } = walker;
+			const width = i === 0 ? 0.9 : 1 + 0.7 * i;
+			const mesh = new THREE.Mesh(new THREE.BoxGeometry(width, width, width));
+			const own = new ThreeAgentBinding(walker, mesh, modelFromObject("box", mesh));
+			own.updateObject();
+			walker.moveTo(1, 2, 3);
+			own.updateAgent();
+			assert.equal(walker.size, size);
+		}
+	});
+
+	test(`three ${version}: an object with a pivot, and an instance with a model of all, are refused`, () => {
+		const object = Object.assign(box(), { pivot: new THREE.Vector3(1, 0, 0) });
+		assert.throws(() => new ThreeAgentBinding(new Agent("box"), object), /^ArgumentError: ThreeAgentBinding: the object of agent .* must have no pivot: put it into a Group/);
+		const crowd = new THREE.InstancedMesh(new THREE.BoxGeometry(), new THREE.MeshBasicMaterial(), 2);
+		[0, 5].forEach((x, i) => crowd.setMatrixAt(i, new THREE.Matrix4().makeTranslation(x, 0, 0)));
+		assert.throws(() => bindInstance(new Agent("all"), crowd, 0, modelFromObject("all", crowd)), /^ArgumentError: model "all" was made of all instances: an instance has a model of the mesh's geometry$/);
+		bindInstance(new Agent("one"), crowd, 0, modelFromObject("one", crowd.geometry));
+	});
+
+	test(`three ${version}: clones of a ground and of a wireframe are their own`, () => {
+		const ground = new TerrainGeometry(new Terrain(4, 4), { up: "z" });
+		const copy = ground.clone();
+		assert.deepEqual(copy.attributes.position.array, ground.attributes.position.array);
+		assert.ok(copy instanceof TerrainGeometry && copy.terrain === ground.terrain && copy.attributes.position !== ground.attributes.position);
+		const agent = new Agent("any");
+		const lines = new ThreeWireframe({ up: "z" }).showLines([0, 0, 0, 1, 1, 1], agent);
+		const scene = new THREE.Scene().add(lines).clone();
+		const [twin] = scene.children;
+		agent.moveTo(2, 0, 0);
+		for (const each of [lines, twin]) {
+			each.update();
+			assert.deepEqual([...each.geometry.attributes.position.array.slice(0, 6)], [2, 0, 0, 3, 1, 1]);
+		}
+		twin.clearLines().showLines([5, 5, 5, 6, 6, 6]);
+		assert.deepEqual([...lines.geometry.attributes.position.array.slice(0, 6)], [2, 0, 0, 3, 1, 1]);
+	});
+
 	test(`three ${version}: what an agent cannot be is refused, and leaves it as it was`, () => {
 		const agent = new Agent("any");
 		agent.moveTo(1, 2, 3);
@@ -602,16 +654,16 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 		mesh.setMatrixAt(1, new THREE.Matrix4().makeScale(1, 1, 2));
 		assert.throws(() => bindInstance(agent, mesh, 1).updateAgent(), /ArgumentError: .* not matrix 1, 0/);
 		for (const index of [-1, 3, 0.5, NaN, "1"]) assert.throws(() => bindInstance(agent, mesh, index), /^RangeError: the mesh has instances 0 to 2, not /);
-		assert.throws(() => bindInstance(agent, new THREE.Mesh(), 0), /^ArgumentError: an InstancedMesh is needed, not Mesh/);
+		assert.throws(() => bindInstance(agent, new THREE.Mesh(), 0), /^ArgumentError: ThreeAgentBinding: object must be an InstancedMesh, not an object of class Mesh$/);
 		const object = new THREE.Object3D();
 		for (const wrong of [null, {}, "bear"]) assert.throws(() => new ThreeAgentBinding(wrong, object), /^ArgumentError: ThreeAgentBinding: agent must be an Agent, not /);
-		assert.throws(() => new ThreeAgentBinding(object, agent), /^ArgumentError: ThreeAgentBinding: agent must be an Agent, not Object3D$/);
+		assert.throws(() => new ThreeAgentBinding(object, agent), /^ArgumentError: ThreeAgentBinding: agent must be an Agent, not an object of class Object3D$/);
 		for (const wrong of [null, {}, new THREE.BoxGeometry()]) assert.throws(() => new ThreeAgentBinding(agent, wrong), /^ArgumentError: ThreeAgentBinding: object must be an Object3D, not /);
-		assert.throws(() => new ThreeAgentBinding(agent, object, object), /^ArgumentError: ThreeAgentBinding: model must be a Model or null, not Object3D/);
+		assert.throws(() => new ThreeAgentBinding(agent, object, object), /^ArgumentError: ThreeAgentBinding: model must be a Model or null, not an object of class Object3D/);
 		assert.throws(() => new ThreeAgentBinding(agent, object, null, { up: "x" }), /^ArgumentError: up must be "y" or "z", not "x"/);
 		assert.throws(() => modelFromObject("any", new THREE.BoxGeometry(), { up: "Y" }), /^ArgumentError: up must be "y" or "z", not "Y"/);
 		for (const wrong of [null, undefined, {}, "bear.glb"]) assert.throws(() => modelFromObject("any", wrong), /^ModelError: model "any": expected an Object3D or a BufferGeometry, not /);
-		for (const make of [modelFromObject, levelFromObject]) assert.throws(() => make(box(), "any"), /^ArgumentError: (modelFromObject|levelFromObject): the model's name comes first and is a string, not Mesh$/);
+		for (const make of [modelFromObject, levelFromObject]) assert.throws(() => make(box(), "any"), /^ArgumentError: (modelFromObject|levelFromObject): the model's name comes first and is a string, not an object of class Mesh$/);
 		assert.throws(() => modelFromObject("any", new THREE.Group()), /^ModelError: model "any": no vertices/);
 		assert.throws(() => modelFromObject("", new THREE.BoxGeometry()), /^ModelError: .*needs a name/);
 		const broken = box();
@@ -800,7 +852,7 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 			}
 			assert.throws(() => wireframe.showRay(contact.point, contact.normal, Infinity), /^ArgumentError: a line is six finite numbers/);
 			assert.throws(() => wireframe.showRay(contact.point, contact.normal, 1, {}), /^ArgumentError: ThreeWireframe\.showRay: /);
-			assert.throws(() => wireframe.showStructure(fit, {}), /^ArgumentError: ThreeWireframe: agent must be an Agent, not Object$/);
+			assert.throws(() => wireframe.showStructure(fit, {}), /^ArgumentError: ThreeWireframe: agent must be an Agent, not a plain object$/);
 			assert.throws(() => wireframe.showLevel(root, 0), /^RangeError/);
 			assert.equal(wireframe.geometry.drawRange.count, 2 + 6 + 2);
 			wireframe.dispose();

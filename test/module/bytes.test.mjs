@@ -31,7 +31,9 @@ test("a snapshot is a Uint8Array, and so are its copies, from which the game goe
 	collision.update(agents);
 	const bytes = collision.snapshot();
 	assert.equal(Object.prototype.toString.call(bytes), "[object Uint8Array]");
-	const nodes = [bytes, structuredClone(bytes), posted(bytes), bytes.buffer.slice(0), Buffer.from(bytes), new ByteArray(bytes)];
+	const shared = new SharedArrayBuffer(bytes.length);
+	new Uint8Array(shared).set(bytes);
+	const nodes = [bytes, structuredClone(bytes), posted(bytes), bytes.buffer.slice(0), Buffer.from(bytes), new ByteArray(bytes), shared];
 	nodes.forEach((copy, i) => {
 		agents[0].jumpTo(0, 0, 0);
 		collision.restore(copy, agents);

@@ -628,6 +628,21 @@ test("handlers get the contact, however they say what they take", () => {
 	collision.onCollision("a", "b", function(...all) {
 		noteBound(all);
 	}.bind(null));
+	const noteComment = note("comment");
+	const noteNamed = note("named");
+	const noteComputed = note("computed");
+	collision.onCollision("a", "b", function(a, b/* :) */, ...rest) {
+		noteComment([a, b, ...rest]);
+	});
+	const named = {
+		"on(x)"(...all) {
+			noteNamed(all);
+		},
+		["on(y)".trim()](...all) {
+			noteComputed(all);
+		},
+	};
+	for (const each of Object.values(named)) collision.onCollision("a", "b", each);
 	collision.onCollision("a", "b", (a, b, contact) => noteThree([a, b, contact]));
 	collision.onCollision("b", "a", (b, a, contact = null) => seen.push(["back", 3, contact.depth, contact.normal.x, contact.time]));
 	collision.onCollisionStart("a", "b", (...all) => seen.push(["start", all.length, all[2].depth, all[2].normal.x, all[2].time]));
@@ -639,7 +654,7 @@ test("handlers get the contact, however they say what they take", () => {
 	const [a, b] = [new Agent("x", "a"), new Agent("x", "b")];
 	b.moveTo(0.75, 0, 0);
 	collision.update([a, b]);
-	const ways = ["start", "rest", "default", "arguments", "bound", "three", "back"];
+	const ways = ["start", "rest", "default", "arguments", "bound", "comment", "named", "computed", "three", "back"];
 	assert.deepEqual(seen.map(([how]) => how), ways);
 	for (const [how, count, depth, normal, time] of seen) assert.deepEqual([how, count, depth, normal, time], [how, 3, 0.25, how === "back" ? 1 : -1, 1]);
 	assert.equal(two, a.id + b.id);
@@ -709,6 +724,12 @@ test("a listener may listen once, and until a signal", () => {
 	loader.addEventListener("complete", first, { once: true });
 	loader.removeEventListener("complete", first);
 	assert.equal(fire(), "");
+	loader.addEventListener("complete", first, { capture: true });
+	loader.addEventListener("complete", second, { once: true }, 5);
+	assert.equal(fire(), "second,first");
+	loader.removeEventListener("complete", first, { capture: true });
+	assert.equal(fire(), "");
+	refused(() => loader.addEventListener("complete", first, { onec: true }), "addEventListener: options.onec is no option; ", "there are once, capture, signal");
 });
 
 test("a load may be awaited, and aborted alone", async () => {
@@ -853,6 +874,12 @@ test("JSON and tools see what an object is like, and nothing of what is inside",
 	assert.match(util.inspect(new Hero("cube")), /^Hero \{[\s\S]*life: 3/);
 	assert.match(util.format("%s", agent), /^agent \d+/);
 	assert.ok(String(util.inspect({ deep: { deeper: { agent } } })).includes("[Agent]"));
+	for (const each of agents) each.mates = agents;
+	assert.ok(util.inspect(agent).length < 20000);
+	const [one, other] = [new Hero("cube"), new Hero("cube")];
+	Object.assign(one, { friend: other });
+	Object.assign(other, { friend: one });
+	assert.match(util.inspect(one, { depth: null }), /friend: Hero \{[^]*friend: \[Hero\]/);
 });
 
 test("an error event that nothing hears says so", () => {

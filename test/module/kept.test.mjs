@@ -84,6 +84,28 @@ test("a Collision keeps neither a collider that was exchanged nor a game's list"
 // Bytes a triangle: the corners of a triangle alone are 24. Extents of all triangles would be 48 more, and nodes of the whole tree 105.
 const MOST = { added: 70, ray: 85, cast: 85, walks: 120 };
 
+// Collisions of agents that leave after a snapshot without traits, as the module for developers notes it.
+async function snapshotAndLeave() {
+	const { Agent: OwnAgent, BinCollider, Collision: OwnCollision } = await import(pathToFileURL(path.join(folder, manifest.exports["."].node)));
+	const collision = new OwnCollision(new BinCollider());
+	const left = [1, 2, 3].map(() => {
+		const agent = new OwnAgent("sphere");
+		collision.update([agent]);
+		collision.snapshot();
+		return new WeakRef(agent);
+	});
+	collision.update([]);
+	return { collision, left };
+}
+
+test("a Collision does not keep the agents of its snapshots", async () => {
+	const { collision, left } = await snapshotAndLeave();
+	await new Promise((resolve) => setTimeout(resolve, 10));
+	collect();
+	assert.deepEqual(left.map((each) => each.deref()), [undefined, undefined, undefined]);
+	assert.equal(collision.lastAgents.length, 0);
+});
+
 test("a level keeps few bytes for each of its triangles", () => {
 	const bytes = measure("kept.mjs", "100");
 	assert.ok(bytes.walked > 30, `${bytes.walked} walkers are in the level`);

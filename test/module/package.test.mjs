@@ -923,6 +923,16 @@ test("while a game is developed, walks that stop before what has a handler with 
 			game.update([hero, floor]);
 		}
 		steps.push(said.length + " " + calls);
+		let asked = 0;
+		const [blocked, wall] = [new Agent("hero", "heroes"), new Agent("wall", "doors")];
+		wall.moveTo(1, 0, 0);
+		for (let i = 0; i < 12; i++) {
+			queries.update([blocked, wall]);
+			queries.walk(blocked, 0.1, 0, { filter: { accepts: () => (asked++, true) } });
+			const before = asked;
+			game.update([blocked, wall]);
+			if (asked !== before || asked === 0) throw new Error("a game's accepts was called in an update");
+		}
 		console.log(JSON.stringify({ said, steps }));`;
 	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
 	const { said, steps } = run("starlogo-collision.js");

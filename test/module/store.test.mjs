@@ -214,6 +214,8 @@ test("the cook leaves what is there, cooks what has changed, and says what is wr
 	assert.match(broken.stderr, /broken\.obj: model "broken", line 1/);
 	assert.match(broken.stdout, /^0 cooked, 4 as they were, 1 that are no models$/m);
 	assert.match(run("--help").stdout, /--min-vertices N/);
+	// the copies may be beside the folder's name
+	assert.match(run(plain, "--out", path.dirname(plain)).stdout, /^[1-9]\d* cooked/m);
 	// what belongs to a model counts as its source, and is copied with it
 	rmSync(path.join(plain, "broken.obj"));
 	const gltf = (uri) => JSON.stringify({ asset: { version: "2.0" }, scenes: [{ nodes: [0] }], nodes: [{ mesh: 0 }], meshes: [{ primitives: [{ attributes: { POSITION: 0 } }] }],

@@ -228,7 +228,7 @@ test('in the table of a class names and signs lead to what was handed in, lesson
 	await page.setInputFiles('input[type=file]', [work('Ada', [{ name: 'One', program: { blocks } }, { name: 'Two', lesson: 'wing', program: { blocks } }]), work('=1+1 "x"', [])]);
 	await page.waitForSelector('[data-checked="class"]');
 	const links = await page.locator('.class tbody a').evaluateAll((all) => all.map(({ textContent, hash }) => [textContent, hash]));
-	const [at] = links.filter(([text]) => text === 'Ada').map(([, hash]) => /^#play\/handed-(\d)-0$/.exec(hash)[1]);
+	const [at] = links.filter(([text]) => text === 'Ada').map(([, hash]) => /^#play\/handed-([\d-]+)-0$/.exec(hash)[1]);
 	assert.deepEqual(links, [['Ada', `#play/handed-${at}-0`], ['…', `#play/handed-${at}-1`]]);
 	assert.equal(await page.locator('.class thead a').nth(2).evaluate(({ hash }) => hash), '#teach/wing');
 	const rows = (await saved(page, () => press(page, 'Download the table'))).split('\r\n');

@@ -2,14 +2,14 @@
 export class Blocks {
 	#state;
 	#handler;
-	#known = [];
+	#present = [];
 	#next = [];
 	#lists = new Map();
 	#pairs = [];
 	#collision = null;
 
 	/** Ids of the breeds that appear in any block. */
-	concerned = new Set();
+	breedsWithBlocks = new Set();
 
 	/** Reads the client's State. The handler is called with each pair of bodies that has a block. */
 	constructor(state, handler) {
@@ -17,8 +17,8 @@ export class Blocks {
 		this.#handler = handler;
 	}
 
-	/** Updates the handlers of a Collision. */
-	read(collision) {
+	/** Gives a Collision the handlers of the blocks that there are now. */
+	followState(collision) {
 		const { collidingBreeds, collidedBreeds } = this.#state;
 		const next = this.#next;
 		let count = 0;
@@ -30,9 +30,9 @@ export class Blocks {
 			for (let i = 0; i < others.length; i++) next[count++] = others[i];
 		}
 		next.length = count;
-		if (collision === this.#collision && count === this.#known.length && next.every((id, i) => id === this.#known[i])) return;
-		this.#next = this.#known;
-		this.#known = next;
+		if (collision === this.#collision && count === this.#present.length && next.every((id, i) => id === this.#present[i])) return;
+		this.#next = this.#present;
+		this.#present = next;
 		if (this.#collision) for (const [id, other] of this.#pairs) this.#collision.removeHandler(id, other, this.#handler);
 		this.#collision = collision;
 		this.#change();
@@ -46,16 +46,16 @@ export class Blocks {
 	#change() {
 		this.#lists = new Map();
 		this.#pairs = [];
-		this.concerned = new Set();
-		for (let i = 0; i < this.#known.length; i += 2 + this.#known[i + 1]) {
-			const id = this.#known[i];
+		this.breedsWithBlocks = new Set();
+		for (let i = 0; i < this.#present.length; i += 2 + this.#present[i + 1]) {
+			const id = this.#present[i];
 			const ranks = new Map();
-			for (let k = 0; k < this.#known[i + 1]; k++) {
-				const other = this.#known[i + 2 + k];
+			for (let k = 0; k < this.#present[i + 1]; k++) {
+				const other = this.#present[i + 2 + k];
 				// a breed may appear twice: in its own block and in a block for everyone
 				if (ranks.has(other)) continue;
 				ranks.set(other, k);
-				this.concerned.add(id).add(other);
+				this.breedsWithBlocks.add(id).add(other);
 				// handlers on both sides would call twice
 				if (!this.#lists.get(other)?.has(id)) this.#pairs.push([String(id), String(other)]);
 			}

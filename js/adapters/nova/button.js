@@ -13,9 +13,14 @@ const CHOICES = [
 
 /** Adds a button to the toolbar of the client in a window. Its menu chooses the collision system, and whether the overlay is shown. */
 export function addButton(window, options = {}) {
+	return new Button(window, toolbarOf(window), options);
+}
+
+/** The toolbar of the client in a window. Throws if there is none. */
+export function toolbarOf(window) {
 	const bar = window.document?.querySelector("#toolbar ul.nav");
 	if (!bar || !window.Execution?.Collisions) throw new TypeError("the window has no StarLogo Nova client with a toolbar");
-	return new Button(window, bar, options);
+	return bar;
 }
 
 class Button {

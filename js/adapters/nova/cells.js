@@ -11,8 +11,6 @@ export class Cells {
 	#half;
 	#width;
 	#cells = Array.from({ length: SIDE * SIDE }, () => []);
-	// by cell, the agents of the entries; questions read only these
-	#agents = Array.from({ length: SIDE * SIDE }, () => []);
 
 	// the squares of the distances to a row and to its farther side
 	#nearest = new Float64Array(SIDE);
@@ -26,7 +24,7 @@ export class Cells {
 
 	/** Removes all entries. */
 	clear() {
-		for (const cell of [...this.#cells, ...this.#agents]) cell.length = 0;
+		for (const cell of this.#cells) cell.length = 0;
 	}
 
 	/** Puts an entry, { agent, cell, slot }, into the cell of its agent. The cell of a new entry is -1. */
@@ -37,19 +35,15 @@ export class Cells {
 		this.take(entry);
 		entry.cell = cell;
 		entry.slot = this.#cells[cell].push(entry) - 1;
-		this.#agents[cell].push(entry.agent);
 	}
 
 	/** Removes an entry, if it is present. */
 	take(entry) {
 		if (entry.cell < 0) return;
 		const list = this.#cells[entry.cell];
-		const agents = this.#agents[entry.cell];
 		const last = list.pop();
-		const lastAgent = agents.pop();
 		if (last !== entry) {
 			list[entry.slot] = last;
-			agents[entry.slot] = lastAgent;
 			last.slot = entry.slot;
 		}
 		entry.cell = -1;
@@ -69,19 +63,19 @@ export class Cells {
 		const nearest = this.#nearest;
 		const farthest = this.#farthest;
 		for (let row = lowY; row <= highY; row++) {
-			nearest[row] = this.#nearer(y, row) ** 2;
-			farthest[row] = this.#farther(y, row) ** 2;
+			nearest[row] = this.#leastDistance(y, row) ** 2;
+			farthest[row] = this.#greatestDistance(y, row) ** 2;
 		}
 		let found = 0;
 		for (let column = lowX; column <= highX; column++) {
-			const near = reach - this.#nearer(x, column) ** 2;
-			const far = reach - this.#farther(x, column) ** 2;
+			const near = reach - this.#leastDistance(x, column) ** 2;
+			const far = reach - this.#greatestDistance(x, column) ** 2;
 			for (let row = lowY; row <= highY; row++) {
 				if (nearest[row] > near) continue;
-				const list = this.#agents[column * SIDE + row];
+				const list = this.#cells[column * SIDE + row];
 				const isInside = farthest[row] < far;
 				for (let i = 0; i < list.length; i++) {
-					const other = list[i];
+					const other = list[i].agent;
 					if ((breed !== null && other.breed !== breed) || other.isDead) continue;
 					const state = other.state;
 					const dz = z - state.z;
@@ -108,8 +102,8 @@ export class Cells {
 		let best = null;
 		let least = radius * radius;
 		for (let ring = 0; ring < SIDE; ring++) {
-			const gap = ring === 0 ? 0 : this.#gap(x, y, column, row, ring - 1);
-			if (gap > 0 && gap * gap > least) break;
+			const outside = ring === 0 ? 0 : this.#distanceOutside(x, y, column, row, ring - 1);
+			if (outside > 0 && outside * outside > least) break;
 			const lowY = Math.max(0, row - ring);
 			const highY = Math.min(LAST, row + ring);
 			for (let i = Math.max(0, column - ring); i <= Math.min(LAST, column + ring); i++) {
@@ -117,9 +111,9 @@ export class Cells {
 				const step = Math.abs(i - column) === ring || ring === 0 ? 1 : 2 * ring;
 				for (let j = step === 1 ? lowY : row - ring; j <= highY; j += step) {
 					if (j < 0) continue;
-					const list = this.#agents[i * SIDE + j];
+					const list = this.#cells[i * SIDE + j];
 					for (let k = 0; k < list.length; k++) {
-						const other = list[k];
+						const other = list[k].agent;
 						if ((breed !== null && other.breed !== breed) || other.isDead || other === asker) continue;
 						const state = other.state;
 						const dx = x - state.x;
@@ -145,25 +139,25 @@ export class Cells {
 	}
 
 	/** The distance to the farther side of a column or row, a little larger because of rounding. */
-	#farther(coordinate, index) {
+	#greatestDistance(coordinate, index) {
 		if (index === 0 || index === LAST) return Infinity;
 		const low = (index - 1) * this.#width - this.#half;
 		return Math.max(Math.abs(coordinate - low), Math.abs(coordinate - low - this.#width)) + 1e-9;
 	}
 
 	/** The distance to a column or row, a little smaller because of rounding. */
-	#nearer(coordinate, index) {
+	#leastDistance(coordinate, index) {
 		const low = index === 0 ? -Infinity : (index - 1) * this.#width - this.#half;
 		const high = index === LAST ? Infinity : index * this.#width - this.#half;
 		return Math.max(low - coordinate, coordinate - high, 1e-9) - 1e-9;
 	}
 
 	/** Everything outside this many rings of cells is at least this far away. */
-	#gap(x, y, column, row, rings) {
-		return Math.min(this.#inner(x, column, rings), this.#inner(y, row, rings)) - 1e-9;
+	#distanceOutside(x, y, column, row, rings) {
+		return Math.min(this.#distanceToRing(x, column, rings), this.#distanceToRing(y, row, rings)) - 1e-9;
 	}
 
-	#inner(coordinate, index, rings) {
+	#distanceToRing(coordinate, index, rings) {
 		const low = index - rings;
 		const high = index + rings;
 		return Math.min(low <= 0 ? Infinity : coordinate - ((low - 1) * this.#width - this.#half), high >= LAST ? Infinity : high * this.#width - this.#half - coordinate);

@@ -1,9 +1,12 @@
-import { Agent, BinCollider, Collision, CombinationCollider, GreatLand, HierarchicalCollider, TightestFitCollider } from "starlogo-collision";
+import { Agent, BinCollider, Collision, CombinationCollider, GreatLand, HierarchicalCollider, Model, TightestFitCollider } from "starlogo-collision";
 import { Blocks } from "./blocks.js";
 import { Entry, firstSharedBin } from "./entry.js";
 import { Neighbours } from "./neighbours.js";
 import { SPHERE, Shapes } from "./shapes.js";
 import { Traits, checkTraits } from "./traits.js";
+
+/** The engine's own: the check of options. */
+const [, , , checkedOptions] = Model.$parts;
 
 const SYSTEMS = { bins: BinCollider, tightest: TightestFitCollider, hierarchical: HierarchicalCollider, combination: CombinationCollider };
 
@@ -19,8 +22,8 @@ const FARTHEST = Agent.LARGEST_COORDINATE - Agent.LARGEST_SIZE;
 /** The lower part of a key is the turn. No game has so many updates. */
 const TURNS = 2 ** 36;
 
-/** A key has room for this many breeds. */
-const RANKS = 128;
+/** A key has room for this many breeds of a block. No game has so many. */
+const RANKS = 1024;
 
 /** Finds the collisions of a client in a window, with the engine. It replaces the client's Collisions. */
 export class NovaCollisions {
@@ -28,7 +31,6 @@ export class NovaCollisions {
 	#half;
 	#options;
 	#entries = new Set();
-	#neighbours;
 	#turn = 0;
 	#greatLand = new GreatLand();
 	#shapes;
@@ -42,11 +44,14 @@ export class NovaCollisions {
 	#isSwept = false;
 	#traits = new Traits();
 
+	/** Counts the agents near one, and finds the nearest. */
+	neighbours;
+
 	/** For the client of a window; agents are added later. For the options see installInto. */
 	constructor(window, options) {
 		this.#execution = window.Execution;
 		this.#half = window.Helper?.Constants?.MAPSIZE ?? 50.5;
-		this.#neighbours = new Neighbours(window, this.#half, this.#entries);
+		this.neighbours = new Neighbours(window, this.#half, this.#entries);
 		this.#blocks = new Blocks(window.Common.State, (a, b) => this.#onPair(a.entry, b.entry));
 		this.#use(options);
 		this.#shapes = new Shapes(this.#greatLand, window, { own: options.shapes, manifest: options.manifest });
@@ -72,11 +77,6 @@ export class NovaCollisions {
 		return this.#shapes;
 	}
 
-	/** Makes the next question read all places again. */
-	forgetPlaces() {
-		this.#neighbours.forgetPlaces();
-	}
-
 	/**
 	 * Calls a function for each agent that takes part, with an Agent of the engine and whether the last getCollisions found it in a pair.
 	 * `part` is the part of the way from the place in the last tick to the present place.
@@ -85,13 +85,13 @@ export class NovaCollisions {
 		const { data, numAgents } = this.#execution.AgentController;
 		const hit = new Set(this.#found.flatMap(({ a, b }) => [a, b]));
 		const ghost = this.#ghost;
-		this.#blocks.read(this.#collision);
+		this.#blocks.followState(this.#collision);
 		for (let i = 1; i < numAgents; i++) {
 			const entry = this.#participant(data[i]);
 			if (entry === null) continue;
 			const { agent, body } = entry;
 			const state = part < 1 && agent.prevState ? between(agent.prevState, agent.state, part) : agent.state;
-			if (!this.#pose(ghost, state)) continue;
+			if (!this.#dress(ghost, state)) continue;
 			ghost.hierarchical = body.hierarchical;
 			ghost.traversalDepth = body.traversalDepth;
 			ghost.collideAs = body.collideAs;
@@ -137,7 +137,7 @@ export class NovaCollisions {
 		if (entry !== null) {
 			this.#entries.delete(entry);
 			entry.owner = null;
-			this.#neighbours.take(entry);
+			this.neighbours.cells.take(entry);
 		}
 		agent.jbins = [];
 	}
@@ -153,7 +153,7 @@ export class NovaCollisions {
 	reset() {
 		for (const entry of this.#entries) entry.owner = null;
 		this.#entries.clear();
-		this.#neighbours.clear();
+		this.neighbours.clear();
 		this.#bodies.length = 0;
 		this.#found = [];
 	}
@@ -166,36 +166,27 @@ export class NovaCollisions {
 
 	/** All colliding pairs that have a block, each once. They come in the client's order; with sweeps, in the order of time. */
 	getCollisions() {
-		this.#blocks.read(this.#collision);
+		this.#blocks.followState(this.#collision);
 		this.#gather();
 		this.#found = [];
-		this.#neighbours.beginCollisions();
+		this.neighbours.beginCollisions();
 		this.#collision.update(this.#bodies);
 		if (!this.#isSwept) this.#collect();
-		this.#neighbours.endCollisions();
+		this.neighbours.endCollisions();
 		return this.#found;
 	}
 
-	/** Whether two agents touched in the last getCollisions. */
+	/** Whether two agents touch now. */
 	areColliding(a, b) {
-		const first = this.#entryOf(a);
-		const second = this.#entryOf(b);
-		if (first === null || second === null || first === second) return false;
+		const first = this.#currentEntryOf(a);
+		const second = this.#currentEntryOf(b);
+		if (first === null || second === null || first === second || !this.#follow(first) || !this.#follow(second)) return false;
 		return this.#collider.areColliding(first.body, second.body) && (!this.#isBins || doSpheresMeet(a.state, b.state));
 	}
 
-	/** Counts the agents of a breed within a radius of an agent, optionally only those with a value of a trait. */
-	count(agent, breedName, radius, trait, value) {
-		return this.#neighbours.count(agent, breedName, radius, trait, value);
-	}
-
-	/** The nearest agent of a breed within a radius, optionally with a value of a trait. If there is none, the agent itself. */
-	nearest(agent, breedName, radius, trait, value) {
-		return this.#neighbours.nearest(agent, breedName, radius, trait, value);
-	}
-
 	#use(options) {
-		const { system = "bins", exact = false, depth, breeds = {} } = options;
+		const defaults = { system: "bins", exact: false, depth: undefined, sweeps: undefined, breeds: {}, shapes: null, overlay: false, manifest: null };
+		const { system, exact, depth, breeds } = checkedOptions(null, "options", options, defaults, 'a literal such as { system: "tightest" }');
 		if (!Object.hasOwn(SYSTEMS, system)) throw new RangeError(`the system must be one of ${Object.keys(SYSTEMS).join(", ")}, not ${system}`);
 		if (exact && (system === "bins" || system === "tightest")) throw new RangeError(`exact is for hierarchical and combination, not for ${system}`);
 		const traits = new Map(Object.entries(breeds).map(([name, given]) => [name, checkTraits(given)]));
@@ -223,7 +214,7 @@ export class NovaCollisions {
 
 	#place(entry) {
 		entry.bin(this.#half, ++this.#turn);
-		this.#neighbours.put(entry);
+		this.neighbours.cells.put(entry);
 	}
 
 	/** Moves all bodies that take part to their agents. */
@@ -252,17 +243,21 @@ export class NovaCollisions {
 	#collect() {
 		for (const { entry } of this.#bodies) {
 			const others = entry.others;
-			if (others.length > 0) this.#neighbours.suspect(entry);
+			if (others.length > 0) this.neighbours.suspect(entry);
 			for (let i = 0; i < others.length; i++) {
 				this.#found.push(pairOf(entry.agent, others[i].agent));
-				this.#neighbours.suspect(others[i]);
+				this.neighbours.suspect(others[i]);
 			}
 		}
 	}
 
-	/** The entry of an agent that has a block, with its traits up to date; otherwise null. */
+	/** The entry of an agent that has a block; otherwise null. */
 	#participant(agent) {
-		if (!agent || agent.isDead || !this.#blocks.concerned.has(agent.breed.id)) return null;
+		return agent && !agent.isDead && this.#blocks.breedsWithBlocks.has(agent.breed.id) ? this.#currentEntryOf(agent) : null;
+	}
+
+	/** The entry of an agent, with its traits up to date; null if it has none. */
+	#currentEntryOf(agent) {
 		const entry = this.#entryOf(agent);
 		if (entry !== null && entry.traitsOf !== agent.breed) this.#setTraits(entry);
 		return entry;
@@ -271,13 +266,13 @@ export class NovaCollisions {
 	/** Moves a body to its agent. Returns whether the agent can take part. */
 	#follow({ agent, body }) {
 		const { state } = agent;
-		if (!this.#pose(body, state)) return false;
+		if (!this.#dress(body, state)) return false;
 		moveBody(body, agent, state.x, state.y, this.#isBins ? state.z - body.size / 2 : state.z);
 		return true;
 	}
 
 	/** Gives a body everything of a state but the place. Returns whether an agent with this state can take part. */
-	#pose(body, { x, y, z, size, heading, shape }) {
+	#dress(body, { x, y, z, size, heading, shape }) {
 		if (!(Math.max(Math.abs(x), Math.abs(y), Math.abs(z)) <= FARTHEST && size >= 0 && size < Agent.LARGEST_SIZE)) return false;
 		if (this.#isBins) {
 			body.shape = SPHERE;
@@ -311,8 +306,8 @@ export class NovaCollisions {
 		if (this.#isBins && !a.body.sweeps && !b.body.sweeps && !doSpheresMeet(first.state, second.state)) return;
 		if (this.#isSwept) {
 			this.#found.push(pairOf(first, second));
-			this.#neighbours.suspect(a);
-			this.#neighbours.suspect(b);
+			this.neighbours.suspect(a);
+			this.neighbours.suspect(b);
 			return;
 		}
 		const rank = isSameBreed && first.id > second.id ? -1 : this.#blocks.rank(first.breed.id, second.breed.id);

@@ -16,8 +16,8 @@ const BLOCKS = {
  */
 export function addBlocks(window) {
 	const { sb, Compilation, DataStructures } = window;
-	const drawer = sb?.WebLogoDemo?.workspace?.getDrawers().find((one) => one.getChildBlocks().some((block) => block.getName() === "collision"));
-	if (!drawer || !Compilation?.BlockTable?.table) throw new TypeError("the window has no editor of blocks, or it has none for collisions");
+	const drawer = drawerOf(window);
+	if (!drawer) throw new TypeError("the window has no editor of blocks, or it has none for collisions");
 	const present = new Set(drawer.getChildBlocks().map((block) => block.getName()));
 	const added = [];
 	for (const [name, { label, trait, options, read }] of Object.entries(BLOCKS)) {
@@ -48,6 +48,12 @@ export function addBlocks(window) {
 			for (const block of added.splice(0)) drawer.removeBlock(block);
 		},
 	};
+}
+
+/** The drawer of a window's editor that has the client's collision block; undefined if there is none. */
+export function drawerOf({ sb, Compilation }) {
+	const drawers = Compilation?.BlockTable?.table ? sb?.WebLogoDemo?.workspace?.getDrawers() : [];
+	return drawers?.find((one) => one.getChildBlocks().some((block) => block.getName() === "collision"));
 }
 
 /** The class that the client compiles a block to: a statement that sets a trait of the program's agent. */

@@ -12,7 +12,7 @@ export interface NovaTraits {
     /** Whether it collides along its whole way from one tick to the next. */
     sweeps?: boolean;
     /** The structure that stands for it when no tree is used. */
-    structure?: "tightest" | "sphere" | "box" | "capsule";
+    structure?: "tightest" | "sphere" | "box" | "capsule" | "hull";
 }
 
 /** Options for the engine in the client. */
@@ -66,6 +66,7 @@ export interface NovaInstallation {
      * Changes options from the next tick on. Options that are not named stay.
      *
      * @throws RangeError if an option is not possible; nothing has changed then
+     * @throws ArgumentError if there is no such option; nothing has changed then
      * @throws TypeError if an overlay is wanted, and there is no view for it
      */
     exchange(options: NovaOptions): void;
@@ -86,7 +87,7 @@ export interface NovaInstallation {
      * @throws RangeError if a trait is not possible; nothing has changed then
      */
     changeTraits(agent: NovaAgent, traits: NovaTraits): void;
-    /** Whether two agents touched in the last getCollisions, even if their breeds have no blocks. */
+    /** Whether two agents touch now, even if their breeds have no blocks. */
     areColliding(a: NovaAgent, b: NovaAgent): boolean;
     /** Gives the client its own collisions back, with all agents in its bins. A second call does nothing. */
     uninstall(): void;
@@ -100,6 +101,7 @@ export interface NovaInstallation {
  * @param options see NovaOptions
  * @throws TypeError if no client is in the window
  * @throws RangeError if an option is not possible; the earlier installation stays then
+ * @throws ArgumentError if there is no such option; the earlier installation stays then
  * @throws TypeError if an overlay is wanted, and there is no view for it; the earlier installation stays then
  */
 export function installInto(window: object, options?: NovaOptions): NovaInstallation;

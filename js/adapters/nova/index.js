@@ -1,6 +1,6 @@
 /** The collision engine for the StarLogo Nova client. */
-import { addButton } from "./button.js";
-import { addBlocks } from "./drawer.js";
+import { addButton, toolbarOf } from "./button.js";
+import { addBlocks, drawerOf } from "./drawer.js";
 import { installInto, installedIn } from "./installation.js";
 
 export { addBlocks, addButton, installInto };
@@ -14,7 +14,8 @@ export function toggle(window, options = {}) {
 		added.delete(window);
 		installedIn(window)?.uninstall();
 	} else {
+		toolbarOf(window);
 		if (installedIn(window) === null) installInto(window, options);
-		added.set(window, [addButton(window, options), ...(window.sb ? [addBlocks(window)] : [])]);
+		added.set(window, [addButton(window, options), ...(drawerOf(window) ? [addBlocks(window)] : [])]);
 	}
 }

@@ -3,7 +3,8 @@ import { Overlay, viewOf } from "./overlay.js";
 import { Replaced } from "./replaced.js";
 
 /** The methods of the client's Collisions that are replaced. */
-const METHODS = ["add", "remove", "update", "getCollisions", "count", "nearest", "empty", "reset"];
+const METHODS = ["add", "remove", "update", "getCollisions", "empty", "reset"];
+const QUESTIONS = ["count", "nearest"];
 
 /** The name of the symbol under which a client keeps its installation. Other copies of this script find it there too. */
 export const KEY = "starlogo-collision.nova";
@@ -39,11 +40,13 @@ class Installation {
 		this.#client = client;
 		this.#collisions = collisions;
 		client.reset();
+		const { neighbours } = collisions;
 		for (const name of METHODS) this.#replaced.put(client, name, () => collisions[name].bind(collisions));
+		for (const name of QUESTIONS) this.#replaced.put(client, name, () => neighbours[name].bind(neighbours));
 		// it moves all agents without an update
 		if (typeof window.Execution.AgentController.scatterAllAgents === "function") {
 			this.#replaced.put(window.Execution.AgentController, "scatterAllAgents", (scatter) => function (...args) {
-				collisions.forgetPlaces();
+				neighbours.forgetPlaces();
 				return scatter.apply(this, args);
 			});
 		}
@@ -77,7 +80,7 @@ class Installation {
 		return this.#collisions.shapes.problems;
 	}
 
-	/** Whether two agents touched in the last getCollisions. */
+	/** Whether two agents touch now. */
 	areColliding(a, b) {
 		return this.#collisions.areColliding(a, b);
 	}

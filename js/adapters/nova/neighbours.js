@@ -13,7 +13,10 @@ export class Neighbours {
 	#equals;
 	#half;
 	#entries;
-	#cells;
+
+	/** Where the agents were last. */
+	cells;
+
 	/** The tick in which all places were last read. */
 	#tick = NaN;
 	/** The tick whose collisions were last found, and the agents of their pairs. */
@@ -31,7 +34,7 @@ export class Neighbours {
 		this.#equals = window.Helper?.Comparison?.equals ?? Object.is;
 		this.#half = half;
 		this.#entries = entries;
-		this.#cells = new Cells(half);
+		this.cells = new Cells(half);
 	}
 
 	/** Counts the agents of a breed within a radius of an agent, optionally only those with a value of a trait. */
@@ -40,7 +43,7 @@ export class Neighbours {
 		const breed = this.#breedOf(breedName);
 		if (reach > 2 * Math.SQRT2 * this.#half) return this.#countAll(breed, trait, value);
 		this.#refresh();
-		return reach >= 0 ? this.#cells.count(agent, breed, reach, this.#asks(trait, value)) : 0;
+		return reach >= 0 ? this.cells.count(agent, breed, reach, this.#asks(trait, value)) : 0;
 	}
 
 	/** The nearest agent of a breed within a radius, optionally with a value of a trait. If there is none, the agent itself. */
@@ -48,22 +51,12 @@ export class Neighbours {
 		const reach = Number(radius);
 		const breed = this.#breedOf(breedName);
 		this.#refresh();
-		return (reach >= 0 ? this.#cells.nearest(agent, breed, reach, this.#asks(trait, value)) : null) ?? agent;
-	}
-
-	/** Puts the entry of an agent where the agent is. */
-	put(entry) {
-		this.#cells.put(entry);
-	}
-
-	/** Removes an entry. */
-	take(entry) {
-		this.#cells.take(entry);
+		return (reach >= 0 ? this.cells.nearest(agent, breed, reach, this.#asks(trait, value)) : null) ?? agent;
 	}
 
 	/** Removes all entries. */
 	clear() {
-		this.#cells.clear();
+		this.cells.clear();
 		this.#suspects.length = 0;
 	}
 
@@ -92,10 +85,10 @@ export class Neighbours {
 	#refresh() {
 		if (this.#state.clock !== this.#tick) {
 			this.#tick = this.#state.clock;
-			for (const entry of this.#entries) this.#cells.put(entry);
+			for (const entry of this.#entries) this.cells.put(entry);
 			return;
 		}
-		if (this.#collidedIn === this.#tick) for (const entry of this.#suspects) this.#cells.put(entry);
+		if (this.#collidedIn === this.#tick) for (const entry of this.#suspects) this.cells.put(entry);
 	}
 
 	/** The breed with a name; null for all breeds. */

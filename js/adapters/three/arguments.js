@@ -1,4 +1,10 @@
-import { ArgumentError } from "starlogo-collision";
+import { ArgumentError, Model } from "starlogo-collision";
+
+/**
+ * The engine's own: the record of what a model is made of, the work that makes a model of it, numbers in a list without gaps, the check of
+ * options, the text for a value in an error, and warnings, which the minified module has not.
+ */
+export const [ModelData, ModelBuilder, vectorOf, checkedOptions, textOf, warnings] = Model.$parts;
 
 /**
  * The options of a call, with the defaults of those that are absent. Refuses options that there are not: a misspelt one would do nothing.
@@ -8,21 +14,7 @@ import { ArgumentError } from "starlogo-collision";
  * @param {object} defaults all options that there are
  */
 export function optionsOf(call, options, defaults) {
-	if (typeof options !== "object" || options === null || Array.isArray(options)) throw new ArgumentError(`${call}: options must be a literal such as { up: "y" }, not ${textOf(options)}`);
-	const result = { ...defaults };
-	for (const [name, value] of Object.entries(options)) {
-		if (!(name in defaults)) refuse(call, name, Object.keys(defaults));
-		if (value !== undefined) result[name] = value;
-	}
-	return result;
-}
-
-/** Refuses an option that there is not. Names those that there are. */
-function refuse(call, wrong, names) {
-	const inCommon = names.map((name) => [...name].findIndex((letter, i) => letter.toLowerCase() !== wrong[i]?.toLowerCase())).map((length, i) => (length < 0 ? names[i].length : length));
-	const most = Math.max(...inCommon);
-	const nearest = most > 1 && names.length > 1 ? `the nearest is ${names[inCommon.indexOf(most)]}; ` : "";
-	throw new ArgumentError(`${call}: options.${wrong} is no option; ${nearest}there ${names.length > 1 ? "are" : "is"} ${names.join(", ")}`);
+	return checkedOptions(null, `${call}: options`, options, defaults, 'a literal such as { up: "y" }');
 }
 
 /**
@@ -36,9 +28,4 @@ export function requirePoint(call, point) {
 		throw new ArgumentError(`${call}: x, y and z must be numbers, as a Vector3 has them, not ${textOf(point)}`);
 	}
 	return point;
-}
-
-/** The text for a value in an error. */
-export function textOf(value) {
-	return typeof value === "string" ? `"${value}"` : typeof value === "object" && value !== null ? `${value.constructor?.name ?? "object"}` : String(value);
 }

@@ -52,10 +52,15 @@ export class AgentPlace {
 		this.#isYUp = isYUp;
 	}
 
+	/** Whether the agent is elsewhere than it was last read. */
+	get hasChanged() {
+		return this.agent.$revision !== this.#revision;
+	}
+
 	/** Reads the agent's present place. Returns whether it has changed. */
-	read() {
+	takeChange() {
+		if (!this.hasChanged) return false;
 		const { agent } = this;
-		if (agent.$revision === this.#revision) return false;
 		this.#revision = agent.$revision;
 		const placement = agent.$placement;
 		if (this.#isYUp) this.position.set(placement.x, placement.z, -placement.y);
@@ -70,10 +75,15 @@ export class AgentPlace {
 		return true;
 	}
 
+	/** A size of the scene; if the agent already has it, up to rounding, its own. */
+	sizeFor(size) {
+		return Math.abs(size - this.agent.size) <= ROUNDING * size ? this.agent.size : size;
+	}
+
 	/** Moves the agent to a place in the scene. If it already has the rotation, up to rounding, its angles stay. */
 	write(position, quaternion, size) {
 		const { agent } = this;
-		this.read();
+		this.takeChange();
 		if (this.#isYUp) agent.moveTo(position.x, -position.z, position.y);
 		else agent.moveTo(position.x, position.y, position.z);
 		agent.size = size;
@@ -82,7 +92,7 @@ export class AgentPlace {
 			else agent.setQuaternion(quaternion.x, quaternion.y, quaternion.z, quaternion.w);
 			this.quaternion.copy(quaternion);
 		}
-		// the values that read() would give, up to rounding
+		// the values that takeChange() would give, up to rounding
 		this.position.copy(position);
 		this.size = size;
 		this.#revision = agent.$revision;

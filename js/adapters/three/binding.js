@@ -1,25 +1,26 @@
 import { Matrix4, Quaternion, Vector3 } from "three";
-import { Agent, ArgumentError, Model } from "starlogo-collision";
-import { optionsOf, textOf } from "./arguments.js";
+import { Agent, ArgumentError } from "starlogo-collision";
+import { optionsOf, textOf, warnings } from "./arguments.js";
 import { AgentPlace, isYUp } from "./axes.js";
-import { isPlaced, poseModel, upOf } from "./model.js";
-
-/** The engine's own: warnings, which the minified module has not. */
-const [, , warnings] = Model.$parts;
+import { isMadeOf, isPlaced, poseModel, upOf } from "./model.js";
 
 /** The relative error that a scene's numbers may have, because many are of single precision. */
 const TOLERANCE = 1e-6;
 
-/** Where an object is in its land, and how large. The matrix is what it was read from, if it was. */
-class Place {
-	matrix = new Matrix4();
-	position = new Vector3();
-	quaternion = new Quaternion();
-	scale = new Vector3();
-}
-
-// the place that a call reads or writes; no call goes on with that of another one
-const scratch = new Place();
+/**
+ * What a call reads or writes; no call goes on with that of another one. The first four are where an object is in its land, and how large:
+ * the matrix is what they were read from, if it was.
+ */
+const scratch = {
+	matrix: new Matrix4(),
+	position: new Vector3(),
+	quaternion: new Quaternion(),
+	scale: new Vector3(),
+	composed: new Matrix4(),
+	turn: new Quaternion(),
+	offset: new Vector3(),
+	numbers: new Float64Array(16),
+};
 
 /**
  * Keeps an agent and an object, or an instance of an InstancedMesh, in the same place: position, rotation and size. The object's parent is
@@ -52,8 +53,7 @@ export class ThreeAgentBinding {
 		const isLandYUp = isYUp(up);
 		this.#place = new AgentPlace(agent, isLandYUp, "ThreeAgentBinding");
 		if (!object?.isObject3D) throw new ArgumentError(`ThreeAgentBinding: object must be an Object3D, not ${textOf(object)}`);
-		this.#drawn = index === null ? new DrawnObject(object) : new DrawnInstance(object, index);
-		if (index === null) warnings?.ofScale(agent, object);
+		this.#drawn = index === null ? new DrawnObject(agent, object) : new DrawnInstance(object, index, model);
 		this.#model = model;
 		if (model !== null) this.#setModel(model, isLandYUp);
 		else warnings?.ofNoModel(agent, object);
@@ -71,7 +71,7 @@ export class ThreeAgentBinding {
 		}
 		const { matrix, position, quaternion, scale } = scratch;
 		matrix.fromArray(model.source.matrix.rawData);
-		if (!decompose(scratch)) throw new ArgumentError(`model "${model.name}" is mirrored or stretched in what it was made of: no object can be bound with it`);
+		if (!decompose()) throw new ArgumentError(`model "${model.name}" is mirrored or stretched in what it was made of: no object can be bound with it`);
 		const { x, y, z, w } = quaternion;
 		if (w !== 1) this.#turn = isLandYUp ? new Quaternion(x, z, -y, w) : quaternion.clone();
 		if (isLandYUp) this.#origin.set(position.x, position.z, -position.y);
@@ -90,7 +90,7 @@ export class ThreeAgentBinding {
 	/** Gives the object the agent's place, size and rotation. */
 	updateObject() {
 		const place = this.#place;
-		if (!place.read() && !this.#hasMoved()) return;
+		if (!place.takeChange() && !this.#hasMoved()) return;
 		const { position, quaternion } = scratch;
 		position.copy(this.#origin).multiplyScalar(place.size).applyQuaternion(place.quaternion).add(place.position);
 		quaternion.copy(place.quaternion);
@@ -102,11 +102,11 @@ export class ThreeAgentBinding {
 	/** Gives the agent the object's place, size and rotation. */
 	updateAgent() {
 		const place = this.#place;
-		if (!place.read() && !this.#hasMoved()) return;
-		this.#readDrawn(scratch);
-		const { position, quaternion, scale } = scratch;
-		const size = scale.x / this.#scale;
-		if (this.#turn) quaternion.multiply(turned.copy(this.#turn).conjugate());
+		if (!place.hasChanged && !this.#hasMoved()) return;
+		this.#readDrawn();
+		const { position, quaternion, scale, turn, offset } = scratch;
+		const size = place.sizeFor(scale.x / this.#scale);
+		if (this.#turn) quaternion.multiply(turn.copy(this.#turn).conjugate());
 		position.sub(offset.copy(this.#origin).multiplyScalar(size).applyQuaternion(quaternion));
 		this.#check(position, size);
 		place.write(position, quaternion, size);
@@ -123,23 +123,24 @@ export class ThreeAgentBinding {
 	/** Whether the object is elsewhere than at the last update. */
 	#hasMoved() {
 		const last = this.#last;
-		for (let i = this.#drawn.fill(present) - 1; i >= 0; i--) if (present[i] !== last[i]) return true;
+		const { numbers } = scratch;
+		for (let i = this.#drawn.fill(numbers) - 1; i >= 0; i--) if (numbers[i] !== last[i]) return true;
 		return false;
 	}
 
-	/** Reads the object's place into the one that is passed. Throws if the scale is not positive and the same in x, y and z. */
-	#readDrawn(into) {
-		const isSimilar = this.#drawn.read(into);
-		const { quaternion, scale } = into;
+	/** Reads the object's place. Throws if the scale is not positive and the same in x, y and z. */
+	#readDrawn() {
+		const isSimilar = this.#drawn.read();
+		const { matrix, quaternion, scale, turn } = scratch;
 		const { x, y, z } = scale;
 		// two mirrors are a turn
 		if (x * y * z > 0 && !(x > 0 && y > 0)) {
-			quaternion.multiply(turned.set(x > 0 ? 1 : 0, y > 0 ? 1 : 0, z > 0 ? 1 : 0, 0));
+			quaternion.multiply(turn.set(x > 0 ? 1 : 0, y > 0 ? 1 : 0, z > 0 ? 1 : 0, 0));
 			scale.set(Math.abs(x), Math.abs(y), Math.abs(z));
 		}
 		if (!isSimilar || !isEven(scale)) {
-			const said = isSimilar ? `scale ${x}, ${y}, ${z}` : `matrix ${into.matrix.elements.join(", ")}`;
-			throw new ArgumentError(`${this.agent} can't be as its object is: it must be turned, moved and evenly scaled, and nothing else, not ${said}`);
+			const found = isSimilar ? `scale ${x}, ${y}, ${z}` : `matrix ${matrix.elements.join(", ")}`;
+			throw new ArgumentError(`${this.agent} can't be as its object is: it must be turned, moved and evenly scaled, and nothing else, not ${found}`);
 		}
 		const length = quaternion.length();
 		if (!(Math.abs(length - 1) <= TOLERANCE)) throw new ArgumentError(`${this.agent} can't be as its object is: the quaternion must be of length 1, not ${length}`);
@@ -164,25 +165,14 @@ export class ThreeAgentBinding {
  * @param {object} options up and modelUp, as for ThreeAgentBinding
  */
 export function bindInstance(agent, mesh, index, model = null, options = {}) {
-	requireInstance(mesh, index);
-	return new ThreeAgentBinding(agent, mesh, model, { ...optionsOf("bindInstance", options, { up: "y", modelUp: undefined }), index });
+	return new ThreeAgentBinding(agent, mesh, model, { ...optionsOf("bindInstance", options, { up: "y", modelUp: undefined }), index: index ?? NaN });
 }
-
-function requireInstance(mesh, index) {
-	if (!mesh?.isInstancedMesh) throw new ArgumentError(`an InstancedMesh is needed, not ${textOf(mesh)}`);
-	const { count } = mesh.instanceMatrix;
-	if (!(Number.isInteger(index) && index >= 0 && index < count)) throw new RangeError(`the mesh has instances 0 to ${count - 1}, not ${textOf(index)}`);
-}
-
-const present = new Float64Array(16);
-const turned = new Quaternion();
-const offset = new Vector3();
-const evenScale = new Vector3();
-const composed = new Matrix4();
 
 /** The position, quaternion and scale of an object. If three.js does not use these for it, its matrix is read. */
 class DrawnObject {
-	constructor(object) {
+	constructor(agent, object) {
+		if (object.pivot) throw new ArgumentError(`ThreeAgentBinding: the object of ${agent} must have no pivot: put it into a Group, and bind the group`);
+		warnings?.ofScale(agent, object);
 		this.object = object;
 	}
 
@@ -199,16 +189,16 @@ class DrawnObject {
 		return 10;
 	}
 
-	/** Reads the object's place into the one that is passed. Returns whether this describes the matrix completely. */
-	read(into) {
+	/** Reads the object's place. Returns whether this describes the matrix completely. */
+	read() {
 		const { object } = this;
 		if (!object.matrixAutoUpdate) {
-			into.matrix.copy(object.matrix);
-			return decompose(into);
+			scratch.matrix.copy(object.matrix);
+			return decompose();
 		}
-		into.position.copy(object.position);
-		into.quaternion.copy(object.quaternion);
-		into.scale.copy(object.scale);
+		scratch.position.copy(object.position);
+		scratch.quaternion.copy(object.quaternion);
+		scratch.scale.copy(object.scale);
 		return true;
 	}
 
@@ -224,8 +214,11 @@ class DrawnObject {
 
 /** The matrix of an instance of an InstancedMesh, with the methods of a DrawnObject. */
 class DrawnInstance {
-	constructor(mesh, index) {
-		requireInstance(mesh, index);
+	constructor(mesh, index, model) {
+		if (!mesh.isInstancedMesh) throw new ArgumentError(`ThreeAgentBinding: object must be an InstancedMesh, not ${textOf(mesh)}`);
+		const { count } = mesh.instanceMatrix;
+		if (!(Number.isInteger(index) && index >= 0 && index < count)) throw new RangeError(`the mesh has instances 0 to ${count - 1}, not ${textOf(index)}`);
+		if (isMadeOf(model, mesh)) throw new ArgumentError(`model "${model.name}" was made of all instances: an instance has a model of the mesh's geometry`);
 		this.object = mesh;
 		this.index = index;
 	}
@@ -237,14 +230,14 @@ class DrawnInstance {
 		return 16;
 	}
 
-	read(into) {
-		this.object.getMatrixAt(this.index, into.matrix);
-		return decompose(into);
+	read() {
+		this.object.getMatrixAt(this.index, scratch.matrix);
+		return decompose();
 	}
 
 	write(at, turn, factor) {
 		const { object: mesh } = this;
-		mesh.setMatrixAt(this.index, composed.compose(at, turn, evenScale.set(factor, factor, factor)));
+		mesh.setMatrixAt(this.index, scratch.composed.compose(at, turn, scratch.scale.setScalar(factor)));
 		mesh.instanceMatrix.needsUpdate = true;
 		// The bounding volumes would stay where the instances were, and three.js does not draw what they show off the screen.
 		mesh.boundingSphere = null;
@@ -252,8 +245,9 @@ class DrawnInstance {
 	}
 }
 
-/** Decomposes a place's matrix into its other parts. Returns whether the matrix only rotates, scales evenly and translates. */
-function decompose({ matrix, position, quaternion, scale }) {
+/** Decomposes the matrix that was read. Returns whether it only rotates, scales evenly and translates. */
+function decompose() {
+	const { matrix, position, quaternion, scale, composed } = scratch;
 	matrix.decompose(position, quaternion, scale);
 	composed.compose(position, quaternion, scale);
 	return isEven(scale) && areAlike(matrix.elements, composed.elements, TOLERANCE * scale.x);

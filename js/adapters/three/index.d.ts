@@ -40,10 +40,17 @@ export interface ModelOptions {
     scaling?: Scaling | undefined;
 }
 
-/** The up axes for a binding. */
-export interface BindingOptions {
+/** Options of what stands in the land. */
+export interface LevelOptions {
     /** The up axis of the land. The default is "y". */
     up?: Up | undefined;
+}
+
+/** Options of a terrain's geometry, and of terrainFromMesh. */
+export type TerrainOptions = LevelOptions;
+
+/** The up axes for a binding. */
+export interface BindingOptions extends LevelOptions {
     /** The up axis of the model's source. The default is the axis that modelFromObject was given, otherwise the land's. */
     modelUp?: Up | undefined;
 }
@@ -55,11 +62,9 @@ export interface ObjectBindingOptions extends BindingOptions {
 }
 
 /** Options of a wireframe. */
-export interface WireframeOptions {
+export interface WireframeOptions extends LevelOptions {
     /** The lines' colour: 0xrrggbb, or any colour that three.js accepts. The default is 0xffcc00. */
     color?: number | string | undefined;
-    /** The up axis of the land. The default is "y". */
-    up?: Up | undefined;
 }
 
 /**
@@ -85,12 +90,6 @@ export interface WireframeOptions {
  * @throws ArgumentError if the name is no string, or if up is neither "y" nor "z"
  */
 export function modelFromObject(name: string, source: Object3D | BufferGeometry, options?: ModelOptions): Model;
-
-/** Options of levelFromObject. */
-export interface LevelOptions {
-    /** The up axis of the land. The default is "y". */
-    up?: Up | undefined;
-}
 
 /**
  * Makes a model of a level: of an object that stands still in the land, and of everything below it. All meshes become one model, and one unit
@@ -136,7 +135,8 @@ export function faceOf(model: Model, triangle: number): DrawnFace | null;
  * model. It gives the object's origin and size. Without a model, the object must be drawn normalised, like the agent's model.
  *
  * Call `updateObject()` each frame if the agent leads, or `updateAgent()` if the object leads. Both compare the two sides, and do nothing
- * if nothing has changed. If an object's `matrixAutoUpdate` is false, its matrix is read.
+ * if nothing has changed. If an object's `matrixAutoUpdate` is false, its matrix is read. The object has no `pivot`, which three.js would turn it
+ * around.
  */
 export class ThreeAgentBinding<A extends Agent = Agent> {
     /**
@@ -146,8 +146,8 @@ export class ThreeAgentBinding<A extends Agent = Agent> {
      * @param object its object
      * @param model the agent's model, if the object is its source or has the same geometry; null if the object is drawn normalised
      * @param options the up axes
-     * @throws ArgumentError if an argument is of the wrong kind, or the model is mirrored or stretched in its source, or
-     * is of levelFromObject and its object is not at the origin
+     * @throws ArgumentError if an argument is of the wrong kind, if the object has a pivot, or if the model is mirrored or stretched in its source, is
+     * of levelFromObject and its object is not at the origin, or is of all instances of the InstancedMesh
      * @throws RangeError if the InstancedMesh has no such instance
      */
     constructor(agent: A, object: Object3D, model?: Model | null, options?: ObjectBindingOptions);
@@ -162,8 +162,8 @@ export class ThreeAgentBinding<A extends Agent = Agent> {
     updateObject(): void;
 
     /**
-     * Gives the agent the object's place, size and rotation. If the agent already has the rotation, up to rounding, its heading, pitch and
-     * roll stay.
+     * Gives the agent the object's place, size and rotation. If the agent already has the rotation or the size, up to rounding, its heading, pitch
+     * and roll or its size stay.
      *
      * @throws ArgumentError if the object is mirrored, unevenly scaled or sheared, or one of its numbers is not finite; the agent is then
      * unchanged
@@ -273,14 +273,15 @@ export class ThreeWireframe extends LineSegments<BufferGeometry, LineBasicMateri
     /** Moves the lines to their agents. If no agent has changed, it does nothing. */
     update(): void;
 
+    /**
+     * Takes over another wireframe's lines, as `clone()` does. The two share no geometry, because each moves its own lines.
+     *
+     * @returns this
+     */
+    copy(source: this, recursive?: boolean): this;
+
     /** Frees the renderer's data. */
     dispose(): void;
-}
-
-/** Options of a terrain's geometry, and of terrainFromMesh. */
-export interface TerrainOptions {
-    /** The up axis of the land. The default is "y". */
-    up?: Up | undefined;
 }
 
 /**

@@ -1,19 +1,19 @@
 import { Vector3 } from "three";
 import { ArgumentError, Model, ModelError } from "starlogo-collision";
-import { optionsOf, textOf } from "./arguments.js";
+import { ModelBuilder, optionsOf, textOf, warnings } from "./arguments.js";
 import { countOf, eachMesh, identity, surfaceOf, updateMatrices } from "./surface.js";
 
 /** For each model: the up axis of its source, whether that is placed, and of which vertices and faces of which meshes it was made. */
-const origins = new WeakMap();
+const sources = new WeakMap();
 
 /** The up axis of a model's source, or undefined. */
-export const upOf = (model) => origins.get(model)?.up;
+export const upOf = (model) => sources.get(model)?.up;
 
 /** Whether a model has its object's place in it, which is not the origin. */
-export const isPlaced = (model) => origins.get(model)?.isPlaced === true;
+export const isPlaced = (model) => sources.get(model)?.isPlaced === true;
 
-/** The engine's own: the work that makes a model of the record that a Surface fills, and warnings, which the minified module has not. */
-const [, ModelBuilder, warnings] = Model.$parts;
+/** Whether a mesh is one of those that a model was made of. */
+export const isMadeOf = (model, mesh) => sources.get(model)?.meshes.some(({ object }) => object === mesh) === true;
 
 const point = new Vector3();
 
@@ -49,18 +49,18 @@ function requireName(call, name) {
 	if (typeof name !== "string") throw new ArgumentError(`${call}: the model's name comes first and is a string, not ${textOf(name)}`);
 }
 
-function modelOf(name, source, { data, parts, drawn }, origin, scaling) {
+function modelOf(name, source, { data, meshes }, made, scaling) {
 	if (data.vertices.length === 0) throw new ModelError(name, "", `no vertices: ${whatIsMissing(source)}`);
 	Object.assign(data, { scaling, isNormalised: scaling === Model.AS_GIVEN });
 	const model = new Model(name, null, null, null, new ModelBuilder(data).build());
-	origins.set(model, { ...origin, parts, drawn, isGeometry: !source.isObject3D, posed: null });
+	sources.set(model, { ...made, meshes, isGeometry: !source.isObject3D, posed: null });
 	warnings?.keepSource(source, model);
 	return model;
 }
 
 function whatIsMissing(source) {
 	const { attributes } = source.geometry ?? source;
-	const what = source.isObject3D ? `${textOf(source)} "${source.name}"` : "the geometry";
+	const what = source.isObject3D ? `${source.constructor.name} "${source.name}"` : "the geometry";
 	if (attributes && !attributes.position) return `${source.isObject3D ? `${what}: its geometry` : what} has no positions`;
 	return `${what} has no ${source.isObject3D ? "meshes with triangles yet" : "triangles"}`;
 }
@@ -73,12 +73,12 @@ function whatIsMissing(source) {
  * @param {number} triangle the number of the triangle, as a hit has it
  */
 export function faceOf(model, triangle) {
-	const { drawn, isGeometry } = origins.get(model) ?? {};
-	if (!drawn || isGeometry) throw new ArgumentError(`faceOf: model must be one that modelFromObject or levelFromObject has made of an Object3D, not ${textOf(model)}`);
+	const { meshes, isGeometry } = sources.get(model) ?? {};
+	if (!meshes || isGeometry) throw new ArgumentError(`faceOf: model must be one that modelFromObject or levelFromObject has made of an Object3D, not ${textOf(model)}`);
 	const last = model.triangles.length / 3 - 1;
 	if (!(Number.isInteger(triangle) && triangle >= -1 && triangle <= last)) throw new RangeError(`faceOf: triangle must be a whole number from -1 to ${last}, not ${textOf(triangle)}`);
 	if (triangle === -1) return null;
-	const { object, instanceId, first, faceAt } = drawn.findLast((each) => each.first <= triangle);
+	const { object, instanceId, first, faceAt } = meshes.findLast((each) => each.first <= triangle);
 	return { object, faceIndex: faceAt(triangle - first), instanceId };
 }
 
@@ -89,15 +89,15 @@ export function faceOf(model, triangle) {
  * @param {object} object its source, or a clone of it
  */
 export function poseModel(model, object) {
-	const origin = origins.get(model);
-	if (!origin) throw new ArgumentError(`model "${model.name}" was not made of an object: modelFromObject makes models that objects can pose`);
-	const { parts, isGeometry, up } = origin;
-	const posed = origin.posed ??= new Float64Array(model.vertices.length);
-	let part = 0;
+	const source = sources.get(model);
+	if (!source) throw new ArgumentError(`model "${model.name}" was not made of an object: modelFromObject makes models that objects can pose`);
+	const { meshes, isGeometry, up } = source;
+	const posed = source.posed ??= new Float64Array(model.vertices.length);
+	let number = 0;
 	let at = 0;
-	const place = (mesh, matrix) => {
+	const poseMesh = (mesh, matrix) => {
 		if (mesh.isBatchedMesh) throw new ArgumentError(`model "${model.name}" was made of a BatchedMesh, which has no pose`);
-		const { count, vertices } = parts[part++] ?? refuse();
+		const { count, vertices } = meshes[number++] ?? refuse();
 		if (count !== countOf(mesh)) refuse();
 		for (const vertex of vertices) {
 			mesh.getVertexPosition(vertex, point).applyMatrix4(matrix);
@@ -108,11 +108,11 @@ export function poseModel(model, object) {
 		}
 	};
 	const refuse = () => {
-		throw new ArgumentError(`model "${model.name}" was made of other meshes than ${textOf(object)} "${object.name}" has`);
+		throw new ArgumentError(`model "${model.name}" was made of other meshes than ${object.constructor.name} "${object.name}" has`);
 	};
 	updateMatrices(object);
-	if (!isGeometry) eachMesh(object, identity, place);
-	else if (object.isMesh) place(object, identity);
-	if (part !== parts.length) refuse();
+	if (!isGeometry) eachMesh(object, identity, poseMesh);
+	else if (object.isMesh) poseMesh(object, identity);
+	if (number !== meshes.length) refuse();
 	model.pose(posed);
 }

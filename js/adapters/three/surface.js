@@ -1,14 +1,11 @@
 /** Reads the meshes of an object or a geometry: their vertices and triangles, z up. */
 import { BufferAttribute, Matrix4, Mesh, Vector3 } from "three";
-import { Model, ModelError } from "starlogo-collision";
-import { textOf } from "./arguments.js";
+import { ModelError } from "starlogo-collision";
+import { ModelData, textOf, vectorOf } from "./arguments.js";
 import { isYUp } from "./axes.js";
 import { Welder } from "./welder.js";
 
-/** The engine's own: the record of what a model is made of. */
-const [ModelData] = Model.$parts;
-
-/** The place of a source whose own transform does not count. */
+/** The matrix of a source whose own transform does not count. */
 export const identity = new Matrix4();
 
 /** Computes the matrices of an object and of everything below it, and of the bones of its meshes, which may be elsewhere. */
@@ -24,21 +21,21 @@ export function updateMatrices(object) {
  * Calls a function for each mesh of an object, and for each instance of its InstancedMeshes, always in the same order.
  *
  * @param {object} object the object
- * @param {object} place its matrix; the identity for the source itself
+ * @param {object} matrix its matrix; the identity for the source itself
  * @param {function} visit takes a mesh with positions, its matrix, and the index of the instance
  */
-export function eachMesh(object, place, visit) {
+export function eachMesh(object, matrix, visit) {
 	if (object.isInstancedMesh) {
 		for (let i = 0; i < object.count; i++) {
 			const instance = new Matrix4();
 			object.getMatrixAt(i, instance);
-			visit(object, instance.premultiply(place), i);
+			visit(object, instance.premultiply(matrix), i);
 		}
-	} else if (object.isMesh) visit(object, place);
+	} else if (object.isMesh) visit(object, matrix);
 	for (const child of object.children) {
 		// the first of an object's levels of detail is the finest
 		if (object.isLOD && object.levels.findIndex((level) => level.object === child) > 0) continue;
-		eachMesh(child, place.clone().multiply(child.matrix), visit);
+		eachMesh(child, matrix.clone().multiply(child.matrix), visit);
 	}
 }
 
@@ -48,7 +45,7 @@ export function surfaceOf(name, source, up, isPlaced = false) {
 	if (source?.isBufferGeometry) surface.addMesh(new Mesh(source), identity);
 	else if (source?.isObject3D) {
 		updateMatrices(source);
-		eachMesh(source, isPlaced ? source.matrix : identity, (mesh, place, instance) => surface.addMesh(mesh, place, instance));
+		eachMesh(source, isPlaced ? source.matrix : identity, (mesh, matrix, instance) => surface.addMesh(mesh, matrix, instance));
 	} else throw new ModelError(name, "", `expected an Object3D or a BufferGeometry, not ${textOf(source)}${source?.scene?.isObject3D ? ". Its scene is an Object3D" : ""}`);
 	return surface.weld();
 }
@@ -57,17 +54,19 @@ export function surfaceOf(name, source, up, isPlaced = false) {
 class Surface {
 	/** What the model is made of: the engine's own record. */
 	data;
-	/** For each mesh or instance, in the order of eachMesh: how many vertices the mesh has, and those that have become the model's next ones. */
-	parts = [];
-	/** For each mesh or instance with triangles: the number of the first one, the mesh, the index of the instance, and the faces of its triangles. */
-	drawn = [];
+	/**
+	 * For each mesh or instance, in the order of eachMesh: the mesh, the index of the instance, how many vertices the mesh has, those that have become
+	 * the model's next ones, the number of its first triangle, and the faces of its triangles.
+	 */
+	meshes = [];
 	#isYUp;
 	#isLabelled;
+	// of the meshes with triangles: { mesh, points, corners, matrix }, whose mesh is one of the list
 	#pieces = [];
 	#cornerCount = 0;
-	// the number of each mesh, and of each material
-	#meshes = new Map();
-	#materials = new Map();
+	// the label of each mesh, and of each material
+	#meshLabels = new Map();
+	#materialLabels = new Map();
 	// the last mesh, and what it draws: its instances draw the same
 	#mesh = null;
 	#shape;
@@ -79,21 +78,21 @@ class Surface {
 		this.#isLabelled = isLabelled;
 	}
 
-	/** Adds a mesh, or an instance of it. The matrix is its place in the source. */
-	addMesh(mesh, place, instance = null) {
+	/** Adds a mesh, or an instance of it. The matrix is that in the source. */
+	addMesh(mesh, matrix, instance = null) {
 		if (mesh.isBatchedMesh) {
-			this.#addBatch(mesh, place);
+			this.#addBatch(mesh, matrix);
 			return;
 		}
 		if (mesh !== this.#mesh) {
 			this.#mesh = mesh;
 			this.#shape = shapeOf(mesh);
 		}
-		this.#add(mesh, instance, this.#shape, place);
+		this.#add(mesh, instance, this.#shape, matrix);
 	}
 
 	/** Adds all instances of a BatchedMesh, visible or not. Each draws a part of the mesh's geometry. */
-	#addBatch(mesh, place) {
+	#addBatch(mesh, matrix) {
 		const shapes = new Map();
 		let left = mesh.instanceCount;
 		for (let i = 0; left > 0 && i < mesh.maxInstanceCount; i++) {
@@ -101,19 +100,18 @@ class Surface {
 			if (id < 0) continue;
 			left--;
 			if (!shapes.has(id)) shapes.set(id, shapeInBatch(mesh, id));
-			this.#add(mesh, i, shapes.get(id), mesh.getMatrixAt(i, new Matrix4()).premultiply(place));
+			this.#add(mesh, i, shapes.get(id), mesh.getMatrixAt(i, new Matrix4()).premultiply(matrix));
 		}
 	}
 
 	/** Adds what a mesh or an instance draws, as shapeOf has it. */
-	#add(mesh, instanceId, { points, corners, runs, faceAt }, place) {
-		const part = [];
-		this.parts.push({ count: points.length / 3, vertices: part });
+	#add(object, instanceId, { points, corners, runs, faceAt }, matrix) {
+		const mesh = { object, instanceId, count: points.length / 3, vertices: [], first: this.#cornerCount / 3, faceAt };
+		this.meshes.push(mesh);
 		// scaled to 0, as hidden instances often are
-		if (place.getMaxScaleOnAxis() === 0 || corners.length === 0) return;
-		if (this.#isLabelled) this.#label(mesh, runs);
-		this.#pieces.push({ mesh, points, corners, place, part });
-		this.drawn.push({ first: this.#cornerCount / 3, object: mesh, instanceId, faceAt });
+		if (matrix.getMaxScaleOnAxis() === 0 || corners.length === 0) return;
+		if (this.#isLabelled) this.#label(object, runs);
+		this.#pieces.push({ mesh, points, corners, matrix });
 		this.#cornerCount += corners.length;
 	}
 
@@ -121,24 +119,24 @@ class Surface {
 	#label(mesh, runs) {
 		const { meshes, materials } = this.data;
 		let first = this.#cornerCount / 3;
-		meshes.beginRun(labelOf(mesh, titleOf(mesh), this.#meshes, meshes), first);
+		meshes.beginRun(labelOf(mesh, titleOf(mesh), this.#meshLabels, meshes), first);
 		for (const { material, count } of runs) {
 			if (count === 0) continue;
-			materials.beginRun(labelOf(material, material?.name, this.#materials, materials), first);
+			materials.beginRun(labelOf(material, material?.name, this.#materialLabels, materials), first);
 			first += count;
 		}
 	}
 
 	/** Makes vertices and triangles of all that was added. A list that has its length at once is made in a quarter of the time of one that grows. */
 	weld() {
-		const triangles = (this.data.triangles = zeros(this.#cornerCount));
+		const triangles = (this.data.triangles = vectorOf(this.#cornerCount, 0));
 		const welder = new Welder(this.data.vertices);
 		let first = 0;
-		for (const { mesh, points, corners, place, part } of this.#pieces) {
-			welder.begin(points, place, this.#isYUp, part);
-			this.#addTriangles(mesh, points, corners, welder, triangles, first);
+		for (const { mesh, points, corners, matrix } of this.#pieces) {
+			welder.begin(points, matrix, this.#isYUp, mesh.vertices);
+			this.#addTriangles(mesh.object, points, corners, welder, triangles, first);
 			first += corners.length;
-			if (place.determinant() < 0) turnOver(triangles, first - corners.length, first);
+			if (matrix.determinant() < 0) turnOver(triangles, first - corners.length, first);
 		}
 		return this;
 	}
@@ -270,11 +268,4 @@ function takeTriangles(all, first, end, taken, corners, faces) {
 /** Turns triangles over, from an index of their list to another. */
 function turnOver(triangles, first, end) {
 	for (let i = first; i < end; i += 3) [triangles[i + 1], triangles[i + 2]] = [triangles[i + 2], triangles[i + 1]];
-}
-
-/** A list of zeros without gaps. V8 takes for granted that `new Array(count)` has some, and looks for them at each reading. */
-function zeros(count) {
-	const some = [];
-	while (some.length < 1024) some.push(0);
-	return [].concat(...new Array(count >> 10).fill(some), some.slice(0, count & 1023));
 }

@@ -29,6 +29,11 @@ export class TerrainGeometry extends BufferGeometry {
 
 	get terrain() { return this.#terrain; }
 
+	/** A geometry of the same ground. */
+	clone() {
+		return new this.constructor(this.#terrain, { up: this.#isYUp ? "y" : "z" });
+	}
+
 	/** Takes over the heights. Returns whether the ground has changed. */
 	update() {
 		if (!this.#surface.update()) return false;

@@ -8,19 +8,19 @@ export class Welder {
 	#points;
 	#elements;
 	#isYUp;
-	#part;
+	#takenCorners;
 
 	/** @param {number[]} vertices x, y, z, ...: new positions are appended */
 	constructor(vertices) {
 		this.#vertices = vertices;
 	}
 
-	/** Begins a mesh: its points, its place, and where the points are listed that become vertices. */
-	begin(points, place, isYUp, part) {
+	/** Begins a mesh: its points, its matrix, and the list that gets the corners that become vertices. */
+	begin(points, matrix, isYUp, takenCorners) {
 		this.#points = points;
-		this.#elements = place.elements;
+		this.#elements = matrix.elements;
 		this.#isYUp = isYUp;
-		this.#part = part;
+		this.#takenCorners = takenCorners;
 		// at most half of the slots are taken in the end
 		const needed = 2 * ((this.#vertices.length + points.length) / 3);
 		if (needed > this.#slots.length) this.#grow(2 ** Math.ceil(Math.log2(2 * needed)));
@@ -35,9 +35,9 @@ export class Welder {
 		const pz = points[3 * corner + 2];
 		const w = 1 / (e[3] * px + e[7] * py + e[11] * pz + e[15]);
 		const x = (e[0] * px + e[4] * py + e[8] * pz + e[12]) * w + 0;
-		const second = (e[1] * px + e[5] * py + e[9] * pz + e[13]) * w + 0;
-		const third = (e[2] * px + e[6] * py + e[10] * pz + e[14]) * w + 0;
-		return this.#isYUp ? this.#vertexOf(x, 0 - third, second, corner) : this.#vertexOf(x, second, third, corner);
+		const sceneY = (e[1] * px + e[5] * py + e[9] * pz + e[13]) * w + 0;
+		const sceneZ = (e[2] * px + e[6] * py + e[10] * pz + e[14]) * w + 0;
+		return this.#isYUp ? this.#vertexOf(x, 0 - sceneZ, sceneY, corner) : this.#vertexOf(x, sceneY, sceneZ, corner);
 	}
 
 	#vertexOf(x, y, z, corner) {
@@ -52,7 +52,7 @@ export class Welder {
 		}
 		const { length } = vertices;
 		vertices.push(x, y, z);
-		this.#part.push(corner);
+		this.#takenCorners.push(corner);
 		return (slots[slot] = length / 3);
 	}
 

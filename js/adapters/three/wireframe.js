@@ -79,7 +79,7 @@ export class ThreeWireframe extends LineSegments {
 		this.#parts.push(part);
 		this.#count += lines.length / 3;
 		this.#makeRoom();
-		part.place?.read();
+		part.place?.takeChange();
 		this.#write(part);
 		this.geometry.setDrawRange(0, this.#count);
 		return this;
@@ -95,7 +95,17 @@ export class ThreeWireframe extends LineSegments {
 
 	/** Moves the lines to their agents. If no agent has changed, it does nothing. */
 	update() {
-		for (const part of this.#parts) if (part.place?.read()) this.#write(part);
+		for (const part of this.#parts) if (part.place?.takeChange()) this.#write(part);
+	}
+
+	/** Takes over another wireframe's lines. Unlike those of three.js, the two share no geometry, because each moves its own lines. */
+	copy(source, isRecursive) {
+		super.copy(source, isRecursive);
+		this.geometry = new BufferGeometry();
+		this.#isYUp = source.#isYUp;
+		this.clearLines();
+		for (const { place, lines } of source.#parts) this.showLines(lines, place?.agent);
+		return this;
 	}
 
 	/** the pointer never hits lines */

@@ -223,9 +223,9 @@ function switchesOf(type, member) {
 }
 
 function optionsOf({ name }) {
-	const asListener = "if ($areOptions(useCapture)) return $listen(this, type, listener, useCapture);";
+	const asListener = "if ($areOptions(useCapture)) return $listen(this, type, listener, useCapture, priority);";
 	if (name === "addEventListener") return ["$warnOfEvent(this, type);", asListener];
-	return name === "removeEventListener" ? ["if ($areOptions(useCapture)) useCapture = useCapture.capture ?? false;"] : [];
+	return name === "removeEventListener" ? ["if ($areOptions(useCapture)) useCapture = false;"] : [];
 }
 
 /** Where a literal is likely to be passed, the text says how such an object is made. */

@@ -16,7 +16,6 @@ const WARNINGS = new Map([
 		"$warnOfSilence(this, agents);",
 		"$warnOfShots(agents);",
 		"$warnOfNewAgents(this, agents);",
-		"$warnOfStops(this);",
 		"$warnOfLaterProperties(this, agents);",
 	]],
 	...sameFor(["collision.Collision.onCollision", "collision.Collision.onCollisionStart", "collision.Collision.onCollisionEnd"], [
@@ -30,17 +29,17 @@ const WARNINGS = new Map([
 	["queries.AgentFilter.accepts", ["$warnOfAccepts(value);"]],
 	["queries.AgentQueries.update", [
 		"$warnOfTime(\"AgentQueries.update\", arguments);",
-		"$warnOfNoAgent(\"AgentQueries.update\", agents);",
+		"$refuseNoAgent(\"AgentQueries.update\", agents);",
 		"$warnOfLaterProperties(this, agents);",
 	]],
 	["queries.SeenAgents.update", ["$warnOfNoFrames(this);", "$warnOfStale(this, agents, null);"]],
 	["queries.SeenAgents.refresh", ["$warnOfStale(this, null, agent);"]],
 	...sameFor(["queries.AgentQueries.walk", "queries.AgentMotions.walk"], [
 		"$warnOfFall(agent, dx, dy);",
-		"$warnOfWalk(this, agent, dx, dy, options);",
+		"$warnOfWalk(this._moves._seen, agent, out ??= new Footing());",
 	]),
 	...["AgentQueries", "AgentRays"].flatMap((name) => ["cast", "castAll"].map((method) => [`queries.${name}.${method}`, [
-		`$warnOfDirection("${name}.${method}", direction);`,
+		`$refuseNoDirection("${name}.${method}", direction);`,
 	]])),
 	["queries.AgentPlaces.inCone", ["$warnOfCone(degrees);"]],
 ].map(([name, statements]) => [`starlogo.${name}`, statements]));

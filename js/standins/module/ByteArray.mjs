@@ -204,6 +204,5 @@ export class EOFError extends Error {
 }
 
 function toBytes(source) {
-	if (source instanceof ArrayBuffer) return new Uint8Array(source);
-	return new Uint8Array(source.buffer, source.byteOffset, source.byteLength);
+	return ArrayBuffer.isView(source) ? new Uint8Array(source.buffer, source.byteOffset, source.byteLength) : new Uint8Array(source);
 }

@@ -17,7 +17,7 @@ const $copy = {};
  * @param wanted the kind that is required, for example "an Agent"
  */
 export function $named(value, wanted = "") {
-	if (isOfOtherCopy(value, wanted)) return "one of another copy of the engine. There are two copies of the engine: import starlogo-collision from one address";
+	if (isOfOtherCopy(value, wanted)) return "one of another copy of the engine. There are two copies of the engine: import it from one address";
 	switch (typeof value) {
 		case "string":
 			return JSON.stringify(value.length > 40 ? `${value.slice(0, 40)}...` : value);
@@ -58,8 +58,8 @@ function isOfOtherCopy(value, wanted) {
 export function $refuse(target, name, value, kind) {
 	const given = target === null ? name : `${target}: ${name}`;
 	if (typeof value === "number" && kind.endsWith(" number")) {
-		const range = Number.isInteger(value) ? " in the range of 32 bits" : "";
-		throw new RangeError(`${given} must be ${kind === "a number" ? "a finite number" : kind + range}, not ${value}`);
+		const wanted = kind === "a number" ? "a finite number" : Number.isInteger(value) ? `${kind} in the range of 32 bits` : kind;
+		throw new RangeError(`${given} must be ${wanted}, not ${value}`);
 	}
 	throw new ArgumentError(`${given} must be ${kind}, not ${$named(value, kind)}${$hintOfValue(value, kind)}`);
 }
@@ -100,7 +100,9 @@ export function $aFunction(name, value) {
 /** Throws if one of a method's arguments is no number. `names` is the method, a colon, and the arguments' names. */
 export function $checkNumbers(names, ...values) {
 	const place = values.findIndex((value) => typeof value !== "number");
-	if (place >= 0) $refuse(null, names.replace(/: .*/, `: ${names.split(": ")[1].split(", ")[place]}`), values[place], "a number");
+	if (place < 0) return;
+	const [method, list] = names.split(": ");
+	$refuse(method, list.split(", ")[place], values[place], "a number");
 }
 
 /** Whether an object's class has such a mark, in this copy of the engine. */
@@ -146,7 +148,7 @@ export function $numbers(target, name, list, type, isNullable) {
 /** The bytes for an argument of a public method: a ByteArray. An ArrayBuffer or a view of one is converted to one. */
 export function $bytes(target, name, value, isNullable) {
 	if (isNullable && (value === null || value === undefined)) return null;
-	const areBytes = value instanceof ByteArray || ArrayBuffer.isView(value) || value instanceof ArrayBuffer || Object.prototype.toString.call(value) === "[object SharedArrayBuffer]";
+	const areBytes = value instanceof ByteArray || ArrayBuffer.isView(value) || /ArrayBuffer\]$/.test(Object.prototype.toString.call(value));
 	if (!areBytes) $refuse(target, name, value, "an ArrayBuffer, a view of one, or a ByteArray");
 	return ByteArray.from(value);
 }

@@ -11,11 +11,12 @@ export function mayTakeContact(handler) {
  */
 function mayTakeMore(handler) {
 	const text = Function.prototype.toString.call(handler);
-	return /\.\.\.|=/.test(parametersOf(text)) || /\barguments\b|\[native code\]/.test(text);
+	return /\.\.\.|=/.test(parametersOf(text)) || /^[\s*]*(?:async\b[\s*]*)?\[|\barguments\b|\[native code\]/.test(text);
 }
 
-/** What is between the parentheses of a function's parameters, of which default values may have others. */
-export function parametersOf(text) {
+/** What is between the parentheses of a function's parameters, of which default values may have others. Comments, quoted names and texts are left out. */
+export function parametersOf(code) {
+	const text = code.replaceAll(/\/\*[^]*?\*\/|\/\/.*|"(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])*'/g, "");
 	const start = text.indexOf("(");
 	let end = start;
 	for (let depth = 0; end < text.length; end++) {

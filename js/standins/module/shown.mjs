@@ -7,12 +7,12 @@ export function $stateOf(object) {
 		if (!/^[_$]/.test(name) && typeof value !== "function") state[name] = value;
 	};
 	const chain = [];
-	for (let each = Object.getPrototypeOf(object); each !== null && each !== Object.prototype; each = Object.getPrototypeOf(each)) chain.unshift(each);
+	let type = object;
+	while ((type = Object.getPrototypeOf(type)) && type !== Object.prototype) chain.unshift(type);
 	for (const [name, { get, set }] of chain.flatMap((each) => Object.entries(Object.getOwnPropertyDescriptors(each)))) {
-		if (!get || name === "__proto__") continue;
 		try {
-			const value = get.call(object);
-			if (set || typeof value !== "object" || value === null) note(name, value);
+			const value = get?.call(object);
+			if (get && (set || typeof value !== "object" || value === null)) note(name, value);
 		} catch {
 			// it can't be read now
 		}
@@ -21,17 +21,26 @@ export function $stateOf(object) {
 	return state;
 }
 
+/** The objects that are being shown: one that names another names itself by way of that one. */
+const showing = new Set();
+
 /** Makes JSON.stringify and Node's console.log show a class's objects as $stateOf describes them. */
 export function $shown(type) {
-	const inspect = function(depth, options, inspectAny) {
-		const name = this.constructor.name;
-		if (depth < 0 || typeof inspectAny !== "function") return `[${name}]`;
-		return `${name} ${inspectAny($stateOf(this), { ...options, depth: options.depth === null ? null : options.depth })}`;
-	};
 	Object.defineProperties(type.prototype, {
 		[Symbol.toStringTag]: { configurable: true, get() { return this.constructor.name; } },
-		toJSON: { configurable: true, writable: true, value: function toJSON() { return $stateOf(this); } },
-		[Symbol.for("nodejs.util.inspect.custom")]: { configurable: true, writable: true, value: inspect },
+		toJSON: { configurable: true, writable: true, value() { return $stateOf(this); } },
+		[Symbol.for("nodejs.util.inspect.custom")]: { configurable: true, writable: true, value: inspected },
 	});
 	return type;
+}
+
+function inspected(depth, options, inspect) {
+	const { name } = this.constructor;
+	if (depth < 0 || !inspect || showing.has(this)) return `[${name}]`;
+	showing.add(this);
+	try {
+		return `${name} ${inspect($stateOf(this), { ...options, depth })}`;
+	} finally {
+		showing.delete(this);
+	}
 }

@@ -3,14 +3,13 @@ const MOST_FRAMES = 900;
 const MOST_AGENTS = 150000;
 
 const TRAITS = ["shape", "breed", "x", "y", "z", "heading", "pitch", "roll", "size", "color", "hierarchical", "traversalDepth", "collideAs", "sweeps", "born", "said", "rise", "touched", "hit", "isAlive", "own"];
-const PLACED = new Set(["x", "y", "z"]);
 
 /** Keeps the last frames of a game, so that it can go back. */
 export class History {
 	/** The index of the frame that is shown; undefined while the game goes on. */
 	shown = undefined;
 	#frames = [];
-	#agents = 0;
+	#agentCount = 0;
 
 	/** @param {import("./world.js").World} world */
 	constructor(world) {
@@ -18,16 +17,16 @@ export class History {
 	}
 
 	clear() {
-		this.#frames.length = this.#agents = 0;
+		this.#frames.length = this.#agentCount = 0;
 		this.shown = undefined;
 	}
 
 	/** Keeps the last frame anew, because the user has moved an agent in it. */
-	amend(listed) {
+	amend(searched) {
 		this.goOn();
 		if (this.#frames.length === 0) return;
-		this.#agents -= this.#frames.pop().all.length;
-		this.add(listed);
+		this.#agentCount -= this.#frames.pop().all.length;
+		this.add(searched);
 	}
 
 	/** The number of frames that one can go back. */
@@ -38,16 +37,16 @@ export class History {
 	/**
 	 * Keeps the last frame.
 	 *
-	 * @param {object[]} listed the agents that the engine was given in it
+	 * @param {object[]} searched the agents that the engine was given in it
 	 */
-	add(listed) {
-		const { agents, state, collisions } = this.world;
-		const all = [...new Set([...listed, ...agents])];
+	add(searched) {
+		const { agents: living, state, collisions } = this.world;
+		const all = [...new Set([...searched, ...living])];
 		this.#frames.push({
-			listed, agents: [...agents], all, traits: all.map((agent) => TRAITS.map((name) => agent[name])), bytes: collisions.collision.snapshot(), system: collisions.systemName, state: copyOf(state),
+			searched, living: [...living], all, traits: all.map((agent) => Object.fromEntries(TRAITS.map((name) => [name, agent[name]]))), bytes: collisions.collision.snapshot(), system: collisions.systemName, state: copyOf(state),
 		});
-		this.#agents += all.length;
-		while (this.#frames.length > MOST_FRAMES || (this.#agents > MOST_AGENTS && this.#frames.length > 2)) this.#agents -= this.#frames.shift().all.length;
+		this.#agentCount += all.length;
+		while (this.#frames.length > MOST_FRAMES || (this.#agentCount > MOST_AGENTS && this.#frames.length > 2)) this.#agentCount -= this.#frames.shift().all.length;
 	}
 
 	/** The number of frames that the world has gone back. */
@@ -59,20 +58,20 @@ export class History {
 	show(back) {
 		const { world } = this;
 		const at = Math.max(0, this.#frames.length - 1 - back);
-		const { listed, agents, all, traits, bytes, system, state } = this.#frames[at];
+		const { searched, living, all, traits, bytes, system, state } = this.#frames[at];
 		all.forEach((agent, i) => restore(agent, traits[i]));
-		world.agents.splice(0, Infinity, ...agents);
+		world.agents.splice(0, Infinity, ...living);
 		Object.assign(world.state, copyOf(state));
 		world.useSystem(system);
 		world.solidBreeds = state.solid;
-		world.collisions.collision.restore(bytes, listed);
+		world.collisions.collision.restore(bytes, searched);
 		this.shown = at;
 	}
 
 	/** Removes the frames after the one that is shown, because the game goes on from there. */
 	goOn() {
 		if (this.shown === undefined) return;
-		for (const { all } of this.#frames.splice(this.shown + 1)) this.#agents -= all.length;
+		for (const { all } of this.#frames.splice(this.shown + 1)) this.#agentCount -= all.length;
 		this.shown = undefined;
 	}
 }
@@ -82,10 +81,7 @@ const copyOf = (state) => ({
 	...state, variables: { ...state.variables }, totals: new Map(state.totals), events: [...state.events], threads: state.threads.map((thread) => thread.copy()),
 });
 
-function restore(agent, traits) {
-	TRAITS.forEach((name, i) => {
-		if (!PLACED.has(name)) agent[name] = traits[i];
-	});
-	const [x, y, z] = [...PLACED].map((name) => traits[TRAITS.indexOf(name)]);
+function restore(agent, { x, y, z, ...others }) {
+	Object.assign(agent, others);
 	agent.moveTo(x, y, z);
 }

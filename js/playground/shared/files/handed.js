@@ -123,14 +123,15 @@ export const handed = {
 		return null;
 	},
 
-	/** The address's argument for a program. */
-	addressOf: (work, number) => `${PREFIX}${works.indexOf(work)}-${number}`,
+	/** The address's argument for a program, which stays when other works come. */
+	addressOf: (work, number) => `${PREFIX}${work.id}-${number}`,
 
 	/** The program at such an address, with its pupil and models; null if there is none. */
 	at(argument) {
-		const [, work, number] = /^handed-(\d+)-(\d+)$/.exec(argument) ?? [];
-		const entry = works[work]?.programs[number];
-		return entry ? { ...entry, pupil: works[work].pupil, models: works[work].models } : null;
+		const [, id, number] = /^handed-(.+)-(\d+)$/.exec(argument) ?? [];
+		const work = works.find((each) => each.id === id);
+		const entry = work?.programs[number];
+		return entry ? { ...entry, pupil: work.pupil, models: work.models } : null;
 	},
 
 	/** Removes all works of a pupil. */

@@ -29,20 +29,8 @@ export function $warnOfTime(name, given) {
 		+ "Move an agent by its speed, multiplied by the time since the last frame");
 }
 
-/** Refuses a value in a literal as its setter does, and names the call with the literal: the setter names only its class. */
-export function $warnOfSetting(target, name, key, value, options) {
-	if (value[key] === undefined) return;
-	try {
-		options[key] = value[key];
-	} catch ({ constructor: Refusal, message }) {
-		const where = `${target === null ? "" : `${target}: `}${name}.${key}`;
-		const known = message.replace(/^\w+\.(?=\w)/, "");
-		throw new Refusal(known.startsWith(key) ? where + known.slice(key.length) : message);
-	}
-}
-
 /** Refuses what is no agent in the list of an update, and names the call: the engine says only where in the list it is. */
-export function $warnOfNoAgent(call, agents) {
+export function $refuseNoAgent(call, agents) {
 	if (!Array.isArray(agents)) return;
 	for (let i = 0; i < agents.length; i++) {
 		if (agents[i]?.id === undefined) $refuse(null, `${call}: agents[${i}]`, agents[i], "an Agent");
@@ -50,7 +38,7 @@ export function $warnOfNoAgent(call, agents) {
 }
 
 /** Refuses a ray's direction, and names the call. */
-export function $warnOfDirection(call, direction) {
+export function $refuseNoDirection(call, direction) {
 	const { x, y, z } = direction ?? {};
 	if (x === 0 && y === 0 && z === 0) throw new ArgumentError(`${call}: direction must not be 0: (0, 0, 0) leads nowhere`);
 }

@@ -1,5 +1,5 @@
 /** What a Collision's frames tell: no handler is called, no agent has a breed that is named, or all agents are new. */
-import { $warnOfNoAgent } from "./arguments.mjs";
+import { $refuseNoAgent } from "./arguments.mjs";
 import { $areSimilar } from "./spelling.mjs";
 import { $keptOf, $warn } from "./warn.mjs";
 
@@ -104,7 +104,7 @@ export function $warnOfNewAgents(collision, agents) {
 	let greatest = -Infinity;
 	for (let i = 0; i < agents?.length; i++) {
 		const id = agents[i]?.id;
-		if (id === undefined) $warnOfNoAgent("Collision.update", agents);
+		if (id === undefined) $refuseNoAgent("Collision.update", agents);
 		if (id < least) least = id;
 		if (id > greatest) greatest = id;
 	}

@@ -10,7 +10,7 @@ const $HAS_TRAITS = 1;
 /** If a Collision takes more snapshots without traits than these, it is not known which of them it goes back to. */
 const $MOST_SNAPSHOTS = 10;
 
-/** Of a Collision: for each snapshot without traits the agents and their places. */
+/** Of a Collision: for each snapshot without traits the agents' ids and places. */
 const $withoutTraits = /* @__PURE__ */ new WeakMap();
 
 const $newList = () => [];
@@ -25,7 +25,7 @@ export function $warnOfSnapshot(collision, given) {
 		return;
 	}
 	const taken = $keptOf($withoutTraits, collision, $newList);
-	if (taken.length <= $MOST_SNAPSHOTS) taken.push(agents.map((agent) => ({ agent, x: agent.x, y: agent.y, z: agent.z })));
+	if (taken.length <= $MOST_SNAPSHOTS) taken.push(agents.map(({ id, x, y, z }) => ({ id, x, y, z })));
 }
 
 /** Warns of going back by a snapshot without traits if an agent is elsewhere than at any such snapshot: the game has not put it back. */
@@ -33,10 +33,11 @@ export function $warnOfRestore(collision, bytes, agents) {
 	const taken = $withoutTraits.get(collision);
 	if (!taken || taken.length > $MOST_SNAPSHOTS || !Array.isArray(agents)) return;
 	if (ByteArray.from(bytes)?.byteAt($CONTENTS) & $HAS_TRAITS) return;
-	const ofThese = taken.filter((places) => places.length === agents.length && places.every(({ agent }, i) => agent === agents[i]));
-	const movedSince = ofThese.map((places) => places.find(({ agent, x, y, z }) => agent.x !== x || agent.y !== y || agent.z !== z));
-	if (movedSince.length === 0 || movedSince.includes(undefined)) return;
-	const { agent, x, y, z } = movedSince[movedSince.length - 1];
+	const ofThese = taken.filter((places) => places.length === agents.length && places.every(({ id }, i) => id === agents[i]?.id));
+	const movedSince = ofThese.map((places) => places.findIndex(({ x, y, z }, i) => agents[i].x !== x || agents[i].y !== y || agents[i].z !== z));
+	if (movedSince.length === 0 || movedSince.includes(-1)) return;
+	const agent = agents[movedSince.at(-1)];
+	const { x, y, z } = ofThese.at(-1)[movedSince.at(-1)];
 	const [now, before] = [[agent.x, agent.y, agent.z], [x, y, z]].map((place) => place.map($rounded).join(", "));
 	$warn(`restore() leaves ${agent} at (${now}), and it was at (${before}) when the snapshot was taken, which has no traits. `
 		+ "Take snapshot({ withTraits: true }), or put the traits back before restore()", "restore");

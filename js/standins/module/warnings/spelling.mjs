@@ -17,15 +17,26 @@ export function $hintOfOptions(call, value, key, names) {
 	return "stands" in value ? "a Footing is the argument after the options: walk(agent, dx, dy, null, footing); " : "";
 }
 
+/** A setter's error about an option, with the name of the call: the setter names only its class. */
+export function $hintOfSetting(where, error) {
+	return new error.constructor(`${where}.${error.message.replace(/^\w+\./, "")}`);
+}
+
 /** What an error says about an option that is not among the names of all: the nearest one. */
 export function $hintOfOption(key, names) {
+	const nearest = $nearestOption(key, names);
+	return nearest === undefined ? "" : `the nearest is ${nearest}; `;
+}
+
+/** The option that is nearest to one that is not among the names of all; undefined if none is near. */
+export function $nearestOption(key, names) {
 	const word = key.toLowerCase();
 	const longer = names.find((each) => word.length > 3 && each.toLowerCase().endsWith(word));
-	if (longer) return `the nearest is ${longer}; `;
+	if (longer) return longer;
 	// each letter in common counts against two changes, because abbreviations are common
 	const farAway = names.map((each) => $changesBetween(word, each.toLowerCase()) - 2 * $commonLetters(word, each.toLowerCase()));
 	const least = Math.min(...farAway);
-	return least < 1 ? `the nearest is ${names[farAway.indexOf(least)]}; ` : "";
+	return least < 1 ? names[farAway.indexOf(least)] : undefined;
 }
 
 /** Whether a breed's or a model's name may be another one, misspelled. Names that differ in numbers alone are of different breeds. */

@@ -13,9 +13,6 @@ const $LONG_STRIDE = 2;
 /** So many long walks in turn are no accident. */
 const $MANY_STRIDES = 30;
 
-/** So many agents' walks are looked at in a frame. */
-const $MOST_WALKS = 100;
-
 /** So many walks that one breed stops are no accident. */
 const $MANY_STOPS = 10;
 
@@ -29,8 +26,8 @@ function $newWalker({ z }) {
 	return { strides: 0, falls: 0, top: z, z };
 }
 
-/** The walks since the last frame, by agent. */
-const $walks = /* @__PURE__ */ new Map();
+/** The last walk. It is looked at when the next one begins, because its Footing is written then. */
+let $lastWalk = null;
 
 /** How many walks of one breed another has stopped, by the text of both. */
 const $stops = /* @__PURE__ */ new Map();
@@ -65,23 +62,16 @@ function $countFall(walker, agent, way) {
 		+ "a level that is one model has to be hierarchical", "fall");
 }
 
-/** Keeps a walk until the next frame of a Collision, which looks at what has stopped it. Of many agents only the first are looked at. */
-export function $warnOfWalk(queries, agent, dx, dy, options) {
-	if (typeof agent?.z !== "number" || $walks.size >= $MOST_WALKS) return;
-	$walks.set(agent, { queries, dx, dy, filter: options?.filter, x: agent.x, y: agent.y });
-}
-
 /**
- * Warns of agents that many walks have stopped before or ended on, if handlers are for the breeds of the two, and these have never met:
- * who walks should go through coins, because it touches nothing that stops it.
+ * Warns of agents that many walks have stopped before or ended on, if the questions' Collision has handlers for the breeds of the two, and
+ * these have never met: who walks should go through coins, because it touches nothing that stops it.
  */
-export function $warnOfStops(collision) {
-	if ($walks.size === 0) return;
-	for (const [agent, walk] of $walks) {
-		$countStop(collision._handlers, "stops before", agent, $stopOf(agent, walk));
-		$countStop(collision._handlers, "ends on", agent, agent.$platformLink?.platform);
-	}
-	$walks.clear();
+export function $warnOfWalk(seen, walker, footing) {
+	const { handlers, agent, footing: end } = $lastWalk ?? {};
+	$lastWalk = { handlers: seen._source._handlers, agent: walker, footing };
+	if (!handlers) return;
+	if (end.part < 0.5) $countStop(handlers, "stops before", agent, end.against);
+	$countStop(handlers, "ends on", agent, end.on);
 }
 
 function $countStop({ interests, _pairIndices: met }, does, agent, other) {
@@ -94,16 +84,6 @@ function $countStop({ interests, _pairIndices: met }, does, agent, other) {
 	$warn(`a walk of ${name} ${does} ${otherName} and does not touch them, so the handlers of the two do not run while it only stands there. `
 		+ `If it should go through them, leave them out: walk(agent, dx, dy, { filter: { exceptBreeds: [${otherName}] } }). `
 		+ "If it should bump into them, ask what has stopped it: the Footing's against");
-}
-
-/** The agent that a walk has stopped before. */
-function $stopOf(agent, { queries, dx, dy, filter, x, y }) {
-	if (Math.hypot(agent.x - x, agent.y - y) >= 0.5 * Math.hypot(dx, dy)) return undefined;
-	try {
-		return queries.castAgent(agent, dx, dy, 0, filter)?.agent;
-	} catch {
-		return undefined; // a walk that was refused is no concern of the Collision's
-	}
 }
 
 /**

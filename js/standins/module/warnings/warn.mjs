@@ -1,6 +1,6 @@
 /**
  * Warnings while a game is developed: about what is allowed, and probably a mistake. Each file of this folder has those of one subject;
- * this one has what they share. Only the functions `$warn...` and `$hint...` are called from outside. The minified module has them
+ * this one has what they share. Only the functions `$warn...`, `$refuse...` and `$hint...` are called from outside. The minified module has them
  * without what they do, and nothing else of this folder.
  */
 

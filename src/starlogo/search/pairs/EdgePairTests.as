@@ -212,13 +212,13 @@ package starlogo.search.pairs
             return x * OUTWARDS[edge].x + y * OUTWARDS[edge].y + z * OUTWARDS[edge].z;
         }
 
-        // The length of the way back from an edge. For edges other than the deepest, it is longer by a tenth of the tolerance of a contact's depth, so
-        // that it leads away from each of the edges. For the deepest one it is at least as long as that. A point has no extent; the patch counts in its
-        // place.
+        // The length of the way back from an edge. For edges other than the deepest, it is longer by a tenth of the tolerance of a contact's depth, and
+        // at least by more than the gap that still counts as a touch, so that it leads away from each of the edges. For the deepest one it is at least
+        // as long as that. A point has no extent; the patch counts in its place.
         private static function lengthOfWayBack(penetration:Number, isDeepest:Boolean, body:Body):Number
         {
             var half:Number = body.maxHalf == 0 ? 1 : body.maxHalf;
-            var slack:Number = Tolerances.SEPARATION / 5 * half;
+            var slack:Number = Math.max(Tolerances.SEPARATION / 5 * half, 2 * gapOf(body));
             var depth:Number = Math.max(0, penetration);
             return isDeepest ? Math.max(depth, slack) : depth + slack;
         }

@@ -27,7 +27,8 @@ package starlogo.search.table
      */
     public final class AgentTable
     {
-        // In place of a revision at which a row was read: it is read in the next search, even if its agent does not change.
+        // In place of a revision at which a row was read: it is read in the next search, even if its agent does not change. RowMotions reads its
+        // motion too.
         private static const NOT_READ:int = -1;
 
         // In place of a revision at which a motion may begin: none begins there. It is less than the revision of any jump.
@@ -164,17 +165,14 @@ package starlogo.search.table
          */
         public function setLastPlace(row:int, x:Number, y:Number, z:Number, hasMotion:Boolean):void
         {
-            if (places.x[row] != x || places.y[row] != y || places.z[row] != z)
-            {
-                places.x[row] = x;
-                places.y[row] = y;
-                places.z[row] = z;
-                // the agent stands elsewhere, and so do the extents
-                revisions[row] = NOT_READ;
-            }
+            places.x[row] = x;
+            places.y[row] = y;
+            places.z[row] = z;
+            // the extents are elsewhere, and RowMotions has not read the motion
+            revisions[row] = NOT_READ;
             if (!hasMotion)
             {
-                forgetMotionStart(row);
+                _startRevisions[row] = NO_START;
             }
         }
 
@@ -189,15 +187,9 @@ package starlogo.search.table
         {
             for (var row:int = 0; row < revisions.length; row++)
             {
-                forgetMotionStart(row);
+                _startRevisions[row] = NO_START;
+                revisions[row] = NOT_READ;
             }
-        }
-
-        // The row counts as changed in the next search, because RowMotions looks at no others.
-        private function forgetMotionStart(row:int):void
-        {
-            _startRevisions[row] = NO_START;
-            revisions[row] = NOT_READ;
         }
 
         /** Reads the ground and the edges of the world for a search. Either may be null. */

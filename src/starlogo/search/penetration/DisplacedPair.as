@@ -89,7 +89,7 @@ package starlogo.search.penetration
          * A way out past several sides counts only if the first body is free this much farther along it too. Otherwise it ends in a gap between parts
          * of the second body. A way out that is not longer is short enough.
          */
-        public function get clearAhead():Number
+        public function get room():Number
         {
             return ROOM * extent;
         }
@@ -140,7 +140,14 @@ package starlogo.search.penetration
             first.moveTo(_from);
         }
 
-        /** Displaces the first body. */
+        /** Displaces the first body, from where it was at the touch, by a vector. */
+        public function displaceBy(by:Vector3D):void
+        {
+            _place.setTo(_from.x + by.x, _from.y + by.y, _from.z + by.z);
+            first.moveTo(_place);
+        }
+
+        /** Displaces the first body along a direction. */
         public function displace(by:Displacement):void
         {
             _place.setTo(_from.x + by.distance * by.x, _from.y + by.distance * by.y, _from.z + by.distance * by.z);

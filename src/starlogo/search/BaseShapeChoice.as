@@ -44,7 +44,7 @@ package starlogo.search
         public var greatLand:GreatLand;
 
         /** @private The collision system that the shapes belong to: OWN, BIN and so on. Snapshots have this number. */
-        engine var system:int;
+        engine var system:int = OWN;
 
         /** @private Whether all shapes so far are spheres. */
         engine var areSpheres:Boolean = true;
@@ -65,12 +65,10 @@ package starlogo.search
          * For subclasses only.
          *
          * @param greatLand the models; null if the shapes need no models
-         * @param system the collision system that the shapes belong to; 0 for a game's own
          */
-        public function BaseShapeChoice(greatLand:GreatLand, system:int = OWN)
+        public function BaseShapeChoice(greatLand:GreatLand)
         {
             this.greatLand = greatLand;
-            this.system = system;
         }
 
         /**

@@ -28,8 +28,8 @@ package starlogo.search
          */
         internal var meetsOnMotion:Vector.<Boolean> = new Vector.<Boolean>();
 
-        /** The rows whose motions the search before has read, if an agent of this search sweeps: their pairs belong to those motions. Read only. */
-        internal var previouslyChanged:IntList = new IntList();
+        /** The rows whose pairs in the search before belong to motions of that search, if an agent of this search sweeps. Read only. */
+        internal var rowsToRenew:IntList = new IntList();
 
         // The rows whose motions this search has read.
         private var _changed:IntList = new IntList();
@@ -61,16 +61,16 @@ package starlogo.search
                 displacements.grow(length);
                 _extents.grow(length);
             }
-            var before:IntList = previouslyChanged;
-            previouslyChanged = _changed;
+            var before:IntList = rowsToRenew;
+            rowsToRenew = _changed;
             _changed = before;
             before.copyFrom(_table.changed);
             // rows that have not changed since stand still
-            readMotions(previouslyChanged);
+            readMotions(rowsToRenew);
             readMotions(_changed);
             if (!isSwept)
             {
-                previouslyChanged.count = 0;
+                rowsToRenew.count = 0;
             }
         }
 

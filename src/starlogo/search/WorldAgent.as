@@ -74,7 +74,7 @@ package starlogo.search
 
         private function takeGrid(grid:HeightGrid):void
         {
-            surface = ModelShape.ofWorld(grid, null, surface.addTests);
+            surface = ModelShape.ofWorld(grid, null, surface.addWorldTests);
         }
     }
 }

@@ -27,7 +27,7 @@ package starlogo.search.table
      */
     public final class AgentTable
     {
-        // In place of a revision at which a row was read: it is read in the next search, even if its agent does not change. RowMotions reads its
+        // In place of a revision at which a row was read: it is read with the next list, even if its agent does not change. RowMotions reads its
         // motion too.
         private static const NOT_READ:int = -1;
 
@@ -46,7 +46,7 @@ package starlogo.search.table
         /** By row: where the last search saw the agent. */
         engine var places:Points = new Points();
 
-        /** By row: the agent's revision at which the row was read; NOT_READ if the next search reads it in any case. */
+        /** By row: the agent's revision at which the row was read; NOT_READ if it is read with the next list in any case. */
         engine var revisions:Vector.<int> = new Vector.<int>();
 
         /** By row: the extents of the shape at that place. */
@@ -111,7 +111,7 @@ package starlogo.search.table
         {
             _choice.forgetReplaced();
             leftOrReordered.count = 0;
-            var isSame:Boolean = list.isCommitted && agents.length == list.rows.count;
+            var isSame:Boolean = list.isAccepted && agents.length == list.rows.count;
             if (isSame)
             {
                 isSame = tryFindChanged(agents, list.rows);
@@ -128,7 +128,7 @@ package starlogo.search.table
             if (!isSame)
             {
                 list.findLeftOrReordered(leftOrReordered);
-                list.commitProposed();
+                list.acceptProposed();
                 followList();
             }
             forgetOtherModels();
@@ -202,21 +202,21 @@ package starlogo.search.table
 
         private function readWorldAgent(row:int, agent:WorldAgent):void
         {
-            var isOther:Boolean = list.agentsByRow[row] !== agent;
-            if (isOther || agent != null && agent.revision != revisions[row])
-            {
-                changedOfWorld.add(row);
-            }
-            if (isOther)
+            if (list.agentsByRow[row] !== agent)
             {
                 list.agentsByRow[row] = agent;
                 shapes[row] = null;
+                changedOfWorld.add(row);
+            }
+            else if (agent != null && agent.revision != revisions[row])
+            {
+                changedOfWorld.add(row);
             }
             if (agent != null)
             {
                 breeds[row] = agent.breedNumber;
+                revisions[row] = agent.revision;
                 readSurface(row);
-                readPlace(row, agent);
             }
         }
 
@@ -410,11 +410,7 @@ package starlogo.search.table
             extents.radius[row] = body.radius;
             extents.distanceFromPlace[row] = body.distanceFromPlace;
             moveExtents(row);
-            // the ground and the edges of the world are in no bins
-            if (row >= ListedAgents.FIRST_LISTED)
-            {
-                extents.assignLevel(row);
-            }
+            extents.assignLevel(row);
         }
 
         private function moveExtents(row:int):void

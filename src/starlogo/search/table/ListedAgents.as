@@ -48,7 +48,7 @@ package starlogo.search.table
         internal var proposed:IntList = new IntList();
 
         /** Whether the list that was proposed last was accepted. */
-        internal var isCommitted:Boolean = true;
+        internal var isAccepted:Boolean = true;
 
         private var _free:IntList = new IntList();
         private var _inOrder:Vector.<int> = new Vector.<int>();
@@ -113,11 +113,11 @@ package starlogo.search.table
          */
         public function propose(list:Vector.<Agent>):void
         {
-            if (!isCommitted)
+            if (!isAccepted)
             {
                 freeUnlisted();
             }
-            isCommitted = false;
+            isAccepted = false;
             var listed:Vector.<int> = rows.values;
             var to:Vector.<int> = proposed.values;
             _inProposed.clear(rowCapacity);
@@ -162,7 +162,7 @@ package starlogo.search.table
         }
 
         /** Makes the agents of the proposed list the ones that are listed, and frees the rows of all others. */
-        public function commitProposed():void
+        public function acceptProposed():void
         {
             for (var i:int = 0; i < rows.count; i++)
             {
@@ -180,7 +180,7 @@ package starlogo.search.table
             }
             ranks[GROUND_ROW] = rows.count;
             ranks[EDGES_ROW] = rows.count + 1;
-            isCommitted = true;
+            isAccepted = true;
         }
 
         /**

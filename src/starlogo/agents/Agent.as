@@ -194,7 +194,7 @@ package starlogo.agents
             {
                 breedNumber = other;
                 revision++;
-                Breeds.countChange();
+                Breeds.changes++;
             }
         }
 

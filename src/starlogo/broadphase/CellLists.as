@@ -22,8 +22,10 @@ package starlogo.broadphase
         private var _levels:Vector.<BinLevel>;
         private var _extents:Extents = null;
 
-        // The number of the members, and how many rows may enter a bucket from now on.
-        private var _count:int = 0;
+        /** The number of the members. Read only. */
+        public var count:int = 0;
+
+        // How many rows may enter a bucket from now on.
         private var _entriesLeft:int = 0;
 
         // The rows that keepNear() has kept, and the row that they are near.
@@ -74,14 +76,11 @@ package starlogo.broadphase
             if (length > row)
             {
                 _buckets.length = length;
+                _next.length = length;
                 for (; row < length; row++)
                 {
                     _buckets[row] = NONE;
                 }
-            }
-            if (length > _next.length)
-            {
-                _next.length = length;
             }
         }
 
@@ -103,7 +102,7 @@ package starlogo.broadphase
             if (_buckets[row] != bucket)
             {
                 remove(row);
-                _count++;
+                count++;
                 _entriesLeft--;
                 _next[row] = _heads[bucket];
                 _heads[bucket] = row;
@@ -134,13 +133,7 @@ package starlogo.broadphase
                 _next[before] = _next[row];
             }
             _buckets[row] = NONE;
-            _count--;
-        }
-
-        /** The number of the members. */
-        public function get count():int
-        {
-            return _count;
+            count--;
         }
 
         /**
@@ -212,7 +205,7 @@ package starlogo.broadphase
         private function emptyBuckets():void
         {
             var end:int = 0;
-            _count = 0;
+            count = 0;
             for (var i:int = 1; i < _levels.length; i++)
             {
                 end = _levels[i].hasBuckets ? _levels[i].endBucket : end;

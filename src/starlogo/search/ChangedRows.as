@@ -67,7 +67,7 @@ package starlogo.search
             rowSet.clear(length);
             _cells.makeRoom(length);
             addAll(_table.changed);
-            addAll(_table.leftOrReordered);
+            addAll(_table.list.leftOrReordered);
             addAll(_motions.rowsToRenew);
             if (input.admitted != null)
             {

@@ -168,7 +168,7 @@ package starlogo.search
         // How many rows may have other pairs: they were read again, have left or have another place in the list.
         private function get changeCount():int
         {
-            return table.changed.count + table.leftOrReordered.count + _motions.rowsToRenew.count;
+            return table.changed.count + table.list.leftOrReordered.count + _motions.rowsToRenew.count;
         }
 
         // Whether so few rows have changed that a search of these is faster than a search of all.

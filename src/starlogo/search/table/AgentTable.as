@@ -61,12 +61,6 @@ package starlogo.search.table
         /** The rows of the ground and the edges of the world, if the last <code>readWorld()</code> found others, or found them changed. */
         engine var changedOfWorld:IntList = new IntList();
 
-        /**
-         * The rows whose agents are missing from the list that was read last, or have another place in it. The agents of all other rows have the
-         * same order in both lists.
-         */
-        engine var leftOrReordered:IntList = new IntList();
-
         // Chooses the shapes of the agents. It may have other tables too.
         private var _choice:BaseShapeChoice;
 
@@ -110,7 +104,7 @@ package starlogo.search.table
         public function setList(agents:Vector.<Agent>):void
         {
             _choice.forgetReplaced();
-            leftOrReordered.count = 0;
+            list.leftOrReordered.count = 0;
             var isSame:Boolean = list.isAccepted && agents.length == list.rows.count;
             if (isSame)
             {
@@ -127,7 +121,6 @@ package starlogo.search.table
             // nothing below throws
             if (!isSame)
             {
-                list.findLeftOrReordered(leftOrReordered);
                 list.acceptProposed();
                 followList();
             }
@@ -308,9 +301,10 @@ package starlogo.search.table
         // Takes the order of an accepted list, and empties the rows of agents that have left. So a new agent finds an empty row.
         private function followList():void
         {
-            for (var i:int = 0; i < leftOrReordered.count; i++)
+            var changes:IntList = list.leftOrReordered;
+            for (var i:int = 0; i < changes.count; i++)
             {
-                var row:int = leftOrReordered.values[i];
+                var row:int = changes.values[i];
                 if (list.agentsByRow[row] == null)
                 {
                     shapes[row] = null;

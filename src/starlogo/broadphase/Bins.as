@@ -171,8 +171,8 @@ package starlogo.broadphase
             }
         }
 
-        // Computes the slot where each bucket starts, and stores it one place further on: while the bucket is filled, its next free slot is there. When it
-        // is full, that is the slot where the next bucket starts. Returns the number of slots.
+        // Computes the slot where each bucket starts, and stores it one place further on. sortByBuckets() fills the buckets and counts it up to the slot
+        // where the next bucket starts, which is what belongs there. Returns the number of slots.
         private function findStarts(bucketCount:int):int
         {
             var counts:Vector.<int> = _counts;

@@ -56,7 +56,20 @@ package starlogo.broadphase
         public function begin(extents:Extents, members:IntList, length:int):void
         {
             _extents = extents;
-            emptyBuckets();
+            count = 0;
+            var end:int = 0;
+            for (var level:int = 1; level < _levels.length; level++)
+            {
+                end = _levels[level].hasBuckets ? _levels[level].endBucket : end;
+            }
+            if (end > _heads.length)
+            {
+                _heads.length = end;
+            }
+            for (var bucket:int = 0; bucket < end; bucket++)
+            {
+                _heads[bucket] = NONE;
+            }
             makeRoom(length);
             for (var row:int = 0; row < _buckets.length; row++)
             {
@@ -199,25 +212,6 @@ package starlogo.broadphase
                 }
             }
             return found;
-        }
-
-        // No bucket has a member.
-        private function emptyBuckets():void
-        {
-            var end:int = 0;
-            count = 0;
-            for (var i:int = 1; i < _levels.length; i++)
-            {
-                end = _levels[i].hasBuckets ? _levels[i].endBucket : end;
-            }
-            if (end > _heads.length)
-            {
-                _heads.length = end;
-            }
-            for (i = 0; i < end; i++)
-            {
-                _heads[i] = NONE;
-            }
         }
 
         // Adds the rows of a bucket to _candidates. Returns their number with the ones before.

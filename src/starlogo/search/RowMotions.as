@@ -107,35 +107,30 @@ package starlogo.search
          */
         public function findExtents(rows:IntList):void
         {
+            var standing:Extents = _table.extents;
+            var swept:Extents = _extents;
             for (var i:int = 0; isSwept && i < rows.count; i++)
             {
                 var row:int = rows.values[i];
-                if (_table.shapes[row] != null)
+                if (_table.shapes[row] == null)
                 {
-                    findExtentsOf(row);
+                    continue;
                 }
+                var motionX:Number = displacements.x[row];
+                var motionY:Number = displacements.y[row];
+                var motionZ:Number = displacements.z[row];
+                var halfX:Number = standing.halfX[row] + Math.abs(motionX) / 2;
+                var halfY:Number = standing.halfY[row] + Math.abs(motionY) / 2;
+                swept.x[row] = standing.x[row] - motionX / 2;
+                swept.y[row] = standing.y[row] - motionY / 2;
+                swept.z[row] = standing.z[row] - motionZ / 2;
+                swept.halfX[row] = halfX;
+                swept.halfY[row] = halfY;
+                swept.halfZ[row] = standing.halfZ[row] + Math.abs(motionZ) / 2;
+                swept.radius[row] = Math.sqrt(halfX * halfX + halfY * halfY);
+                swept.distanceFromPlace[row] = standing.distanceFromPlace[row];
+                swept.assignLevel(row);
             }
-        }
-
-        // Finds the extents of the whole motion of a row.
-        private function findExtentsOf(row:int):void
-        {
-            var standing:Extents = _table.extents;
-            var swept:Extents = _extents;
-            var motionX:Number = displacements.x[row];
-            var motionY:Number = displacements.y[row];
-            var motionZ:Number = displacements.z[row];
-            var halfX:Number = standing.halfX[row] + Math.abs(motionX) / 2;
-            var halfY:Number = standing.halfY[row] + Math.abs(motionY) / 2;
-            swept.x[row] = standing.x[row] - motionX / 2;
-            swept.y[row] = standing.y[row] - motionY / 2;
-            swept.z[row] = standing.z[row] - motionZ / 2;
-            swept.halfX[row] = halfX;
-            swept.halfY[row] = halfY;
-            swept.halfZ[row] = standing.halfZ[row] + Math.abs(motionZ) / 2;
-            swept.radius[row] = Math.sqrt(halfX * halfX + halfY * halfY);
-            swept.distanceFromPlace[row] = standing.distanceFromPlace[row];
-            swept.assignLevel(row);
         }
 
         /**

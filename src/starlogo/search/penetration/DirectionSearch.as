@@ -13,7 +13,7 @@ package starlogo.search.penetration
     internal final class DirectionSearch
     {
         /**
-         * The search improves the direction of a contact whose depth is more than this fraction of the larger extent. The search for a way out
+         * The search improves the direction of a contact whose depth is more than this fraction of the largest extent. The search for a way out
          * also begins with steps of this length. After a push that is longer, PenetrationSearch tries one against the motion too.
          */
         internal static const IMPROVED_DEPTH:Number = 1 / 256;
@@ -25,7 +25,7 @@ package starlogo.search.penetration
         // than two none is shorter.
         private static const IMPROVEMENTS:int = 2;
 
-        // The interval is halved until it is shorter than this fraction of the larger extent. The rest is swept.
+        // The interval is halved until it is shorter than this fraction of the largest extent. The rest is swept.
         private static const NARROW:Number = 1 / 16;
 
         // The most halvings. After 53 a Number has no more bits to halve.
@@ -63,7 +63,7 @@ package starlogo.search.penetration
             _tried.setDirection(guess.normalX, guess.normalY, guess.normalZ);
             _inner = 0;
             _outer = guess.depth + _pair.tolerance;
-            growOuter(IMPROVED_DEPTH * _pair.extent);
+            growOuter(IMPROVED_DEPTH * _pair.largestExtent);
             refine(out);
         }
 
@@ -86,7 +86,7 @@ package starlogo.search.penetration
         private function refine(out:ContactPoint):void
         {
             sweepBack(out);
-            if (out.depth > IMPROVED_DEPTH * _pair.extent)
+            if (out.depth > IMPROVED_DEPTH * _pair.largestExtent)
             {
                 for (var left:int = IMPROVEMENTS; left > 0 && startAlongNormal(out); left--)
                 {
@@ -129,7 +129,7 @@ package starlogo.search.penetration
         // Finds the contact at the place where the two part (_parting). The distance of this place becomes the depth of the way out.
         private function sweepBack(out:ContactPoint):void
         {
-            narrow(NARROW * _pair.extent);
+            narrow(NARROW * _pair.largestExtent);
             _tried.distance = _inner;
             _pair.displace(_tried);
             // the first body is at the inner distance, so its motion from the outer one is against the direction

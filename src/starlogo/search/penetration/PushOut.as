@@ -30,10 +30,10 @@ package starlogo.search.penetration
         /** The end of the numbers of <code>blockedPlaces</code>. Read only. */
         public var blockedEnd:int = 0;
 
-        /** Whether one of these pushes ended at a contact whose deepest point is known to be of the body. Read only. */
-        public var hasBlock:Boolean = false;
-
-        /** The last such contact, but with its place where the body was at the beginning. Read only. */
+        /**
+         * The contact at which the last of these pushes ended whose deepest point is known to be of the body, but with its place where the body was at
+         * the beginning. If there is none, no deepest point is known. Read only.
+         */
         public var lastBlock:ContactPoint = new ContactPoint();
 
         // The push: the shortest way out of the contacts that decide about it, whose depths are from where the body was at the beginning.
@@ -65,7 +65,7 @@ package starlogo.search.penetration
         public function clearBlocks():void
         {
             blockedEnd = 0;
-            hasBlock = false;
+            lastBlock.forgetDeepest();
         }
 
         /**
@@ -98,7 +98,7 @@ package starlogo.search.penetration
         // Adds a contact: the next push leads out of it too. The more planes the last push ended on, the farther the next one leads out of the new contact.
         private function add(found:ContactPoint):void
         {
-            var slack:Number = (SLACK * Tolerances.SEPARATION * _pair.extent + _pair.roundingGap) * (1 << _push.planeCount);
+            var slack:Number = (SLACK * Tolerances.SEPARATION * _pair.largestExtent + _pair.roundingGap) * (1 << _push.planeCount);
             _push.keepDeciding();
             _push.add(found.normalX, found.normalY, found.normalZ, found.depth + slack + found.along(_push.displacement));
             _push.solve(3, 0);
@@ -112,7 +112,6 @@ package starlogo.search.penetration
             _pair.findContactOfParts(_next);
             if (_next.isDeepestOfA)
             {
-                hasBlock = true;
                 lastBlock.copyFrom(_next);
                 // its exits are known where the push ended, not where the body was
                 lastBlock.exitBound = 0;

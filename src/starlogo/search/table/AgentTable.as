@@ -340,10 +340,6 @@ package starlogo.search.table
         // Finds the new shapes of rows. All shapes are found before any row changes, because an error must change no row.
         private function findShapes():void
         {
-            if (_reshaped.count > _newShapes.length)
-            {
-                _newShapes.length = _reshaped.count;
-            }
             for (var i:int = 0; i < _reshaped.count; i++)
             {
                 _newShapes[i] = _choice.shapeOf(list.agentsByRow[_reshaped.values[i]]);

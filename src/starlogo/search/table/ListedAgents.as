@@ -46,7 +46,7 @@ package starlogo.search.table
 
         /**
          * The rows whose agents are missing from the list that was accepted last, or have another place in it than in the one before. The agents of
-         * all other rows have the same order in both. Read only.
+         * all other rows have the same order in both. The table empties it if the list is the same again.
          */
         public var leftOrReordered:IntList = new IntList();
 

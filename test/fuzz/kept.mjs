@@ -1,5 +1,6 @@
 // Plays random games in which few agents change from frame to frame, with two Collisions: one goes on from the last frame's pairs, the other
-// goes back to its own snapshot before each frame, so it searches among all agents. Both must make the same calls in the same order.
+// goes back to its own snapshot before each frame, so it searches among all agents. Now and then a new Collision goes on from that snapshot in its
+// place. Both must make the same calls in the same order.
 import { engine } from "./tools.mjs";
 
 const { Agent, AgentFilter, BinCollider, BuiltInModel, Collision, CombinationCollider, GreatLand, HierarchicalCollider, Terrain,
@@ -44,7 +45,8 @@ export function play(seed, most = 300) {
 	const [removes, throws] = [0, 1].map(() => chance.isOne(4) ? chance.of([3, 20, 200]) : 0);
 	const sides = [[], []].map(calls => {
 		const collision = new Collision(new kind(land));
-		const side = { calls, collision, list: [] };
+		// what was added and removed since the last reset, for a new Collision
+		const side = { calls, collision, list: [], changes: [] };
 		const note = (what, a, b) => {
 			calls.push(`${what} ${a.id} ${b.id}`);
 			// its own list of the frame, which loses agents
@@ -61,17 +63,30 @@ export function play(seed, most = 300) {
 	const change = () => {
 		const [breed, other] = [chance.of(names), chance.of([...names, ...(hasGround ? [Collision.TERRAIN, Collision.EDGE] : [])])];
 		const which = chance.of(kinds), by = Math.floor(chance() * BREEDS.length), removes = chance.isOne(3);
-		for (const { collision, handlers } of sides) {
-			const handler = handlers[by][which];
-			if (removes) collision.removeHandler(breed, other, handler);
-			else collision[["onCollision", "onCollisionStart", "onCollisionEnd", "onCollision", "onCollisionStart"][which]](breed, other, handler);
+		for (const side of sides) {
+			const method = removes ? "removeHandler" : ["onCollision", "onCollisionStart", "onCollisionEnd", "onCollision", "onCollisionStart"][which];
+			add(side, method, breed, other, side.handlers[by][which]);
 		}
+	};
+	const add = (side, method, ...values) => {
+		side.collision[method](...values);
+		side.changes.push([method, values]);
+	};
+	/** A new Collision goes on in place of a side's one. */
+	const replace = side => {
+		const { collision, changes } = side;
+		side.collision = new Collision(new kind(land));
+		for (const name of ["maxDepth", "exact"]) {
+			if (name in collision.collisionSystem) side.collision.collisionSystem[name] = collision.collisionSystem[name];
+		}
+		for (const [method, values] of changes) side.collision[method](...values);
+		return Object.assign(side.collision, state);
 	};
 	const handlerCount = chance.of([1, 2, 6]);
 	for (let i = 0; i < handlerCount; i++) change();
-	if (chance.isOne(3)) for (const { collision, handlers } of sides) {
-		if (kinds.includes(0)) collision.onCollision(Collision.ANY_BREED, Collision.ANY_BREED, handlers[0][0]);
-		else collision.onCollisionEnd(Collision.ANY_BREED, Collision.ANY_BREED, handlers[0][2]);
+	if (chance.isOne(3)) for (const side of sides) {
+		const which = kinds.includes(0) ? 0 : 2;
+		add(side, ["onCollision", "", "onCollisionEnd"][which], Collision.ANY_BREED, Collision.ANY_BREED, side.handlers[0][which]);
 	}
 	const ground = () => new Terrain(12, 12, side / 10, -side / 2, -side / 2);
 	const rarely = chance.of([30, 100, 400]);
@@ -119,14 +134,18 @@ export function play(seed, most = 300) {
 		if (state.bounds && chance.isOne(rarely)) state.bounds.setTo(-side / 4, -side, -1, side / 3, side, 1e9);
 		const another = chance.isOne(rarely), depth = chance.isOne(rarely) ? 1 + Math.floor(chance() * 6) : 0, refuses = chance.isOne(rarely);
 		const asks = chance.isOne(20), exact = chance.isOne(rarely) ? chance.isOne(2) : null, resets = chance.isOne(4 * rarely);
-		for (const { collision, calls: made } of sides) {
+		for (const side of sides) {
+			const { collision, calls: made } = side;
 			made.length = 0;
 			Object.assign(collision, state);
 			const system = collision.collisionSystem;
 			if (depth && system.maxDepth) system.maxDepth = depth;
 			if (exact !== null && system.maxDepth && list.length < 40) system.exact = exact;
 			if (another) collision.collisionSystem = new kind(land);
-			if (resets) collision.reset();
+			if (resets) {
+				collision.reset();
+				side.changes.length = 0;
+			}
 			if (refuses) {
 				const wrong = [...list, new Agent("cube"), list[0] ?? null];
 				try { collision.update(wrong); made.push("not refused"); } catch (error) { made.push(String(error.constructor.name)); }
@@ -140,8 +159,6 @@ export function play(seed, most = 300) {
 			side.calls.push(`${side.collision.handlerErrors.length} errors`);
 		}
 		if (chance.isOne(2 * rarely)) kept.collision.restore(kept.collision.snapshot(), [...list]);
-		// the second goes back to this frame, so it keeps no pairs for the next one
-		full.collision.restore(full.collision.snapshot(), [...list]);
 		calls += kept.calls.length;
 		if (kept.collision.statistics.candidatePairs < full.collision.statistics.candidatePairs) partial++;
 		const differs = kept.calls.length != full.calls.length || kept.calls.findIndex((call, i) => call != full.calls[i]);
@@ -154,6 +171,9 @@ export function play(seed, most = 300) {
 			if (kept.collision.statistics[count] !== full.collision.statistics[count]) throw new Error(`game ${seed}, frame ${frame}: ${count} are `
 				+ `${kept.collision.statistics[count]}, and ${full.collision.statistics[count]} in a search of all`);
 		}
+		// the second goes back to this frame, so it keeps no pairs for the next one
+		const bytes = full.collision.snapshot();
+		(frame % 8 == 7 ? replace(full) : full.collision).restore(bytes, [...list]);
 	}
 	return { calls, partial, frames };
 }

@@ -194,7 +194,7 @@ package starlogo.agents
             {
                 breedNumber = other;
                 revision++;
-                Breeds.countChange();
+                Breeds.changes++;
             }
         }
 
@@ -500,7 +500,8 @@ package starlogo.agents
          * ends are included. The engine tests the relative motion of two agents, so the other agent's motion counts too, whether that one
          * sweeps or not. Turns and size count as they are now. In some frames an agent has no motion and is tested only at its present
          * place. These are the first frame in which a collider sees it, and the first frame after a change of its shape, after
-         * <code>jumpTo()</code>, after a frame whose list did not have it, or after a frame in which its model was loading.</p>
+         * <code>jumpTo()</code>, after a frame whose list did not have it, or after a frame in which its model was loading; also the first frame
+         * after <code>Collision.reset()</code>, or with another collider.</p>
          */
         public function get sweeps():Boolean
         {

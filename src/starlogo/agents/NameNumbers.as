@@ -16,7 +16,7 @@ package starlogo.agents
         {
             for (var i:int = 0; i < first.length; i++)
             {
-                add(first[i]);
+                numberOf(first[i]);
             }
         }
 
@@ -30,7 +30,12 @@ package starlogo.agents
         public function numberOf(name:String):int
         {
             var number:int = knownNumberOf(name);
-            return number < 0 ? add(name) : number;
+            if (number >= 0)
+            {
+                return number;
+            }
+            _order.splice(countBefore(name), 0, _names.length);
+            return _names.push(name) - 1;
         }
 
         /** The number of a name; -1 if it has none yet. */
@@ -44,14 +49,6 @@ package starlogo.agents
         public function nameOf(number:int):String
         {
             return _names[number];
-        }
-
-        private function add(name:String):int
-        {
-            var number:int = _names.length;
-            _order.splice(countBefore(name), 0, number);
-            _names.push(name);
-            return number;
         }
 
         // How many names come before a name in _order.

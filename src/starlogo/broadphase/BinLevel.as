@@ -68,13 +68,18 @@ package starlogo.broadphase
         }
 
         /**
-         * Gives the level as many buckets as its members need.
+         * Gives the level as many buckets as its members need; none if it has no members.
          *
          * @param first the number of buckets of other levels
          * @return the number of buckets including this level's, and the copies of its first ones
          */
-        public function takeBuckets(first:int):int
+        public function layOutBuckets(first:int):int
         {
+            if (count == 0)
+            {
+                mask = NO_BUCKETS;
+                return first;
+            }
             var bits:int = MIN_BITS;
             while (1 << bits < count)
             {
@@ -98,12 +103,6 @@ package starlogo.broadphase
         public function get hasBuckets():Boolean
         {
             return mask != NO_BUCKETS;
-        }
-
-        /** Gives up the buckets. */
-        public function dropBuckets():void
-        {
-            mask = NO_BUCKETS;
         }
 
         /** The column of cells at an x, or the line of cells at a y. */

@@ -125,20 +125,13 @@ package starlogo.broadphase
             }
         }
 
-        // Gives each level with members its buckets. Returns the number of all buckets, with the copies of first ones.
+        // Gives each level its buckets. Returns the number of all buckets, with the copies of first ones.
         private function layOutBuckets():int
         {
             var bucketCount:int = 0;
             for (var i:int = 1; i < levels.length; i++)
             {
-                if (levels[i].count > 0)
-                {
-                    bucketCount = levels[i].takeBuckets(bucketCount);
-                }
-                else
-                {
-                    levels[i].dropBuckets();
-                }
+                bucketCount = levels[i].layOutBuckets(bucketCount);
             }
             return bucketCount;
         }
@@ -178,8 +171,8 @@ package starlogo.broadphase
             }
         }
 
-        // Computes the slot where each bucket starts, and stores it one place further on: while the bucket is filled, its next free slot is there. When it
-        // is full, that is the slot where the next bucket starts. Returns the number of slots.
+        // Computes the slot where each bucket starts, and stores it one place further on. sortByBuckets() fills the buckets and counts it up to the slot
+        // where the next bucket starts, which is what belongs there. Returns the number of slots.
         private function findStarts(bucketCount:int):int
         {
             var counts:Vector.<int> = _counts;
@@ -217,25 +210,21 @@ package starlogo.broadphase
         {
             for (var i:int = 1; i < levels.length; i++)
             {
-                if (levels[i].hasBuckets)
+                var level:BinLevel = levels[i];
+                if (!level.hasBuckets)
                 {
-                    copyFirstBucketsOf(levels[i]);
+                    continue;
                 }
-            }
-        }
-
-        private function copyFirstBucketsOf(level:BinLevel):void
-        {
-            var first:int = level.firstBucket;
-            var copies:int = level.endBucket;
-            var offset:int = _starts[copies] - _starts[first];
-            for (var i:int = 1; i <= BinLevel.COPIED; i++)
-            {
-                _starts[copies + i] = offset + _starts[first + i];
-            }
-            for (var slot:int = _starts[copies]; slot < _starts[copies + BinLevel.COPIED]; slot++)
-            {
-                _rows[slot] = _rows[slot - offset];
+                var copies:int = level.endBucket;
+                var offset:int = _starts[copies] - _starts[level.firstBucket];
+                for (var k:int = 1; k <= BinLevel.COPIED; k++)
+                {
+                    _starts[copies + k] = offset + _starts[level.firstBucket + k];
+                }
+                for (var slot:int = _starts[copies]; slot < _starts[copies + BinLevel.COPIED]; slot++)
+                {
+                    _rows[slot] = _rows[slot - offset];
+                }
             }
         }
 

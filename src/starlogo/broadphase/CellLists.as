@@ -22,8 +22,10 @@ package starlogo.broadphase
         private var _levels:Vector.<BinLevel>;
         private var _extents:Extents = null;
 
-        // The number of the members, and how many rows may enter a bucket from now on.
-        private var _count:int = 0;
+        /** The number of the members. Read only. */
+        public var count:int = 0;
+
+        // How many rows may enter a bucket from now on.
         private var _entriesLeft:int = 0;
 
         // The rows that keepNear() has kept, and the row that they are near.
@@ -54,7 +56,20 @@ package starlogo.broadphase
         public function begin(extents:Extents, members:IntList, length:int):void
         {
             _extents = extents;
-            emptyBuckets();
+            count = 0;
+            var end:int = 0;
+            for (var level:int = 1; level < _levels.length; level++)
+            {
+                end = _levels[level].hasBuckets ? _levels[level].endBucket : end;
+            }
+            if (end > _heads.length)
+            {
+                _heads.length = end;
+            }
+            for (var bucket:int = 0; bucket < end; bucket++)
+            {
+                _heads[bucket] = NONE;
+            }
             makeRoom(length);
             for (var row:int = 0; row < _buckets.length; row++)
             {
@@ -74,14 +89,11 @@ package starlogo.broadphase
             if (length > row)
             {
                 _buckets.length = length;
+                _next.length = length;
                 for (; row < length; row++)
                 {
                     _buckets[row] = NONE;
                 }
-            }
-            if (length > _next.length)
-            {
-                _next.length = length;
             }
         }
 
@@ -103,7 +115,7 @@ package starlogo.broadphase
             if (_buckets[row] != bucket)
             {
                 remove(row);
-                _count++;
+                count++;
                 _entriesLeft--;
                 _next[row] = _heads[bucket];
                 _heads[bucket] = row;
@@ -134,13 +146,7 @@ package starlogo.broadphase
                 _next[before] = _next[row];
             }
             _buckets[row] = NONE;
-            _count--;
-        }
-
-        /** The number of the members. */
-        public function get count():int
-        {
-            return _count;
+            count--;
         }
 
         /**
@@ -206,25 +212,6 @@ package starlogo.broadphase
                 }
             }
             return found;
-        }
-
-        // No bucket has a member.
-        private function emptyBuckets():void
-        {
-            var end:int = 0;
-            _count = 0;
-            for (var i:int = 1; i < _levels.length; i++)
-            {
-                end = _levels[i].hasBuckets ? _levels[i].endBucket : end;
-            }
-            if (end > _heads.length)
-            {
-                _heads.length = end;
-            }
-            for (i = 0; i < end; i++)
-            {
-                _heads[i] = NONE;
-            }
         }
 
         // Adds the rows of a bucket to _candidates. Returns their number with the ones before.

@@ -70,30 +70,20 @@ package starlogo.data
             addWord(numbers.length);
             return new StepSequence().slices(numbers.length, NUMBERS_PER_STEP, function(first:int, end:int):void
                 {
-                    addNumbers(numbers, first, end);
+                    var bytes:ByteArray = new ByteArray();
+                    for (var i:int = first; i < end; i++)
+                    {
+                        bytes.writeDouble(numbers[i]);
+                    }
+                    bytes.position = 0;
+                    addBytes(bytes, end - first);
                 }).slices(indices == null ? 0 : indices.length, NUMBERS_PER_STEP, function(first:int, end:int):void
                 {
-                    addIndices(indices, first, end);
+                    for (var i:int = first; i < end; i++)
+                    {
+                        addWord(indices[i]);
+                    }
                 });
-        }
-
-        private function addNumbers(numbers:Vector.<Number>, first:int, end:int):void
-        {
-            var bytes:ByteArray = new ByteArray();
-            for (var i:int = first; i < end; i++)
-            {
-                bytes.writeDouble(numbers[i]);
-            }
-            bytes.position = 0;
-            addBytes(bytes, end - first);
-        }
-
-        private function addIndices(indices:Vector.<uint>, first:int, end:int):void
-        {
-            for (var i:int = first; i < end; i++)
-            {
-                addWord(indices[i]);
-            }
         }
 
         // Adds a word to each of the two hashes. The second one also takes the first, because the second word of numbers with few digits is 0.

@@ -20,6 +20,10 @@ package starlogo.data
          */
         public function clear(length:int):void
         {
+            if (mark == int.MAX_VALUE)
+            {
+                marks.length = mark = 0;
+            }
             mark++;
             makeRoom(length);
         }

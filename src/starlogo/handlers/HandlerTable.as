@@ -213,19 +213,11 @@ package starlogo.handlers
 
         private static function requireArguments(breed:String, otherBreed:String, callback:Function):void
         {
-            requireBreed("breed", breed);
-            requireBreed("otherBreed", otherBreed);
+            BreedInterests.requireName("breed", breed);
+            BreedInterests.requireName("otherBreed", otherBreed);
             if (callback == null)
             {
                 throw new ArgumentError("handler must be a function, not " + textOf(callback));
-            }
-        }
-
-        private static function requireBreed(argument:String, breed:String):void
-        {
-            if (!breed)
-            {
-                throw new ArgumentError(argument + " must be the name of a breed or ANY_BREED, not " + textOf(breed));
             }
         }
     }

@@ -28,7 +28,8 @@ package starlogo.queries
 
         public function LevelChoice()
         {
-            super(null, LEVEL);
+            super(null);
+            system = LEVEL;
             narrowPhase = new NarrowPhase(this);
         }
 

@@ -44,7 +44,7 @@ package starlogo.search
         public var greatLand:GreatLand;
 
         /** @private The collision system that the shapes belong to: OWN, BIN and so on. Snapshots have this number. */
-        engine var system:int;
+        engine var system:int = OWN;
 
         /** @private Whether all shapes so far are spheres. */
         engine var areSpheres:Boolean = true;
@@ -65,12 +65,10 @@ package starlogo.search
          * For subclasses only.
          *
          * @param greatLand the models; null if the shapes need no models
-         * @param system the collision system that the shapes belong to; 0 for a game's own
          */
-        public function BaseShapeChoice(greatLand:GreatLand, system:int = OWN)
+        public function BaseShapeChoice(greatLand:GreatLand)
         {
             this.greatLand = greatLand;
-            this.system = system;
         }
 
         /**
@@ -129,7 +127,8 @@ package starlogo.search
         }
 
         /**
-         * Sets the shape of a model. All agents with the same model and variant use it.
+         * Sets the shape of a model. All agents with the same model and variant use it. While it runs, the collider refuses to search, and to
+         * answer about agents whose models have no shapes yet.
          *
          * @param shape has the model's name and the variant. Call its setStructure()
          * @param agent an agent with the model; the model is in the GreatLand
@@ -145,6 +144,7 @@ package starlogo.search
          *
          * @return null while the model is loading
          * @throws ArgumentError if the model is unknown or lacks data that is needed, or if <code>bind()</code> gives it no shape
+         * @throws IllegalOperationError if the model has no shape yet, and <code>bind()</code> of another one runs
          * @throws RangeError if its structure is not in the world
          */
         engine function shapeOf(agent:Agent):ModelShape
@@ -162,6 +162,10 @@ package starlogo.search
             }
             var shape:ModelShape = new ModelShape(agent.shape, variant, revisionOf(agent.shape));
             shape.model = modelOf(agent.shape);
+            if (isBinding)
+            {
+                throw new IllegalOperationError("bind() must not ask about " + agent + ", whose model has no shape yet");
+            }
             isBinding = true;
             try
             {

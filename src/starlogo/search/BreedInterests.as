@@ -2,6 +2,7 @@ package starlogo.search
 {
     import starlogo.agents.Breeds;
     import starlogo.data.HashTable;
+    import starlogo.data.textOf;
     import starlogo.engine;
 
     use namespace engine;
@@ -53,10 +54,22 @@ package starlogo.search
          *
          * @param breed a breed's name, or ANY_BREED
          * @param otherBreed a breed's name, which may be the same, or ANY_BREED
+         * @throws ArgumentError if a name is null or empty
          */
         public function add(breed:String, otherBreed:String):void
         {
+            requireName("breed", breed);
+            requireName("otherBreed", otherBreed);
             addNumbers(Breeds.NAMES.numberOf(breed), Breeds.NAMES.numberOf(otherBreed));
+        }
+
+        /** @private Throws an ArgumentError if an argument is no name of a breed. */
+        engine static function requireName(argument:String, breed:String):void
+        {
+            if (!breed)
+            {
+                throw new ArgumentError(argument + " must be the name of a breed or ANY_BREED, not " + textOf(breed));
+            }
         }
 
         /** @private Adds a pair of breeds by their numbers. */

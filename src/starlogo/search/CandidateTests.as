@@ -47,12 +47,11 @@ package starlogo.search
         /**
          * Begins a search.
          *
-         * @param isSwept whether an agent sweeps
          * @param out receives the pairs, row by row. They are not in order then
          */
-        public function begin(input:SearchInput, isSwept:Boolean, out:FoundPairs):void
+        public function begin(input:SearchInput, out:FoundPairs):void
         {
-            out.begin(isSwept);
+            out.begin(_sweptTests.isSwept);
             _input = input;
             _out = out;
         }

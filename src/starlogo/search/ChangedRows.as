@@ -22,8 +22,8 @@ package starlogo.search
         /** The rows of agents that have changed. Read only. */
         public var rows:IntList = new IntList();
 
-        /** The same rows, and those of the ground and the edges of the world if these have changed: all pairs of these rows are found anew. Read only. */
-        public var rowsAndWorld:IntSet = new IntSet();
+        /** The same rows, and those of the ground and the edges of the world if these have changed: all pairs of the set are found anew. Read only. */
+        public var rowSet:IntSet = new IntSet();
 
         private var _table:AgentTable;
         private var _motions:RowMotions;
@@ -64,11 +64,11 @@ package starlogo.search
         {
             var length:int = _table.list.rowCapacity;
             rows.count = 0;
-            rowsAndWorld.clear(length);
+            rowSet.clear(length);
             _cells.makeRoom(length);
             addAll(_table.changed);
-            addAll(_table.leftOrReordered);
-            addAll(_motions.previouslyChanged);
+            addAll(_table.list.leftOrReordered);
+            addAll(_motions.rowsToRenew);
             if (input.admitted != null)
             {
                 addFiltered(input);
@@ -76,7 +76,7 @@ package starlogo.search
             // the ground and the edges are no members, but their pairs change with them
             for (var i:int = 0; i < _table.changedOfWorld.count; i++)
             {
-                rowsAndWorld.add(_table.changedOfWorld.values[i]);
+                rowSet.add(_table.changedOfWorld.values[i]);
             }
         }
 
@@ -110,7 +110,7 @@ package starlogo.search
             {
                 if (_cells.has(rows.values[i]))
                 {
-                    _cells.findNear(rows.values[i], rowsAndWorld, sink);
+                    _cells.findNear(rows.values[i], rowSet, sink);
                 }
             }
         }
@@ -118,7 +118,7 @@ package starlogo.search
         /** The rows whose pairs with the ground or the edges may have changed: all rows if the ground or the edges have. */
         public function rowsToTestWith(worldRow:int):IntList
         {
-            return rowsAndWorld.has(worldRow) ? _table.list.rows : rows;
+            return rowSet.has(worldRow) ? _table.list.rows : rows;
         }
 
         private function addAll(added:IntList):void
@@ -131,7 +131,7 @@ package starlogo.search
 
         private function add(row:int):void
         {
-            if (rowsAndWorld.add(row))
+            if (rowSet.add(row))
             {
                 rows.add(row);
             }

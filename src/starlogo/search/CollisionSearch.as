@@ -13,7 +13,6 @@ package starlogo.search
     import flash.errors.IllegalOperationError;
     import starlogo.agents.Agent;
     import starlogo.broadphase.Bins;
-    import starlogo.broadphase.Extents;
     import starlogo.data.IntList;
     import starlogo.engine;
     import starlogo.search.table.AgentTable;
@@ -64,8 +63,8 @@ package starlogo.search
         private var _depth:int = 0;
         private var _isFiltered:Boolean = false;
 
-        // Whether the cells are prepared, so that the next search may begin with these pairs.
-        private var _isPrepared:Boolean = false;
+        // Whether ChangedRows has the cells of the members, so that the next search may begin with these pairs.
+        private var _haveCells:Boolean = false;
 
         // The members of a search in which some rows are no members.
         private var _members:IntList = new IntList();
@@ -100,23 +99,27 @@ package starlogo.search
                 throw new IllegalOperationError("findCollisions must not be called from bind(), while the collider searches");
             }
             // if the search throws, the next one is of all rows
-            var wasPrepared:Boolean = _isPrepared;
-            _isPrepared = false;
+            var hadCells:Boolean = _haveCells;
+            _haveCells = false;
             readInput(input);
             // tests since the last search, as those of questions, do not count
             narrowPhase.counts.clear();
-            // A search prepares the cells only if it is like the one before, because the next is then probably like it too. So the third of three like
+            // A search keeps the cells only if it is like the one before, because the next is then probably like it too. So the third of three like
             // searches is the first that begins with the pairs of the last one.
-            var isPrepared:Boolean = takeConditions(input) && areFew(readCount, input);
-            if (isPrepared && wasPrepared && moveChanged(input))
+            var keepsCells:Boolean = takeConditions(input) && areFew(changeCount, input);
+            if (keepsCells && hadCells && moveChanged(input))
             {
                 findOfChanged(input);
             }
             else
             {
-                findOfAll(input, isPrepared);
+                var members:IntList = findOfAll(input);
+                if (keepsCells)
+                {
+                    _changedRows.begin(members);
+                }
             }
-            _isPrepared = isPrepared;
+            _haveCells = keepsCells;
             return _pairs;
         }
 
@@ -130,7 +133,7 @@ package starlogo.search
         /** The table was read without a search: the next search is one of all rows. */
         public function forgetSearch():void
         {
-            _isPrepared = false;
+            _haveCells = false;
             _motions.isSwept = false;
         }
 
@@ -162,10 +165,10 @@ package starlogo.search
             return areSame;
         }
 
-        // How many rows were read again.
-        private function get readCount():int
+        // How many rows may have other pairs: they were read again, have left or have another place in the list.
+        private function get changeCount():int
         {
-            return table.changed.count + table.leftOrReordered.count + _motions.previouslyChanged.count;
+            return table.changed.count + table.list.leftOrReordered.count + _motions.rowsToRenew.count;
         }
 
         // Whether so few rows have changed that a search of these is faster than a search of all.
@@ -175,38 +178,30 @@ package starlogo.search
             return rowsPerChange * changes <= table.list.rows.count;
         }
 
-        // Finds the pairs of all members, and prepares the cells if the next search may begin with these pairs.
-        private function findOfAll(input:SearchInput, isPrepared:Boolean):void
+        // Finds the pairs of all members. Returns the members.
+        private function findOfAll(input:SearchInput):IntList
         {
             var members:IntList = input.allMembers(table, _members);
-            var extents:Extents = table.extents;
-            if (_motions.isSwept)
-            {
-                _motions.findExtents(table.list.rows);
-                extents = _motions.searchExtents;
-            }
-            _tests.begin(input, _motions.isSwept, _pairs);
-            _bins.findPairs(extents, members, _tests);
+            _motions.findExtents(table.list.rows);
+            _tests.begin(input, _pairs);
+            _bins.findPairs(_motions.searchExtents, members, _tests);
             _tests.testWithWorldAgent(ListedAgents.GROUND_ROW, members);
             _tests.testWithWorldAgent(ListedAgents.EDGES_ROW, members);
             _order.putInOrder(_pairs);
-            if (isPrepared)
-            {
-                _changedRows.begin(members);
-            }
             narrowPhase.counts.members = members.count;
+            return members;
         }
 
         // Finds the pairs of the changed rows, and puts them between those of the last search. The pairs and their order are the same as in a search of
         // all members. Here the row that has changed comes first, but a test gives the same answer in either order of the two.
         private function findOfChanged(input:SearchInput):void
         {
-            _tests.begin(input, _motions.isSwept, _pairsOfChanged);
+            _tests.begin(input, _pairsOfChanged);
             _changedRows.findPairs(_tests);
             _tests.testWithWorldAgent(ListedAgents.GROUND_ROW, _changedRows.rowsToTestWith(ListedAgents.GROUND_ROW));
             _tests.testWithWorldAgent(ListedAgents.EDGES_ROW, _changedRows.rowsToTestWith(ListedAgents.EDGES_ROW));
             var earlyCount:int = _order.putInOrder(_pairsOfChanged);
-            _pairs.replacePairsOf(_changedRows.rowsAndWorld, _pairsOfChanged, earlyCount);
+            _pairs.replacePairsOf(_changedRows.rowSet, _pairsOfChanged, earlyCount);
             narrowPhase.counts.members = _changedRows.memberCount;
         }
 

@@ -1,6 +1,5 @@
 package starlogo.search
 {
-    import flash.errors.IllegalOperationError;
     import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ClosestPoints;
     import starlogo.engine;
@@ -98,15 +97,13 @@ package starlogo.search
          * @param a a body of an agent or a structure
          * @param b any body
          * @return the tests. They are null if nothing has added them: see sphereTests, structureTests and treeTests
-         * @throws flash.errors.IllegalOperationError if the first body is of the world. Tests take it as the second one: see PairTests
          */
         public function pairTestsFor(a:Body, b:Body):PairTests
         {
             var last:int = a.form > b.form ? a.form : b.form;
             if (last >= ModelShape.GROUND)
             {
-                requireSecond(a);
-                return findOrAddWorldTests(b);
+                return worldTestsOf(b);
             }
             if (last == ModelShape.TREE)
             {
@@ -115,27 +112,19 @@ package starlogo.search
             return last == BoundingStructure.SPHERE ? sphereTests : structureTests;
         }
 
-        private static function requireSecond(first:Body):void
-        {
-            if (first.isOfWorld)
-            {
-                throw new IllegalOperationError("the ground and the edges of the world are the second body of a pair");
-            }
-        }
-
         /** The tests with the ground. */
         public function groundTestsOf(ground:Body):GroundPairTests
         {
-            return GroundPairTests(findOrAddWorldTests(ground));
+            return GroundPairTests(worldTestsOf(ground));
         }
 
-        /** The tests with the ground or the edges of the world. If this is the first such pair, the shape of the ground or the edges adds them. */
-        public function findOrAddWorldTests(body:Body):PairTests
+        // The tests with the ground or the edges of the world. If this is the first such pair, the shape of the ground or the edges adds them.
+        private function worldTestsOf(body:Body):PairTests
         {
             var isGround:Boolean = body.form == ModelShape.GROUND;
             if (isGround ? groundTests == null : edgeTests == null)
             {
-                body.shape.addTests(this);
+                body.shape.addWorldTests(this);
             }
             return isGround ? groundTests : edgeTests;
         }

@@ -27,7 +27,7 @@ package starlogo.search
         public function begin(list:Vector.<Agent>):void
         {
             _list.propose(list);
-            _list.commitProposed();
+            _list.acceptProposed();
         }
 
         /**

@@ -6,7 +6,6 @@ package starlogo.search
     import starlogo.convex.RelativeMotion;
     import starlogo.data.IntList;
     import starlogo.engine;
-    import starlogo.geometry.Placement;
     import starlogo.search.table.AgentTable;
 
     use namespace engine;
@@ -27,10 +26,10 @@ package starlogo.search
          * By row: whether the agent sweeps, and has not come without a motion. It has if it is new, has jumped, or has the shape of another model. The
          * ground and the edges of the world do not sweep.
          */
-        internal var sweeps:Vector.<Boolean> = new Vector.<Boolean>();
+        internal var meetsOnMotion:Vector.<Boolean> = new Vector.<Boolean>();
 
-        /** The rows whose motions the search before has read, if an agent of this search sweeps: their pairs belong to those motions. Read only. */
-        internal var previouslyChanged:IntList = new IntList();
+        /** The rows whose pairs in the search before belong to motions of that search, if an agent of this search sweeps. Read only. */
+        internal var rowsToRenew:IntList = new IntList();
 
         // The rows whose motions this search has read.
         private var _changed:IntList = new IntList();
@@ -56,40 +55,42 @@ package starlogo.search
         {
             this.isSwept = isSwept;
             var length:int = _table.list.rowCapacity;
-            if (length > sweeps.length)
+            if (length > meetsOnMotion.length)
             {
-                sweeps.length = length;
+                meetsOnMotion.length = length;
                 displacements.grow(length);
                 _extents.grow(length);
             }
-            var before:IntList = previouslyChanged;
-            previouslyChanged = _changed;
+            var before:IntList = rowsToRenew;
+            rowsToRenew = _changed;
             _changed = before;
             before.copyFrom(_table.changed);
-            // rows that have not changed since have no motion any more
-            for (var i:int = 0; i < previouslyChanged.count; i++)
-            {
-                var row:int = previouslyChanged.values[i];
-                var agent:Agent = _table.list.agentsByRow[row];
-                setMotion(row, 0, 0, 0);
-                sweeps[row] = agent != null && agent.isSweeping;
-            }
-            for (i = 0; i < _changed.count; i++)
-            {
-                row = _changed.values[i];
-                agent = _table.list.agentsByRow[row];
-                var hasMotion:Boolean = _table.isMotionStart(row);
-                sweeps[row] = hasMotion && agent.isSweeping;
-                if (hasMotion)
-                {
-                    var at:Placement = agent.placement;
-                    var from:Points = _table.places;
-                    setMotion(row, at.x - from.x[row], at.y - from.y[row], at.z - from.z[row]);
-                }
-            }
+            // rows that have not changed since stand still
+            readMotions(rowsToRenew);
+            readMotions(_changed);
             if (!isSwept)
             {
-                previouslyChanged.count = 0;
+                rowsToRenew.count = 0;
+            }
+        }
+
+        // Reads the motions of rows. Rows whose agents have left have none.
+        private function readMotions(rows:IntList):void
+        {
+            var from:Points = _table.places;
+            for (var i:int = 0; i < rows.count; i++)
+            {
+                var row:int = rows.values[i];
+                var agent:Agent = _table.list.agentsByRow[row];
+                meetsOnMotion[row] = false;
+                displacements.x[row] = displacements.y[row] = displacements.z[row] = 0;
+                if (agent != null && _table.isMotionStart(row))
+                {
+                    meetsOnMotion[row] = agent.isSweeping;
+                    displacements.x[row] = agent.placement.x - from.x[row];
+                    displacements.y[row] = agent.placement.y - from.y[row];
+                    displacements.z[row] = agent.placement.z - from.z[row];
+                }
             }
         }
 
@@ -99,13 +100,6 @@ package starlogo.search
             return isSwept ? _extents : _table.extents;
         }
 
-        private function setMotion(row:int, x:Number, y:Number, z:Number):void
-        {
-            displacements.x[row] = x;
-            displacements.y[row] = y;
-            displacements.z[row] = z;
-        }
-
         /**
          * If an agent of the search sweeps: finds the extents of the motions of rows. The table has just been read.
          *
@@ -113,35 +107,30 @@ package starlogo.search
          */
         public function findExtents(rows:IntList):void
         {
+            var standing:Extents = _table.extents;
+            var swept:Extents = _extents;
             for (var i:int = 0; isSwept && i < rows.count; i++)
             {
                 var row:int = rows.values[i];
-                if (_table.shapes[row] != null)
+                if (_table.shapes[row] == null)
                 {
-                    findExtentsOf(row);
+                    continue;
                 }
+                var motionX:Number = displacements.x[row];
+                var motionY:Number = displacements.y[row];
+                var motionZ:Number = displacements.z[row];
+                var halfX:Number = standing.halfX[row] + Math.abs(motionX) / 2;
+                var halfY:Number = standing.halfY[row] + Math.abs(motionY) / 2;
+                swept.x[row] = standing.x[row] - motionX / 2;
+                swept.y[row] = standing.y[row] - motionY / 2;
+                swept.z[row] = standing.z[row] - motionZ / 2;
+                swept.halfX[row] = halfX;
+                swept.halfY[row] = halfY;
+                swept.halfZ[row] = standing.halfZ[row] + Math.abs(motionZ) / 2;
+                swept.radius[row] = Math.sqrt(halfX * halfX + halfY * halfY);
+                swept.distanceFromPlace[row] = standing.distanceFromPlace[row];
+                swept.assignLevel(row);
             }
-        }
-
-        // Finds the extents of the whole motion of a row.
-        private function findExtentsOf(row:int):void
-        {
-            var standing:Extents = _table.extents;
-            var swept:Extents = _extents;
-            var motionX:Number = displacements.x[row];
-            var motionY:Number = displacements.y[row];
-            var motionZ:Number = displacements.z[row];
-            var halfX:Number = standing.halfX[row] + Math.abs(motionX) / 2;
-            var halfY:Number = standing.halfY[row] + Math.abs(motionY) / 2;
-            swept.x[row] = standing.x[row] - motionX / 2;
-            swept.y[row] = standing.y[row] - motionY / 2;
-            swept.z[row] = standing.z[row] - motionZ / 2;
-            swept.halfX[row] = halfX;
-            swept.halfY[row] = halfY;
-            swept.halfZ[row] = standing.halfZ[row] + Math.abs(motionZ) / 2;
-            swept.radius[row] = Math.sqrt(halfX * halfX + halfY * halfY);
-            swept.distanceFromPlace[row] = standing.distanceFromPlace[row];
-            swept.assignLevel(row);
         }
 
         /**
@@ -159,7 +148,7 @@ package starlogo.search
         /** Whether one of two rows sweeps, and has not come without a motion. */
         public function eitherSweeps(a:int, b:int):Boolean
         {
-            return sweeps[a] || sweeps[b];
+            return meetsOnMotion[a] || meetsOnMotion[b];
         }
     }
 }

@@ -1,6 +1,7 @@
 package starlogo.search
 {
     import starlogo.GreatLand;
+    import starlogo.data.requireGiven;
     import starlogo.engine;
     import starlogo.search.pairs.StructurePairTests;
 
@@ -24,9 +25,9 @@ package starlogo.search
         public function ShapeChoice(greatLand:GreatLand, isNeeded:Boolean = true)
         {
             super(greatLand);
-            if (greatLand == null && isNeeded)
+            if (isNeeded)
             {
-                throw new ArgumentError("greatLand must not be null");
+                requireGiven("greatLand", greatLand);
             }
         }
 

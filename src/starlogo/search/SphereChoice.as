@@ -19,7 +19,8 @@ package starlogo.search
         /** @param greatLand the models that agents may have; null to allow any name */
         public function SphereChoice(greatLand:GreatLand)
         {
-            super(greatLand, BIN);
+            super(greatLand);
+            system = BIN;
         }
 
         /** @private */

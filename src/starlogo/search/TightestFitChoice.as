@@ -2,11 +2,9 @@ package starlogo.search
 {
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
-    import starlogo.data.requireGiven;
     import starlogo.data.warn;
     import starlogo.engine;
     import starlogo.libraries.BoundingStructuresLibrary;
-    import starlogo.search.pairs.StructurePairTests;
 
     use namespace engine;
 
@@ -16,7 +14,7 @@ package starlogo.search
      *
      * @private
      */
-    public final class TightestFitChoice extends BaseShapeChoice
+    public final class TightestFitChoice extends ShapeChoice
     {
         // A model of more triangles is probably a level.
         private static const MAX_TRIANGLES:int = 10000;
@@ -24,14 +22,8 @@ package starlogo.search
         /** @param greatLand the models' structures */
         public function TightestFitChoice(greatLand:GreatLand)
         {
-            super(greatLand, TIGHTEST_FIT);
-            requireGiven("greatLand", greatLand);
-        }
-
-        /** @private */
-        override engine function addTests(narrowPhase:NarrowPhase):void
-        {
-            StructurePairTests.addTo(narrowPhase);
+            super(greatLand);
+            system = TIGHTEST_FIT;
         }
 
         /** The kind of structure that the agent has chosen, or Agent.ANY_KIND. @inheritDoc */

@@ -3,9 +3,7 @@ package starlogo.search
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
-    import starlogo.data.requireGiven;
     import starlogo.engine;
-    import starlogo.search.pairs.StructurePairTests;
     import starlogo.search.pairs.TreePairTests;
 
     use namespace engine;
@@ -16,7 +14,7 @@ package starlogo.search
      *
      * @private
      */
-    public final class TreeChoice extends BaseShapeChoice
+    public final class TreeChoice extends ShapeChoice
     {
         // The variant of a model's shape that is its tree. TightestFitChoice has lower variants, the kinds of structures.
         private static const TREE_VARIANT:int = BoundingStructure.KIND_COUNT;
@@ -29,15 +27,15 @@ package starlogo.search
          */
         public function TreeChoice(greatLand:GreatLand, fits:TightestFitChoice = null)
         {
-            super(greatLand, fits == null ? HIERARCHICAL : COMBINATION);
-            requireGiven("greatLand", greatLand);
+            super(greatLand);
+            system = fits == null ? HIERARCHICAL : COMBINATION;
             _fits = fits;
         }
 
         /** @private The structures are those of fits, or of questions. */
         override engine function addTests(narrowPhase:NarrowPhase):void
         {
-            StructurePairTests.addTo(narrowPhase);
+            super.addTests(narrowPhase);
             TreePairTests.addTo(narrowPhase);
         }
 

@@ -8,8 +8,8 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * The agent that stands for the ground or for the edges of the world. Its revision counts the changes of these. Its place counts only for
-     * rounding. Of its other traits, its breed and isOneWay count.
+     * The agent that stands for the ground or for the edges of the world. Its revision counts the changes of these. Of its traits, only
+     * its breed and isOneWay count.
      *
      * @private
      */
@@ -74,7 +74,7 @@ package starlogo.search
 
         private function takeGrid(grid:HeightGrid):void
         {
-            surface = ModelShape.ofWorld(grid, null, surface.addTests);
+            surface = ModelShape.ofWorld(grid, null, surface.addWorldTests);
         }
     }
 }

@@ -236,6 +236,25 @@ package starlogo.collision
             }
         }
 
+        [Test]
+        public function farOutOneContactLeadsAwayFromAnEdgeThatItOnlyTouches():void
+        {
+            for each (var far:Number in [1e4, 1e6, 1e8])
+            {
+                for each (var size:Number in [1e-2, 1])
+                {
+                    var agent:Agent = agentAt("sphere", far + 0.1 * size, far + 0.5 * size, 0);
+                    agent.size = size;
+                    var collider:BinCollider = new BinCollider();
+                    var edges:Agent = new WorldBounds(far, far, -Infinity, Infinity, Infinity, Infinity).agent;
+                    var contact:Contact = collider.contactOf(agent, edges);
+                    var way:Number = contact.depth + 4 * Math.max(1e-9 * size, 1.2e-15 * far);
+                    agent.moveTo(agent.x + way * contact.normal.x, agent.y + way * contact.normal.y, 0);
+                    assertFalse("of size " + size + " at " + far, collider.areColliding(agent, edges));
+                }
+            }
+        }
+
         private static function landOfPoints():GreatLand
         {
             var land:GreatLand = new GreatLand();

@@ -450,6 +450,44 @@ package starlogo.collision
         }
 
         [Test]
+        public function whatStandsSweepsAsItDidInTheFrame():void
+        {
+            for each (var isSweeping:Boolean in [false, true])
+            {
+                var hits:Array = [];
+                var bullet:Agent = agentAt("sphere", -10, 0, 0);
+                var other:Agent = agentAt("sphere", 0, 90, 0);
+                var agents:Vector.<Agent> = new <Agent>[new Agent("sphere"), bullet, other];
+                other.sweeps = true;
+                agents[0].sweeps = isSweeping;
+                var collision:Collision = collisionThatNotes(hits);
+                collision.update(agents);
+                var bytes:ByteArray = collision.snapshot(true);
+                agents[0].sweeps = !isSweeping;
+                collision.update(agents);
+                collision.update(agents);
+                for each (var again:Collision in [collision, collisionThatNotes(hits)])
+                {
+                    again.restore(bytes, agents);
+                    bullet.moveTo(10, 0, 0);
+                    again.update(agents);
+                    assertEquals("a wall that sweeps: " + isSweeping, isSweeping ? 2 : 0, hits.length);
+                    hits.length = 0;
+                }
+            }
+        }
+
+        private static function collisionThatNotes(hits:Array):Collision
+        {
+            var collision:Collision = new Collision(new BinCollider());
+            collision.onCollision(Collision.ANY_BREED, Collision.ANY_BREED, function(collider:Agent, collidee:Agent):void
+                {
+                    hits.push(collider);
+                });
+            return collision;
+        }
+
+        [Test]
         public function aRecorderAroundTheSystemChangesNothing():void
         {
             for each (var isRecorded:Boolean in [false, true])

@@ -31,5 +31,21 @@ package starlogo.data
             }
             assertTrue(again + " were there", again > 50 && again < 900);
         }
+
+        [Test]
+        public function isEmptyHoweverOftenItWasEmptied():void
+        {
+            var numbers:IntSet = new IntSet();
+            numbers.clear(8);
+            numbers.add(3);
+            numbers.mark = int.MAX_VALUE;
+            numbers.add(5);
+            numbers.clear(8);
+            assertEquals(1, numbers.mark);
+            for (var number:int = 0; number < 8; number++)
+            {
+                assertTrue(!numbers.has(number) && numbers.add(number));
+            }
+        }
     }
 }

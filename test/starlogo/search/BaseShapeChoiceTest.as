@@ -1,13 +1,14 @@
 package starlogo.search
 {
+    import flash.errors.IllegalOperationError;
     import flash.geom.Vector3D;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Cylinder;
     import starlogo.bounding.Sphere;
+    import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
-    import starlogo.agents.Agent;
     import starlogo.collision.Collider;
     import starlogo.models.BuiltInModel;
     import starlogo.queries.LevelChoice;
@@ -57,6 +58,22 @@ package starlogo.search
             }
         }
 
+        [Test]
+        public function whatBindsAShapeMustNotNeedAnother():void
+        {
+            for each (var isOwn:Boolean in [false, true])
+            {
+                var choice:AskingChoice = new AskingChoice();
+                var first:Agent = new Agent("first");
+                choice.asks = isOwn ? first : new Agent("second");
+                choice.collider = new Collider(choice);
+                assertThrows(IllegalOperationError, /^bind\(\) must not ask about agent/, choice.collider.findCollisions,
+                        new <Agent>[first, new Agent("third")]);
+                choice.asks = null;
+                assertEquals(2, choice.collider.findCollisions(new <Agent>[first, new Agent("third")]).length);
+            }
+        }
+
         private static function colliderOf(choice:BaseShapeChoice):Collider
         {
             return new Collider(choice);
@@ -76,8 +93,11 @@ package starlogo.search
     }
 }
 
+import flash.geom.Vector3D;
 import starlogo.agents.Agent;
 import starlogo.bounding.BoundingStructure;
+import starlogo.bounding.Sphere;
+import starlogo.collision.Collider;
 import starlogo.search.ModelShape;
 import starlogo.search.ShapeChoice;
 
@@ -100,5 +120,26 @@ internal class OneStructure extends ShapeChoice
         {
             shape.setStructure(_structure);
         }
+    }
+}
+
+/** A sphere for every model. While it binds one, it asks about an agent, if there is one. */
+internal class AskingChoice extends ShapeChoice
+{
+    public var collider:Collider;
+    public var asks:Agent;
+
+    public function AskingChoice()
+    {
+        super(null, false);
+    }
+
+    override public function bind(shape:ModelShape, agent:Agent):void
+    {
+        if (asks != null)
+        {
+            collider.areColliding(asks, new Agent("fourth"));
+        }
+        shape.setStructure(new Sphere(new Vector3D(), 0.5));
     }
 }

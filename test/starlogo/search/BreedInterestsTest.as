@@ -5,6 +5,7 @@ package starlogo.search
     import org.flexunit.asserts.assertTrue;
     import starlogo.agents.Breeds;
     import starlogo.engine;
+    import support.assertThrows;
 
     use namespace engine;
 
@@ -73,6 +74,18 @@ package starlogo.search
                 var expected:Boolean = a == 0 || b == 0 || a - a % 64 == b || b - b % 64 == a;
                 assertEquals(a + ", " + b, expected, interests.includes(interests.indexOf(names[a]), interests.indexOf(names[b])));
             }
+        }
+
+        [Test]
+        public function aNameThatIsNoneIsRefused():void
+        {
+            var interests:BreedInterests = new BreedInterests();
+            for each (var name:String in [null, ""])
+            {
+                assertThrows(ArgumentError, /^breed must be the name of a breed or ANY_BREED, not/, interests.add, name, "b");
+                assertThrows(ArgumentError, /^otherBreed must be the name of a breed or ANY_BREED, not/, interests.add, "b", name);
+            }
+            assertEquals(0, interests.pairCount);
         }
 
         // In some games only a few breeds are named.

@@ -96,7 +96,7 @@ package starlogo.search
         private static function propose(list:ListedAgents, agents:Vector.<Agent>):void
         {
             list.propose(agents);
-            list.commitProposed();
+            list.acceptProposed();
         }
     }
 }

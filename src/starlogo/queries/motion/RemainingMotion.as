@@ -3,7 +3,6 @@ package starlogo.queries.motion
     import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
     import starlogo.search.penetration.HalfSpaceSolver;
-    import starlogo.search.penetration.ShortestDisplacement;
 
     /**
      * The motion that remains of a slide. It is turned so that it crosses none of the planes that the slide has met (Fauerby, "Improved collision detection
@@ -37,9 +36,8 @@ package starlogo.queries.motion
         private var _desired:Vector3D = new Vector3D();
         private var _maxHorizontal:Number = Infinity;
 
-        // The shortest displacement from the end of the desired motion out of the planes.
+        // Finds the shortest displacement from the end of the desired motion out of the planes.
         private var _halfSpaces:HalfSpaceSolver = new HalfSpaceSolver();
-        private var _exit:ShortestDisplacement = new ShortestDisplacement();
 
         /**
          * Begins a slide.
@@ -108,10 +106,10 @@ package starlogo.queries.motion
                 }
             }
             // at a point of three planes no motion is left
-            if (_halfSpaces.solve(2, PARALLEL_SINE * _desired.length, _exit))
+            if (_halfSpaces.solve(2, PARALLEL_SINE * _desired.length))
             {
                 motion.copyFrom(_desired);
-                motion.incrementBy(_exit.displacement);
+                motion.incrementBy(_halfSpaces.displacement);
                 shorten();
             }
             else

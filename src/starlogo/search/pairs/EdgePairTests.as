@@ -31,7 +31,7 @@ package starlogo.search.pairs
         private static const OUTWARDS:Vector.<Vector3D> = new <Vector3D>[new Vector3D(-1, 0, 0), new Vector3D(1, 0, 0), new Vector3D(0, -1, 0),
                 new Vector3D(0, 1, 0), new Vector3D(0, 0, -1), new Vector3D(0, 0, 1)];
 
-        // By edge, within one method: how far the body is beyond it (less than 0 if the body is before it).
+        // By edge, within one method: how far the body is beyond it (less than 0 if the body is before it). findPenetrations() and findDeepest() set it.
         private var _penetrations:Vector.<Number> = new Vector.<Number>(6, true);
 
         private var _supportSearch:SupportSearch;
@@ -53,7 +53,7 @@ package starlogo.search.pairs
         override public function areTouching(a:Body, b:Body):Boolean
         {
             var tolerance:Number = gapOf(a);
-            findPenetrations(a, b, RelativeMotion.NONE, tolerance, _penetrations);
+            findPenetrations(a, b, RelativeMotion.NONE, tolerance);
             for (var edge:int = 0; edge < 6; edge++)
             {
                 if (_penetrations[edge] + tolerance >= 0)
@@ -68,7 +68,7 @@ package starlogo.search.pairs
         override public function findFirstTouch(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             var tolerance:Number = gapOf(a);
-            findPenetrations(a, b, motion, tolerance, _penetrations);
+            findPenetrations(a, b, motion, tolerance);
             motion.time = RelativeMotion.NEVER;
             for (var edge:int = 0; edge < 6; edge++)
             {
@@ -93,8 +93,35 @@ package starlogo.search.pairs
          */
         override public function findContactOfParts(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            var deepest:int = findDeepest(a, b, motion, _penetrations);
-            writeContact(a, b, motion, deepest, _penetrations, out);
+            var deepest:int = findDeepest(a, b, motion);
+            var left:Number = 1 - motion.time;
+            _supportSearch.find(a, OUTWARDS[deepest], _farthest);
+            out.x = _farthest.x - left * motion.x;
+            out.y = _farthest.y - left * motion.y;
+            out.z = _farthest.z - left * motion.z;
+            // the edges are at right angles, so the shortest way back from all is the sum of the ways back from each
+            var wayX:Number = 0;
+            var wayY:Number = 0;
+            var wayZ:Number = 0;
+            var count:int = 0;
+            for (var edge:int = 0; edge < 6; edge += 2)
+            {
+                // of two opposite edges, the one with the larger value counts
+                var one:int = _penetrations[edge] >= _penetrations[int(edge + 1)] ? edge : edge + 1;
+                if (_penetrations[one] >= -gapOf(a) || one == deepest)
+                {
+                    var way:Number = lengthOfWayBack(_penetrations[one], one == deepest, a);
+                    wayX -= way * OUTWARDS[one].x;
+                    wayY -= way * OUTWARDS[one].y;
+                    wayZ -= way * OUTWARDS[one].z;
+                    count++;
+                    moveToMiddle(one, _penetrations[one], b, out);
+                }
+            }
+            var length:Number = Math.sqrt(wayX * wayX + wayY * wayY + wayZ * wayZ);
+            out.setNormal(wayX / length, wayY / length, wayZ / length);
+            var depth:Number = Math.max(0, _penetrations[deepest]);
+            out.depth = count > 1 && depth > 0 ? length : depth;
         }
 
         /** @inheritDoc */
@@ -106,7 +133,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
-            var deepest:int = findDeepest(a, b, RelativeMotion.NONE, _penetrations);
+            var deepest:int = findDeepest(a, b, RelativeMotion.NONE);
             var outwards:Vector3D = OUTWARDS[deepest];
             _supportSearch.find(a, outwards, _farthest);
             var own:Number = along(deepest, _farthest.x, _farthest.y, _farthest.z);
@@ -129,50 +156,17 @@ package starlogo.search.pairs
         }
 
         // Finds how far the body is beyond each edge at the time of a motion. Returns the edge that it is furthest beyond.
-        private function findDeepest(a:Body, b:Body, motion:RelativeMotion, out:Vector.<Number>):int
+        private function findDeepest(a:Body, b:Body, motion:RelativeMotion):int
         {
             // for trees, the points at all edges are needed
-            findPenetrations(a, b, motion, Infinity, out);
+            findPenetrations(a, b, motion, Infinity);
             var deepest:int = 0;
             for (var edge:int = 0; edge < 6; edge++)
             {
-                out[edge] -= (1 - motion.time) * along(edge, motion.x, motion.y, motion.z);
-                deepest = out[edge] > out[deepest] ? edge : deepest;
+                _penetrations[edge] -= (1 - motion.time) * along(edge, motion.x, motion.y, motion.z);
+                deepest = _penetrations[edge] > _penetrations[deepest] ? edge : deepest;
             }
             return deepest;
-        }
-
-        // Writes the contact of a body with the edges. It gets what findDeepest finds.
-        private function writeContact(a:Body, b:Body, motion:RelativeMotion, deepest:int, penetrations:Vector.<Number>, out:ContactPoint):void
-        {
-            var left:Number = 1 - motion.time;
-            _supportSearch.find(a, OUTWARDS[deepest], _farthest);
-            out.x = _farthest.x - left * motion.x;
-            out.y = _farthest.y - left * motion.y;
-            out.z = _farthest.z - left * motion.z;
-            // the edges are at right angles, so the shortest way back from all is the sum of the ways back from each
-            var wayX:Number = 0;
-            var wayY:Number = 0;
-            var wayZ:Number = 0;
-            var count:int = 0;
-            for (var edge:int = 0; edge < 6; edge += 2)
-            {
-                // of two opposite edges, the one with the larger value counts
-                var one:int = penetrations[edge] >= penetrations[int(edge + 1)] ? edge : edge + 1;
-                if (penetrations[one] >= -gapOf(a) || one == deepest)
-                {
-                    var way:Number = lengthOfWayBack(penetrations[one], one == deepest, a);
-                    wayX -= way * OUTWARDS[one].x;
-                    wayY -= way * OUTWARDS[one].y;
-                    wayZ -= way * OUTWARDS[one].z;
-                    count++;
-                    moveToMiddle(one, penetrations[one], b, out);
-                }
-            }
-            var length:Number = Math.sqrt(wayX * wayX + wayY * wayY + wayZ * wayZ);
-            out.setNormal(wayX / length, wayY / length, wayZ / length);
-            var depth:Number = Math.max(0, penetrations[deepest]);
-            out.depth = count > 1 && depth > 0 ? length : depth;
         }
 
         // The largest gap between a body and an edge that still counts as a touch.
@@ -183,18 +177,18 @@ package starlogo.search.pairs
 
         // Finds how far the body is beyond each edge. A tree's own points are computed only for edges that its extents come to, within the
         // tolerance.
-        private function findPenetrations(body:Body, edges:Body, motion:RelativeMotion, tolerance:Number, out:Vector.<Number>):void
+        private function findPenetrations(body:Body, edges:Body, motion:RelativeMotion, tolerance:Number):void
         {
             for (var edge:int = 0; edge < 6; edge++)
             {
                 var coordinate:Number = coordinateOf(edges, edge);
                 var radius:Number = Math.abs(along(edge, body.halfX, body.halfY, body.halfZ));
                 var beyond:Number = radius + (along(edge, body.middleX, body.middleY, body.middleZ) - coordinate);
-                out[edge] = beyond;
+                _penetrations[edge] = beyond;
                 if (body.form == ModelShape.TREE && (beyond >= -tolerance || beyond - along(edge, motion.x, motion.y, motion.z) >= -tolerance))
                 {
                     _supportSearch.find(body, OUTWARDS[edge], _farthest);
-                    out[edge] = _farthest.support - coordinate;
+                    _penetrations[edge] = _farthest.support - coordinate;
                 }
             }
         }
@@ -212,13 +206,13 @@ package starlogo.search.pairs
             return x * OUTWARDS[edge].x + y * OUTWARDS[edge].y + z * OUTWARDS[edge].z;
         }
 
-        // The length of the way back from an edge. For edges other than the deepest, it is longer by a tenth of the tolerance of a contact's depth, so
-        // that it leads away from each of the edges. For the deepest one it is at least as long as that. A point has no extent; the patch counts in its
-        // place.
+        // The length of the way back from an edge. For edges other than the deepest, it is longer by a tenth of the tolerance of a contact's depth, and
+        // at least by more than the gap that still counts as a touch, so that it leads away from each of the edges. For the deepest one it is at least
+        // as long as that. A point has no extent; the patch counts in its place.
         private static function lengthOfWayBack(penetration:Number, isDeepest:Boolean, body:Body):Number
         {
             var half:Number = body.maxHalf == 0 ? 1 : body.maxHalf;
-            var slack:Number = Tolerances.SEPARATION / 5 * half;
+            var slack:Number = Math.max(Tolerances.SEPARATION / 5 * half, 2 * gapOf(body));
             var depth:Number = Math.max(0, penetration);
             return isDeepest ? Math.max(depth, slack) : depth + slack;
         }

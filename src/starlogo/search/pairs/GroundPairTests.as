@@ -134,7 +134,7 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function extentOf(a:Body, b:Body):Number
+        override public function largestExtentOf(a:Body, b:Body):Number
         {
             return Math.max(CELL_SHARE * gridOf(b).cellWidth, 2 * a.maxHalf);
         }

@@ -159,22 +159,22 @@ package starlogo.search.pairs
             return a.margin + b.margin;
         }
 
-        /** The extent that tolerances of a way out are fractions of: the larger one of the two. It is 0 for two points. */
-        public function extentOf(a:Body, b:Body):Number
+        /** The largest extent of the two, which tolerances of a way out are fractions of. It is 0 for two points. */
+        public function largestExtentOf(a:Body, b:Body):Number
         {
             return 2 * Math.max(a.maxHalf, b.maxHalf);
         }
 
-        /** How far a depth may be off, in patches: Tolerances.SEPARATION of the extent. Far from the origin, rounding decides instead. */
+        /** How far a depth may be off, in patches: Tolerances.SEPARATION of the largest extent. Far from the origin, rounding decides instead. */
         public function depthToleranceOf(a:Body, b:Body):Number
         {
             return toleranceOf(a, b, Tolerances.SEPARATION);
         }
 
-        // A fraction of the extent in patches, but not less than the rounding of places.
+        // A fraction of the largest extent in patches, but not less than the rounding of places.
         private function toleranceOf(a:Body, b:Body, fraction:Number):Number
         {
-            return Math.max(fraction * extentOf(a, b), GAPS_OF_ROUNDING * roundingGapOf(a, b));
+            return Math.max(fraction * largestExtentOf(a, b), GAPS_OF_ROUNDING * roundingGapOf(a, b));
         }
 
         /**

@@ -13,7 +13,7 @@ package starlogo.search.penetration
     internal final class DirectionSearch
     {
         /**
-         * The search improves the direction of a contact whose depth is more than this fraction of the larger extent. The search for a way out
+         * The search improves the direction of a contact whose depth is more than this fraction of the largest extent. The search for a way out
          * also begins with steps of this length. After a push that is longer, PenetrationSearch tries one against the motion too.
          */
         internal static const IMPROVED_DEPTH:Number = 1 / 256;
@@ -25,7 +25,7 @@ package starlogo.search.penetration
         // than two none is shorter.
         private static const IMPROVEMENTS:int = 2;
 
-        // The interval is halved until it is shorter than this fraction of the larger extent. The rest is swept.
+        // The interval is halved until it is shorter than this fraction of the largest extent. The rest is swept.
         private static const NARROW:Number = 1 / 16;
 
         // The most halvings. After 53 a Number has no more bits to halve.
@@ -36,9 +36,11 @@ package starlogo.search.penetration
 
         private var _pair:DisplacedPair;
 
-        // The direction, with the distance that is tested; and between which distances along it the two part.
+        // The direction, with the distance that is tested; and between which distances along it the two part. They touch at the inner one, unless it is
+        // 0. They are free at the outer one, once they have been tested there.
         private var _tried:Displacement = new Displacement();
-        private var _parted:PartingDistances = new PartingDistances();
+        private var _inner:Number = 0;
+        private var _outer:Number = 0;
 
         // The sweep back, and the contact at its end.
         private var _back:RelativeMotion = new RelativeMotion();
@@ -59,9 +61,10 @@ package starlogo.search.penetration
         public function findAlong(guess:ContactPoint, out:ContactPoint):void
         {
             _tried.setDirection(guess.normalX, guess.normalY, guess.normalZ);
-            _parted.setTo(guess.depth + _pair.tolerance);
-            growOuter(IMPROVED_DEPTH * _pair.extent, _parted);
-            refine(_parted, out);
+            _inner = 0;
+            _outer = guess.depth + _pair.tolerance;
+            growOuter(IMPROVED_DEPTH * _pair.largestExtent);
+            refine(out);
         }
 
         /**
@@ -73,113 +76,116 @@ package starlogo.search.penetration
         public function shorten(free:Displacement, out:ContactPoint):void
         {
             _tried.setDirection(free.x, free.y, free.z);
-            _parted.setTo(free.distance);
-            refine(_parted, out);
+            _inner = 0;
+            _outer = free.distance;
+            refine(out);
         }
 
         // Sweeps back from the outer distance. If the depth is more than IMPROVED_DEPTH, improves the direction. Then the point becomes the
         // middle between the place where the two part and the matching place on the first body.
-        private function refine(between:PartingDistances, out:ContactPoint):void
+        private function refine(out:ContactPoint):void
         {
-            sweepBack(between, _parting, out);
-            if (out.depth > IMPROVED_DEPTH * _pair.extent)
+            sweepBack(out);
+            if (out.depth > IMPROVED_DEPTH * _pair.largestExtent)
             {
-                for (var left:int = IMPROVEMENTS; left > 0 && startAlong(_parting, out, between); left--)
+                for (var left:int = IMPROVEMENTS; left > 0 && startAlongNormal(out); left--)
                 {
-                    sweepBack(between, _parting, out);
+                    sweepBack(out);
                 }
             }
             out.x = _parting.x - out.depth / 2 * out.normalX;
             out.y = _parting.y - out.depth / 2 * out.normalY;
             out.z = _parting.z - out.depth / 2 * out.normalZ;
-            correctDepth(between, out);
+            correctDepth(out);
         }
 
         // Starts along the normal of the surfaces where the two parted. Returns whether the way out along it is shorter than a contact's depth.
-        private function startAlong(parting:ContactPoint, contact:ContactPoint, out:PartingDistances):Boolean
+        private function startAlongNormal(contact:ContactPoint):Boolean
         {
-            var cosine:Number = parting.normalX * contact.normalX + parting.normalY * contact.normalY + parting.normalZ * contact.normalZ;
+            var cosine:Number = _parting.normalX * contact.normalX + _parting.normalY * contact.normalY + _parting.normalZ * contact.normalZ;
             if (!(cosine > 0 && cosine < GAIN))
             {
                 return false;
             }
-            _tried.setDirection(parting.normalX, parting.normalY, parting.normalZ);
-            out.setTo(cosine * contact.depth + _pair.tolerance);
-            return !areTouchingAtOuter(out);
+            _tried.setDirection(_parting.normalX, _parting.normalY, _parting.normalZ);
+            _inner = 0;
+            _outer = cosine * contact.depth + _pair.tolerance;
+            return !areTouchingAtOuter();
         }
 
         // Increases the outer distance by a step until the two do not touch there. Each step is twice as long as the one before. Returns whether they were
         // free at the first outer distance.
-        private function growOuter(step:Number, out:PartingDistances):Boolean
+        private function growOuter(step:Number):Boolean
         {
-            while (areTouchingAtOuter(out) && out.outer < FARTHEST)
+            while (areTouchingAtOuter() && _outer < FARTHEST)
             {
-                out.inner = out.outer;
-                out.outer += step;
+                _inner = _outer;
+                _outer += step;
                 step *= 2;
             }
-            return out.inner == 0;
+            return _inner == 0;
         }
 
-        // Finds the contact at the place where the two part. The distance of this place becomes the depth of the way out.
-        private function sweepBack(between:PartingDistances, parting:ContactPoint, out:ContactPoint):void
+        // Finds the contact at the place where the two part (_parting). The distance of this place becomes the depth of the way out.
+        private function sweepBack(out:ContactPoint):void
         {
-            narrow(NARROW * _pair.extent, between);
-            _tried.distance = between.inner;
+            narrow(NARROW * _pair.largestExtent);
+            _tried.distance = _inner;
             _pair.displace(_tried);
             // the first body is at the inner distance, so its motion from the outer one is against the direction
-            var back:Number = between.inner - between.outer;
+            var back:Number = _inner - _outer;
             _back.endAfter(back * _tried.x, back * _tried.y, back * _tried.z);
-            _pair.findImpactOfSurfaces(_back, parting);
+            _pair.findImpactOfSurfaces(_back, _parting);
             if (_back.time == RelativeMotion.NEVER)
             {
                 // rounding hides the touch at the end
-                _pair.findContactOfParts(parting);
+                _pair.findContactOfParts(_parting);
             }
             var time:Number = Math.min(_back.time, 1);
             out.setNormal(_tried.x, _tried.y, _tried.z);
-            out.depth = between.outer + time * back;
+            out.depth = _outer + time * back;
         }
 
         // Halves the interval until it is no longer than a width. The width may be less than the distance between two Numbers as large as the ends.
-        private function narrow(width:Number, out:PartingDistances):void
+        private function narrow(width:Number):void
         {
-            for (var i:int = 0; i < MAX_STEPS && out.outer - out.inner > width; i++)
+            for (var i:int = 0; i < MAX_STEPS && _outer - _inner > width; i++)
             {
-                _tried.distance = (out.inner + out.outer) / 2;
+                _tried.distance = (_inner + _outer) / 2;
                 if (_pair.touchesAt(_tried))
                 {
-                    out.inner = _tried.distance;
+                    _inner = _tried.distance;
                 }
                 else
                 {
-                    out.outer = _tried.distance;
+                    _outer = _tried.distance;
                 }
             }
         }
 
         // Corrects what rounding has made of a contact's depth: the two do not touch a little beyond it, and touch a little before it.
-        private function correctDepth(between:PartingDistances, out:ContactPoint):void
+        private function correctDepth(out:ContactPoint):void
         {
             var probe:Number = _pair.probeDistance;
             _tried.setDirection(out.normalX, out.normalY, out.normalZ);
-            between.setTo(out.depth + probe);
-            if (growOuter(probe, between))
+            _inner = 0;
+            _outer = out.depth + probe;
+            if (growOuter(probe))
             {
                 _tried.distance = out.depth - probe;
                 if (_tried.distance <= 0 || _pair.touchesAt(_tried))
                 {
                     return;
                 }
-                between.outer = _tried.distance;
+                _outer = _tried.distance;
             }
-            narrow(probe, between);
-            out.depth = (between.outer + between.inner) / 2;
+            narrow(probe);
+            out.depth = (_outer + _inner) / 2;
         }
 
-        private function areTouchingAtOuter(between:PartingDistances):Boolean
+        private function areTouchingAtOuter():Boolean
         {
-            _tried.distance = between.outer;
+            _tried.distance = _outer;
             return _pair.touchesAt(_tried);
         }
     }

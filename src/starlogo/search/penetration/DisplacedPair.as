@@ -19,11 +19,14 @@ package starlogo.search.penetration
      * Two bodies that touch, the first one at places that are tried, and the tests that say whether, when and how they touch there. Other classes
      * only read the fields.
      *
+     * <p>It has five lengths. Rounding makes <code>roundingGap</code>. The bodies make <code>largestExtent</code>, and <code>room</code> is a fraction of it.
+     * Both together make <code>tolerance</code>, and <code>probeDistance</code> is a fraction of that.</p>
+     *
      * @private
      */
     public final class DisplacedPair
     {
-        // The room of a way out, as a fraction of the extent.
+        // The room of a way out, as a fraction of the largest extent.
         private static const ROOM:Number = 100 * Tolerances.SEPARATION;
 
         // The extent of two points at the origin. It is not 0, so all steps are longer than 0.
@@ -36,9 +39,9 @@ package starlogo.search.penetration
         public var second:Body = null;
 
         /**
-         * The extent that tolerances are fractions of: the larger of the two. If both are points, it is the gap across which they still touch.
+         * The largest extent of the two, which tolerances are fractions of. If both are points, it is the gap across which they still touch.
          */
-        public var extent:Number = 0;
+        public var largestExtent:Number = 0;
 
         /**
          * How far a depth may be off, in patches: see PairTests.depthToleranceOf. It is more than the gap of rounding, because two bodies touch across
@@ -72,7 +75,7 @@ package starlogo.search.penetration
             first.copyFrom(a);
             first.moveTo(_from);
             roundingGap = _tests.roundingGapOf(a, b);
-            extent = Math.max(_tests.extentOf(a, b), Math.max(roundingGap, MIN_EXTENT));
+            largestExtent = Math.max(_tests.largestExtentOf(a, b), Math.max(roundingGap, MIN_EXTENT));
             tolerance = Math.max(_tests.depthToleranceOf(a, b), Tolerances.SEPARATION * MIN_EXTENT);
         }
 
@@ -89,9 +92,9 @@ package starlogo.search.penetration
          * A way out past several sides counts only if the first body is free this much farther along it too. Otherwise it ends in a gap between parts
          * of the second body. A way out that is not longer is short enough.
          */
-        public function get clearAhead():Number
+        public function get room():Number
         {
-            return ROOM * extent;
+            return ROOM * largestExtent;
         }
 
         /**
@@ -140,7 +143,14 @@ package starlogo.search.penetration
             first.moveTo(_from);
         }
 
-        /** Displaces the first body. */
+        /** Displaces the first body, from where it was at the touch, by a vector. */
+        public function displaceBy(by:Vector3D):void
+        {
+            _place.setTo(_from.x + by.x, _from.y + by.y, _from.z + by.z);
+            first.moveTo(_place);
+        }
+
+        /** Displaces the first body along a direction. */
         public function displace(by:Displacement):void
         {
             _place.setTo(_from.x + by.distance * by.x, _from.y + by.distance * by.y, _from.z + by.distance * by.z);

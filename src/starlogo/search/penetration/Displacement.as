@@ -1,6 +1,6 @@
 package starlogo.search.penetration
 {
-    /** A displacement, as a record: a direction, and how far along it, in multiples of the direction's length. The length is 1, unless others are set. */
+    /** A displacement, as a record: a direction of the length 1, and how far along it, in patches. */
     internal final class Displacement
     {
         public var x:Number = 0;

@@ -22,10 +22,17 @@ package starlogo.search.penetration
         // A half-space decides about a displacement if this goes at most so much farther than required along its normal, as a fraction of its length.
         private static const DECIDING_SLACK:Number = 1e-9;
 
-        /** The number of half-spaces. Read only. */
-        public var count:int = 0;
+        /** The shortest displacement, and none as long as there are no half-spaces. Read only. */
+        public var displacement:Vector3D = new Vector3D();
 
-        // By half-space: the normal, and the depth.
+        /** Its length; Infinity if no displacement leads out. Read only. */
+        public var distance:Number = 0;
+
+        /** On how many planes the displacement ends: the half-spaces of these decide. Read only. */
+        public var planeCount:int = 0;
+
+        // The number of half-spaces, and of each the normal and the depth.
+        private var _count:int = 0;
         private var _xs:Vector.<Number> = new Vector.<Number>();
         private var _ys:Vector.<Number> = new Vector.<Number>();
         private var _zs:Vector.<Number> = new Vector.<Number>();
@@ -39,25 +46,26 @@ package starlogo.search.penetration
         /** Begins without half-spaces. */
         public function clear():void
         {
-            count = 0;
+            _count = 0;
+            setToNone();
         }
 
         /** Adds a half-space: a unit normal, and the depth along it. */
         public function add(x:Number, y:Number, z:Number, depth:Number):void
         {
-            _xs[count] = x;
-            _ys[count] = y;
-            _zs[count] = z;
-            _depths[count] = depth;
-            count++;
+            _xs[_count] = x;
+            _ys[_count] = y;
+            _zs[_count] = z;
+            _depths[_count] = depth;
+            _count++;
         }
 
-        /** Removes the half-spaces that a displacement leads out of farther than required: they did not decide about it. */
-        public function keepDeciding(displacement:Vector3D):void
+        /** Removes the half-spaces that the displacement leads out of farther than required: they did not decide about it. */
+        public function keepDeciding():void
         {
             var slack:Number = DECIDING_SLACK * displacement.length;
             var kept:int = 0;
-            for (var i:int = 0; i < count; i++)
+            for (var i:int = 0; i < _count; i++)
             {
                 if (displacement.x * _xs[i] + displacement.y * _ys[i] + displacement.z * _zs[i] <= _depths[i] + slack)
                 {
@@ -68,7 +76,7 @@ package starlogo.search.penetration
                     kept++;
                 }
             }
-            count = kept;
+            _count = kept;
         }
 
         /**
@@ -76,39 +84,44 @@ package starlogo.search.penetration
          *
          * @param maxPlanes on how many planes it may end, from 1 to 3
          * @param slack how much less than required it may go along each normal
-         * @param out receives it
          * @return whether there is one
          */
-        public function solve(maxPlanes:int, slack:Number, out:ShortestDisplacement):Boolean
+        public function solve(maxPlanes:int, slack:Number):Boolean
         {
             _slack = slack;
             _tried.setTo(0, 0, 0);
-            out.setToNone();
+            setToNone();
             if (leadsOut(0))
             {
                 return true;
             }
-            out.length = Infinity;
+            distance = Infinity;
             _longest = 0;
-            for (var i:int = 0; i < count; i++)
+            for (var i:int = 0; i < _count; i++)
             {
                 _longest = Math.max(_longest, FARTHEST * _depths[i]);
                 _tried.setTo(_depths[i] * _xs[i], _depths[i] * _ys[i], _depths[i] * _zs[i]);
-                keepShorter(1, out);
+                keepShorter(1);
             }
-            for (i = 1; i < count && maxPlanes > 1; i++)
+            for (i = 1; i < _count && maxPlanes > 1; i++)
             {
                 for (var j:int = 0; j < i; j++)
                 {
-                    tryLine(i, j, maxPlanes, out);
+                    tryLine(i, j, maxPlanes);
                 }
             }
-            return out.length < Infinity;
+            return distance < Infinity;
+        }
+
+        private function setToNone():void
+        {
+            displacement.setTo(0, 0, 0);
+            distance = planeCount = 0;
         }
 
         // Tries the nearest point of the line in which two planes meet, then the points where this line meets planes before them. The sum and the
         // difference of two unit normals are perpendicular, so no digits are lost, even if the planes are nearly parallel.
-        private function tryLine(i:int, j:int, maxPlanes:int, out:ShortestDisplacement):void
+        private function tryLine(i:int, j:int, maxPlanes:int):void
         {
             var sumX:Number = _xs[i] + _xs[j];
             var sumY:Number = _ys[i] + _ys[j];
@@ -122,7 +135,7 @@ package starlogo.search.penetration
             var y:Number = along * sumY + across * differenceY;
             var z:Number = along * sumZ + across * differenceZ;
             _tried.setTo(x, y, z);
-            keepShorter(2, out);
+            keepShorter(2);
             var lineX:Number = sumY * differenceZ - sumZ * differenceY;
             var lineY:Number = sumZ * differenceX - sumX * differenceZ;
             var lineZ:Number = sumX * differenceY - sumY * differenceX;
@@ -130,26 +143,26 @@ package starlogo.search.penetration
             {
                 var far:Number = (_depths[k] - (x * _xs[k] + y * _ys[k] + z * _zs[k])) / (lineX * _xs[k] + lineY * _ys[k] + lineZ * _zs[k]);
                 _tried.setTo(x + far * lineX, y + far * lineY, z + far * lineZ);
-                keepShorter(3, out);
+                keepShorter(3);
             }
         }
 
         // Keeps the displacement that is tried if it is shorter and leads out of all half-spaces. Planes that do not meet make no numbers of it.
-        private function keepShorter(planeCount:int, out:ShortestDisplacement):void
+        private function keepShorter(planeCount:int):void
         {
             var length:Number = Math.sqrt(_tried.x * _tried.x + _tried.y * _tried.y + _tried.z * _tried.z);
-            if (length < out.length && length <= _longest && leadsOut(length))
+            if (length < distance && length <= _longest && leadsOut(length))
             {
-                out.displacement.copyFrom(_tried);
-                out.length = length;
-                out.planeCount = planeCount;
+                displacement.copyFrom(_tried);
+                distance = length;
+                this.planeCount = planeCount;
             }
         }
 
         private function leadsOut(length:Number):Boolean
         {
             var slack:Number = _slack + RELATIVE_SLACK * length;
-            for (var i:int = 0; i < count; i++)
+            for (var i:int = 0; i < _count; i++)
             {
                 if (_tried.x * _xs[i] + _tried.y * _ys[i] + _tried.z * _zs[i] < _depths[i] - slack)
                 {

@@ -75,7 +75,7 @@ package starlogo.search.penetration
             out.depth = Infinity;
             _pushOut.clearBlocks();
             var isPushed:Boolean = _pushOut.findPush(_first, Infinity, out);
-            if (DisplacedPair.isComing(motion) && out.depth > DirectionSearch.IMPROVED_DEPTH * _pair.extent)
+            if (DisplacedPair.isComing(motion) && out.depth > DirectionSearch.IMPROVED_DEPTH * _pair.largestExtent)
             {
                 _other.copyFrom(_first);
                 _other.setNormalAgainst(motion);
@@ -97,12 +97,12 @@ package starlogo.search.penetration
         // Whether no other way is tried, because a depth is short, or because no exit is much shorter.
         private function isShortEnough(depth:Number):Boolean
         {
-            if (depth <= _pair.clearAhead)
+            if (depth <= _pair.room)
             {
                 return true;
             }
             // a point of the body that is deep where a push ended also has to get out from where the push began
-            return areExitsLong(_first, depth) || _pushOut.hasBlock && areExitsLong(_pushOut.lastBlock, depth);
+            return areExitsLong(_first, depth) || areExitsLong(_pushOut.lastBlock, depth);
         }
 
         // Whether a contact whose deepest point is of the first body shows that each exit is at least a share of a depth.

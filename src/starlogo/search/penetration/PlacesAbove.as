@@ -27,20 +27,18 @@ package starlogo.search.penetration
 
         private var _pair:DisplacedPair;
 
-        // The planes that the body slides along, and the place where it slides to.
+        // The planes that the body slides along. The displacement out of them is the place where it slides to.
         private var _planes:HalfSpaceSolver = new HalfSpaceSolver();
-        private var _target:ShortestDisplacement = new ShortestDisplacement();
 
-        // The length of the shortest way out so far, a place above which one is looked for, and the displacement that is tried.
+        // The length of the shortest way out so far, a place above which one is looked for, another one as high as the body can begin, and the end of a
+        // way that is tried.
         private var _shortest:Number = 0;
         private var _place:Vector3D = new Vector3D();
+        private var _above:Vector3D = new Vector3D();
         private var _tried:Displacement = new Displacement();
 
         // The displacement along the shortest way at which the body was found free: a little beyond the way's end.
         private var _free:Displacement = new Displacement();
-
-        // The end of a sweep down, at the height of the body's own place.
-        private var _level:Displacement = new Displacement();
 
         // A sweep, and the contact at its end.
         private var _sweep:RelativeMotion = new RelativeMotion();
@@ -50,7 +48,6 @@ package starlogo.search.penetration
         public function PlacesAbove(pair:DisplacedPair)
         {
             _pair = pair;
-            _level.distance = 1;
         }
 
         /**
@@ -92,7 +89,7 @@ package starlogo.search.penetration
         private function tryAbove(place:Vector3D):void
         {
             var along:Number = Math.sqrt(place.x * place.x + place.y * place.y);
-            var fartherFactor:Number = along > 0 ? 1 + _pair.clearAhead / along : 1;
+            var fartherFactor:Number = along > 0 ? 1 + _pair.room / along : 1;
             var fartherX:Number = place.x * fartherFactor;
             var fartherY:Number = place.y * fartherFactor;
             var highSquared:Number = _shortest * _shortest - (fartherX * fartherX + fartherY * fartherY);
@@ -101,14 +98,14 @@ package starlogo.search.penetration
                 return;
             }
             var high:Number = Math.sqrt(highSquared);
-            _tried.setDirection(fartherX, fartherY, high);
-            _tried.distance = 1;
-            if (!_pair.touchesAt(_tried))
+            _above.setTo(fartherX, fartherY, high);
+            _pair.displaceBy(_above);
+            if (!_pair.areTouching())
             {
-                var free:Number = sweepDown(_tried);
+                var free:Number = sweepDown();
                 // halfway between the place and the one farther; and a little higher, because the ground may rise on the way back to there
                 var fraction:Number = (1 + fartherFactor) / (2 * fartherFactor);
-                var lowest:Number = high * (1 - free) + _pair.clearAhead;
+                var lowest:Number = high * (1 - free) + _pair.room;
                 if (moveIfFree(fartherX * fraction, fartherY * fraction, lowest, _pair.tolerance))
                 {
                     slideBackRepeatedly();
@@ -157,13 +154,11 @@ package starlogo.search.penetration
             var y:Number = _shortest * _free.y;
             var z:Number = _shortest * _free.z;
             _planes.clear();
-            _target.setToNone();
-            for (var i:int = 0; i < MAX_PLANES && _target.length < _shortest; i++)
+            for (var i:int = 0; i < MAX_PLANES && _planes.distance < _shortest; i++)
             {
-                _tried.setDirection(_target.displacement.x, _target.displacement.y, _target.displacement.z);
-                _tried.distance = 1;
-                _pair.displace(_tried);
-                _sweep.endAfter(_target.displacement.x - x, _target.displacement.y - y, _target.displacement.z - z);
+                var target:Vector3D = _planes.displacement;
+                _pair.displaceBy(target);
+                _sweep.endAfter(target.x - x, target.y - y, target.z - z);
                 _pair.findImpactOfSurfaces(_sweep, _met);
                 var time:Number = Math.min(_sweep.time, 1);
                 x += time * _sweep.x;
@@ -178,17 +173,17 @@ package starlogo.search.penetration
                 y += 2 * _pair.tolerance * _met.normalY;
                 z += 2 * _pair.tolerance * _met.normalZ;
                 _planes.add(_met.normalX, _met.normalY, _met.normalZ, x * _met.normalX + y * _met.normalY + z * _met.normalZ - _pair.tolerance);
-                _planes.solve(3, 0, _target);
+                _planes.solve(3, 0);
             }
-            moveIfFree(x, y, z, _pair.clearAhead);
+            moveIfFree(x, y, z, _pair.room);
         }
 
-        // Sweeps the first body down from a displacement to the height of its own place. Returns which part of this way is free.
-        private function sweepDown(from:Displacement):Number
+        // Sweeps the first body down from the place above to the height of its own place. Returns which part of this way is free.
+        private function sweepDown():Number
         {
-            _level.setDirection(from.distance * from.x, from.distance * from.y, 0);
-            _pair.displace(_level);
-            _sweep.endAfter(0, 0, -from.distance * from.z);
+            _sweep.endAfter(0, 0, -_above.z);
+            _above.z = 0;
+            _pair.displaceBy(_above);
             _pair.findImpactOfSurfaces(_sweep, _met);
             return Math.min(_sweep.time, 1);
         }

@@ -30,15 +30,14 @@ package starlogo.search.penetration
         /** The end of the numbers of <code>blockedPlaces</code>. Read only. */
         public var blockedEnd:int = 0;
 
-        /** Whether one of these pushes ended at a contact whose deepest point is known to be of the body. Read only. */
-        public var hasBlock:Boolean = false;
-
-        /** The last such contact, but with its place where the body was at the beginning. Read only. */
+        /**
+         * The contact at which the last of these pushes ended whose deepest point is known to be of the body, but with its place where the body was at
+         * the beginning. If there is none, no deepest point is known. Read only.
+         */
         public var lastBlock:ContactPoint = new ContactPoint();
 
-        // The contacts that decide about the push and the one after it, with depths from where the body was at the beginning; and the push out of these.
-        private var _contacts:HalfSpaceSolver = new HalfSpaceSolver();
-        private var _push:ShortestDisplacement = new ShortestDisplacement();
+        // The push: the shortest way out of the contacts that decide about it, whose depths are from where the body was at the beginning.
+        private var _push:HalfSpaceSolver = new HalfSpaceSolver();
 
         // The contact after a push, or the first contact displaced by it.
         private var _next:ContactPoint = new ContactPoint();
@@ -47,7 +46,7 @@ package starlogo.search.penetration
         private var _groundExits:GroundExits;
         private var _directions:DirectionSearch;
 
-        // The displacement that is tried.
+        // The displacement that is tried: about the push.
         private var _tried:Displacement = new Displacement();
 
         /**
@@ -66,7 +65,7 @@ package starlogo.search.penetration
         public function clearBlocks():void
         {
             blockedEnd = 0;
-            hasBlock = false;
+            lastBlock.forgetDeepest();
         }
 
         /**
@@ -80,18 +79,17 @@ package starlogo.search.penetration
         public function findPush(first:ContactPoint, most:Number, out:ContactPoint):Boolean
         {
             var count:int = 1;
-            _contacts.clear();
-            _push.setToNone();
+            _push.clear();
             _pair.putBack();
             add(first);
-            while (_push.length <= most && _push.length < Infinity && count <= MAX_CONTACTS)
+            while (_push.distance <= most && _push.distance < Infinity && count <= MAX_CONTACTS)
             {
-                if (!isPushBlocked(_tried))
+                if (!isPushBlocked())
                 {
-                    writePush(_tried, first, out);
+                    writePush(first, out);
                     return true;
                 }
-                addBlock(_tried);
+                addBlock();
                 count++;
             }
             return false;
@@ -100,73 +98,71 @@ package starlogo.search.penetration
         // Adds a contact: the next push leads out of it too. The more planes the last push ended on, the farther the next one leads out of the new contact.
         private function add(found:ContactPoint):void
         {
-            var slack:Number = (SLACK * Tolerances.SEPARATION * _pair.extent + _pair.roundingGap) * (1 << _push.planeCount);
-            _contacts.keepDeciding(_push.displacement);
-            _contacts.add(found.normalX, found.normalY, found.normalZ, found.depth + slack + found.along(_push.displacement));
-            _contacts.solve(3, 0, _push);
+            var slack:Number = (SLACK * Tolerances.SEPARATION * _pair.largestExtent + _pair.roundingGap) * (1 << _push.planeCount);
+            _push.keepDeciding();
+            _push.add(found.normalX, found.normalY, found.normalZ, found.depth + slack + found.along(_push.displacement));
+            _push.solve(3, 0);
         }
 
-        // Adds the contact of the first body, which is where it is blocked on its way along the push.
-        private function addBlock(blocked:Displacement):void
+        // Adds the contact of the first body, which isPushBlocked() has left where it is blocked on its way along the push.
+        private function addBlock():void
         {
             blockedPlaces[blockedEnd++] = _push.displacement.x;
             blockedPlaces[blockedEnd++] = _push.displacement.y;
             _pair.findContactOfParts(_next);
             if (_next.isDeepestOfA)
             {
-                hasBlock = true;
                 lastBlock.copyFrom(_next);
                 // its exits are known where the push ended, not where the body was
                 lastBlock.exitBound = 0;
-                lastBlock.x -= blocked.distance * blocked.x;
-                lastBlock.y -= blocked.distance * blocked.y;
-                lastBlock.z -= blocked.distance * blocked.z;
+                lastBlock.x -= _tried.distance * _tried.x;
+                lastBlock.y -= _tried.distance * _tried.y;
+                lastBlock.z -= _tried.distance * _tried.z;
             }
             // the body is a little farther than the push
-            _next.depth += (blocked.distance - _push.length) * (_next.normalX * blocked.x + _next.normalY * blocked.y + _next.normalZ * blocked.z);
+            _next.depth += (_tried.distance - _push.distance) * (_next.normalX * _tried.x + _next.normalY * _tried.y + _next.normalZ * _tried.z);
             add(_next);
         }
 
-        // Tries the push: at its end, and a little farther. If the two touch at one of these places, it leaves the body there.
-        // Returns whether they touch, at the last displacement that it has tried.
-        private function isPushBlocked(out:Displacement):Boolean
+        // Tries the push: at its end, and a little farther. If the two touch at one of these places, it leaves the body there. Returns whether they touch.
+        private function isPushBlocked():Boolean
         {
             // beyond its end, a push out of several contacts may lead into one of them again
             var isOfSeveral:Boolean = _push.planeCount > 1;
-            out.setDirection(_push.displacement.x / _push.length, _push.displacement.y / _push.length, _push.displacement.z / _push.length);
-            out.distance = _push.length;
-            if (isOfSeveral && _pair.touchesAt(out))
+            _tried.setDirection(_push.displacement.x / _push.distance, _push.displacement.y / _push.distance, _push.displacement.z / _push.distance);
+            _tried.distance = _push.distance;
+            if (isOfSeveral && _pair.touchesAt(_tried))
             {
                 return true;
             }
-            out.distance = _push.length + _pair.probeDistance;
-            if (_pair.touchesAt(out))
+            _tried.distance = _push.distance + _pair.probeDistance;
+            if (_pair.touchesAt(_tried))
             {
                 return true;
             }
-            out.distance = _push.length + _pair.clearAhead;
-            return isOfSeveral && _pair.touchesAt(out);
+            _tried.distance = _push.distance + _pair.room;
+            return isOfSeveral && _pair.touchesAt(_tried);
         }
 
         // Takes the push, whose direction is free. If the two are free before its end, the depth is refined.
-        private function writePush(free:Displacement, first:ContactPoint, out:ContactPoint):void
+        private function writePush(first:ContactPoint, out:ContactPoint):void
         {
-            out.setNormal(free.x, free.y, free.z);
-            out.depth = _push.length;
-            free.distance = _push.length - _pair.probeDistance;
-            if (free.distance > 0 && !(first.isDeepestOfA && isDeepestStillInside(first, free)) && !_pair.touchesAt(free))
+            out.setNormal(_tried.x, _tried.y, _tried.z);
+            out.depth = _push.distance;
+            _tried.distance = _push.distance - _pair.probeDistance;
+            if (_tried.distance > 0 && !(first.isDeepestOfA && isDeepestStillInside(first)) && !_pair.touchesAt(_tried))
             {
-                _directions.shorten(free, out);
+                _directions.shorten(_tried, out);
             }
         }
 
-        // Whether the deepest point of a contact with the ground is still inside of it after a displacement.
-        private function isDeepestStillInside(contact:ContactPoint, by:Displacement):Boolean
+        // Whether the deepest point of a contact with the ground is still inside of it after the displacement that is tried.
+        private function isDeepestStillInside(contact:ContactPoint):Boolean
         {
             _next.copyFrom(contact);
-            _next.x += by.distance * by.x;
-            _next.y += by.distance * by.y;
-            _next.z += by.distance * by.z;
+            _next.x += _tried.distance * _tried.x;
+            _next.y += _tried.distance * _tried.y;
+            _next.z += _tried.distance * _tried.z;
             return _groundExits.isInside(_pair.second.shape.grid, _next);
         }
     }

@@ -27,7 +27,8 @@ package starlogo.search.table
      */
     public final class AgentTable
     {
-        // In place of a revision at which a row was read: it is read in the next search, even if its agent does not change.
+        // In place of a revision at which a row was read: it is read with the next list, even if its agent does not change. RowMotions reads its
+        // motion too.
         private static const NOT_READ:int = -1;
 
         // In place of a revision at which a motion may begin: none begins there. It is less than the revision of any jump.
@@ -45,7 +46,7 @@ package starlogo.search.table
         /** By row: where the last search saw the agent. */
         engine var places:Points = new Points();
 
-        /** By row: the agent's revision at which the row was read; NOT_READ if the next search reads it in any case. */
+        /** By row: the agent's revision at which the row was read; NOT_READ if it is read with the next list in any case. */
         engine var revisions:Vector.<int> = new Vector.<int>();
 
         /** By row: the extents of the shape at that place. */
@@ -59,12 +60,6 @@ package starlogo.search.table
 
         /** The rows of the ground and the edges of the world, if the last <code>readWorld()</code> found others, or found them changed. */
         engine var changedOfWorld:IntList = new IntList();
-
-        /**
-         * The rows whose agents are missing from the list that was read last, or have another place in it. The agents of all other rows have the
-         * same order in both lists.
-         */
-        engine var leftOrReordered:IntList = new IntList();
 
         // Chooses the shapes of the agents. It may have other tables too.
         private var _choice:BaseShapeChoice;
@@ -109,8 +104,8 @@ package starlogo.search.table
         public function setList(agents:Vector.<Agent>):void
         {
             _choice.forgetReplaced();
-            leftOrReordered.count = 0;
-            var isSame:Boolean = list.isCommitted && agents.length == list.rows.count;
+            list.leftOrReordered.count = 0;
+            var isSame:Boolean = list.isAccepted && agents.length == list.rows.count;
             if (isSame)
             {
                 isSame = tryFindChanged(agents, list.rows);
@@ -126,8 +121,7 @@ package starlogo.search.table
             // nothing below throws
             if (!isSame)
             {
-                list.findLeftOrReordered(leftOrReordered);
-                list.commitProposed();
+                list.acceptProposed();
                 followList();
             }
             forgetOtherModels();
@@ -164,17 +158,14 @@ package starlogo.search.table
          */
         public function setLastPlace(row:int, x:Number, y:Number, z:Number, hasMotion:Boolean):void
         {
-            if (places.x[row] != x || places.y[row] != y || places.z[row] != z)
-            {
-                places.x[row] = x;
-                places.y[row] = y;
-                places.z[row] = z;
-                // the agent stands elsewhere, and so do the extents
-                revisions[row] = NOT_READ;
-            }
+            places.x[row] = x;
+            places.y[row] = y;
+            places.z[row] = z;
+            // the extents are elsewhere, and RowMotions has not read the motion
+            revisions[row] = NOT_READ;
             if (!hasMotion)
             {
-                forgetMotionStart(row);
+                _startRevisions[row] = NO_START;
             }
         }
 
@@ -189,15 +180,9 @@ package starlogo.search.table
         {
             for (var row:int = 0; row < revisions.length; row++)
             {
-                forgetMotionStart(row);
+                _startRevisions[row] = NO_START;
+                revisions[row] = NOT_READ;
             }
-        }
-
-        // The row counts as changed in the next search, because RowMotions looks at no others.
-        private function forgetMotionStart(row:int):void
-        {
-            _startRevisions[row] = NO_START;
-            revisions[row] = NOT_READ;
         }
 
         /** Reads the ground and the edges of the world for a search. Either may be null. */
@@ -210,21 +195,21 @@ package starlogo.search.table
 
         private function readWorldAgent(row:int, agent:WorldAgent):void
         {
-            var isOther:Boolean = list.agentsByRow[row] !== agent;
-            if (isOther || agent != null && agent.revision != revisions[row])
-            {
-                changedOfWorld.add(row);
-            }
-            if (isOther)
+            if (list.agentsByRow[row] !== agent)
             {
                 list.agentsByRow[row] = agent;
                 shapes[row] = null;
+                changedOfWorld.add(row);
+            }
+            else if (agent != null && agent.revision != revisions[row])
+            {
+                changedOfWorld.add(row);
             }
             if (agent != null)
             {
                 breeds[row] = agent.breedNumber;
+                revisions[row] = agent.revision;
                 readSurface(row);
-                readPlace(row, agent);
             }
         }
 
@@ -316,9 +301,10 @@ package starlogo.search.table
         // Takes the order of an accepted list, and empties the rows of agents that have left. So a new agent finds an empty row.
         private function followList():void
         {
-            for (var i:int = 0; i < leftOrReordered.count; i++)
+            var changes:IntList = list.leftOrReordered;
+            for (var i:int = 0; i < changes.count; i++)
             {
-                var row:int = leftOrReordered.values[i];
+                var row:int = changes.values[i];
                 if (list.agentsByRow[row] == null)
                 {
                     shapes[row] = null;
@@ -354,10 +340,6 @@ package starlogo.search.table
         // Finds the new shapes of rows. All shapes are found before any row changes, because an error must change no row.
         private function findShapes():void
         {
-            if (_reshaped.count > _newShapes.length)
-            {
-                _newShapes.length = _reshaped.count;
-            }
             for (var i:int = 0; i < _reshaped.count; i++)
             {
                 _newShapes[i] = _choice.shapeOf(list.agentsByRow[_reshaped.values[i]]);
@@ -418,11 +400,7 @@ package starlogo.search.table
             extents.radius[row] = body.radius;
             extents.distanceFromPlace[row] = body.distanceFromPlace;
             moveExtents(row);
-            // the ground and the edges of the world are in no bins
-            if (row >= ListedAgents.FIRST_LISTED)
-            {
-                extents.assignLevel(row);
-            }
+            extents.assignLevel(row);
         }
 
         private function moveExtents(row:int):void

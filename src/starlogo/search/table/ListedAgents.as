@@ -44,11 +44,17 @@ package starlogo.search.table
         /** The agent of each row, or null. Agents of a list that was refused may still have rows. */
         public var agentsByRow:Vector.<Agent> = new <Agent>[null, null];
 
+        /**
+         * The rows whose agents are missing from the list that was accepted last, or have another place in it than in the one before. The agents of
+         * all other rows have the same order in both. The table empties it if the list is the same again.
+         */
+        public var leftOrReordered:IntList = new IntList();
+
         /** The rows of the agents of the list that was proposed last. */
         internal var proposed:IntList = new IntList();
 
         /** Whether the list that was proposed last was accepted. */
-        internal var isCommitted:Boolean = true;
+        internal var isAccepted:Boolean = true;
 
         private var _free:IntList = new IntList();
         private var _inOrder:Vector.<int> = new Vector.<int>();
@@ -113,11 +119,11 @@ package starlogo.search.table
          */
         public function propose(list:Vector.<Agent>):void
         {
-            if (!isCommitted)
+            if (!isAccepted)
             {
                 freeUnlisted();
             }
-            isCommitted = false;
+            isAccepted = false;
             var listed:Vector.<int> = rows.values;
             var to:Vector.<int> = proposed.values;
             _inProposed.clear(rowCapacity);
@@ -144,31 +150,17 @@ package starlogo.search.table
             proposed.count = list.length;
         }
 
-        /**
-         * Finds the rows whose agents are missing from the proposed list, or have another place in it than in the accepted one. The agents of all other
-         * rows have the same order in both lists.
-         */
-        public function findLeftOrReordered(out:IntList):void
-        {
-            out.count = 0;
-            addReordered(out);
-            for (var i:int = 0; i < rows.count; i++)
-            {
-                if (!_inProposed.has(rows.values[i]))
-                {
-                    out.add(rows.values[i]);
-                }
-            }
-        }
-
         /** Makes the agents of the proposed list the ones that are listed, and frees the rows of all others. */
-        public function commitProposed():void
+        public function acceptProposed():void
         {
+            findReordered(leftOrReordered);
             for (var i:int = 0; i < rows.count; i++)
             {
-                if (!_inProposed.has(rows.values[i]))
+                var row:int = rows.values[i];
+                if (!_inProposed.has(row))
                 {
-                    free(rows.values[i]);
+                    leftOrReordered.add(row);
+                    free(row);
                 }
             }
             var before:IntList = rows;
@@ -180,7 +172,7 @@ package starlogo.search.table
             }
             ranks[GROUND_ROW] = rows.count;
             ranks[EDGES_ROW] = rows.count + 1;
-            isCommitted = true;
+            isAccepted = true;
         }
 
         /**
@@ -228,9 +220,10 @@ package starlogo.search.table
             }
         }
 
-        // Adds rows so that all others have the same order in both lists. If the last agent took the place of one that was removed, it is one row.
-        private function addReordered(out:IntList):void
+        // Finds rows so that all others have the same order in both lists. If the last agent took the place of one that was removed, it is one row.
+        private function findReordered(out:IntList):void
         {
+            out.count = 0;
             var inOrder:Vector.<int> = _inOrder;
             var end:int = 0;
             for (var i:int = 0; i < proposed.count; i++)

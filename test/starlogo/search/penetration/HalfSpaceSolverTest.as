@@ -14,7 +14,6 @@ package starlogo.search.penetration
         private static const CLOSE:Number = 1e-9;
 
         private var _solver:HalfSpaceSolver = new HalfSpaceSolver();
-        private var _out:ShortestDisplacement = new ShortestDisplacement();
         private var _random:SeededRandom = new SeededRandom(72);
         private var _normals:Vector.<Vector3D> = new Vector.<Vector3D>();
         private var _depths:Vector.<Number> = new Vector.<Number>();
@@ -29,19 +28,19 @@ package starlogo.search.penetration
         public function ofOneItIsTheNormal():void
         {
             _solver.add(0, 0, 1, 2);
-            assertTrue(_solver.solve(3, 0, _out));
-            assertEquals(2, _out.length);
-            assertEquals(2, _out.displacement.z);
-            assertEquals(1, _out.planeCount);
+            assertTrue(_solver.solve(3, 0));
+            assertEquals(2, _solver.distance);
+            assertEquals(2, _solver.displacement.z);
+            assertEquals(1, _solver.planeCount);
         }
 
         [Test]
         public function nothingIsRequiredOfWhatIsOut():void
         {
             _solver.add(0, 0, 1, -2);
-            assertTrue(_solver.solve(3, 0, _out));
-            assertEquals(0, _out.length);
-            assertEquals(0, _out.planeCount);
+            assertTrue(_solver.solve(3, 0));
+            assertEquals(0, _solver.distance);
+            assertEquals(0, _solver.planeCount);
         }
 
         [Test]
@@ -50,10 +49,10 @@ package starlogo.search.penetration
             _solver.add(0, 0, 1, 2);
             _solver.add(1, 0, 0, 3);
             _solver.add(0, -1, 0, 6);
-            assertTrue(_solver.solve(3, 0, _out));
-            assertEquals(7, _out.length);
-            assertEquals(3, _out.planeCount);
-            assertFalse("with two planes", _solver.solve(2, 0, _out));
+            assertTrue(_solver.solve(3, 0));
+            assertEquals(7, _solver.distance);
+            assertEquals(3, _solver.planeCount);
+            assertFalse("with two planes", _solver.solve(2, 0));
         }
 
         [Test]
@@ -61,8 +60,8 @@ package starlogo.search.penetration
         {
             _solver.add(1, 0, 0, 1);
             _solver.add(-1, 0, 0, 1);
-            assertFalse(_solver.solve(3, 0, _out));
-            assertEquals(Infinity, _out.length);
+            assertFalse(_solver.solve(3, 0));
+            assertEquals(Infinity, _solver.distance);
         }
 
         // A ridge: the floor is bent about y, or about another axis, by very little. In half of the cases a wall stands across it.
@@ -85,10 +84,10 @@ package starlogo.search.penetration
                     {
                         addPlane(-Math.sin(turn + 0.3 * bend), Math.cos(turn + 0.3 * bend), 0.1, 1);
                     }
-                    assertTrue(name, _solver.solve(3, 0, _out));
-                    assertTrue(name + " leads out", leadsOut(_out.displacement, 1e-11));
-                    assertTrue(name + " is short: " + _out.length, _out.length < (hasWall ? 2.5 : 2.1));
-                    decided[_out.planeCount]++;
+                    assertTrue(name, _solver.solve(3, 0));
+                    assertTrue(name + " leads out", leadsOut(_solver.displacement, 1e-11));
+                    assertTrue(name + " is short: " + _solver.distance, _solver.distance < (hasWall ? 2.5 : 2.1));
+                    decided[_solver.planeCount]++;
                 }
             }
             assertTrue("all kinds: " + decided, decided[1] > 10 && decided[2] > 10 && decided[3] > 10);
@@ -99,7 +98,7 @@ package starlogo.search.penetration
         {
             addPlane(1, 0, 1e-5, 1);
             addPlane(-1, 0, 1e-5, 1);
-            assertFalse("it would be 100,000 long", _solver.solve(3, 0, _out));
+            assertFalse("it would be 100,000 long", _solver.solve(3, 0));
         }
 
         [Test]
@@ -109,16 +108,16 @@ package starlogo.search.penetration
             for (var i:int = 0; i < CASES; i++)
             {
                 addRandom(1 + i % 6);
-                if (!_solver.solve(3, 0, _out))
+                if (!_solver.solve(3, 0))
                 {
                     continue;
                 }
-                decided[_out.planeCount]++;
-                assertTrue("case " + i + " leads out", leadsOut(_out.displacement, CLOSE * (1 + _out.length)));
-                for (var j:int = 0; j < TRIALS && _out.length > 0; j++)
+                decided[_solver.planeCount]++;
+                assertTrue("case " + i + " leads out", leadsOut(_solver.displacement, CLOSE * (1 + _solver.distance)));
+                for (var j:int = 0; j < TRIALS && _solver.distance > 0; j++)
                 {
                     var other:Vector3D = direction();
-                    other.scaleBy(_out.length * _random.between(0.5, 1) * (1 - CLOSE));
+                    other.scaleBy(_solver.distance * _random.between(0.5, 1) * (1 - CLOSE));
                     assertFalse("case " + i + ": " + other + " is shorter", leadsOut(other, 0));
                 }
             }

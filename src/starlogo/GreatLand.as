@@ -260,7 +260,7 @@ package starlogo
          */
         engine function structureOfKind(name:String, kind:int):BoundingStructure
         {
-            return _boundingStructures.findOrFit(name, kind, modelOf(name).vertices);
+            return _boundingStructures.findOrFit(name, kind);
         }
 
         /** The names of all models that were added, in no order: a new list. */

@@ -11,6 +11,7 @@ package starlogo.libraries
     import starlogo.fitting.HullFitter;
     import starlogo.fitting.NaiveSphereFitter;
     import starlogo.fitting.OrientedBoxFitter;
+    import starlogo.models.Model;
     import starlogo.steps.finish;
 
     use namespace engine;
@@ -117,7 +118,8 @@ package starlogo.libraries
          * Finds and stores the structures of a model. They replace those stored under the same name. If it throws, nothing has changed.
          *
          * @param name the shape's name
-         * @param vertices x, y, z of each vertex, in the model's space; neither kept nor changed
+         * @param vertices x, y, z of each vertex, in the model's space; copied for a hull that is found later, unless they are the list
+         * <code>vertices</code> of the GreatLand's model of this name
          * @throws ArgumentError if the name is null or empty; if the vertices are null or empty, if the number of coordinates is not a
          *     multiple of 3, or if a coordinate is not finite or beyond 1e60; if the list of fitters is empty, or one of them finds a structure
          *     that cannot be collided or does not enclose the vertices
@@ -126,7 +128,9 @@ package starlogo.libraries
          */
         public function add(name:String, vertices:Vector.<Number>):void
         {
-            var builder:StructuresBuilder = newBuilder(name, vertices);
+            var model:Model = _models.entryOf(name).model;
+            var isModels:Boolean = vertices == null || model != null && vertices == model.vertices;
+            var builder:StructuresBuilder = newBuilder(name, isModels ? vertices : vertices.concat());
             finish(builder);
             _models.entryToWrite(name).setStructures(builder.structures);
         }
@@ -213,21 +217,18 @@ package starlogo.libraries
          *
          * @param name the shape's name
          * @param kind BoundingStructure.SPHERE, CAPSULE, BOX or HULL. In place of a hull it may be a sphere
-         * @param vertices the vertices of the shape's model
          * @throws ArgumentError if the library has nothing of this name, or no fitter found this kind when the model was added
+         * @throws RangeError as <code>add()</code>, if the model was posed since
          * @private
          */
-        engine function findOrFit(name:String, kind:int, vertices:Vector.<Number>):BoundingStructure
+        engine function findOrFit(name:String, kind:int):BoundingStructure
         {
             var structures:ModelStructures = find(name);
             if (kind == BoundingStructure.HULL)
             {
                 if (structures.hullOrSphere == null)
                 {
-                    var sphere:BoundingStructure = structures.smallest[BoundingStructure.SPHERE];
-                    // the vertices may have been posed since the sphere was found
-                    sphere = sphere != null && StructuresBuilder.encloses(sphere, vertices) ? sphere : null;
-                    structures.setHull(StructuresBuilder.widened(hullFitter.fit(vertices)), sphere);
+                    StructuresBuilder.addHull(name, structures);
                 }
                 return structures.hullOrSphere;
             }
@@ -246,7 +247,7 @@ package starlogo.libraries
         engine function newBuilder(name:String, vertices:Vector.<Number>):StructuresBuilder
         {
             ModelTable.checkName(name);
-            return new StructuresBuilder(name, vertices, fitters, keepHulls ? hullFitter : null, keepAll);
+            return new StructuresBuilder(name, vertices, fitters, hullFitter, keepHulls, keepAll);
         }
 
         private function find(name:String):ModelStructures

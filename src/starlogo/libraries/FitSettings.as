@@ -4,6 +4,7 @@ package starlogo.libraries
     import starlogo.data.Fingerprint;
     import starlogo.engine;
     import starlogo.fitting.Fitter;
+    import starlogo.fitting.HullFitter;
     import starlogo.models.cooked.CookedFile;
 
     use namespace engine;
@@ -26,6 +27,9 @@ package starlogo.libraries
         /** @private The library's <code>keepAll</code>. */
         engine var keepsAll:Boolean = false;
 
+        /** @private The library's <code>hullFitter</code>. */
+        engine var hullFitter:HullFitter = null;
+
         /** @private The deepest level of hierarchies. */
         engine var maxDepth:int = 0;
 
@@ -40,10 +44,11 @@ package starlogo.libraries
             if (structures != null)
             {
                 keepsAll = structures.keepAll;
+                hullFitter = structures.hullFitter;
                 var signatures:String = signaturesOf(structures.fitters);
                 _texts[CookedFile.STRUCTURES] = signatures == null ? null : "structures, " + signatures;
                 // The smallest sphere may take the hull's place.
-                _texts[CookedFile.HULL] = signatures == null || !structures.keepHulls ? null : structures.hullFitter.signature + ", " + signatures;
+                _texts[CookedFile.HULL] = signatures == null || !structures.keepHulls ? null : hullFitter.signature + ", " + signatures;
             }
             if (hierarchies != null)
             {

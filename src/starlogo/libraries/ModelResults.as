@@ -182,7 +182,8 @@ package starlogo.libraries
             var found:Vector.<BoundingStructure> = CookedStructures.read(_settings.sectionOf(file, CookedFile.STRUCTURES), BoundingStructure.BOX, _size);
             var hulls:Vector.<BoundingStructure> = CookedStructures.read(_settings.sectionOf(file, CookedFile.HULL), BoundingStructure.HULL, _size);
             var hull:BoundingStructure = hulls == null ? null : hulls[BoundingStructure.HULL] || hulls[BoundingStructure.SPHERE];
-            return found == null || hulls == null && _settings.storesHull ? null : new ModelStructures(found, hull, _settings.keepsAll);
+            return found == null || hulls == null && _settings.storesHull ? null
+                : new ModelStructures(found, hull, _settings.keepsAll, _model.vertices, _settings.hullFitter);
         }
 
         // The section with structures; null if there are none, or reading would refuse them, because one is much larger than the model.

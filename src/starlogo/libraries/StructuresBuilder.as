@@ -34,13 +34,15 @@ package starlogo.libraries
 
         /**
          * @param name the shape's name
-         * @param vertices x, y, z each; must not change until the last step is done
+         * @param vertices x, y, z each; kept; must not change until the last step is done
          * @param fitters the fitters to compare; copied
-         * @param hullFitter finds the hull; null if none is wanted
+         * @param hullFitter finds the hull
+         * @param findsHull whether the hull is found now
          * @param keepsAll whether clients may read the smallest structure of each kind
          * @throws ArgumentError if there are no fitters, or one is null; the message names the shape
          */
-        public function StructuresBuilder(name:String, vertices:Vector.<Number>, fitters:Vector.<Fitter>, hullFitter:HullFitter, keepsAll:Boolean)
+        public function StructuresBuilder(name:String, vertices:Vector.<Number>, fitters:Vector.<Fitter>, hullFitter:HullFitter, findsHull:Boolean,
+                keepsAll:Boolean)
         {
             _name = name;
             if (fitters.length == 0)
@@ -59,27 +61,48 @@ package starlogo.libraries
                 _fits.push(fit);
                 add(fit);
             }
-            var hullFit:Fit = hullFitter == null ? null : _session.fitOf(hullFitter);
+            var hullFit:Fit = findsHull ? _session.fitOf(hullFitter) : null;
             if (hullFit != null)
             {
                 add(hullFit);
             }
             begin(checking).call(function():void
                 {
-                    choose(hullFit, keepsAll);
+                    choose(hullFit, hullFitter, keepsAll);
                 });
         }
 
-        /** Whether a structure encloses all vertices, as it must if it was fitted to them. */
-        public static function encloses(structure:BoundingStructure, vertices:Vector.<Number>):Boolean
+        /**
+         * Finds the hull of a shape whose other structures were found without it, of the vertices as they are now.
+         *
+         * @throws RangeError as the steps, if the vertices were posed since
+         */
+        public static function addHull(name:String, structures:ModelStructures):void
+        {
+            var vertices:Vector.<Number> = structures.vertices;
+            var sphere:BoundingStructure = structures.smallest[BoundingStructure.SPHERE];
+            try
+            {
+                var hull:BoundingStructure = structures.hullFitter.fit(vertices);
+                // the vertices may have been posed since the sphere was found
+                structures.setHull(widened(hull), sphere != null && encloses(sphere, vertices) ? sphere : null);
+            }
+            catch (error:Error)
+            {
+                throw named(name, error);
+            }
+        }
+
+        // Whether a structure encloses all vertices, as it must if it was fitted to them.
+        private static function encloses(structure:BoundingStructure, vertices:Vector.<Number>):Boolean
         {
             var wider:BoundingStructure = structure.clone();
             wider.widen(toleranceFor(vertices));
             return firstOutside(wider, vertices, 0, vertices.length / 3) < 0;
         }
 
-        /** A copy of a fitted structure, enlarged by the distance at which surfaces still touch. */
-        public static function widened(structure:BoundingStructure):BoundingStructure
+        // A copy of a fitted structure, enlarged by the distance at which surfaces still touch.
+        private static function widened(structure:BoundingStructure):BoundingStructure
         {
             var wider:BoundingStructure = structure.clone();
             wider.widenForSurfaces();
@@ -96,25 +119,22 @@ package starlogo.libraries
          */
         override public function step():Boolean
         {
-            var hasMore:Boolean = false;
             try
             {
-                hasMore = super.step();
+                var hasMore:Boolean = super.step();
             }
             catch (error:Error)
             {
-                // the error may be the fitter's own, so it is not changed
-                if (error is ArgumentError)
-                {
-                    throw ModelTable.errorOf(_name, error.message);
-                }
-                if (error is RangeError)
-                {
-                    throw new RangeError(ModelTable.problemOf(_name, error.message));
-                }
-                throw error;
+                throw named(_name, error);
             }
             return hasMore;
+        }
+
+        // The error of a fitter, with the shape's name. The error may be the fitter's own, so it is not changed.
+        private static function named(name:String, error:Error):Error
+        {
+            return error is ArgumentError ? ModelTable.errorOf(name, error.message)
+                : (error is RangeError ? new RangeError(ModelTable.problemOf(name, error.message)) : error);
         }
 
         // The steps that check whether what the fitters have found can be used.
@@ -170,7 +190,7 @@ package starlogo.libraries
             return -1;
         }
 
-        private function choose(hullFit:Fit, keepsAll:Boolean):void
+        private function choose(hullFit:Fit, hullFitter:HullFitter, keepsAll:Boolean):void
         {
             var found:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
             for each (var fit:Fit in _fits)
@@ -178,7 +198,7 @@ package starlogo.libraries
                 found.push(widened(fit.structure));
             }
             // A HullFitter checks all vertices itself.
-            structures = new ModelStructures(found, hullFit == null ? null : widened(hullFit.structure), keepsAll);
+            structures = new ModelStructures(found, hullFit == null ? null : widened(hullFit.structure), keepsAll, _session.vertices, hullFitter);
         }
     }
 }

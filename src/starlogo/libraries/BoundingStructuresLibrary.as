@@ -129,8 +129,8 @@ package starlogo.libraries
         public function add(name:String, vertices:Vector.<Number>):void
         {
             var model:Model = _models.entryOf(name).model;
-            var isModels:Boolean = vertices == null || model != null && vertices == model.vertices;
-            var builder:StructuresBuilder = newBuilder(name, isModels ? vertices : vertices.concat());
+            var isOwn:Boolean = vertices == null || model != null && vertices == model.vertices;
+            var builder:StructuresBuilder = newBuilder(name, isOwn ? vertices : vertices.concat());
             finish(builder);
             _models.entryToWrite(name).setStructures(builder.structures);
         }
@@ -201,7 +201,7 @@ package starlogo.libraries
         public function hasAll(name:String):Boolean
         {
             var structures:ModelStructures = _models.entryOf(name).structures;
-            return structures != null && structures.keepsAll && structures.smallest.indexOf(null) < 0;
+            return structures != null && structures.showsAll && structures.smallest.indexOf(null) < 0;
         }
 
         /** Whether there is a hull for a shape by now, or a sphere in its place. */
@@ -224,19 +224,16 @@ package starlogo.libraries
         engine function findOrFit(name:String, kind:int):BoundingStructure
         {
             var structures:ModelStructures = find(name);
-            if (kind == BoundingStructure.HULL)
+            if (kind == BoundingStructure.HULL && structures.hullOrSphere == null)
             {
-                if (structures.hullOrSphere == null)
-                {
-                    StructuresBuilder.addHull(name, structures);
-                }
-                return structures.hullOrSphere;
+                StructuresBuilder.addHull(name, structures);
             }
-            if (structures.smallest[kind] == null)
+            var found:BoundingStructure = kind == BoundingStructure.HULL ? structures.hullOrSphere : structures.smallest[kind];
+            if (found == null)
             {
                 throw ModelTable.errorOf(name, "it cannot be a " + BoundingStructure.NAMES[kind] + ": no fitter found one when its model was added");
             }
-            return structures.smallest[kind];
+            return found;
         }
 
         /**
@@ -263,7 +260,7 @@ package starlogo.libraries
         private function kept(name:String, kind:int):BoundingStructure
         {
             var structures:ModelStructures = find(name);
-            if (!structures.keepsAll || structures.smallest[kind] == null)
+            if (!structures.showsAll || structures.smallest[kind] == null)
             {
                 throw ModelTable.errorOf(name, "it shows no " + BoundingStructure.NAMES[kind] + ": set loadAllBoundingStructures (keepAll) before the model is added, "
                         + "and have a fitter that finds one in the list");

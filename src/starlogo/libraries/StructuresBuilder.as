@@ -24,8 +24,8 @@ package starlogo.libraries
     {
         private static const VERTICES_PER_STEP:int = 2000;
 
-        /** The smallest structures, when no step is left. */
-        public var structures:ModelStructures = null;
+        /** The smallest structures. They are found when no step is left. */
+        public var structures:ModelStructures;
 
         private var _name:String;
         private var _fitters:Vector.<Fitter>;
@@ -37,12 +37,12 @@ package starlogo.libraries
          * @param vertices x, y, z each; kept; must not change until the last step is done
          * @param fitters the fitters to compare; copied
          * @param hullFitter finds the hull
-         * @param findsHull whether the hull is found now
-         * @param keepsAll whether clients may read the smallest structure of each kind
+         * @param keepsHull whether the hull is found with the others
+         * @param showsAll whether clients may read the smallest structure of each kind
          * @throws ArgumentError if there are no fitters, or one is null; the message names the shape
          */
-        public function StructuresBuilder(name:String, vertices:Vector.<Number>, fitters:Vector.<Fitter>, hullFitter:HullFitter, findsHull:Boolean,
-                keepsAll:Boolean)
+        public function StructuresBuilder(name:String, vertices:Vector.<Number>, fitters:Vector.<Fitter>, hullFitter:HullFitter, keepsHull:Boolean,
+                showsAll:Boolean)
         {
             _name = name;
             if (fitters.length == 0)
@@ -54,6 +54,7 @@ package starlogo.libraries
                 throw ModelTable.errorOf(name, "a fitter must not be null");
             }
             _fitters = fitters.concat();
+            structures = new ModelStructures(vertices, hullFitter, showsAll);
             _session = new FitSession(vertices);
             for each (var fitter:Fitter in _fitters)
             {
@@ -61,14 +62,14 @@ package starlogo.libraries
                 _fits.push(fit);
                 add(fit);
             }
-            var hullFit:Fit = findsHull ? _session.fitOf(hullFitter) : null;
+            var hullFit:Fit = keepsHull ? _session.fitOf(hullFitter) : null;
             if (hullFit != null)
             {
                 add(hullFit);
             }
             begin(checking).call(function():void
                 {
-                    choose(hullFit, hullFitter, keepsAll);
+                    choose(hullFit);
                 });
         }
 
@@ -85,20 +86,13 @@ package starlogo.libraries
             {
                 var hull:BoundingStructure = structures.hullFitter.fit(vertices);
                 // the vertices may have been posed since the sphere was found
-                structures.setHull(widened(hull), sphere != null && encloses(sphere, vertices) ? sphere : null);
+                var isAround:Boolean = sphere != null && firstOutside(sphere, toleranceFor(vertices), vertices, 0, vertices.length / 3) < 0;
+                structures.setHull(widened(hull), isAround ? sphere : null);
             }
             catch (error:Error)
             {
                 throw named(name, error);
             }
-        }
-
-        // Whether a structure encloses all vertices, as it must if it was fitted to them.
-        private static function encloses(structure:BoundingStructure, vertices:Vector.<Number>):Boolean
-        {
-            var wider:BoundingStructure = structure.clone();
-            wider.widen(toleranceFor(vertices));
-            return firstOutside(wider, vertices, 0, vertices.length / 3) < 0;
         }
 
         // A copy of a fitted structure, enlarged by the distance at which surfaces still touch.
@@ -156,11 +150,9 @@ package starlogo.libraries
                 throw new ArgumentError("the library needs fitters of spheres, capsules or boxes, but " + fitter + " found " + structure);
             }
             var vertices:Vector.<Number> = _session.vertices;
-            var wider:BoundingStructure = structure.clone();
-            wider.widen(tolerance);
             return new StepSequence().slices(vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
-                    var outside:int = firstOutside(wider, vertices, first, end);
+                    var outside:int = firstOutside(structure, tolerance, vertices, first, end);
                     if (outside >= 0)
                     {
                         throw new ArgumentError(fitter + " found a structure that does not enclose vertex " + outside + " at ("
@@ -175,14 +167,16 @@ package starlogo.libraries
             return Tolerances.CONTAINMENT * EnclosingStructures.sphere(vertices, vertices[0], vertices[1], vertices[2]).radius;
         }
 
-        // The index of the first of some vertices that is outside of a structure; -1 if there is none.
-        private static function firstOutside(structure:BoundingStructure, vertices:Vector.<Number>, first:int, end:int):int
+        // The index of the first of some vertices that is further outside of a structure than a tolerance; -1 if there is none.
+        private static function firstOutside(structure:BoundingStructure, tolerance:Number, vertices:Vector.<Number>, first:int, end:int):int
         {
+            var wider:BoundingStructure = structure.clone();
             var vertex:Vector3D = new Vector3D();
+            wider.widen(tolerance);
             for (var i:int = first; i < end; i++)
             {
                 vertex.setTo(vertices[3 * i], vertices[3 * i + 1], vertices[3 * i + 2]);
-                if (!structure.contains(vertex))
+                if (!wider.contains(vertex))
                 {
                     return i;
                 }
@@ -190,7 +184,7 @@ package starlogo.libraries
             return -1;
         }
 
-        private function choose(hullFit:Fit, hullFitter:HullFitter, keepsAll:Boolean):void
+        private function choose(hullFit:Fit):void
         {
             var found:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
             for each (var fit:Fit in _fits)
@@ -198,7 +192,7 @@ package starlogo.libraries
                 found.push(widened(fit.structure));
             }
             // A HullFitter checks all vertices itself.
-            structures = new ModelStructures(found, hullFit == null ? null : widened(hullFit.structure), keepsAll, _session.vertices, hullFitter);
+            structures.setAll(found, hullFit == null ? null : widened(hullFit.structure));
         }
     }
 }

@@ -10,7 +10,7 @@ package starlogo.models
     import starlogo.models.building.ModelBuilder;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.TriangleLabels;
-    import starlogo.models.files.refuseIf;
+    import starlogo.models.files.refuseFileIf;
 
     use namespace engine;
 
@@ -77,7 +77,7 @@ package starlogo.models
          * @param scaling <code>FOOTPRINT</code>, <code>VOLUME</code> or <code>AS_GIVEN</code>
          * @param data for the engine alone: what a ModelBuilder has built, in place of the other arguments
          * @throws ModelError if the name is empty, if there is no vertex, if a coordinate is missing, not finite or so large that the
-         * model's extent is not finite, if an index names no vertex, or if the scaling is unknown
+         * model's extent is not finite, if the extent is below 1e-308 but not 0, if an index names no vertex, or if the scaling is unknown
          * @throws ArgumentError in JavaScript, if an index is no integer from 0 to 4294967295. In a Vector all indices are such integers
          */
         public function Model(name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null, scaling:String = FOOTPRINT, data:ModelData = null)
@@ -118,7 +118,7 @@ package starlogo.models
             return _data.materials.labels;
         }
 
-        /** The name of each material, by its number; null for a material without a name. Null if nothing gave names. Do not change it. */
+        /** The name of each material, by its number; null for one without a name. Null if there are no materials or no names. Do not change it. */
         public function get materialNames():Vector.<String>
         {
             return _data.materials.names;
@@ -130,7 +130,7 @@ package starlogo.models
             return _data.meshes.labels;
         }
 
-        /** The name of each mesh, by its number; null for a mesh without a name. Null if nothing gave names. Do not change it. */
+        /** The name of each mesh, by its number; null for one without a name. Null if there are no meshes or no names. Do not change it. */
         public function get meshNames():Vector.<String>
         {
             return _data.meshes.names;
@@ -262,7 +262,7 @@ package starlogo.models
             var count:int = triangleCount;
             if (numbers != null)
             {
-                refuseIf(numbers.length != count, name, numbers.length + " numbers of " + what + " for " + count + " triangles");
+                refuseFileIf(numbers.length != count, name, numbers.length + " numbers of " + what + " for " + count + " triangles");
                 for (var i:int = 0; i < count; i++)
                 {
                     if (numbers[i] < -1 || names != null && numbers[i] >= names.length)

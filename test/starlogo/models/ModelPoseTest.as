@@ -21,6 +21,7 @@ package starlogo.models
     import support.MemoryStorage;
     import support.assertClose;
     import support.assertThrows;
+    import support.create;
     import support.landOf;
 
     use namespace engine;
@@ -93,6 +94,13 @@ package starlogo.models
         }
 
         [Test]
+        public function aSourceThatNoPoseFitsIsRefused():void
+        {
+            var corners:Vector.<Number> = new <Number>[0, 0, 0, 1e-310, 0, 0, 0, 1e-310, 0, 0, 0, 1e-310];
+            assertThrows(ModelError, /too small/, create, Model, "pyramid", corners, FACES);
+        }
+
+        [Test]
         public function whatIsRefusedChangesNothing():void
         {
             var model:Model = new Model("pyramid", CORNERS, FACES);
@@ -136,7 +144,7 @@ package starlogo.models
             for each (var land:GreatLand in lands)
             {
                 assertClose(1, Box(land.hierarchies.root("pyramid").bounds).halfX, 1e-6);
-                assertEquals(1, land.revisionOf("pyramid"));
+                assertEquals("added and posed", 2, land.revisionOf("pyramid"));
             }
             var removed:GreatLand = lands[0];
             removed.removeModel("pyramid");

@@ -90,22 +90,22 @@ package starlogo.models.collada
         {
             array.checkCount(all.length, "values");
             // the attributes may be larger than an int
-            var step:Number = element.integer("stride", 1);
+            var wantedStride:Number = element.integer("stride", 1);
             var offset:Number = element.integer("offset", 0);
-            element.refuseIf(step == 0, "its stride is 0");
-            columns = arePoints ? columnsOf(step) : null;
-            var wanted:Number = element.integer("count", Math.max(0, Math.floor((all.length - offset) / step)));
-            var end:Number = offset + step * (wanted - 1) + (arePoints ? 1 + Math.max(columns[0], columns[1], columns[2]) : step);
-            element.refuseIf(wanted > 0 && end > all.length, "its count of " + wanted + " with a stride of " + step + " reaches beyond the " +
+            element.refuseIf(wantedStride == 0, "its stride is 0");
+            columns = arePoints ? columnsOf(wantedStride) : null;
+            var wanted:Number = element.integer("count", Math.max(0, Math.floor((all.length - offset) / wantedStride)));
+            var end:Number = offset + wantedStride * (wanted - 1) + (arePoints ? 1 + Math.max(columns[0], columns[1], columns[2]) : wantedStride);
+            element.refuseIf(wanted > 0 && end > all.length, "its count of " + wanted + " with a stride of " + wantedStride + " reaches beyond the " +
                     all.length + " values of its array");
             count = wanted;
-            stride = step;
+            stride = wantedStride;
             _firstWord = offset;
-            words = all.slice(offset, offset + step * wanted);
+            words = all.slice(offset, offset + wantedStride * wanted);
         }
 
         // The indices of the accessor's parameters x, y and z: found by name, otherwise the first three.
-        private function columnsOf(step:Number):Vector.<int>
+        private function columnsOf(wantedStride:Number):Vector.<int>
         {
             var names:Array = [];
             element.budget.spendElements(element.children.length, element);
@@ -118,8 +118,8 @@ package starlogo.models.collada
             {
                 found = new <int>[0, 1, 2];
             }
-            element.refuseIf(names.length < 3 && names.length > 0 || Math.max(found[0], found[1], found[2]) >= step,
-                    "expected the parameters X, Y and Z of points, within its stride of " + step);
+            element.refuseIf(names.length < 3 && names.length > 0 || Math.max(found[0], found[1], found[2]) >= wantedStride,
+                    "expected the parameters X, Y and Z of points, within its stride of " + wantedStride);
             return found;
         }
     }

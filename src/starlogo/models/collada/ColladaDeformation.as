@@ -7,7 +7,7 @@ package starlogo.models.collada
     import starlogo.steps.Steps;
 
     /**
-     * Moves the points of a COLLADA geometry by the morphs and skins of its controllers, in steps. At rest a morph is its base shape, and if a
+     * Moves the points of a COLLADA geometry by the morphs and skins of its controllers, if it has any, in steps. At rest a morph is its base shape, and if a
      * skin is wrong, or too much for the limits, the points are where it was bound: what does not move needs no joints.
      */
     internal final class ColladaDeformation extends StepSequence
@@ -26,18 +26,18 @@ package starlogo.models.collada
         /**
          * @param scene knows where joints are, and the pose
          * @param instance the element that instantiates the geometry
-         * @param node the node with this element
+         * @param node the node with this element; null if there is no scene
          * @param mesh the geometry, which is read before the first step
-         * @param deformers the morphs and skins, the last one first
+         * @param deformers the morphs and skins, the last one first; empty for a geometry that the node places
          */
         public function ColladaDeformation(scene:ColladaScene, instance:ColladaElement, node:ColladaNode, mesh:ColladaMesh, deformers:Vector.<ColladaElement>)
         {
             _scene = scene;
             _mesh = mesh;
-            _bindTransform = transform = node.transform;
+            _bindTransform = transform = node == null ? new AffineTransform() : node.transform;
             call(function():void
                 {
-                    points = mesh.points.slice();
+                    points = deformers.length == 0 ? mesh.points : mesh.points.slice();
                 });
             for (var i:int = deformers.length - 1; i >= 0; i--)
             {

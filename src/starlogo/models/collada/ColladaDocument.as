@@ -1,7 +1,7 @@
 package starlogo.models.collada
 {
     import starlogo.models.files.FileBudget;
-    import starlogo.models.files.refuseIf;
+    import starlogo.models.files.refuseFileIf;
     import starlogo.models.files.shortened;
     import starlogo.models.text.Decimal;
     import starlogo.models.text.TextWords;
@@ -27,7 +27,7 @@ package starlogo.models.collada
          */
         public function ColladaDocument(name:String, text:String)
         {
-            refuseIf(text == null, name, "there is no text to read");
+            refuseFileIf(text == null, name, "there is no text to read");
             budget = new FileBudget(name, text.length);
             _xml = new XmlReader(text, budget);
         }
@@ -41,7 +41,7 @@ package starlogo.models.collada
         /** The root, when all is read. @throws ModelError if it is not COLLADA */
         internal function get root():ColladaElement
         {
-            refuseIf(_xml.root == null, budget.modelName, "this is not XML: expected a COLLADA document");
+            refuseFileIf(_xml.root == null, budget.modelName, "this is not XML: expected a COLLADA document");
             _xml.root.refuseIf(_xml.root.name != "COLLADA", "expected a COLLADA document, but its root element is <" + _xml.root.name + ">");
             return _xml.root;
         }

@@ -18,20 +18,17 @@ package starlogo.models.collada
         // The element that instantiates the geometry. If there is no scene, the geometry's own element.
         private var _element:ColladaElement;
 
-        private var _transform:AffineTransform;
         private var _deformation:ColladaDeformation;
 
         /**
          * @param element the element that instantiates the geometry; the geometry's own element if there is no scene
          * @param mesh the geometry's vertices and triangles. All instances of a geometry share them
-         * @param transform takes its points to the scene, unless there is a deformation
-         * @param deformation moves its points first; null for none
+         * @param deformation moves its points
          */
-        public function ColladaInstance(element:ColladaElement, mesh:ColladaMesh, transform:AffineTransform, deformation:ColladaDeformation = null)
+        public function ColladaInstance(element:ColladaElement, mesh:ColladaMesh, deformation:ColladaDeformation)
         {
             _element = element;
             this.mesh = mesh;
-            _transform = transform;
             _deformation = deformation;
         }
 
@@ -42,26 +39,21 @@ package starlogo.models.collada
          */
         public function adding(data:ModelData):Steps
         {
-            var work:StepSequence = new StepSequence();
-            if (_deformation != null)
-            {
-                work.add(_deformation);
-            }
-            return work.begin(function():Steps
+            return new StepSequence().add(_deformation).begin(function():Steps
                 {
-                    return _deformation == null ? addingPoints(mesh.points, _transform, _transform.isMirror, data)
-                        : addingPoints(_deformation.points, _deformation.transform, _deformation.isMirror, data);
+                    return addingPoints(_deformation.points, data);
                 });
         }
 
         // The steps that transform points, and add these and the triangles. If the points are mirrored, the triangles' corner order is reversed.
-        private function addingPoints(points:Vector.<Number>, transform:AffineTransform, isMirror:Boolean, data:ModelData):Steps
+        private function addingPoints(points:Vector.<Number>, data:ModelData):Steps
         {
+            var transform:AffineTransform = _deformation.transform;
+            var isMirror:Boolean = _deformation.isMirror;
             var firstVertex:int = data.vertices.length / 3;
             var firstTriangle:int = data.triangles.length / 3;
             var vertexCount:int = points.length / 3;
             var triangleCount:int = mesh.triangles.length / 3;
-            var second:int = isMirror ? 2 : 1;
             _element.budget.requireMesh(firstVertex + vertexCount, firstTriangle + triangleCount, _element);
             if (triangleCount > 0)
             {
@@ -75,8 +67,9 @@ package starlogo.models.collada
                 {
                     for (var i:int = 3 * first; i < 3 * end; i += 3)
                     {
-                        data.triangles.push(firstVertex + mesh.triangles[i], firstVertex + mesh.triangles[i + second],
-                                firstVertex + mesh.triangles[i + 3 - second]);
+                        var b:int = firstVertex + mesh.triangles[i + 1];
+                        var c:int = firstVertex + mesh.triangles[i + 2];
+                        data.triangles.push(firstVertex + mesh.triangles[i], isMirror ? c : b, isMirror ? b : c);
                     }
                 });
         }

@@ -7,7 +7,7 @@ package starlogo.models.collada
     import starlogo.models.building.ModelData;
     import starlogo.models.building.ModelReader;
     import starlogo.models.building.removingUnusedVertices;
-    import starlogo.models.files.refuseIf;
+    import starlogo.models.files.refuseFileIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -75,7 +75,7 @@ package starlogo.models.collada
                 }).call(function():void
                 {
                     _data.readProgress = 1;
-                    refuseIf(_data.vertices.length == 0, _data.name, "no vertices: expected a scene or a library with a geometry in it");
+                    refuseFileIf(_data.vertices.length == 0, _data.name, "no vertices: expected a scene or a library with a geometry in it");
                 });
         }
     }

@@ -51,7 +51,7 @@ package starlogo.models.collada
             {
                 for each (var geometry:ColladaElement in document.entriesOf("library_geometries", "geometry"))
                 {
-                    instances.push(new ColladaInstance(geometry, document.meshOf(geometry), new AffineTransform()));
+                    addInstance(geometry, geometry, new Vector.<ColladaElement>());
                 }
             }
         }
@@ -116,7 +116,7 @@ package starlogo.models.collada
             switch (element.name)
             {
                 case "instance_geometry":
-                    instances.push(new ColladaInstance(element, document.meshOf(element.target("url", ["geometry"])), _node.transform));
+                    addInstance(element, element.target("url", ["geometry"]), new Vector.<ColladaElement>());
                     break;
                 case "instance_controller":
                     addController(element);
@@ -159,8 +159,13 @@ package starlogo.models.collada
                         " controllers follow one another, or they refer to each other in a circle");
                 deformers.push(deformer);
             }
-            var mesh:ColladaMesh = document.meshOf(target);
-            instances.push(new ColladaInstance(element, mesh, _node.transform, new ColladaDeformation(this, element, _node, mesh, deformers)));
+            addInstance(element, target, deformers);
+        }
+
+        private function addInstance(element:ColladaElement, geometry:ColladaElement, deformers:Vector.<ColladaElement>):void
+        {
+            var mesh:ColladaMesh = document.meshOf(geometry);
+            instances.push(new ColladaInstance(element, mesh, new ColladaDeformation(this, element, _node, mesh, deformers)));
         }
     }
 }

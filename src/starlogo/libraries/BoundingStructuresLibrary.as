@@ -130,9 +130,9 @@ package starlogo.libraries
         {
             var model:Model = _models.entryOf(name).model;
             var isOwn:Boolean = vertices == null || model != null && vertices == model.vertices;
-            var builder:StructuresBuilder = newBuilder(name, isOwn ? vertices : vertices.concat());
-            finish(builder);
-            _models.entryToWrite(name).setStructures(builder.structures);
+            var structures:ModelStructures = newStructures(isOwn ? vertices : vertices.concat());
+            finish(newBuilder(name, structures));
+            _models.entryToWrite(name).setStructures(structures);
         }
 
         /** Whether the library has structures for a shape. */
@@ -236,15 +236,17 @@ package starlogo.libraries
             return found;
         }
 
-        /**
-         * The work that finds the structures of a shape. None of its steps is done yet.
-         *
-         * @private
-         */
-        engine function newBuilder(name:String, vertices:Vector.<Number>):StructuresBuilder
+        /** @private A record for the structures around some vertices, which are kept. It has the settings as they are now. */
+        engine function newStructures(vertices:Vector.<Number>):ModelStructures
+        {
+            return new ModelStructures(vertices, hullFitter, keepAll);
+        }
+
+        /** @private The work that finds the structures of a shape. None of its steps is done yet. @param structures takes what is found */
+        engine function newBuilder(name:String, structures:ModelStructures):StructuresBuilder
         {
             ModelTable.checkName(name);
-            return new StructuresBuilder(name, vertices, fitters, hullFitter, keepHulls, keepAll);
+            return new StructuresBuilder(name, structures, fitters, keepHulls);
         }
 
         private function find(name:String):ModelStructures

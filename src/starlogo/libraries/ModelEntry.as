@@ -123,7 +123,7 @@ package starlogo.libraries
         private function countChange():void
         {
             revision++;
-            _table.countChange();
+            _table.revision++;
         }
     }
 }

@@ -25,7 +25,7 @@ package starlogo.libraries
      */
     public final class ResultsBuilder extends StepSequence
     {
-        /** The structures. Null if none are wanted, or if they are not there yet. */
+        /** The structures, which are found when no step is left. Null if none are wanted. */
         public var structures:ModelStructures = null;
 
         /** The tree of the hierarchy; null if none is wanted. It may have no nodes yet when this work has no step left. */
@@ -38,7 +38,9 @@ package starlogo.libraries
         private var _size:Number;
 
         private var _settings:FitSettings;
-        private var _structuresBuilder:StructuresBuilder;
+
+        // Finds the structures. Null if none are wanted, or if the cooked file has them.
+        private var _structuresBuilder:StructuresBuilder = null;
 
         // Makes the nodes of the tree again from a stored division; null for none.
         private var _cookedTree:CookedTree = null;
@@ -57,10 +59,14 @@ package starlogo.libraries
             _size = ModelTable.requireSize(model.name, model.vertices);
             _settings = new FitSettings(structuresLibrary, hierarchiesLibrary);
             tree = hierarchiesLibrary == null ? null : hierarchiesLibrary.newTree(model.vertices, model.triangles);
-            _structuresBuilder = structuresLibrary == null ? null : structuresLibrary.newBuilder(model.name, model.vertices);
+            structures = structuresLibrary == null ? null : structuresLibrary.newStructures(model.vertices);
             if (model.data.cooked != null)
             {
                 takeFrom(model.data.cooked);
+            }
+            if (!hasStructures)
+            {
+                _structuresBuilder = structuresLibrary.newBuilder(model.name, structures);
             }
             add(store == null || isComplete ? computing() : storing(store));
         }
@@ -96,10 +102,16 @@ package starlogo.libraries
             return bytesOfResults(modelKey, CookedWriter.write(_model));
         }
 
+        // Whether the structures are found, or none are wanted.
+        private function get hasStructures():Boolean
+        {
+            return structures == null || structures.tightest != null;
+        }
+
         // Whether all results that are wanted are there, or stored.
         private function get isComplete():Boolean
         {
-            return (_structuresBuilder == null || structures != null) && (tree == null || isTreeStored)
+            return hasStructures && (tree == null || isTreeStored)
                 && (!_settings.preparesExact || _model.triangles == null || tree.surface != null);
         }
 
@@ -139,12 +151,9 @@ package starlogo.libraries
         private function computing():StepSequence
         {
             var work:StepSequence = new StepSequence();
-            if (structures == null && _structuresBuilder != null)
+            if (!hasStructures)
             {
-                work.add(_structuresBuilder).call(function():void
-                    {
-                        structures = _structuresBuilder.structures;
-                    });
+                work.add(_structuresBuilder);
             }
             if (tree != null && (_settings.preparesExact || !isTreeStored))
             {
@@ -156,7 +165,10 @@ package starlogo.libraries
         // Takes the results that are missing from a file of the model.
         private function takeFrom(file:CookedFile):void
         {
-            structures ||= structuresIn(file);
+            if (!hasStructures)
+            {
+                takeStructures(file);
+            }
             var division:ByteArray = _settings.sectionOf(file, CookedFile.HIERARCHY);
             if (division != null && _cookedTree == null)
             {
@@ -171,18 +183,16 @@ package starlogo.libraries
             }
         }
 
-        // The structures in a file; null if it does not have all that are wanted. The smallest sphere may be in the hull's place.
-        private function structuresIn(file:CookedFile):ModelStructures
+        // Takes the structures in a file, if it has all that are wanted. The smallest sphere may be in the hull's place.
+        private function takeStructures(file:CookedFile):void
         {
             var found:Vector.<BoundingStructure> = CookedStructures.read(_settings.sectionOf(file, CookedFile.STRUCTURES), BoundingStructure.BOX, _size);
             var hulls:Vector.<BoundingStructure> = CookedStructures.read(_settings.sectionOf(file, CookedFile.HULL), BoundingStructure.HULL, _size);
             var hull:BoundingStructure = hulls == null ? null : hulls[BoundingStructure.HULL] || hulls[BoundingStructure.SPHERE];
-            if (found == null || hulls == null && _settings.keepsHull)
+            if (found != null && (hulls != null || !_settings.keepsHull))
             {
-                return null;
+                structures.setAll(found, hull);
             }
-            _structuresBuilder.structures.setAll(found, hull);
-            return _structuresBuilder.structures;
         }
 
         // The section with structures; null if there are none, or reading would refuse them, because one is much larger than the model.

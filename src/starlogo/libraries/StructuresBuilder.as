@@ -7,7 +7,6 @@ package starlogo.libraries
     import starlogo.fitting.Fit;
     import starlogo.fitting.FitSession;
     import starlogo.fitting.Fitter;
-    import starlogo.fitting.HullFitter;
     import starlogo.geometry.Tolerances;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -24,9 +23,6 @@ package starlogo.libraries
     {
         private static const VERTICES_PER_STEP:int = 2000;
 
-        /** The smallest structures. They are found when no step is left. */
-        public var structures:ModelStructures;
-
         private var _name:String;
         private var _fitters:Vector.<Fitter>;
         private var _session:FitSession;
@@ -34,15 +30,12 @@ package starlogo.libraries
 
         /**
          * @param name the shape's name
-         * @param vertices x, y, z each; kept; must not change until the last step is done
+         * @param structures takes what is found; the vertices must not change until the last step is done
          * @param fitters the fitters to compare; copied
-         * @param hullFitter finds the hull
          * @param keepsHull whether the hull is found with the others
-         * @param showsAll whether clients may read the smallest structure of each kind
          * @throws ArgumentError if there are no fitters, or one is null; the message names the shape
          */
-        public function StructuresBuilder(name:String, vertices:Vector.<Number>, fitters:Vector.<Fitter>, hullFitter:HullFitter, keepsHull:Boolean,
-                showsAll:Boolean)
+        public function StructuresBuilder(name:String, structures:ModelStructures, fitters:Vector.<Fitter>, keepsHull:Boolean)
         {
             _name = name;
             if (fitters.length == 0)
@@ -54,22 +47,21 @@ package starlogo.libraries
                 throw ModelTable.errorOf(name, "a fitter must not be null");
             }
             _fitters = fitters.concat();
-            structures = new ModelStructures(vertices, hullFitter, showsAll);
-            _session = new FitSession(vertices);
+            _session = new FitSession(structures.vertices);
             for each (var fitter:Fitter in _fitters)
             {
                 var fit:Fit = _session.fitOf(fitter);
                 _fits.push(fit);
                 add(fit);
             }
-            var hullFit:Fit = keepsHull ? _session.fitOf(hullFitter) : null;
+            var hullFit:Fit = keepsHull ? _session.fitOf(structures.hullFitter) : null;
             if (hullFit != null)
             {
                 add(hullFit);
             }
             begin(checking).call(function():void
                 {
-                    choose(hullFit);
+                    choose(structures, hullFit);
                 });
         }
 
@@ -184,7 +176,7 @@ package starlogo.libraries
             return -1;
         }
 
-        private function choose(hullFit:Fit):void
+        private function choose(structures:ModelStructures, hullFit:Fit):void
         {
             var found:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
             for each (var fit:Fit in _fits)

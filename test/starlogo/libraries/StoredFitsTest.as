@@ -142,8 +142,9 @@ package starlogo.libraries
         [Test]
         public function aModelWithoutAPlaceInItsSourceIsNotCooked():void
         {
-            // the unit of the model is too small for the inverse to be a number
-            var model:Model = new Model("small", new <Number>[0, 0, 0, 1e-310, 0, 0]);
+            // the source's point that becomes the origin is too far away to be a number
+            var transform:ModelTransform = new ModelTransform(null, new Vector3D(1e-300, 1e-300, 1e-300), new Vector3D(1e59, 0, 0));
+            var model:Model = new ObjModel("small", "v 0 0 0\nv 0 1e300 0\n", transform, Model.AS_GIVEN);
             assertThrows(ModelError, /"small".*its place in its source/, _greatLand.cook, model);
         }
 

@@ -148,8 +148,8 @@ package starlogo.models.animation
         private static function slerp(from:Vector.<Number>, to:Vector.<Number>, fraction:Number):void
         {
             // those of integers are rounded
-            normalise(from);
-            normalise(to);
+            normaliseTurn(from);
+            normaliseTurn(to);
             var cosine:Number = from[0] * to[0] + from[1] * to[1] + from[2] * to[2] + from[3] * to[3];
             var sign:Number = cosine < 0 ? -1 : 1;
             var ofFrom:Number = 1 - fraction;
@@ -164,16 +164,6 @@ package starlogo.models.animation
             for (var i:int = 0; i < 4; i++)
             {
                 from[i] = ofFrom * from[i] + sign * ofTo * to[i];
-            }
-        }
-
-        /** Makes the length of a quaternion 1, unless it is 0 or infinite. */
-        public static function normalise(turn:Vector.<Number>):void
-        {
-            var length:Number = Math.sqrt(turn[0] * turn[0] + turn[1] * turn[1] + turn[2] * turn[2] + turn[3] * turn[3]);
-            for (var i:int = 0; i < 4 && length > 0 && length < Infinity; i++)
-            {
-                turn[i] /= length;
             }
         }
 

@@ -5,14 +5,14 @@ package starlogo.models.collada
     import starlogo.models.files.shortened;
     import starlogo.models.text.Decimal;
     import starlogo.models.text.TextWords;
-    import starlogo.steps.Steps;
+    import starlogo.steps.StepSequence;
 
     /**
      * A COLLADA document, and what its poses share: its geometries and its skins are read once. Its steps read the XML.
      *
      * @private
      */
-    public final class ColladaDocument implements Steps
+    public final class ColladaDocument extends StepSequence
     {
         /** What the document may have and cost. Read only. */
         internal var budget:FileBudget;
@@ -30,12 +30,7 @@ package starlogo.models.collada
             refuseFileIf(text == null, name, "there is no text to read");
             budget = new FileBudget(name, text.length);
             _xml = new XmlReader(text, budget);
-        }
-
-        /** @inheritDoc */
-        public function step():Boolean
-        {
-            return _xml.step();
+            add(_xml);
         }
 
         /** The root, when all is read. @throws ModelError if it is not COLLADA */

@@ -164,8 +164,7 @@ package starlogo.models.collada
 
         private function addInstance(element:ColladaElement, geometry:ColladaElement, deformers:Vector.<ColladaElement>):void
         {
-            var mesh:ColladaMesh = document.meshOf(geometry);
-            instances.push(new ColladaInstance(element, mesh, new ColladaDeformation(this, element, _node, mesh, deformers)));
+            instances.push(new ColladaInstance(this, element, _node, document.meshOf(geometry), deformers));
         }
     }
 }

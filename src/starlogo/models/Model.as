@@ -77,7 +77,7 @@ package starlogo.models
          * @param scaling <code>FOOTPRINT</code>, <code>VOLUME</code> or <code>AS_GIVEN</code>
          * @param data for the engine alone: what a ModelBuilder has built, in place of the other arguments
          * @throws ModelError if the name is empty, if there is no vertex, if a coordinate is missing, not finite or so large that the
-         * model's extent is not finite, if the extent is below 1e-308 but not 0, if an index names no vertex, or if the scaling is unknown
+         * model's extent is not finite, if an index names no vertex, or if the scaling is unknown
          * @throws ArgumentError in JavaScript, if an index is no integer from 0 to 4294967295. In a Vector all indices are such integers
          */
         public function Model(name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null, scaling:String = FOOTPRINT, data:ModelData = null)
@@ -187,7 +187,7 @@ package starlogo.models
          *
          * @param vertices x, y, z of each vertex, in the order of the model's vertices; is neither kept nor changed
          * @throws ArgumentError if these are not as many coordinates as the model has, if one is not finite, or if one is larger than 1e60 in
-         * the model
+         * the model; also if the first vertices were less than 1e-308 apart and were scaled: no pose fits them
          */
         public function pose(vertices:Vector.<Number>):void
         {

@@ -142,7 +142,10 @@ package starlogo.libraries
             var model:Model = BuiltInModel.cube();
             game.addModel(model);
             model.pose(PointSets.placed(model.vertices, 1e-80));
-            assertThrows(RangeError, /^shape "cube": /, game.boundingStructures.findOrFit, "cube", BoundingStructure.HULL);
+            assertThrows(RangeError, /^shape "cube": /, function():void
+                {
+                    game.boundingStructures.findOrFit("cube", BoundingStructure.HULL);
+                });
         }
 
         [Test]

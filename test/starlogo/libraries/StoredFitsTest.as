@@ -142,9 +142,8 @@ package starlogo.libraries
         [Test]
         public function aModelWithoutAPlaceInItsSourceIsNotCooked():void
         {
-            // the source's point that becomes the origin is too far away to be a number
-            var transform:ModelTransform = new ModelTransform(null, new Vector3D(1e-300, 1e-300, 1e-300), new Vector3D(1e59, 0, 0));
-            var model:Model = new ObjModel("small", "v 0 0 0\nv 0 1e300 0\n", transform, Model.AS_GIVEN);
+            // the unit of the model is too small for the inverse to be a number
+            var model:Model = new Model("small", new <Number>[0, 0, 0, 1e-310, 0, 0]);
             assertThrows(ModelError, /"small".*its place in its source/, _greatLand.cook, model);
         }
 
@@ -556,7 +555,7 @@ package starlogo.libraries
             var results:ResultsBuilder = _greatLand.preparing(read, null);
             if (structures)
             {
-                return results.structures != null;
+                return results.structures.tightest != null;
             }
             results.tree.finishBuilding();
             return results.isTreeStored;

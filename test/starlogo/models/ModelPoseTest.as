@@ -21,7 +21,6 @@ package starlogo.models
     import support.MemoryStorage;
     import support.assertClose;
     import support.assertThrows;
-    import support.create;
     import support.landOf;
 
     use namespace engine;
@@ -91,13 +90,6 @@ package starlogo.models
                     }
                 }
             }
-        }
-
-        [Test]
-        public function aSourceThatNoPoseFitsIsRefused():void
-        {
-            var corners:Vector.<Number> = new <Number>[0, 0, 0, 1e-310, 0, 0, 0, 1e-310, 0, 0, 0, 1e-310];
-            assertThrows(ModelError, /too small/, create, Model, "pyramid", corners, FACES);
         }
 
         [Test]

@@ -230,7 +230,6 @@ package starlogo.models.building
         private function placing(low:Vector3D, move:Vector3D, divisor:Number):StepSequence
         {
             checkExtent();
-            refuseFileIf(1 / divisor == Infinity, _data.name, "the coordinates are too small: the model's extent is " + divisor);
             _data.source.addMove(low.x - move.x, low.y - move.y, low.z - move.z, divisor);
             var vertices:Vector.<Number> = _data.vertices;
             return new StepSequence().slices(vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void

@@ -26,7 +26,8 @@ package starlogo.models.collada
 
         private var _scene:ColladaScene;
 
-        // The points, what takes them to the scene, and whether the first joint of the last skin mirrors them.
+        // The points, which are moved: null for those of the geometry. What takes them to the scene, and whether the first joint of the last skin mirrors
+        // them.
         private var _points:Vector.<Number> = null;
         private var _transform:AffineTransform;
         private var _isFirstJointMirror:Boolean = false;
@@ -46,10 +47,13 @@ package starlogo.models.collada
             _element = element;
             this.mesh = mesh;
             _bindTransform = _transform = node == null ? new AffineTransform() : node.transform;
-            call(function():void
-                {
-                    _points = deformers.length == 0 ? mesh.points : mesh.points.slice();
-                });
+            if (deformers.length > 0)
+            {
+                call(function():void
+                    {
+                        _points = mesh.points.slice();
+                    });
+            }
             for (var i:int = deformers.length - 1; i >= 0; i--)
             {
                 addDeformer(deformers[i], node);
@@ -87,7 +91,7 @@ package starlogo.models.collada
                     throw error;
                 }
             }
-            _points = mesh.points;
+            _points = null;
             _transform = _bindTransform;
             _isFirstJointMirror = false;
             return false;
@@ -151,7 +155,7 @@ package starlogo.models.collada
         // The steps that transform points, and add these and the triangles. If the points are mirrored, the triangles' corner order is reversed.
         private function addingPoints(data:ModelData):Steps
         {
-            var points:Vector.<Number> = _points;
+            var points:Vector.<Number> = _points || mesh.points;
             var transform:AffineTransform = _transform;
             var isMirror:Boolean = transform.isMirror || _isFirstJointMirror;
             var firstVertex:int = data.vertices.length / 3;

@@ -14,6 +14,7 @@ package starlogo.models.collada
         private static const ELEMENTS_PER_STEP:int = 100;
         private static const MAX_DEPTH:int = 256;
         private static const MAX_CONTROLLERS:int = 16;
+        private static const NO_DEFORMERS:Vector.<ColladaElement> = new Vector.<ColladaElement>();
 
         // a node takes more memory than an element
         private static const ELEMENTS_PER_NODE:int = 2;
@@ -51,7 +52,7 @@ package starlogo.models.collada
             {
                 for each (var geometry:ColladaElement in document.entriesOf("library_geometries", "geometry"))
                 {
-                    addInstance(geometry, geometry, new Vector.<ColladaElement>());
+                    addInstance(geometry, geometry, NO_DEFORMERS);
                 }
             }
         }
@@ -116,7 +117,7 @@ package starlogo.models.collada
             switch (element.name)
             {
                 case "instance_geometry":
-                    addInstance(element, element.target("url", ["geometry"]), new Vector.<ColladaElement>());
+                    addInstance(element, element.target("url", ["geometry"]), NO_DEFORMERS);
                     break;
                 case "instance_controller":
                     addController(element);

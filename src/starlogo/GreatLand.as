@@ -6,7 +6,7 @@ package starlogo
     import starlogo.libraries.BoundingStructuresLibrary;
     import starlogo.libraries.FitStore;
     import starlogo.libraries.HierarchiesLibrary;
-    import starlogo.libraries.ModelResults;
+    import starlogo.libraries.ResultsBuilder;
     import starlogo.libraries.ModelTable;
     import starlogo.models.Model;
     import starlogo.models.ModelReceiver;
@@ -154,7 +154,7 @@ package starlogo
         public function receive(model:Model):Steps
         {
             requireGiven("model", model);
-            var results:ModelResults = preparing(model, fitStore);
+            var results:ResultsBuilder = preparing(model, fitStore);
             return results.call(function():void
                 {
                     // a result that was not computed is set to null too, because the entry's old result belongs to another model
@@ -179,7 +179,7 @@ package starlogo
         {
             requireGiven("model", model);
             ModelData.requireUpAxis(model.name, upAxis);
-            var results:ModelResults = preparing(model, null);
+            var results:ResultsBuilder = preparing(model, null);
             finish(results);
             return results.toCooked(CookedFile.keyOfLoad(upAxis, model.data.scaling, usesTransforms));
         }
@@ -260,7 +260,7 @@ package starlogo
          */
         engine function structureOfKind(name:String, kind:int):BoundingStructure
         {
-            return _boundingStructures.findOrFit(name, kind, modelOf(name).vertices);
+            return _boundingStructures.findOrFit(name, kind);
         }
 
         /** The names of all models that were added, in no order: a new list. */
@@ -273,9 +273,9 @@ package starlogo
         }
 
         /** @private The work that finds the results that the flags ask for. None of its steps is done yet. @param store null for none */
-        engine function preparing(model:Model, store:FitStore):ModelResults
+        engine function preparing(model:Model, store:FitStore):ResultsBuilder
         {
-            return new ModelResults(model, loadTightestFit ? _boundingStructures : null, loadHierarchies ? _hierarchies : null, store);
+            return new ResultsBuilder(model, loadTightestFit ? _boundingStructures : null, loadHierarchies ? _hierarchies : null, store);
         }
     }
 }

@@ -11,6 +11,7 @@ package starlogo.libraries
     import starlogo.fitting.HullFitter;
     import starlogo.fitting.NaiveSphereFitter;
     import starlogo.fitting.OrientedBoxFitter;
+    import starlogo.models.Model;
     import starlogo.steps.finish;
 
     use namespace engine;
@@ -117,7 +118,8 @@ package starlogo.libraries
          * Finds and stores the structures of a model. They replace those stored under the same name. If it throws, nothing has changed.
          *
          * @param name the shape's name
-         * @param vertices x, y, z of each vertex, in the model's space; neither kept nor changed
+         * @param vertices x, y, z of each vertex, in the model's space; copied for a hull that is found later, unless they are the list
+         * <code>vertices</code> of the GreatLand's model of this name
          * @throws ArgumentError if the name is null or empty; if the vertices are null or empty, if the number of coordinates is not a
          *     multiple of 3, or if a coordinate is not finite or beyond 1e60; if the list of fitters is empty, or one of them finds a structure
          *     that cannot be collided or does not enclose the vertices
@@ -126,9 +128,11 @@ package starlogo.libraries
          */
         public function add(name:String, vertices:Vector.<Number>):void
         {
-            var builder:StructuresBuilder = newBuilder(name, vertices);
-            finish(builder);
-            _models.entryToWrite(name).setStructures(builder.structures);
+            var model:Model = _models.entryOf(name).model;
+            var isOwn:Boolean = vertices == null || model != null && vertices == model.vertices;
+            var structures:ModelStructures = newStructures(isOwn ? vertices : vertices.concat());
+            finish(newBuilder(name, structures));
+            _models.entryToWrite(name).setStructures(structures);
         }
 
         /** Whether the library has structures for a shape. */
@@ -197,7 +201,7 @@ package starlogo.libraries
         public function hasAll(name:String):Boolean
         {
             var structures:ModelStructures = _models.entryOf(name).structures;
-            return structures != null && structures.keepsAll && structures.smallest.indexOf(null) < 0;
+            return structures != null && structures.showsAll && structures.smallest.indexOf(null) < 0;
         }
 
         /** Whether there is a hull for a shape by now, or a sphere in its place. */
@@ -213,40 +217,36 @@ package starlogo.libraries
          *
          * @param name the shape's name
          * @param kind BoundingStructure.SPHERE, CAPSULE, BOX or HULL. In place of a hull it may be a sphere
-         * @param vertices the vertices of the shape's model
          * @throws ArgumentError if the library has nothing of this name, or no fitter found this kind when the model was added
+         * @throws RangeError as <code>add()</code>, if the model was posed since
          * @private
          */
-        engine function findOrFit(name:String, kind:int, vertices:Vector.<Number>):BoundingStructure
+        engine function findOrFit(name:String, kind:int):BoundingStructure
         {
             var structures:ModelStructures = find(name);
-            if (kind == BoundingStructure.HULL)
+            if (kind == BoundingStructure.HULL && structures.hullOrSphere == null)
             {
-                if (structures.hullOrSphere == null)
-                {
-                    var sphere:BoundingStructure = structures.smallest[BoundingStructure.SPHERE];
-                    // the vertices may have been posed since the sphere was found
-                    sphere = sphere != null && StructuresBuilder.encloses(sphere, vertices) ? sphere : null;
-                    structures.setHull(StructuresBuilder.widened(hullFitter.fit(vertices)), sphere);
-                }
-                return structures.hullOrSphere;
+                StructuresBuilder.addHull(name, structures);
             }
-            if (structures.smallest[kind] == null)
+            var found:BoundingStructure = kind == BoundingStructure.HULL ? structures.hullOrSphere : structures.smallest[kind];
+            if (found == null)
             {
                 throw ModelTable.errorOf(name, "it cannot be a " + BoundingStructure.NAMES[kind] + ": no fitter found one when its model was added");
             }
-            return structures.smallest[kind];
+            return found;
         }
 
-        /**
-         * The work that finds the structures of a shape. None of its steps is done yet.
-         *
-         * @private
-         */
-        engine function newBuilder(name:String, vertices:Vector.<Number>):StructuresBuilder
+        /** @private A record for the structures around some vertices, which are kept. It has the settings as they are now. */
+        engine function newStructures(vertices:Vector.<Number>):ModelStructures
+        {
+            return new ModelStructures(vertices, hullFitter, keepAll);
+        }
+
+        /** @private The work that finds the structures of a shape. None of its steps is done yet. @param structures takes what is found */
+        engine function newBuilder(name:String, structures:ModelStructures):StructuresBuilder
         {
             ModelTable.checkName(name);
-            return new StructuresBuilder(name, vertices, fitters, keepHulls ? hullFitter : null, keepAll);
+            return new StructuresBuilder(name, structures, fitters, keepHulls);
         }
 
         private function find(name:String):ModelStructures
@@ -262,7 +262,7 @@ package starlogo.libraries
         private function kept(name:String, kind:int):BoundingStructure
         {
             var structures:ModelStructures = find(name);
-            if (!structures.keepsAll || structures.smallest[kind] == null)
+            if (!structures.showsAll || structures.smallest[kind] == null)
             {
                 throw ModelTable.errorOf(name, "it shows no " + BoundingStructure.NAMES[kind] + ": set loadAllBoundingStructures (keepAll) before the model is added, "
                         + "and have a fitter that finds one in the list");

@@ -18,13 +18,10 @@ package starlogo.libraries
         private static const REVISION:int = 13;
 
         // For each section of a cooked file, the settings of what is in it, as a text. Null if that is not wanted, or cannot be kept.
-        private var _texts:Vector.<String> = new Vector.<String>(CookedFile.SECTION_COUNT, true);
+        private var _settingsOfSections:Vector.<String> = new Vector.<String>(CookedFile.SECTION_COUNT, true);
 
         /** @private The library's <code>prepareExact</code>. */
         engine var preparesExact:Boolean = false;
-
-        /** @private The library's <code>keepAll</code>. */
-        engine var keepsAll:Boolean = false;
 
         /** @private The deepest level of hierarchies. */
         engine var maxDepth:int = 0;
@@ -39,15 +36,14 @@ package starlogo.libraries
         {
             if (structures != null)
             {
-                keepsAll = structures.keepAll;
                 var signatures:String = signaturesOf(structures.fitters);
-                _texts[CookedFile.STRUCTURES] = signatures == null ? null : "structures, " + signatures;
+                _settingsOfSections[CookedFile.STRUCTURES] = signatures == null ? null : "structures, " + signatures;
                 // The smallest sphere may take the hull's place.
-                _texts[CookedFile.HULL] = signatures == null || !structures.keepHulls ? null : structures.hullFitter.signature + ", " + signatures;
+                _settingsOfSections[CookedFile.HULL] = signatures == null || !structures.keepHulls ? null : structures.hullFitter.signature + ", " + signatures;
             }
             if (hierarchies != null)
             {
-                _texts[CookedFile.HIERARCHY] = _texts[CookedFile.SURFACE] =
+                _settingsOfSections[CookedFile.HIERARCHY] = _settingsOfSections[CookedFile.SURFACE] =
                     ["hierarchy", hierarchies.minVerticesToSplit, hierarchies.maxDepth, hierarchies.splitByMean].join();
                 preparesExact = hierarchies.prepareExact;
                 maxDepth = hierarchies.maxDepth;
@@ -55,9 +51,9 @@ package starlogo.libraries
         }
 
         /** @private Whether a hull is wanted, and can be stored. */
-        engine function get storesHull():Boolean
+        engine function get keepsHull():Boolean
         {
-            return _texts[CookedFile.HULL] != null;
+            return _settingsOfSections[CookedFile.HULL] != null;
         }
 
         /** All settings as sixteen hexadecimal digits. */
@@ -89,7 +85,7 @@ package starlogo.libraries
         // The fingerprint of a section's settings; null if its results are not wanted, or cannot be kept.
         private function fingerprintOf(section:int):Fingerprint
         {
-            return _texts[section] == null ? null : fingerprintOfText(_texts[section]);
+            return _settingsOfSections[section] == null ? null : fingerprintOfText(_settingsOfSections[section]);
         }
 
         // null if a fitter has no signature

@@ -12,7 +12,8 @@ package starlogo.libraries
         function read(name:String):ByteArray;
 
         /**
-         * Stores bytes under a name and replaces the bytes stored there before. Never throws.
+         * Stores bytes under a name and replaces the bytes stored there before. A FitStore takes a refusal for a lack of room: it removes other
+         * entries with as many bytes, and asks once more. Never throws.
          *
          * @return whether the bytes are stored; if not, nothing is stored under the name
          */

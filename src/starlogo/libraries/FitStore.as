@@ -22,7 +22,7 @@ package starlogo.libraries
      *
      * <p>Several games may share a storage at the same time, for example in several tabs. Each entry is stored separately, so no game
      * overwrites another's entries. If two games write the list of entries at the same time, an entry may be missing from the list until
-     * its next use.</p>
+     * its next use. If their stores have different capacities, each makes room by its own.</p>
      */
     public final class FitStore
     {
@@ -37,9 +37,6 @@ package starlogo.libraries
         private var _storage:FitStorage;
         private var _capacity:Number;
 
-        // The most bytes that are tried: at first the capacity.
-        private var _room:Number;
-
         /**
          * Creates a store of a given size.
          *
@@ -53,11 +50,11 @@ package starlogo.libraries
             {
                 throw new RangeError("the capacity must be 0 bytes or more, not " + capacity);
             }
-            _capacity = _room = capacity;
+            _capacity = capacity;
             _storage = storage || new SharedFitStorage();
         }
 
-        /** The most bytes that it keeps. */
+        /** The most bytes that there are after it has stored an entry. A store with a larger capacity may leave more in the same storage. */
         public function get capacity():Number
         {
             return _capacity;
@@ -66,7 +63,7 @@ package starlogo.libraries
         /** The number of bytes that it has now. */
         public function get length():Number
         {
-            return lengthOf(linesBut(null));
+            return lengthOf(lines());
         }
 
         /**
@@ -92,7 +89,7 @@ package starlogo.libraries
          * @param model the model
          * @param settings the settings of the results
          * @param bytes what <code>read()</code> of another store has returned for this model and these settings; only their position changes
-         * @return whether they are stored; false if they are damaged or of another model
+         * @return whether they are stored; false if they are damaged or of another model, or there is no room for them
          * @throws ArgumentError if one argument is null
          */
         public function write(model:Model, settings:FitSettings, bytes:ByteArray):Boolean
@@ -107,7 +104,7 @@ package starlogo.libraries
         /** Removes all entries. */
         public function clear():void
         {
-            for each (var line:String in linesBut(null))
+            for each (var line:String in lines())
             {
                 _storage.remove(nameIn(line));
             }
@@ -134,12 +131,12 @@ package starlogo.libraries
         engine function hasRoomFor(model:Model, hasTree:Boolean):Boolean
         {
             var itemCount:int = (model.triangles == null ? model.vertices.length : model.triangles.length) / 3;
-            return (hasTree ? itemCount * CookedTree.widthFor(itemCount) : 0) < _room;
+            return (hasTree ? itemCount * CookedTree.widthFor(itemCount) : 0) < _capacity;
         }
 
         /**
          * Saves the file of a geometry key. It removes the least recently used entries until there is room. A storage that refuses the file has
-         * less room than the store was told. It has room for the entries that are there, and perhaps for smaller ones than this.
+         * less room than the store was told. Then entries with as many bytes are removed, if there are so many, and it is asked once more.
          *
          * @param geometryKey the fingerprint of the model's vertices and triangles
          * @return whether it is stored
@@ -149,21 +146,29 @@ package starlogo.libraries
         engine function save(geometryKey:Fingerprint, settings:FitSettings, bytes:ByteArray):Boolean
         {
             var name:String = nameOf(geometryKey, settings);
-            var lines:Array = linesBut(name);
-            var isStored:Boolean = false;
-            while (!isStored && bytes.length <= _room)
+            var others:Array = linesWithout(name);
+            return makeRoom(others, _capacity - bytes.length) && tryToStore(name, bytes, others)
+                || makeRoom(others, Math.min(_capacity, lengthOf(others)) - bytes.length) && tryToStore(name, bytes, others);
+        }
+
+        // Removes the first entries of a list until they have at most so many bytes. Returns false, and removes nothing, if there is no such list.
+        private function makeRoom(lines:Array, most:Number):Boolean
+        {
+            while (most >= 0 && lengthOf(lines) > most)
             {
-                while (lengthOf(lines) + bytes.length > _room)
-                {
-                    _storage.remove(nameIn(lines.shift()));
-                }
-                isStored = _storage.write(name, bytes) && writeList(lines.concat(lineOf(name, bytes)));
-                if (!isStored)
-                {
-                    _storage.remove(name);
-                    // a storage that refuses even the list is switched off
-                    _room = keepList(lines) ? Math.max(lengthOf(lines), bytes.length - 1) : 0;
-                }
+                _storage.remove(nameIn(lines.shift()));
+            }
+            return most >= 0;
+        }
+
+        // Stores an entry after others in the list. If that is refused, only those others are left. Returns whether it is stored.
+        private function tryToStore(name:String, bytes:ByteArray, others:Array):Boolean
+        {
+            var isStored:Boolean = _storage.write(name, bytes) && writeList(others.concat(lineOf(name, bytes)));
+            if (!isStored)
+            {
+                _storage.remove(name);
+                keepList(others);
             }
             return isStored;
         }
@@ -175,7 +180,7 @@ package starlogo.libraries
             var bytes:ByteArray = bytesOf(name);
             if (bytes != null)
             {
-                keepList(linesBut(name).concat(lineOf(name, bytes)));
+                keepList(linesWithout(name).concat(lineOf(name, bytes)));
             }
             return bytes;
         }
@@ -207,32 +212,28 @@ package starlogo.libraries
             return geometryKey;
         }
 
-        // The list without one name. Damaged lines are left out.
-        private function linesBut(name:String):Array
+        // The list of entries. Damaged lines are left out.
+        private function lines():Array
         {
             var bytes:ByteArray = bytesOf(LIST);
-            var lines:Array = [];
-            for each (var line:String in bytes == null ? null : bytes.readUTFBytes(bytes.length).match(LINES))
-            {
-                if (nameIn(line) != name)
+            return (bytes == null ? null : bytes.readUTFBytes(bytes.length).match(LINES)) || [];
+        }
+
+        private function linesWithout(name:String):Array
+        {
+            return lines().filter(function(line:String, index:int, all:Array):Boolean
                 {
-                    lines.push(line);
-                }
-            }
-            return lines;
+                    return nameIn(line) != name;
+                });
         }
 
         // Writes the list. A storage that refuses it has lost it too, so the least recently used entries are removed until there is room for it.
-        // Returns whether it is stored.
-        private function keepList(lines:Array):Boolean
+        private function keepList(lines:Array):void
         {
-            var isStored:Boolean = writeList(lines);
-            while (!isStored && lines.length > 0)
+            while (!writeList(lines) && lines.length > 0)
             {
                 _storage.remove(nameIn(lines.shift()));
-                isStored = writeList(lines);
             }
-            return isStored;
         }
 
         // Returns whether it is stored. If not, there is no list.

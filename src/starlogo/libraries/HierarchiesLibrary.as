@@ -112,10 +112,9 @@ package starlogo.libraries
             }
             ModelTable.requireSize(name, vertices);
             var model:Model = _models.entryOf(name).model;
-            var hasOwnVertices:Boolean = model != null && vertices == model.vertices;
-            var hasOwnTriangles:Boolean = model != null && triangles == model.triangles;
-            var keptTriangles:Vector.<uint> = hasTriangles && !hasOwnTriangles ? triangles.concat() : triangles;
-            var tree:ModelTree = newTree(hasOwnVertices ? vertices : vertices.concat(), hasTriangles ? keptTriangles : null);
+            var keptVertices:Vector.<Number> = model != null && vertices == model.vertices ? vertices : vertices.concat();
+            var keptTriangles:Vector.<uint> = model != null && triangles == model.triangles ? triangles : (hasTriangles ? triangles.concat() : null);
+            var tree:ModelTree = newTree(keptVertices, keptTriangles);
             tree.finishBuilding();
             _models.entryToWrite(name).setTree(tree);
         }

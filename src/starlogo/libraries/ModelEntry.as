@@ -1,6 +1,6 @@
 // This room has what was computed for each model. A ModelTable has a ModelEntry for each name, and the two libraries show clients a part of it;
-// ModelResults takes the results from a cooked file or a FitStore (CookedStructures, CookedTree), or has a StructuresBuilder and a BoxTreeBuilder compute
-// them. Read this file first, then BoundingStructuresLibrary and ModelResults.
+// ResultsBuilder takes the results from a cooked file or a FitStore (CookedStructures, CookedTree), or has a StructuresBuilder and a BoxTreeBuilder compute
+// them. Read this file first, then BoundingStructuresLibrary and ResultsBuilder.
 package starlogo.libraries
 {
     import starlogo.engine;
@@ -17,8 +17,7 @@ package starlogo.libraries
     public final class ModelEntry
     {
         /**
-         * Increased whenever data under this name is replaced, removed or posed: once for each of the structures, the tree and the model.
-         * Read only.
+         * Increased whenever data under this name is added, replaced, removed or posed. Read only.
          */
         public var revision:int = 0;
 
@@ -46,8 +45,8 @@ package starlogo.libraries
         /** Sets the structures; null for none. */
         public function setStructures(structures:ModelStructures):void
         {
-            countIfReplaced(this.structures);
             this.structures = structures;
+            countChange();
         }
 
         /** The tree; null if there is none. If it is not built yet, builds it. */
@@ -63,8 +62,8 @@ package starlogo.libraries
         /** Sets the tree, which may not be built yet; null for none. */
         public function setTree(tree:ModelTree):void
         {
-            countIfReplaced(this.tree);
             this.tree = tree;
+            countChange();
         }
 
         /**
@@ -77,9 +76,8 @@ package starlogo.libraries
         public function replace(model:Model, structures:ModelStructures, tree:ModelTree):void
         {
             loadProblem = null;
-            setStructures(structures);
-            setTree(tree);
-            countIfReplaced(this.model);
+            this.structures = structures;
+            this.tree = tree;
             if (this.model != null)
             {
                 this.model.removeListener(followPose);
@@ -89,6 +87,7 @@ package starlogo.libraries
             {
                 model.addListener(followPose);
             }
+            countChange();
         }
 
         /** Counts one more model of this name that is loading. */
@@ -121,18 +120,10 @@ package starlogo.libraries
             countChange();
         }
 
-        private function countIfReplaced(before:Object):void
-        {
-            if (before != null)
-            {
-                countChange();
-            }
-        }
-
         private function countChange():void
         {
             revision++;
-            _table.countChange();
+            _table.revision++;
         }
     }
 }

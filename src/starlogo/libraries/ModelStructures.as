@@ -2,6 +2,7 @@ package starlogo.libraries
 {
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
+    import starlogo.fitting.HullFitter;
 
     use namespace engine;
 
@@ -32,16 +33,36 @@ package starlogo.libraries
         public var tightest:BoundingStructure = null;
 
         /** Whether the client may read the smallest structure of each kind: the library's <code>keepAll</code>. */
-        public var keepsAll:Boolean;
+        public var showsAll:Boolean;
+
+        /** The vertices that are enclosed. If they are a model's own, a pose may have moved them since. */
+        public var vertices:Vector.<Number>;
+
+        /** Finds the hull of the vertices, if there is none yet. */
+        public var hullFitter:HullFitter;
 
         /**
-         * @param found the spheres, capsules and boxes that were found; null entries are ignored
-         * @param hull the hull that was found; null if none was wanted
-         * @param keepsAll whether the client may read the smallest structure of each kind
+         * No structures yet.
+         *
+         * @param vertices the vertices that are enclosed; kept
+         * @param hullFitter finds their hull, if it is needed later
+         * @param showsAll whether the client may read the smallest structure of each kind
          */
-        public function ModelStructures(found:Vector.<BoundingStructure>, hull:BoundingStructure, keepsAll:Boolean)
+        public function ModelStructures(vertices:Vector.<Number>, hullFitter:HullFitter, showsAll:Boolean)
         {
-            this.keepsAll = keepsAll;
+            this.vertices = vertices;
+            this.hullFitter = hullFitter;
+            this.showsAll = showsAll;
+        }
+
+        /**
+         * Sets what was found. Call it once.
+         *
+         * @param found the spheres, capsules and boxes; null entries are ignored
+         * @param hull the hull; null if none was wanted
+         */
+        public function setAll(found:Vector.<BoundingStructure>, hull:BoundingStructure):void
+        {
             for each (var structure:BoundingStructure in found)
             {
                 if (structure != null && (smallest[structure.kind] == null || structure.volume < smallest[structure.kind].volume))
@@ -62,7 +83,7 @@ package starlogo.libraries
         /** One structure that is given, not found. It is the tightest, and the smallest of no kind. */
         public static function of(structure:BoundingStructure):ModelStructures
         {
-            var given:ModelStructures = new ModelStructures(new Vector.<BoundingStructure>(), null, false);
+            var given:ModelStructures = new ModelStructures(null, null, false);
             given.tightest = structure;
             return given;
         }

@@ -12,7 +12,7 @@ package starlogo.libraries
      */
     public final class ModelTable
     {
-        /** Increased with the revision of each entry. Read only. */
+        /** Increased with the revision of each entry, by the entry. Otherwise read only. */
         public var revision:int = 0;
 
         private var _entries:Object = {};
@@ -22,12 +22,6 @@ package starlogo.libraries
         public function ModelTable()
         {
             _unknown = new ModelEntry(this);
-        }
-
-        /** Counts a change of an entry. */
-        public function countChange():void
-        {
-            revision++;
         }
 
         /** The entry of a name, to read. All unknown names, and null, share an empty one. */

@@ -7,7 +7,6 @@ package starlogo.libraries
     import starlogo.fitting.Fit;
     import starlogo.fitting.FitSession;
     import starlogo.fitting.Fitter;
-    import starlogo.fitting.HullFitter;
     import starlogo.geometry.Tolerances;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -24,9 +23,6 @@ package starlogo.libraries
     {
         private static const VERTICES_PER_STEP:int = 2000;
 
-        /** The smallest structures, when no step is left. */
-        public var structures:ModelStructures = null;
-
         private var _name:String;
         private var _fitters:Vector.<Fitter>;
         private var _session:FitSession;
@@ -34,13 +30,12 @@ package starlogo.libraries
 
         /**
          * @param name the shape's name
-         * @param vertices x, y, z each; must not change until the last step is done
+         * @param structures takes what is found; the vertices must not change until the last step is done
          * @param fitters the fitters to compare; copied
-         * @param hullFitter finds the hull; null if none is wanted
-         * @param keepsAll whether clients may read the smallest structure of each kind
+         * @param keepsHull whether the hull is found with the others
          * @throws ArgumentError if there are no fitters, or one is null; the message names the shape
          */
-        public function StructuresBuilder(name:String, vertices:Vector.<Number>, fitters:Vector.<Fitter>, hullFitter:HullFitter, keepsAll:Boolean)
+        public function StructuresBuilder(name:String, structures:ModelStructures, fitters:Vector.<Fitter>, keepsHull:Boolean)
         {
             _name = name;
             if (fitters.length == 0)
@@ -52,34 +47,48 @@ package starlogo.libraries
                 throw ModelTable.errorOf(name, "a fitter must not be null");
             }
             _fitters = fitters.concat();
-            _session = new FitSession(vertices);
+            _session = new FitSession(structures.vertices);
             for each (var fitter:Fitter in _fitters)
             {
                 var fit:Fit = _session.fitOf(fitter);
                 _fits.push(fit);
                 add(fit);
             }
-            var hullFit:Fit = hullFitter == null ? null : _session.fitOf(hullFitter);
+            var hullFit:Fit = keepsHull ? _session.fitOf(structures.hullFitter) : null;
             if (hullFit != null)
             {
                 add(hullFit);
             }
             begin(checking).call(function():void
                 {
-                    choose(hullFit, keepsAll);
+                    choose(structures, hullFit);
                 });
         }
 
-        /** Whether a structure encloses all vertices, as it must if it was fitted to them. */
-        public static function encloses(structure:BoundingStructure, vertices:Vector.<Number>):Boolean
+        /**
+         * Finds the hull of a shape whose other structures were found without it, of the vertices as they are now.
+         *
+         * @throws RangeError as the steps, if the vertices were posed since
+         */
+        public static function addHull(name:String, structures:ModelStructures):void
         {
-            var wider:BoundingStructure = structure.clone();
-            wider.widen(toleranceFor(vertices));
-            return firstOutside(wider, vertices, 0, vertices.length / 3) < 0;
+            var vertices:Vector.<Number> = structures.vertices;
+            var sphere:BoundingStructure = structures.smallest[BoundingStructure.SPHERE];
+            try
+            {
+                var hull:BoundingStructure = structures.hullFitter.fit(vertices);
+                // the vertices may have been posed since the sphere was found
+                var isAround:Boolean = sphere != null && firstOutside(sphere, toleranceFor(vertices), vertices, 0, vertices.length / 3) < 0;
+                structures.setHull(widened(hull), isAround ? sphere : null);
+            }
+            catch (error:Error)
+            {
+                throw named(name, error);
+            }
         }
 
-        /** A copy of a fitted structure, enlarged by the distance at which surfaces still touch. */
-        public static function widened(structure:BoundingStructure):BoundingStructure
+        // A copy of a fitted structure, enlarged by the distance at which surfaces still touch.
+        private static function widened(structure:BoundingStructure):BoundingStructure
         {
             var wider:BoundingStructure = structure.clone();
             wider.widenForSurfaces();
@@ -96,25 +105,22 @@ package starlogo.libraries
          */
         override public function step():Boolean
         {
-            var hasMore:Boolean = false;
             try
             {
-                hasMore = super.step();
+                var hasMore:Boolean = super.step();
             }
             catch (error:Error)
             {
-                // the error may be the fitter's own, so it is not changed
-                if (error is ArgumentError)
-                {
-                    throw ModelTable.errorOf(_name, error.message);
-                }
-                if (error is RangeError)
-                {
-                    throw new RangeError(ModelTable.problemOf(_name, error.message));
-                }
-                throw error;
+                throw named(_name, error);
             }
             return hasMore;
+        }
+
+        // The error of a fitter, with the shape's name. The error may be the fitter's own, so it is not changed.
+        private static function named(name:String, error:Error):Error
+        {
+            return error is ArgumentError ? ModelTable.errorOf(name, error.message)
+                : (error is RangeError ? new RangeError(ModelTable.problemOf(name, error.message)) : error);
         }
 
         // The steps that check whether what the fitters have found can be used.
@@ -136,11 +142,9 @@ package starlogo.libraries
                 throw new ArgumentError("the library needs fitters of spheres, capsules or boxes, but " + fitter + " found " + structure);
             }
             var vertices:Vector.<Number> = _session.vertices;
-            var wider:BoundingStructure = structure.clone();
-            wider.widen(tolerance);
             return new StepSequence().slices(vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
-                    var outside:int = firstOutside(wider, vertices, first, end);
+                    var outside:int = firstOutside(structure, tolerance, vertices, first, end);
                     if (outside >= 0)
                     {
                         throw new ArgumentError(fitter + " found a structure that does not enclose vertex " + outside + " at ("
@@ -155,14 +159,16 @@ package starlogo.libraries
             return Tolerances.CONTAINMENT * EnclosingStructures.sphere(vertices, vertices[0], vertices[1], vertices[2]).radius;
         }
 
-        // The index of the first of some vertices that is outside of a structure; -1 if there is none.
-        private static function firstOutside(structure:BoundingStructure, vertices:Vector.<Number>, first:int, end:int):int
+        // The index of the first of some vertices that is further outside of a structure than a tolerance; -1 if there is none.
+        private static function firstOutside(structure:BoundingStructure, tolerance:Number, vertices:Vector.<Number>, first:int, end:int):int
         {
+            var wider:BoundingStructure = structure.clone();
             var vertex:Vector3D = new Vector3D();
+            wider.widen(tolerance);
             for (var i:int = first; i < end; i++)
             {
                 vertex.setTo(vertices[3 * i], vertices[3 * i + 1], vertices[3 * i + 2]);
-                if (!structure.contains(vertex))
+                if (!wider.contains(vertex))
                 {
                     return i;
                 }
@@ -170,7 +176,7 @@ package starlogo.libraries
             return -1;
         }
 
-        private function choose(hullFit:Fit, keepsAll:Boolean):void
+        private function choose(structures:ModelStructures, hullFit:Fit):void
         {
             var found:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
             for each (var fit:Fit in _fits)
@@ -178,7 +184,7 @@ package starlogo.libraries
                 found.push(widened(fit.structure));
             }
             // A HullFitter checks all vertices itself.
-            structures = new ModelStructures(found, hullFit == null ? null : widened(hullFit.structure), keepsAll);
+            structures.setAll(found, hullFit == null ? null : widened(hullFit.structure));
         }
     }
 }

@@ -10,7 +10,7 @@ package starlogo.models
     import starlogo.models.building.ModelBuilder;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.TriangleLabels;
-    import starlogo.models.files.refuseIf;
+    import starlogo.models.files.refuseFileIf;
 
     use namespace engine;
 
@@ -118,7 +118,7 @@ package starlogo.models
             return _data.materials.labels;
         }
 
-        /** The name of each material, by its number; null for a material without a name. Null if nothing gave names. Do not change it. */
+        /** The name of each material, by its number; null for one without a name. Null if there are no materials or no names. Do not change it. */
         public function get materialNames():Vector.<String>
         {
             return _data.materials.names;
@@ -130,7 +130,7 @@ package starlogo.models
             return _data.meshes.labels;
         }
 
-        /** The name of each mesh, by its number; null for a mesh without a name. Null if nothing gave names. Do not change it. */
+        /** The name of each mesh, by its number; null for one without a name. Null if there are no meshes or no names. Do not change it. */
         public function get meshNames():Vector.<String>
         {
             return _data.meshes.names;
@@ -187,7 +187,7 @@ package starlogo.models
          *
          * @param vertices x, y, z of each vertex, in the order of the model's vertices; is neither kept nor changed
          * @throws ArgumentError if these are not as many coordinates as the model has, if one is not finite, or if one is larger than 1e60 in
-         * the model
+         * the model; also if the first vertices were less than 1e-308 apart and were scaled: no pose fits them
          */
         public function pose(vertices:Vector.<Number>):void
         {
@@ -262,7 +262,7 @@ package starlogo.models
             var count:int = triangleCount;
             if (numbers != null)
             {
-                refuseIf(numbers.length != count, name, numbers.length + " numbers of " + what + " for " + count + " triangles");
+                refuseFileIf(numbers.length != count, name, numbers.length + " numbers of " + what + " for " + count + " triangles");
                 for (var i:int = 0; i < count; i++)
                 {
                     if (numbers[i] < -1 || names != null && numbers[i] >= names.length)

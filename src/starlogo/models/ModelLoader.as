@@ -61,7 +61,7 @@ package starlogo.models
     public class ModelLoader extends EventDispatcher
     {
         // Loaders that have work listen to it. It is static, so such loaders are not garbage-collected.
-        private static var sFrames:Shape = new Shape();
+        internal static var sFrames:Shape = new Shape();
 
         /**
          * Whether <code>load()</code> also asks for a transform file beside the model's file, as in the StarLogo Nova client:
@@ -76,6 +76,9 @@ package starlogo.models
         // The loads that are not over, in the order in which they were added.
         private var _loads:Vector.<ModelLoad> = new Vector.<ModelLoad>();
         private var _doneCount:int = 0;
+
+        // Within a frame. What a listener does then ends no work before the other listeners have heard.
+        private var _isInFrame:Boolean = false;
         private var _manifest:CookedManifest = null;
         private var _longestFrame:int = 0;
         private var _longestStep:int = 0;
@@ -96,12 +99,6 @@ package starlogo.models
             }
             _receiver = receiver;
             this.budget = budget;
-        }
-
-        /** Whether any loader has work. For tests. */
-        internal static function get isAnyWorking():Boolean
-        {
-            return sFrames.hasEventListener(Event.ENTER_FRAME);
         }
 
         /**
@@ -191,7 +188,7 @@ package starlogo.models
          */
         public function loadBytes(name:String, bytes:ByteArray, upAxis:Object = "z", scaling:String = "footprint"):void
         {
-            add(name, upAxis, scaling).addReading(new ModelFile(name, bytes));
+            add(name, upAxis, scaling).addReadSteps(new ModelFile(name, bytes));
         }
 
         /**
@@ -204,7 +201,7 @@ package starlogo.models
          */
         public function loadText(name:String, text:String, upAxis:Object = "z", scaling:String = "footprint"):void
         {
-            add(name, upAxis, scaling).addReading(new ModelFile(name, null, text));
+            add(name, upAxis, scaling).addReadSteps(new ModelFile(name, null, text));
         }
 
         /**
@@ -216,7 +213,7 @@ package starlogo.models
         public function loadFrom(maker:ModelMaker):void
         {
             requireGiven("the maker of the model", maker);
-            add(maker.name).addMaking(maker);
+            add(maker.name).addMakeSteps(maker);
         }
 
         /**
@@ -238,13 +235,14 @@ package starlogo.models
         /** Cancels one load, if it is not over. For the promises of the ES module. */
         internal function drop(load:ModelLoad):void
         {
-            if (!remove(load, null))
+            if (!remove(load))
             {
                 return;
             }
+            _receiver.expectNoMore(load.name);
             load.cancel();
             callWhenOver(load, null, null);
-            if (_loads.length == 0)
+            if (_loads.length == 0 && !_isInFrame)
             {
                 end();
             }
@@ -285,6 +283,7 @@ package starlogo.models
             var start:int = now();
             var time:int = start;
             var next:ModelLoad = nextReady();
+            _isInFrame = true;
             while (next != null)
             {
                 var before:int = time;
@@ -295,8 +294,8 @@ package starlogo.models
             }
             _longestFrame = Math.max(_longestFrame, time - start);
             reportProgress();
-            // a handler that has cancelled the last load has ended the work
-            if (_loads.length == 0 && _doneCount > 0)
+            _isInFrame = false;
+            if (_loads.length == 0)
             {
                 end();
             }
@@ -327,9 +326,10 @@ package starlogo.models
             {
                 problem = error is ModelError ? error : new ModelError(load.name, "", "it can't be added: " + error.message);
             }
-            if (!hasMore && remove(load, problem)) // the step may have cancelled its own load
+            if (!hasMore && remove(load)) // the step may have cancelled its own load
             {
                 _doneCount++;
+                _receiver.expectNoMore(load.name, problem == null ? null : problem.message);
                 var isTold:Boolean = callWhenOver(load, problem == null ? load.model : null, problem);
                 if (problem == null)
                 {
@@ -353,13 +353,12 @@ package starlogo.models
         }
 
         // Returns whether the load was still in the queue.
-        private function remove(load:ModelLoad, problem:Error):Boolean
+        private function remove(load:ModelLoad):Boolean
         {
             var index:int = _loads.indexOf(load);
             if (index >= 0)
             {
                 _loads.splice(index, 1);
-                _receiver.expectNoMore(load.name, problem == null ? null : problem.message);
             }
             return index >= 0;
         }
@@ -368,7 +367,7 @@ package starlogo.models
         {
             if (_loads.length + _doneCount == 0)
             {
-                return; // a handler has cancelled the other loads
+                return; // a step has cancelled all loads
             }
             var done:Number = _doneCount;
             for each (var load:ModelLoad in _loads)

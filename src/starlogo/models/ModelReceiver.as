@@ -9,7 +9,8 @@ package starlogo.models
         function expect(name:String):void;
 
         /**
-         * Called when a load ends: the model was received, the load failed, or it was cancelled. The loader's listeners hear of it later.
+         * Called when a load ends: the model was received, the load failed, or it was cancelled. The loader's listeners hear of it later. Must not
+         * throw.
          *
          * @param problem what was wrong, if the load failed; otherwise null
          */

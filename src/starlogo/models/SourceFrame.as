@@ -117,7 +117,7 @@ package starlogo.models
         }
 
         /** @private Whether all numbers are finite, and the unit is positive. */
-        engine function get isRight():Boolean
+        engine function get isValid():Boolean
         {
             return areFinite(numbers) && _unit > 0;
         }

@@ -20,6 +20,7 @@ package starlogo.libraries
     import starlogo.fitting.ZAlignedBoxFitter;
     import starlogo.geometry.Tolerances;
     import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
     import support.FailingFitter;
     import support.PointSets;
     import support.assertThrows;
@@ -101,12 +102,50 @@ package starlogo.libraries
         public function aHullThatWasNotKeptIsFoundWhenItIsNeeded():void
         {
             _library.add("stick", _stick);
-            var found:BoundingStructure = _library.findOrFit("stick", BoundingStructure.HULL, _stick);
+            var found:BoundingStructure = _library.findOrFit("stick", BoundingStructure.HULL);
             assertTrue(found is Hull);
-            assertEquals(found, _library.findOrFit("stick", BoundingStructure.HULL, _stick));
+            assertEquals(found, _library.findOrFit("stick", BoundingStructure.HULL));
             _library.keepHulls = true;
             _library.add("stick", _stick);
             assertEquals(Hull(found).toNumbers().join(), Hull(_library.hull("stick")).toNumbers().join());
+        }
+
+        /** As docs/poses.md advises for figures: vertices that enclose all poses. */
+        [Test]
+        public function aHullThatIsFoundLaterIsAroundTheVerticesThatWereAdded():void
+        {
+            var game:GreatLand = new GreatLand();
+            game.addModel(BuiltInModel.cube());
+            var wide:Vector.<Number> = PointSets.box(2, 0.5, 0.5);
+            game.boundingStructures.add("cube", wide);
+            wide[0] = 100;
+            assertNear(4, game.boundingStructures.findOrFit("cube", BoundingStructure.HULL).volume);
+        }
+
+        [Test]
+        public function aHullThatIsFoundLaterIsThatOfTheSettingsBefore():void
+        {
+            var early:BoundingStructuresLibrary = new BoundingStructuresLibrary();
+            early.keepHulls = true;
+            for each (var library:BoundingStructuresLibrary in [early, _library])
+            {
+                library.add("stick", _stick);
+                library.hullFitter = new HullFitter(40);
+            }
+            assertEquals(Hull(early.hull("stick")).toNumbers().join(), Hull(_library.findOrFit("stick", BoundingStructure.HULL)).toNumbers().join());
+        }
+
+        [Test]
+        public function errorsOfAHullThatIsFoundLaterNameTheShape():void
+        {
+            var game:GreatLand = new GreatLand();
+            var model:Model = BuiltInModel.cube();
+            game.addModel(model);
+            model.pose(PointSets.placed(model.vertices, 1e-80));
+            assertThrows(RangeError, /^shape "cube": /, function():void
+                {
+                    game.boundingStructures.findOrFit("cube", BoundingStructure.HULL);
+                });
         }
 
         [Test]

@@ -191,9 +191,34 @@ package starlogo.libraries
             _fitter.count = 0;
             newGame(_store).addModel(models[3]);
             assertEquals("smaller ones are still stored", 0, _fitter.count);
-            var refusals:int = _storage.refusalCount;
-            newGame(_store).addModel(large);
-            assertEquals("the large one is not tried again", refusals, _storage.refusalCount);
+        }
+
+        [Test]
+        public function anEntryThatIsAlwaysRefusedCostsNoMoreThanItsOwnRoom():void
+        {
+            _storage = new StorageOfSmallEntries();
+            _store = new FitStore(1e6, _storage);
+            for each (var model:Model in someModels(30))
+            {
+                newGame(_store).addModel(model);
+            }
+            var before:Number = sizeOfEntries();
+            newGame(_store).addModel(new Model("large", PointSets.cloud(new SeededRandom(21), 1000, 1, 1, 1)));
+            assertTrue("it is refused", _storage.refusalCount > 0);
+            assertEquals("the others are listed", sizeOfEntries(), _store.length);
+            assertTrue("and most stay", sizeOfEntries() > before - StorageOfSmallEntries.LONGEST - before / 2);
+        }
+
+        [Test]
+        public function whatWasRefusedIsStoredWhenThereIsRoom():void
+        {
+            _storage.room = 10;
+            newGame(_store).addModel(BuiltInModel.cube());
+            assertEquals(0, _storage.names.length);
+            _storage.room = Infinity;
+            _store.clear();
+            newGame(_store).addModel(BuiltInModel.cube());
+            assertEquals(1, _storage.names.length);
         }
 
         /** An entry that is not listed never counts, is never removed to make room, and stays when the store is cleared. */
@@ -475,6 +500,23 @@ class LargeFitter extends Fitter
             {
                 return new Sphere(new Vector3D(), 100);
             });
+    }
+}
+
+/** Refuses long entries, whatever room there is. */
+class StorageOfSmallEntries extends MemoryStorage
+{
+    public static const LONGEST:int = 1500;
+
+    /** @inheritDoc */
+    override public function write(name:String, bytes:ByteArray):Boolean
+    {
+        if (bytes.length > LONGEST)
+        {
+            refusalCount++;
+            return false;
+        }
+        return super.write(name, bytes);
     }
 }
 

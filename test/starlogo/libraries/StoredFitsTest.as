@@ -552,10 +552,10 @@ package starlogo.libraries
         private function isTaken(model:Model, cooked:ByteArray, structures:Boolean):Boolean
         {
             var read:Model = CookedModel.fromBytes(model.name, cooked);
-            var results:ModelResults = _greatLand.preparing(read, null);
+            var results:ResultsBuilder = _greatLand.preparing(read, null);
             if (structures)
             {
-                return results.structures != null;
+                return results.structures.tightest != null;
             }
             results.tree.finishBuilding();
             return results.isTreeStored;

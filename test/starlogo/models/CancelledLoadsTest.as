@@ -1,8 +1,10 @@
 package starlogo.models
 {
+    import flash.events.Event;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
+    import org.flexunit.async.Async;
     import starlogo.steps.Steps;
 
     /** Loads that are cancelled while others are. It is the receiver itself. */
@@ -12,6 +14,7 @@ package starlogo.models
 
         private var _loader:ModelLoader = null;
         private var _expected:int = 0;
+        private var _cancels:Boolean = true;
 
         /** A receiver that hears of the end of one load may cancel the others. */
         [Test]
@@ -31,6 +34,31 @@ package starlogo.models
             assertFalse(_loader.isPending(NAMES[1]));
         }
 
+        /** All listeners hear of a model before the end, even if one of them cancels what is left. */
+        [Test(async, timeout="150000")]
+        public function theEndComesAfterWhatIsLoaded():void
+        {
+            var log:Array = [];
+            _loader = new ModelLoader(this, 0);
+            _cancels = false;
+            _loader.addEventListener(ModelEvent.LOADED, function(event:ModelEvent):void
+                {
+                    log.push("a");
+                    _loader.cancel();
+                });
+            _loader.addEventListener(ModelEvent.LOADED, function(event:ModelEvent):void
+                {
+                    log.push("b");
+                });
+            _loader.loadText(NAMES[0], "v 0 0 0");
+            _loader.loadText(NAMES[1], "v 0 0 0");
+            Async.handleEvent(this, _loader, Event.COMPLETE, function(event:Event, data:Object):void
+                {
+                    assertEquals("a,b", log.join());
+                    assertEquals(0, _loader.pendingCount);
+                }, 120000);
+        }
+
         public function expect(name:String):void
         {
             _expected++;
@@ -39,7 +67,10 @@ package starlogo.models
         public function expectNoMore(name:String, problem:String = null):void
         {
             _expected--;
-            _loader.cancel();
+            if (_cancels)
+            {
+                _loader.cancel();
+            }
         }
 
         public function receive(model:Model):Steps

@@ -72,11 +72,23 @@ package starlogo.models
             assertPoints("<lookat>0 0 0  0 0 -1  0 9 0</lookat>", "0 0 0 1 0 0 0 1 0 0 0 1");
             assertPoints("<skew>45  0 1 0  1 0 0</skew>", "0 0 0 1 0 0 1 1 0 0 0 1");
             assertPoints("<skew>-45  0 0 2  0 1 0</skew>", "0 0 0 1 0 0 0 1 0 0 -1 1");
+            assertPoints("<lookat>0 0 0  0 0 -1e-200  0 1e200 0</lookat>", "0 0 0 1 0 0 0 1 0 0 0 1");
             // an axis that is not square to the shift: (1, 1, 0) turned by 45 degrees towards x is x itself, out of reach
             Failures.assertFails("library_visual_scenes/visual_scene#s/node/skew", "two different axes", function():void
                 {
                     read(Collada.scene(box(), node("<skew>45  1 1 0  1 0 0</skew>")));
                 });
+        }
+
+        /** The squares of an axis's numbers may be 0 or infinite. An axis without length turns nothing. */
+        [Test]
+        public function turnsAboutAxesOfAnyLength():void
+        {
+            for each (var length:String in ["1", "1e-200", "1e155", "1e300"])
+            {
+                assertPoints("<rotate>0 0 " + length + " 90</rotate>", "0 0 0 0 1 0 -1 0 0 0 0 1");
+            }
+            assertPoints("<rotate>0 0 0 90</rotate>", "0 0 0 1 0 0 0 1 0 0 0 1");
         }
 
         [Test]

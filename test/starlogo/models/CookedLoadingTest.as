@@ -10,6 +10,7 @@ package starlogo.models
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.models.loading.CookedManifest;
+    import starlogo.models.loading.FileDownload;
     import starlogo.models.loading.ModelLoad;
     import support.CountingFitter;
     import support.LibraryContents;
@@ -261,7 +262,6 @@ package starlogo.models
         public function aManifestThatHasNotComeNamesNothingYet():void
         {
             var manifest:CookedManifest = new CookedManifest("a/m.json");
-            assertFalse(manifest.isRunning);
             assertEquals(null, manifest.addressFor("a/bear.obj"));
             fetch(manifest, "x");
             assertEquals("a/x", manifest.addressFor("a/bear.obj"));
@@ -271,10 +271,7 @@ package starlogo.models
         public function anEntryThatIsNoObjectHidesNoOther():void
         {
             var manifest:CookedManifest = new CookedManifest("m.json");
-            manifest.fetch(function():URLLoader
-                {
-                    return new OfferingURLLoader({"m.json": encoded("{\"models\": {\"a.obj\": \"x\", \"b.obj\": 3, \"c.obj\": null, \"bear.obj\": {\"cooked\": \"x\"}}}")});
-                });
+            manifest.download = new FileDownload("m.json", new OfferingURLLoader({"m.json": encoded("{\"models\": {\"a.obj\": \"x\", \"b.obj\": 3, \"c.obj\": null, \"bear.obj\": {\"cooked\": \"x\"}}}")}));
             for each (var file:String in ["a.obj", "b.obj", "c.obj"])
             {
                 assertEquals(null, manifest.addressFor(file));
@@ -285,10 +282,7 @@ package starlogo.models
         // Has a list come in which the bear's cooked file has an address.
         private static function fetch(manifest:CookedManifest, cooked:String):void
         {
-            manifest.fetch(function():URLLoader
-                {
-                    return new OfferingURLLoader({"a/m.json": encoded(JSON.stringify({models: {"bear.obj": {cooked: cooked}}}))});
-                });
+            manifest.download = new FileDownload("a/m.json", new OfferingURLLoader({"a/m.json": encoded(JSON.stringify({models: {"bear.obj": {cooked: cooked}}}))}));
         }
 
         private function askedFor():String

@@ -44,6 +44,16 @@ package starlogo.models
             assertClose(3 * Math.SQRT1_2, vertices[4], 1e-6);
         }
 
+        /** A node's turn that is not quite as long as 1 is the same turn at rest and as a key. */
+        [Test]
+        public function theRestIsAsAKeyOfIt():void
+        {
+            var file:Gltf = animated("rotation", [0.5, 0, 0, 0.5, 0.5, 0, 0, 0.5, 0.5, 0, 0, 0.5], "VEC4", "STEP");
+            file.json.nodes[0].rotation = [0.5, 0, 0, 0.5];
+            var model:GltfModel = new GltfModel("a", file.toBinary(), "z", Model.AS_GIVEN);
+            assertEquals(model.vertices.join(), new GltfAnimations("a", file.toBinary(), "z").verticesAt(0, 0).join());
+        }
+
         [Test]
         public function splinesHaveTangents():void
         {

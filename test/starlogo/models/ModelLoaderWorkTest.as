@@ -47,12 +47,12 @@ package starlogo.models
         public function livesWhileItHasWork():void
         {
             beginWithoutKeeping();
-            assertTrue(ModelLoader.isAnyWorking);
+            assertTrue(ModelLoader.sFrames.hasEventListener(Event.ENTER_FRAME));
             _frames.addEventListener(Event.ENTER_FRAME, onFrame);
             Async.handleEvent(this, _done, Event.COMPLETE, function(event:Event, data:Object):void
                 {
                     assertEquals("loaded text,the receiver hears: model \"file\",model \"file\": no vertices, so this is no OBJ text,complete", _log.join());
-                    assertFalse("nothing holds it any more", ModelLoader.isAnyWorking);
+                    assertFalse("nothing holds it any more", ModelLoader.sFrames.hasEventListener(Event.ENTER_FRAME));
                 }, 120000);
         }
 
@@ -95,14 +95,14 @@ package starlogo.models
         public function nothingHoldsItWhenAllIsCancelled():void
         {
             _loader = new TestedLoader(this, BUDGET);
-            assertFalse(ModelLoader.isAnyWorking);
+            assertFalse(ModelLoader.sFrames.hasEventListener(Event.ENTER_FRAME));
             _loader.loadText("a", OBJ);
             _loader.loadText("b", OBJ);
-            assertTrue(ModelLoader.isAnyWorking);
+            assertTrue(ModelLoader.sFrames.hasEventListener(Event.ENTER_FRAME));
             _loader.cancel("a");
-            assertTrue(ModelLoader.isAnyWorking);
+            assertTrue(ModelLoader.sFrames.hasEventListener(Event.ENTER_FRAME));
             _loader.cancel("b");
-            assertFalse(ModelLoader.isAnyWorking);
+            assertFalse(ModelLoader.sFrames.hasEventListener(Event.ENTER_FRAME));
         }
 
         [Test]

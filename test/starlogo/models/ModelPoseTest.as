@@ -136,7 +136,7 @@ package starlogo.models
             for each (var land:GreatLand in lands)
             {
                 assertClose(1, Box(land.hierarchies.root("pyramid").bounds).halfX, 1e-6);
-                assertEquals(1, land.revisionOf("pyramid"));
+                assertEquals("added and posed", 2, land.revisionOf("pyramid"));
             }
             var removed:GreatLand = lands[0];
             removed.removeModel("pyramid");

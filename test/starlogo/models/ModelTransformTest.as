@@ -70,6 +70,14 @@ package starlogo.models
             refuses(null, new Vector3D(1, 0, 1), null);
         }
 
+        [Test]
+        public function theSmallestMoveIsNoIdentity():void
+        {
+            assertTrue(new ModelTransform().isIdentity);
+            assertFalse(new ModelTransform(null, null, new Vector3D(0, 0, 1e-170)).isIdentity);
+            assertFalse(new ModelTransform(new Vector3D(1e-170, 0, 0)).isIdentity);
+        }
+
         /** The client's steps, each over all vertices, with matrices. */
         [Test]
         public function doesTheStepsInOrder():void

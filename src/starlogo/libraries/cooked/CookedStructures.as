@@ -57,24 +57,24 @@ package starlogo.libraries.cooked
          * Reads what <code>write()</code> has written.
          *
          * @param bytes the section; null for none
-         * @param last the last kind that there may be
-         * @param largest the model's largest coordinate
+         * @param lastKind the last kind that there may be
+         * @param largestCoordinate the model's
          * @return a structure, or null, for each kind up to the last one. Null if there is no section, or if it has no structure, one that cannot
          * exist, or one much larger than the model
          */
-        public static function read(bytes:ByteArray, last:int, largest:Number):Vector.<BoundingStructure>
+        public static function read(bytes:ByteArray, lastKind:int, largestCoordinate:Number):Vector.<BoundingStructure>
         {
             if (bytes == null || bytes.length < 4)
             {
                 return null;
             }
-            var all:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(last + 1);
+            var all:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(lastKind + 1);
             var kinds:int = bytes.readInt();
-            for (var kind:int = 0; kind <= last; kind++)
+            for (var kind:int = 0; kind <= lastKind; kind++)
             {
                 if ((kinds >> kind & 1) == 1)
                 {
-                    all[kind] = structureIn(bytes, kind, Math.max(1, LARGEST_FACTOR * largest));
+                    all[kind] = structureIn(bytes, kind, Math.max(1, LARGEST_FACTOR * largestCoordinate));
                     if (all[kind] == null)
                     {
                         return null;
@@ -90,13 +90,13 @@ package starlogo.libraries.cooked
             var structure:BoundingStructure = emptyOf(kind);
             var numbers:Vector.<Number> = new Vector.<Number>();
             var count:int = kind == BoundingStructure.HULL ? (bytes.bytesAvailable < 4 ? 0 : bytes.readInt()) : structure.toNumbers().length;
-            var areRight:Boolean = count > 0 && bytes.bytesAvailable / 8 >= count;
-            for (var i:int = 0; i < count && areRight; i++)
+            var areValid:Boolean = count > 0 && bytes.bytesAvailable / 8 >= count;
+            for (var i:int = 0; i < count && areValid; i++)
             {
                 numbers.push(bytes.readDouble());
-                areRight = Math.abs(numbers[i]) <= limit;
+                areValid = Math.abs(numbers[i]) <= limit;
             }
-            return areRight && areNumbersOf(structure, numbers) ? structure : null;
+            return areValid && areNumbersOf(structure, numbers) ? structure : null;
         }
 
         // Sets a structure's numbers. Returns whether they make one. Constructors refuse some numbers: that of a hull, or those that clone() calls.
@@ -112,12 +112,12 @@ package starlogo.libraries.cooked
             {
                 return false;
             }
-            var areRight:Boolean = made.length == numbers.length;
-            for (var i:int = 0; i < numbers.length && areRight; i++)
+            var areValid:Boolean = made.length == numbers.length;
+            for (var i:int = 0; i < numbers.length && areValid; i++)
             {
-                areRight = Math.abs(made[i] - numbers[i]) <= 100 * Tolerances.ROUNDING;
+                areValid = Math.abs(made[i] - numbers[i]) <= 100 * Tolerances.ROUNDING;
             }
-            return areRight;
+            return areValid;
         }
 
         // A structure of a kind that is a point.

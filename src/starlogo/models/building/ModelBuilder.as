@@ -10,7 +10,7 @@ package starlogo.models.building
     import starlogo.models.Model;
     import starlogo.models.ModelMaker;
     import starlogo.models.ModelTransform;
-    import starlogo.models.files.refuseIf;
+    import starlogo.models.files.refuseFileIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
@@ -119,10 +119,10 @@ package starlogo.models.building
         private function checkData():void
         {
             var count:int = _data.vertices.length;
-            refuseIf(_data.name == "", _data.name, "a model needs a name that is not empty");
-            refuseIf(count == 0, _data.name, "no vertices: a model needs at least one");
-            refuseIf(count % 3 != 0, _data.name, "vertices have three coordinates each, but there are " + count + " in all");
-            refuseIf(Model.SCALINGS.indexOf(_data.scaling) < 0, _data.name, "the scaling must be Model.FOOTPRINT, VOLUME or AS_GIVEN, not \"" + _data.scaling + "\"");
+            refuseFileIf(_data.name == "", _data.name, "a model needs a name that is not empty");
+            refuseFileIf(count == 0, _data.name, "no vertices: a model needs at least one");
+            refuseFileIf(count % 3 != 0, _data.name, "vertices have three coordinates each, but there are " + count + " in all");
+            refuseFileIf(Model.SCALINGS.indexOf(_data.scaling) < 0, _data.name, "the scaling must be Model.FOOTPRINT, VOLUME or AS_GIVEN, not \"" + _data.scaling + "\"");
         }
 
         private function addParts():void
@@ -171,7 +171,7 @@ package starlogo.models.building
                 {
                     _bounds.add(_data.vertices, first, end);
                     var problem:String = _bounds.areFinite ? null : vertexProblem(_data.vertices);
-                    refuseIf(problem != null, _data.name, problem);
+                    refuseFileIf(problem != null, _data.name, problem);
                 });
         }
 
@@ -246,13 +246,13 @@ package starlogo.models.building
         private function checkExtent():void
         {
             var size:Number = _bounds.extentX + _bounds.extentY + _bounds.extentZ;
-            refuseIf(!(size < Infinity), _data.name, "the coordinates are too large: the model's extent is not a finite number");
+            refuseFileIf(!(size < Infinity), _data.name, "the coordinates are too large: the model's extent is not a finite number");
         }
 
         private function checkCorners(first:int, end:int):void
         {
             var problem:String = triangleProblem(_data.triangles, _data.vertices.length / 3, first, end);
-            refuseIf(problem != null, _data.name, problem);
+            refuseFileIf(problem != null, _data.name, problem);
         }
 
         // A mirror image's triangles get the reverse winding, so that they still face outwards.

@@ -6,7 +6,7 @@ package starlogo.models.building
     import starlogo.models.ModelTransform;
     import starlogo.models.SourceFrame;
     import starlogo.models.cooked.CookedFile;
-    import starlogo.models.files.refuseIf;
+    import starlogo.models.files.refuseFileIf;
 
     use namespace engine;
 
@@ -83,7 +83,7 @@ package starlogo.models.building
         /** Throws a ModelError if an up axis is not "x", "y" or "z", or a ModelTransform in its place. */
         public static function requireUpAxis(name:String, upAxis:Object):void
         {
-            refuseIf(["x", "y", "z"].indexOf(upAxis) < 0 && !(upAxis is ModelTransform), name, "the up axis must be \"x\", \"y\" or \"z\", or a ModelTransform, not "
+            refuseFileIf(["x", "y", "z"].indexOf(upAxis) < 0 && !(upAxis is ModelTransform), name, "the up axis must be \"x\", \"y\" or \"z\", or a ModelTransform, not "
                     + textOf(upAxis) + (Model.SCALINGS.indexOf(String(upAxis)) < 0 ? "" : ": a scaling is the argument after it"));
         }
     }

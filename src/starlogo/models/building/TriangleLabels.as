@@ -11,7 +11,7 @@ package starlogo.models.building
      */
     public final class TriangleLabels
     {
-        /** The name of each label, or null for a label without a name. Null if nothing gives names. Read only. */
+        /** The name of each label, or null for a label without a name. Null if nothing gives names; set it before there are labels. */
         public var names:Vector.<String>;
 
         /**
@@ -50,12 +50,6 @@ package starlogo.models.building
         public function addLabel(name:String):int
         {
             return names.push(name) - 1;
-        }
-
-        /** Makes all labels nameless. */
-        public function removeNames():void
-        {
-            names = null;
         }
 
         /** The label of the last run. Triangles that come next have it. */

@@ -4,9 +4,14 @@ package starlogo.models.collada
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
 
-    /** Reads the entries of a COLLADA source, in small steps: numbers or names. Its accessor says which words of an array they are. */
+    /**
+     * Reads the entries of a COLLADA source, in small steps: numbers, names, or points of a geometry. Its accessor says which words of an array they
+     * are. All primitives of the geometry with this source share its points.
+     */
     internal final class ColladaAccessor extends StepSequence
     {
+        private static const POINTS_PER_STEP:int = 2000;
+
         /** The arrays of numbers. */
         internal static const NUMBERS:Array = ["float_array", "int_array"];
 
@@ -28,8 +33,8 @@ package starlogo.models.collada
         /** When all is read: the words of all entries. */
         public var words:Array;
 
-        /** When all is read: which words of an entry are x, y and z. Null if the entries are no points. */
-        public var columns:Vector.<int> = null;
+        /** When all is read, if the entries are points: the index of the first one in the list of the geometry. */
+        public var firstPoint:int;
 
         private var _firstWord:int; // its index in the array
         private var _numbers:Vector.<Number> = null;
@@ -37,16 +42,15 @@ package starlogo.models.collada
         /**
          * @param source the source's element
          * @param arrays the names that its array may have
-         * @param arePoints whether the entries are points. Then the last one may have no words after its coordinates
+         * @param points takes the points, after those already present: x, y, z, ...; null if the entries are no points
          */
-        public function ColladaAccessor(source:ColladaElement, arrays:Array, arePoints:Boolean = false)
+        public function ColladaAccessor(source:ColladaElement, arrays:Array, points:Vector.<Number> = null)
         {
             element = source.requiredChild("technique_common").requiredChild("accessor");
             array = element.target("source", arrays, source);
             add(array.splittingText(function(all:Array):Steps
                     {
-                        readEntries(all, arePoints);
-                        return null;
+                        return readEntries(all, points);
                     }));
         }
 
@@ -86,26 +90,45 @@ package starlogo.models.collada
             return _numbers;
         }
 
-        private function readEntries(all:Array, arePoints:Boolean):void
+        // The last point may have no words after its coordinates. Returns the steps that add the points, or null.
+        private function readEntries(all:Array, points:Vector.<Number>):Steps
         {
             array.checkCount(all.length, "values");
             // the attributes may be larger than an int
-            var step:Number = element.integer("stride", 1);
+            var wantedStride:Number = element.integer("stride", 1);
             var offset:Number = element.integer("offset", 0);
-            element.refuseIf(step == 0, "its stride is 0");
-            columns = arePoints ? columnsOf(step) : null;
-            var wanted:Number = element.integer("count", Math.max(0, Math.floor((all.length - offset) / step)));
-            var end:Number = offset + step * (wanted - 1) + (arePoints ? 1 + Math.max(columns[0], columns[1], columns[2]) : step);
-            element.refuseIf(wanted > 0 && end > all.length, "its count of " + wanted + " with a stride of " + step + " reaches beyond the " +
+            element.refuseIf(wantedStride == 0, "its stride is 0");
+            var columns:Vector.<int> = points == null ? null : columnsOf(wantedStride);
+            var wanted:Number = element.integer("count", Math.max(0, Math.floor((all.length - offset) / wantedStride)));
+            var end:Number = offset + wantedStride * (wanted - 1) + (points == null ? wantedStride : 1 + Math.max(columns[0], columns[1], columns[2]));
+            element.refuseIf(wanted > 0 && end > all.length, "its count of " + wanted + " with a stride of " + wantedStride + " reaches beyond the " +
                     all.length + " values of its array");
             count = wanted;
-            stride = step;
+            stride = wantedStride;
             _firstWord = offset;
-            words = all.slice(offset, offset + step * wanted);
+            words = all.slice(offset, offset + wantedStride * wanted);
+            return points == null ? null : addingPoints(points, columns);
+        }
+
+        // @param columns which words of an entry are x, y and z
+        private function addingPoints(points:Vector.<Number>, columns:Vector.<int>):Steps
+        {
+            firstPoint = points.length / 3;
+            array.budget.spendNumbers(3 * count, element);
+            return new StepSequence().slices(count, POINTS_PER_STEP, function(first:int, end:int):void
+                {
+                    for (var i:int = first; i < end; i++)
+                    {
+                        for (var k:int = 0; k < 3; k++)
+                        {
+                            points.push(array.toNumber(words[i * stride + columns[k]]));
+                        }
+                    }
+                });
         }
 
         // The indices of the accessor's parameters x, y and z: found by name, otherwise the first three.
-        private function columnsOf(step:Number):Vector.<int>
+        private function columnsOf(wantedStride:Number):Vector.<int>
         {
             var names:Array = [];
             element.budget.spendElements(element.children.length, element);
@@ -118,8 +141,8 @@ package starlogo.models.collada
             {
                 found = new <int>[0, 1, 2];
             }
-            element.refuseIf(names.length < 3 && names.length > 0 || Math.max(found[0], found[1], found[2]) >= step,
-                    "expected the parameters X, Y and Z of points, within its stride of " + step);
+            element.refuseIf(names.length < 3 && names.length > 0 || Math.max(found[0], found[1], found[2]) >= wantedStride,
+                    "expected the parameters X, Y and Z of points, within its stride of " + wantedStride);
             return found;
         }
     }

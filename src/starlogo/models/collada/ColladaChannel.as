@@ -1,7 +1,6 @@
 package starlogo.models.collada
 {
     import starlogo.models.animation.AnimationChannel;
-    import starlogo.models.animation.AnimationSampler;
     import starlogo.models.files.shortened;
 
     /** Reads the channels of COLLADA animations: which numbers of the document move, and how. */
@@ -45,14 +44,14 @@ package starlogo.models.collada
             {
                 return null;
             }
-            var keys:AnimationSampler = samplerOf(channel.target("source", ["sampler"], channel.parent));
+            var keys:AnimationChannel = samplerOf(channel.target("source", ["sampler"], channel.parent));
             var movesAll:Boolean = named == null && !parts[3];
             // an index may be larger than an int
             var index:Number = movesAll ? 0 : (named == null ? indexAt(element, parts[3], parts[4]) : indexNamed(element, named[2]));
             var width:int = movesAll ? size : 1;
             channel.refuseIf(!(index >= 0 && index < size), "there is no such number in the <" + element.name + ">");
             channel.refuseIf(keys.componentCount != width, "its sampler has " + keys.componentCount + " numbers for each key, but expected " + width);
-            return new AnimationChannel(String(element.index), keys, element.numbers(size), index);
+            return keys.moving(String(element.index), element.numbers(size), index);
         }
 
         // The element with an id, and the element in it that a list of sids leads to. Null if the id is not that of a scene, a node or an array, or
@@ -111,18 +110,18 @@ package starlogo.models.collada
         }
 
         // Reads the keys of a sampler.
-        private static function samplerOf(sampler:ColladaElement):AnimationSampler
+        private static function samplerOf(sampler:ColladaElement):AnimationChannel
         {
             var times:Vector.<Number> = listOf(sampler, "INPUT", ColladaAccessor.NUMBERS).numbers;
             var values:ColladaAccessor = listOf(sampler, "OUTPUT", ColladaAccessor.NUMBERS, times.length);
-            var interpolations:Array = [AnimationSampler.LINEAR];
+            var interpolations:Array = [AnimationChannel.LINEAR];
             if (sampler.child("input", "INTERPOLATION") != null)
             {
                 var list:ColladaAccessor = listOf(sampler, "INTERPOLATION", ColladaAccessor.NAMES, times.length);
                 sampler.refuseIf(list.stride != 1, "expected one interpolation for each key");
                 interpolations = list.words;
             }
-            var known:Array = [AnimationSampler.LINEAR, AnimationSampler.STEP, BEZIER];
+            var known:Array = [AnimationChannel.LINEAR, AnimationChannel.STEP, BEZIER];
             for each (var name:String in interpolations)
             {
                 if (known.indexOf(name) < 0)
@@ -134,7 +133,7 @@ package starlogo.models.collada
             var after:ColladaAccessor = hasCurves ? controlPoints(sampler, "OUT_TANGENT", values) : null;
             var before:ColladaAccessor = hasCurves ? controlPoints(sampler, "IN_TANGENT", values) : null;
             sampler.refuseIf(hasCurves && before.stride != after.stride, "its tangents are of different kinds");
-            return new AnimationSampler(sampler.budget.modelName, sampler, times, values.numbers, interpolations, hasCurves ? after.numbers : null,
+            return new AnimationChannel(sampler.budget.modelName, sampler, times, values.numbers, interpolations, hasCurves ? after.numbers : null,
                     hasCurves ? before.numbers : null);
         }
 

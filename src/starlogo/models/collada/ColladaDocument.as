@@ -1,18 +1,18 @@
 package starlogo.models.collada
 {
     import starlogo.models.files.FileBudget;
-    import starlogo.models.files.refuseIf;
+    import starlogo.models.files.refuseFileIf;
     import starlogo.models.files.shortened;
     import starlogo.models.text.Decimal;
     import starlogo.models.text.TextWords;
-    import starlogo.steps.Steps;
+    import starlogo.steps.StepSequence;
 
     /**
      * A COLLADA document, and what its poses share: its geometries and its skins are read once. Its steps read the XML.
      *
      * @private
      */
-    public final class ColladaDocument implements Steps
+    public final class ColladaDocument extends StepSequence
     {
         /** What the document may have and cost. Read only. */
         internal var budget:FileBudget;
@@ -27,21 +27,16 @@ package starlogo.models.collada
          */
         public function ColladaDocument(name:String, text:String)
         {
-            refuseIf(text == null, name, "there is no text to read");
+            refuseFileIf(text == null, name, "there is no text to read");
             budget = new FileBudget(name, text.length);
             _xml = new XmlReader(text, budget);
-        }
-
-        /** @inheritDoc */
-        public function step():Boolean
-        {
-            return _xml.step();
+            add(_xml);
         }
 
         /** The root, when all is read. @throws ModelError if it is not COLLADA */
         internal function get root():ColladaElement
         {
-            refuseIf(_xml.root == null, budget.modelName, "this is not XML: expected a COLLADA document");
+            refuseFileIf(_xml.root == null, budget.modelName, "this is not XML: expected a COLLADA document");
             _xml.root.refuseIf(_xml.root.name != "COLLADA", "expected a COLLADA document, but its root element is <" + _xml.root.name + ">");
             return _xml.root;
         }

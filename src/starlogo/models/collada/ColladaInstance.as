@@ -1,13 +1,19 @@
 package starlogo.models.collada
 {
     import starlogo.geometry.AffineTransform;
+    import starlogo.models.ModelError;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.TriangleLabels;
+    import starlogo.models.files.shortened;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
-    /** An instance of a geometry in a COLLADA scene. Its steps add it to a model. */
-    internal final class ColladaInstance
+    /**
+     * An instance of a geometry in a COLLADA scene. Its steps move the points by the morphs and skins of its controllers, if it has any. At rest a
+     * morph is its base shape, and if a skin is wrong, or too much for the limits, the points are where it was bound: what does not move needs no
+     * joints. More steps add the instance to a model.
+     */
+    internal final class ColladaInstance extends StepSequence
     {
         private static const VERTICES_PER_STEP:int = 3000;
         private static const TRIANGLES_PER_STEP:int = 5000;
@@ -18,50 +24,144 @@ package starlogo.models.collada
         // The element that instantiates the geometry. If there is no scene, the geometry's own element.
         private var _element:ColladaElement;
 
+        private var _scene:ColladaScene;
+
+        // The points, which are moved: null for those of the geometry. What takes them to the scene, and whether the first joint of the last skin mirrors
+        // them.
+        private var _points:Vector.<Number> = null;
         private var _transform:AffineTransform;
-        private var _deformation:ColladaDeformation;
+        private var _isFirstJointMirror:Boolean = false;
+
+        private var _bindTransform:AffineTransform; // takes the points of the geometry to where its skins were bound
 
         /**
+         * @param scene knows where joints are, and the pose
          * @param element the element that instantiates the geometry; the geometry's own element if there is no scene
-         * @param mesh the geometry's vertices and triangles. All instances of a geometry share them
-         * @param transform takes its points to the scene, unless there is a deformation
-         * @param deformation moves its points first; null for none
+         * @param node the node with this element; null if there is no scene
+         * @param mesh the geometry, which is read before the first step. All instances of a geometry share it
+         * @param deformers the morphs and skins, the last one first; empty for a geometry that the node places
          */
-        public function ColladaInstance(element:ColladaElement, mesh:ColladaMesh, transform:AffineTransform, deformation:ColladaDeformation = null)
+        public function ColladaInstance(scene:ColladaScene, element:ColladaElement, node:ColladaNode, mesh:ColladaMesh, deformers:Vector.<ColladaElement>)
         {
+            _scene = scene;
             _element = element;
             this.mesh = mesh;
-            _transform = transform;
-            _deformation = deformation;
+            _bindTransform = _transform = node == null ? new AffineTransform() : node.transform;
+            if (deformers.length > 0)
+            {
+                call(function():void
+                    {
+                        _points = mesh.points.slice();
+                    });
+            }
+            for (var i:int = deformers.length - 1; i >= 0; i--)
+            {
+                addDeformer(deformers[i], node);
+            }
+            for each (var deformer:ColladaElement in deformers)
+            {
+                _bindTransform = deformer.name == "skin" ? _bindTransform.after(scene.document.skinOf(deformer).bindShape) : _bindTransform;
+            }
         }
 
         /**
-         * The steps that add the geometry, which is read already, to a model.
+         * The steps that move the points, and then add the geometry, which is read already, to a model.
          *
          * @param data takes the vertices, the triangles and what they belong to
          */
         public function adding(data:ModelData):Steps
         {
-            var work:StepSequence = new StepSequence();
-            if (_deformation != null)
-            {
-                work.add(_deformation);
-            }
-            return work.begin(function():Steps
+            return new StepSequence().add(this).begin(function():Steps
                 {
-                    return _deformation == null ? addingPoints(mesh.points, _transform, _transform.isMirror, data)
-                        : addingPoints(_deformation.points, _deformation.transform, _deformation.isMirror, data);
+                    return addingPoints(data);
                 });
         }
 
-        // The steps that transform points, and add these and the triangles. If the points are mirrored, the triangles' corner order is reversed.
-        private function addingPoints(points:Vector.<Number>, transform:AffineTransform, isMirror:Boolean, data:ModelData):Steps
+        /** @inheritDoc */
+        override public function step():Boolean
         {
+            try
+            {
+                return super.step();
+            }
+            catch (error:ModelError)
+            {
+                if (!_scene.isAtRest)
+                {
+                    throw error;
+                }
+            }
+            _points = null;
+            _transform = _bindTransform;
+            _isFirstJointMirror = false;
+            return false;
+        }
+
+        private function addDeformer(deformer:ColladaElement, node:ColladaNode):void
+        {
+            if (deformer.name == "skin")
+            {
+                var skin:ColladaSkin = _scene.document.skinOf(deformer);
+                // the joints put the points into the scene
+                _transform = new AffineTransform();
+                add(skin).begin(function():Steps
+                    {
+                        var jointMatrices:Vector.<AffineTransform> = skin.jointMatricesOf(_scene, node, _element);
+                        _isFirstJointMirror = jointMatrices[0].isMirror;
+                        return skin.moving(_points, jointMatrices);
+                    });
+            }
+            else if (!_scene.isAtRest)
+            {
+                begin(function():Steps
+                    {
+                        return morphing(deformer);
+                    });
+            }
+        }
+
+        // The targets of a relative morph are added. Other targets share the shape with the base, whose weight is the rest.
+        private function morphing(morph:ColladaElement):Steps
+        {
+            var inputs:ColladaElement = morph.requiredChild("targets");
+            var targets:ColladaAccessor = ColladaAccessor.read(inputs, "MORPH_TARGET", ColladaAccessor.NAMES, morph);
+            var list:ColladaAccessor = ColladaAccessor.read(inputs, "MORPH_WEIGHT", ["float_array"], morph);
+            var posed:Vector.<Number> = _scene.posedNumbersOf(list.array);
+            var weights:Vector.<Number> = posed == null ? list.numbers : list.partOf(posed);
+            morph.refuseIf(targets.words.length > weights.length, "it has " + targets.words.length + " targets, but " + weights.length + " weights");
+            var base:Vector.<Number> = morph.attribute("method") == "RELATIVE" ? new Vector.<Number>(_points.length) : _points.slice();
+            return new StepSequence().beginEach(targets.words.length, function(index:int):Steps
+                {
+                    var target:ColladaMesh = targetOf(morph, targets.words[index]);
+                    return new StepSequence().add(target).call(function():void
+                        {
+                            morph.refuseIf(target.points.length != _points.length, "its target \"" + shortened(targets.words[index]) + "\" has another number of points");
+                            morph.budget.spendNumbers(_points.length, morph);
+                            for (var i:int = 0; i < _points.length; i++)
+                            {
+                                _points[i] += weights[index] * (target.points[i] - base[i]);
+                            }
+                        });
+                });
+        }
+
+        private function targetOf(morph:ColladaElement, id:String):ColladaMesh
+        {
+            var geometry:ColladaElement = morph.elementWith("geometry", id);
+            morph.refuseIf(geometry == null, "there is no <geometry> with the id \"" + shortened(id) + "\"");
+            return _scene.document.meshOf(geometry);
+        }
+
+        // The steps that transform points, and add these and the triangles. If the points are mirrored, the triangles' corner order is reversed.
+        private function addingPoints(data:ModelData):Steps
+        {
+            var points:Vector.<Number> = _points || mesh.points;
+            var transform:AffineTransform = _transform;
+            var isMirror:Boolean = transform.isMirror || _isFirstJointMirror;
             var firstVertex:int = data.vertices.length / 3;
             var firstTriangle:int = data.triangles.length / 3;
             var vertexCount:int = points.length / 3;
             var triangleCount:int = mesh.triangles.length / 3;
-            var second:int = isMirror ? 2 : 1;
             _element.budget.requireMesh(firstVertex + vertexCount, firstTriangle + triangleCount, _element);
             if (triangleCount > 0)
             {
@@ -75,8 +175,9 @@ package starlogo.models.collada
                 {
                     for (var i:int = 3 * first; i < 3 * end; i += 3)
                     {
-                        data.triangles.push(firstVertex + mesh.triangles[i], firstVertex + mesh.triangles[i + second],
-                                firstVertex + mesh.triangles[i + 3 - second]);
+                        var b:int = firstVertex + mesh.triangles[i + 1];
+                        var c:int = firstVertex + mesh.triangles[i + 2];
+                        data.triangles.push(firstVertex + mesh.triangles[i], isMirror ? c : b, isMirror ? b : c);
                     }
                 });
         }

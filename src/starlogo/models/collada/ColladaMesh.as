@@ -49,7 +49,7 @@ package starlogo.models.collada
                 {
                     symbols.push(element.attribute("material"));
                     starts.push(triangles.length / 3);
-                    var positions:ColladaPoints = pointsOf(positionSource(ColladaPrimitive.positionInput(element)));
+                    var positions:ColladaAccessor = pointsOf(positionSource(ColladaPrimitive.positionInput(element)));
                     return new StepSequence().add(positions).add(new ColladaPrimitive(element, positions, triangulator));
                 });
         }
@@ -74,10 +74,10 @@ package starlogo.models.collada
         }
 
         // The points of a source, which are read once: several primitives may share them.
-        private function pointsOf(source:ColladaElement):ColladaPoints
+        private function pointsOf(source:ColladaElement):ColladaAccessor
         {
             // the "#" keeps the key different from every property that each Object has
-            return _pointsOfSources[keyOf(source.id)] ||= new ColladaPoints(source, points);
+            return _pointsOfSources[keyOf(source.id)] ||= new ColladaAccessor(source, ColladaAccessor.NUMBERS, points);
         }
     }
 }

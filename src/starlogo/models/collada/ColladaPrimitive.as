@@ -13,7 +13,7 @@ package starlogo.models.collada
         private static const NAMES:Array = ["triangles", "polylist", "polygons", "tristrips", "trifans"];
 
         private var _element:ColladaElement;
-        private var _points:ColladaPoints;
+        private var _points:ColladaAccessor;
         private var _triangulator:Triangulator;
 
         // A corner takes _stride indices. The one at _offset is its position's.
@@ -25,7 +25,7 @@ package starlogo.models.collada
          * @param points its points; their steps come before this one's
          * @param triangulator takes the triangles and the polygons
          */
-        public function ColladaPrimitive(element:ColladaElement, points:ColladaPoints, triangulator:Triangulator)
+        public function ColladaPrimitive(element:ColladaElement, points:ColladaAccessor, triangulator:Triangulator)
         {
             _element = element;
             _points = points;
@@ -199,7 +199,7 @@ package starlogo.models.collada
         // Reads a corner, whose indices begin at the given one. Returns its point.
         private function readCorner(indices:Array, at:int):uint
         {
-            return _points.first + _element.toInteger(indices[int(at + _offset)], 0, _points.count - 1, "a position's index");
+            return _points.firstPoint + _element.toInteger(indices[int(at + _offset)], 0, _points.count - 1, "a position's index");
         }
     }
 }

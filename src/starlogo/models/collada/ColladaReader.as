@@ -7,7 +7,7 @@ package starlogo.models.collada
     import starlogo.models.building.ModelData;
     import starlogo.models.building.ModelReader;
     import starlogo.models.building.removingUnusedVertices;
-    import starlogo.models.files.refuseIf;
+    import starlogo.models.files.refuseFileIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -15,11 +15,11 @@ package starlogo.models.collada
      * Reads a COLLADA document. ColladaModel says which parts.
      *
      * <p>A ColladaDocument has an XmlReader, which makes ColladaElements of the text, and keeps what several poses share. A ColladaScene visits
-     * the ColladaNodes, whose transforms come from ColladaTransforms. Each geometry is a ColladaMesh. It has ColladaPoints, which a ColladaAccessor
-     * finds, and the triangles of ColladaPrimitives. Each instance of a geometry is a ColladaInstance, which adds the mesh to the model.</p>
+     * the ColladaNodes, whose transforms come from ColladaTransforms. Each geometry is a ColladaMesh. It has the points of ColladaAccessors, and
+     * the triangles of ColladaPrimitives. Each instance of a geometry is a ColladaInstance, which adds the mesh to the model.</p>
      *
-     * <p>Before that, a ColladaDeformation moves the points of a geometry that a controller places. It does so by morphs and by ColladaSkins. A
-     * ColladaSkin has the JointInfluences of its points, and finds its joints among the nodes.</p>
+     * <p>Before that, it moves the points of a geometry that a controller places. It does so by morphs and by ColladaSkins. A ColladaSkin has the
+     * JointInfluences of its points, and finds its joints among the nodes.</p>
      *
      * @private
      */
@@ -75,7 +75,7 @@ package starlogo.models.collada
                 }).call(function():void
                 {
                     _data.readProgress = 1;
-                    refuseIf(_data.vertices.length == 0, _data.name, "no vertices: expected a scene or a library with a geometry in it");
+                    refuseFileIf(_data.vertices.length == 0, _data.name, "no vertices: expected a scene or a library with a geometry in it");
                 });
         }
     }

@@ -14,6 +14,7 @@ package starlogo.models.collada
         private static const ELEMENTS_PER_STEP:int = 100;
         private static const MAX_DEPTH:int = 256;
         private static const MAX_CONTROLLERS:int = 16;
+        private static const NO_DEFORMERS:Vector.<ColladaElement> = new Vector.<ColladaElement>();
 
         // a node takes more memory than an element
         private static const ELEMENTS_PER_NODE:int = 2;
@@ -51,7 +52,7 @@ package starlogo.models.collada
             {
                 for each (var geometry:ColladaElement in document.entriesOf("library_geometries", "geometry"))
                 {
-                    instances.push(new ColladaInstance(geometry, document.meshOf(geometry), new AffineTransform()));
+                    addInstance(geometry, geometry, NO_DEFORMERS);
                 }
             }
         }
@@ -116,7 +117,7 @@ package starlogo.models.collada
             switch (element.name)
             {
                 case "instance_geometry":
-                    instances.push(new ColladaInstance(element, document.meshOf(element.target("url", ["geometry"])), _node.transform));
+                    addInstance(element, element.target("url", ["geometry"]), NO_DEFORMERS);
                     break;
                 case "instance_controller":
                     addController(element);
@@ -159,8 +160,12 @@ package starlogo.models.collada
                         " controllers follow one another, or they refer to each other in a circle");
                 deformers.push(deformer);
             }
-            var mesh:ColladaMesh = document.meshOf(target);
-            instances.push(new ColladaInstance(element, mesh, _node.transform, new ColladaDeformation(this, element, _node, mesh, deformers)));
+            addInstance(element, target, deformers);
+        }
+
+        private function addInstance(element:ColladaElement, geometry:ColladaElement, deformers:Vector.<ColladaElement>):void
+        {
+            instances.push(new ColladaInstance(this, element, _node, document.meshOf(geometry), deformers));
         }
     }
 }

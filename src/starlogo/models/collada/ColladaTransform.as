@@ -13,6 +13,9 @@ package starlogo.models.collada
         /** How many numbers a matrix has, row by row. */
         internal static const MATRIX_SIZE:int = 16;
 
+        // shorter parts of unit vectors are rounding
+        private static const ROUNDING:Number = 1e-12;
+
         private static const SIZES:Object = {matrix: MATRIX_SIZE, bind_shape_matrix: MATRIX_SIZE, translate: 3, scale: 3, rotate: 4, lookat: 9, skew: 7};
 
         /** How many numbers an element with a name has, if it is a transform. 0 if it is none. */
@@ -68,15 +71,11 @@ package starlogo.models.collada
         // A rotation about an axis (three numbers) by degrees (the fourth). An axis of length 0 means no rotation.
         private static function rotation(v:Vector.<Number>):AffineTransform
         {
-            var length:Number = Math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-            if (!(length > 0))
-            {
-                return new AffineTransform();
-            }
-            var x:Number = v[0] / length;
-            var y:Number = v[1] / length;
-            var z:Number = v[2] / length;
-            var angle:Number = v[3];
+            var axis:Vector3D = unitVector(v[0], v[1], v[2]);
+            var x:Number = axis.x;
+            var y:Number = axis.y;
+            var z:Number = axis.z;
+            var angle:Number = axis.lengthSquared > 0 ? v[3] : 0;
             var s:Number = Trigonometry.sine(angle);
             var c:Number = Trigonometry.cosine(angle);
             var t:Number = 1 - c;
@@ -90,8 +89,8 @@ package starlogo.models.collada
         private static function lookAt(element:ColladaElement, v:Vector.<Number>):AffineTransform
         {
             var back:Vector3D = unitVector(v[0] - v[3], v[1] - v[4], v[2] - v[5]);
-            var across:Vector3D = new Vector3D(v[6], v[7], v[8]).crossProduct(back);
-            var right:Vector3D = unitVector(across.x, across.y, across.z);
+            var across:Vector3D = unitVector(v[6], v[7], v[8]).crossProduct(back);
+            var right:Vector3D = unitVector(across.x, across.y, across.z, ROUNDING);
             var up:Vector3D = back.crossProduct(right);
             element.refuseIf(!(back.lengthSquared > 0 && right.lengthSquared > 0),
                     "expected two different points and a direction up that is not along their line");
@@ -107,7 +106,7 @@ package starlogo.models.collada
             var turning:Vector3D = unitVector(v[1], v[2], v[3]);
             var shift:Vector3D = unitVector(v[4], v[5], v[6]);
             var along:Number = turning.dotProduct(shift);
-            var across:Vector3D = unitVector(turning.x - along * shift.x, turning.y - along * shift.y, turning.z - along * shift.z);
+            var across:Vector3D = unitVector(turning.x - along * shift.x, turning.y - along * shift.y, turning.z - along * shift.z, ROUNDING);
             var height:Number = turning.dotProduct(across);
             var angle:Number = v[0];
             // the turned axis in the plane of the two axes: its parts across the shift and along it
@@ -123,11 +122,20 @@ package starlogo.models.collada
                         shift.z * across.x, shift.z * across.y, 1 + shift.z * across.z, 0]);
         }
 
-        // The direction of a vector, as a vector of length 1; of length 0 if the vector has no length.
-        private static function unitVector(x:Number, y:Number, z:Number):Vector3D
+        // The direction of a vector, as a vector of length 1; of length 0 if no coordinate is larger than a limit. The largest coordinate is divided
+        // out first, because the squares of very small or large numbers are 0 or infinite.
+        private static function unitVector(x:Number, y:Number, z:Number, limit:Number = 0):Vector3D
         {
+            var largest:Number = Math.max(Math.abs(x), Math.abs(y), Math.abs(z));
+            if (!(largest > limit))
+            {
+                return new Vector3D();
+            }
+            x /= largest;
+            y /= largest;
+            z /= largest;
             var length:Number = Math.sqrt(x * x + y * y + z * z);
-            return length > 1e-12 ? new Vector3D(x / length, y / length, z / length) : new Vector3D();
+            return new Vector3D(x / length, y / length, z / length);
         }
     }
 }

@@ -1,8 +1,8 @@
 package starlogo.models.collada
 {
     import starlogo.data.keyOf;
-    import starlogo.models.ModelError;
     import starlogo.models.files.FileBudget;
+    import starlogo.models.files.refuseFileIf;
     import starlogo.models.text.TextWords;
     import starlogo.steps.Steps;
 
@@ -22,6 +22,7 @@ package starlogo.models.collada
         // The code of the last character of Unicode. An entity with a greater one stays text, as one with an unknown name does.
         private static const LAST_CHARACTER:int = 0x10FFFF;
 
+        private static const MALFORMED:String = "this is not well-formed XML, or cut off";
         private static const TAGS_PER_STEP:int = 100;
         private static const QUOTE:int = 0x22;
         private static const APOSTROPHE:int = 0x27;
@@ -71,7 +72,7 @@ package starlogo.models.collada
                     readTag();
                 }
             }
-            refuseIf(_at == _text.length && _open != null);
+            refuseFileIf(_at == _text.length && _open != null, _budget.modelName, MALFORMED, this);
             return _at < _text.length;
         }
 
@@ -117,7 +118,7 @@ package starlogo.models.collada
         {
             var start:int = _at + 1;
             _at = endOf(">");
-            refuseIf(_open == null || _text.substring(start, _at - 1).split(NAME_END, 1)[0] != _names.pop());
+            refuseFileIf(_open == null || _text.substring(start, _at - 1).split(NAME_END, 1)[0] != _names.pop(), _budget.modelName, MALFORMED, this);
             _open = _open.parent;
         }
 
@@ -126,7 +127,7 @@ package starlogo.models.collada
             var end:int = endOf(">") - 1;
             var quote:int = TextWords.indexOfEither(_text, QUOTE, APOSTROPHE, _at, end);
             var name:String = _text.substring(_at, quote).split(NAME_END, 1)[0];
-            refuseIf(name == "" || root != null && _open == null);
+            refuseFileIf(name == "" || root != null && _open == null, _budget.modelName, MALFORMED, this);
             _budget.spendElements(1, this);
             var attributes:Object = {};
             _at += name.length;
@@ -134,14 +135,14 @@ package starlogo.models.collada
             {
                 var words:Array = ATTRIBUTE.exec(_text.substring(_at, quote));
                 var close:int = _text.indexOf(_text.charAt(quote), quote + 1);
-                refuseIf(words == null || close < 0);
+                refuseFileIf(words == null || close < 0, _budget.modelName, MALFORMED, this);
                 attributes[keyOf(localName(words[1]))] = decoded(_text.substring(quote + 1, close));
                 _at = close + 1;
                 end = end < close ? endOf(">") - 1 : end;
                 quote = TextWords.indexOfEither(_text, QUOTE, APOSTROPHE, _at, end);
             }
-            refuseIf(quote < end, "an element has more than " + MAX_ATTRIBUTES + " attributes");
-            refuseIf(!TAG_END.test(_text.substring(_at, end)));
+            refuseFileIf(quote < end, _budget.modelName, "an element has more than " + MAX_ATTRIBUTES + " attributes", this);
+            refuseFileIf(!TAG_END.test(_text.substring(_at, end)), _budget.modelName, MALFORMED, this);
             var element:ColladaElement = new ColladaElement(_budget, _elementCount++, localName(name), _open, attributes);
             root ||= element;
             if (_text.charAt(end - 1) != "/")
@@ -149,7 +150,7 @@ package starlogo.models.collada
                 _names.push(name);
                 _open = element;
             }
-            refuseIf(_names.length > MAX_DEPTH, "elements are nested more than " + MAX_DEPTH + " deep");
+            refuseFileIf(_names.length > MAX_DEPTH, _budget.modelName, "elements are nested more than " + MAX_DEPTH + " deep", this);
             _at = end + 1;
         }
 
@@ -165,16 +166,8 @@ package starlogo.models.collada
         private function endOf(piece:String):int
         {
             var found:int = _text.indexOf(piece, _at);
-            refuseIf(found < 0);
+            refuseFileIf(found < 0, _budget.modelName, MALFORMED, this);
             return found + piece.length;
-        }
-
-        private function refuseIf(isWrong:Boolean, problem:String = "this is not well-formed XML, or cut off"):void
-        {
-            if (isWrong)
-            {
-                throw new ModelError(_budget.modelName, String(this), problem);
-            }
         }
 
         private static function localName(name:String):String

@@ -161,13 +161,13 @@ package starlogo.models.cooked
          * The bytes of a section. Their position is 0.
          *
          * @param index the section
-         * @param settings the settings that the section must have; null for any
+         * @param settingsKey the fingerprint of the settings that the section must have; null for any
          * @return null if the section is empty or has other settings
          */
-        public function section(index:int, settings:Fingerprint):ByteArray
+        public function section(index:int, settingsKey:Fingerprint):ByteArray
         {
             var length:int = _isComplete ? lengthOf(index) : 0;
-            if (length == 0 || settings != null && !hasSettings(index, settings))
+            if (length == 0 || settingsKey != null && !hasSettings(index, settingsKey))
             {
                 return null;
             }

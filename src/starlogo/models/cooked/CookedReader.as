@@ -13,7 +13,7 @@ package starlogo.models.cooked
     import starlogo.models.building.ModelReader;
     import starlogo.models.building.TriangleLabels;
     import starlogo.models.files.FileBudget;
-    import starlogo.models.files.refuseIf;
+    import starlogo.models.files.refuseFileIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -80,8 +80,8 @@ package starlogo.models.cooked
             catch (error:Error)
             {
                 // the transform's own error, or that of the end of the bytes
-                refuseIf(error is RangeError, _data.name, error.message);
-                refuseIf(error is EOFError, _data.name, "the cooked file has fewer numbers than it says");
+                refuseFileIf(error is RangeError, _data.name, error.message);
+                refuseFileIf(error is EOFError, _data.name, "the cooked file has fewer numbers than it says");
                 throw error;
             }
             return hasMore;
@@ -90,10 +90,10 @@ package starlogo.models.cooked
         // Reads the head. The work that it returns reads the numbers.
         private function reading(file:CookedFile, modelKey:Fingerprint):Steps
         {
-            refuseIf(file.isOfOtherVersion, _data.name, "the cooked file is of another version of the engine: cook it again");
+            refuseFileIf(file.isOfOtherVersion, _data.name, "the cooked file is of another version of the engine: cook it again");
             _bytes = file.section(CookedFile.MODEL, null);
-            refuseIf(_bytes == null, _data.name, "the cooked file is damaged: cook it again");
-            refuseIf(modelKey != null && !file.isOf(modelKey), _data.name, "the cooked file is for another up axis, transform or scaling");
+            refuseFileIf(_bytes == null, _data.name, "the cooked file is damaged: cook it again");
+            refuseFileIf(modelKey != null && !file.isOf(modelKey), _data.name, "the cooked file is for another up axis, transform or scaling");
             _data.cooked = file;
             _data.scaling = Model.SCALINGS[readInteger(0, Model.SCALINGS.length - 1)];
             var encoding:int = readInteger(0, DOUBLE);
@@ -107,10 +107,10 @@ package starlogo.models.cooked
             {
                 _data.source = readSource();
                 _data.isNormalised = true;
-                refuseIf(!_data.source.isRight, _data.name, "the cooked file does not have the model's place in its source");
+                refuseFileIf(!_data.source.isValid, _data.name, "the cooked file does not have the model's place in its source");
             }
             // Each number takes at least one byte. A declared count is not trusted: memory is reserved only for data that is present.
-            refuseIf(_bytes.bytesAvailable < 3 * (vertexCount + triangleCount), _data.name, "the cooked file has fewer bytes than it says");
+            refuseFileIf(_bytes.bytesAvailable < 3 * (vertexCount + triangleCount), _data.name, "the cooked file has fewer bytes than it says");
             _data.vertices.length = 3 * vertexCount;
             _data.triangles.length = 3 * triangleCount;
             return new StepSequence().slices(vertexCount, VERTICES_PER_STEP, function(first:int, end:int):void
@@ -133,7 +133,7 @@ package starlogo.models.cooked
             var nameCount:int = VarInt.read(_bytes);
             if (nameCount < 0)
             {
-                labels.removeNames();
+                labels.names = null;
             }
             return new StepSequence().slices(Math.max(0, nameCount), LABELS_PER_STEP, function(first:int, end:int):void
                 {

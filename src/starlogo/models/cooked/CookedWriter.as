@@ -9,7 +9,7 @@ package starlogo.models.cooked
     import starlogo.models.building.ModelBuilder;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.TriangleLabels;
-    import starlogo.models.files.refuseIf;
+    import starlogo.models.files.refuseFileIf;
 
     use namespace engine;
 
@@ -38,7 +38,7 @@ package starlogo.models.cooked
                     return writeAs(model, encoding, points, transform);
                 }
             }
-            refuseIf(!model.source.isRight, model.name, "its place in its source is not finite numbers, so it can't be cooked");
+            refuseFileIf(!model.source.isValid, model.name, "its place in its source is not finite numbers, so it can't be cooked");
             return writeAs(model, CookedReader.DOUBLE, model.vertices, null);
         }
 

@@ -52,9 +52,9 @@ package starlogo.models.files
         {
             if (_text == null)
             {
-                refuseIf(bytes == null || bytes.length == 0, name, "the file is empty");
+                refuseFileIf(bytes == null || bytes.length == 0, name, "the file is empty");
                 checkSize();
-                refuseIf(isArchive(bytes), name, "this is a zip archive (.zae is one too): unpack it, and load the model file that is in it");
+                refuseFileIf(isArchive(bytes), name, "this is a zip archive (.zae is one too): unpack it, and load the model file that is in it");
                 _text = TextWords.withoutByteOrderMark(decoded(expected));
             }
             return _text;
@@ -63,7 +63,7 @@ package starlogo.models.files
         /** Throws a ModelError if the file has too many bytes. */
         public function checkSize():void
         {
-            refuseIf(bytes.length > FileBudget.MAX_BYTES, name, "the file has " + bytes.length + " bytes: expected at most " + FileBudget.MAX_BYTES);
+            refuseFileIf(bytes.length > FileBudget.MAX_BYTES, name, "the file has " + bytes.length + " bytes: expected at most " + FileBudget.MAX_BYTES);
         }
 
         private function decoded(expected:String):String

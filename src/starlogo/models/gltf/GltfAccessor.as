@@ -16,7 +16,6 @@ package starlogo.models.gltf
         private static const SHORT:int = 5122;
         private static const UNSIGNED_SHORT:int = 5123;
         private static const UNSIGNED_INT:int = 5125;
-        private static const FLOAT:int = 5126;
 
         private static const COMPONENT_SIZES:Object = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4};
         private static const COMPONENT_COUNTS:Object = {SCALAR: 1, VEC3: 3, VEC4: 4, MAT4: 16};

@@ -2,7 +2,7 @@ package starlogo.models.gltf
 {
     import starlogo.models.animation.AnimationChannel;
     import starlogo.models.animation.FileAnimation;
-    import starlogo.models.animation.AnimationSampler;
+    import starlogo.models.animation.AnimationChannel;
     import starlogo.models.animation.Pose;
     import starlogo.models.building.ModelReader;
     import starlogo.steps.finish;
@@ -55,21 +55,21 @@ package starlogo.models.gltf
                 {
                     target.refuseIf(file.json.rootEntry("nodes", node).has("matrix") && path != "weights", "a node with a matrix can't be animated");
                     var sampler:int = channel.requiredInteger("sampler", animation.count("samplers") - 1);
-                    var keys:AnimationSampler = samplerOf(file, animation.element("samplers", sampler), path);
-                    channels.push(new AnimationChannel(GltfScene.targetOf(node, path), keys, new Vector.<Number>(keys.componentCount)));
+                    var keys:AnimationChannel = samplerOf(file, animation.element("samplers", sampler), path);
+                    channels.push(keys.moving(GltfScene.targetOf(node, path), new Vector.<Number>(keys.componentCount)));
                 }
             }
             return channels;
         }
 
         // Reads the keys of a sampler. @param path the property that they move
-        private static function samplerOf(file:GltfFile, sampler:GltfJson, path:String):AnimationSampler
+        private static function samplerOf(file:GltfFile, sampler:GltfJson, path:String):AnimationChannel
         {
             var input:int = sampler.reference("input", "accessors");
             var output:int = sampler.reference("output", "accessors");
             sampler.refuseIf(input < 0 || output < 0, "expected input and output");
-            var interpolation:String = sampler.has("interpolation") ? sampler.text("interpolation") : AnimationSampler.LINEAR;
-            sampler.refuseIf([AnimationSampler.LINEAR, AnimationSampler.STEP, CUBIC].indexOf(interpolation) < 0, "expected LINEAR, STEP or CUBICSPLINE", "interpolation");
+            var interpolation:String = sampler.has("interpolation") ? sampler.text("interpolation") : AnimationChannel.LINEAR;
+            sampler.refuseIf([AnimationChannel.LINEAR, AnimationChannel.STEP, CUBIC].indexOf(interpolation) < 0, "expected LINEAR, STEP or CUBICSPLINE", "interpolation");
             var times:GltfAccessor = file.accessor(input, "SCALAR");
             var values:GltfAccessor = file.accessor(output, TYPES[path]);
             var wanted:Number = Number(times.count) * (interpolation == CUBIC ? 3 : 1);
@@ -80,12 +80,12 @@ package starlogo.models.gltf
             finish(values);
             var isRotation:Boolean = path == "rotation";
             return interpolation == CUBIC ? splines(sampler, times.numbers, values.numbers, isRotation)
-                : new AnimationSampler(sampler.modelName, sampler.place, times.numbers, values.numbers, [interpolation], null, null, isRotation);
+                : new AnimationChannel(sampler.modelName, sampler.place, times.numbers, values.numbers, [interpolation], null, null, isRotation);
         }
 
         // The keys of Hermite splines: for each key the tangents before it, the values, and the tangents after it (glTF specification, appendix
         // C). A control point of the same curve is a third of the tangent away from its key.
-        private static function splines(sampler:GltfJson, times:Vector.<Number>, numbers:Vector.<Number>, areRotations:Boolean):AnimationSampler
+        private static function splines(sampler:GltfJson, times:Vector.<Number>, numbers:Vector.<Number>, areRotations:Boolean):AnimationChannel
         {
             var width:int = numbers.length / times.length / 3;
             var values:Vector.<Number> = new Vector.<Number>();
@@ -101,7 +101,7 @@ package starlogo.models.gltf
                     before.push(key == 0 ? value : value - numbers[i] * (times[key] - times[key - 1]) / 3);
                 }
             }
-            return new AnimationSampler(sampler.modelName, sampler.place, times, values, [CUBIC], after, before, areRotations);
+            return new AnimationChannel(sampler.modelName, sampler.place, times, values, [CUBIC], after, before, areRotations);
         }
     }
 }

@@ -6,7 +6,7 @@ package starlogo.models.gltf
     import starlogo.models.files.FileUrl;
     import starlogo.models.files.FileBudget;
     import starlogo.models.files.ModelFile;
-    import starlogo.models.files.refuseIf;
+    import starlogo.models.files.refuseFileIf;
     import starlogo.models.files.shortened;
     import starlogo.models.text.TextWords;
     import starlogo.steps.StepSequence;
@@ -167,19 +167,19 @@ package starlogo.models.gltf
             var text:String = null;
             var length:int = bytes.length;
             file.checkSize();
-            refuseIf(length < HEADER_LENGTH + CHUNK_HEADER_LENGTH, name, "the file is cut off: it has " + length + " bytes");
+            refuseFileIf(length < HEADER_LENGTH + CHUNK_HEADER_LENGTH, name, "the file is cut off: it has " + length + " bytes");
             bytes.endian = Endian.LITTLE_ENDIAN;
             var version:uint = wordAt(bytes, 4);
-            refuseIf(version != 2, name, "expected binary glTF of version 2, but found " + version, "byte 4");
+            refuseFileIf(version != 2, name, "expected binary glTF of version 2, but found " + version, "byte 4");
             var end:uint = wordAt(bytes, 8);
-            refuseIf(end > length, name, "the file is cut off: it should have " + end + " bytes, but has " + length, "byte 8");
+            refuseFileIf(end > length, name, "the file is cut off: it should have " + end + " bytes, but has " + length, "byte 8");
             for (var at:int = HEADER_LENGTH; at + CHUNK_HEADER_LENGTH <= end; at += CHUNK_HEADER_LENGTH + chunkLength)
             {
                 var chunkLength:uint = wordAt(bytes, at);
                 var type:uint = wordAt(bytes, at + 4);
                 var start:int = at + CHUNK_HEADER_LENGTH;
-                refuseIf(chunkLength > end - start, name, "a chunk should have " + chunkLength + " bytes, but " + (end - start) + " are left", "byte " + at);
-                refuseIf((text == null) != (type == JSON_CHUNK), name, "the first chunk, and no other, must be JSON", "byte " + at);
+                refuseFileIf(chunkLength > end - start, name, "a chunk should have " + chunkLength + " bytes, but " + (end - start) + " are left", "byte " + at);
+                refuseFileIf((text == null) != (type == JSON_CHUNK), name, "the first chunk, and no other, must be JSON", "byte " + at);
                 if (text == null)
                 {
                     bytes.position = start;
@@ -194,7 +194,7 @@ package starlogo.models.gltf
                     }
                 }
             }
-            refuseIf(text == null, name, "there is no JSON in it");
+            refuseFileIf(text == null, name, "there is no JSON in it");
             return text;
         }
 

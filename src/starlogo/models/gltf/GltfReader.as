@@ -4,7 +4,7 @@ package starlogo.models.gltf
     import starlogo.models.building.ModelData;
     import starlogo.models.building.ModelReader;
     import starlogo.models.building.removingUnusedVertices;
-    import starlogo.models.files.refuseIf;
+    import starlogo.models.files.refuseFileIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -63,7 +63,7 @@ package starlogo.models.gltf
             var node:GltfJson = _file.json.rootEntry("nodes", nodeIndex);
             var mesh:GltfJson = node.rootEntry("meshes", node.reference("mesh", "meshes"));
             var name:String = node.text("name") || mesh.text("name");
-            // The vertices of this node so far. The key is everything that they depend on.
+            // The vertices of this node so far, by what they depend on beside the node and its skin.
             var placed:Object = {};
             _data.readProgress = index / _scene.nodes.length;
             // each primitive may have a target for each weight
@@ -104,7 +104,7 @@ package starlogo.models.gltf
         private function endReading():void
         {
             _data.readProgress = 1;
-            refuseIf(_data.vertices.length == 0, _data.name, "no vertices: expected a mesh in the scene");
+            refuseFileIf(_data.vertices.length == 0, _data.name, "no vertices: expected a mesh in the scene");
         }
     }
 }

@@ -3,6 +3,7 @@ package starlogo.models.gltf
     import starlogo.geometry.AffineTransform;
     import starlogo.geometry.Placement;
     import starlogo.models.animation.Pose;
+    import starlogo.models.animation.normaliseTurn;
     import starlogo.steps.StepSequence;
 
     /** The scene of a glTF file, at rest or in a pose. Its steps find the nodes with meshes. */
@@ -181,6 +182,7 @@ package starlogo.models.gltf
             var t:Vector.<Number> = posed(index, "translation") || node.numbers("translation", 3, new <Number>[0, 0, 0]);
             var r:Vector.<Number> = posed(index, "rotation") || node.numbers("rotation", 4, new <Number>[0, 0, 0, 1]);
             var s:Vector.<Number> = posed(index, "scale") || node.numbers("scale", 3, new <Number>[1, 1, 1]);
+            normaliseTurn(r);
             var turn:Placement = new Placement();
             turn.setQuaternion(r[0], r[1], r[2], r[3]);
             return AffineTransform.of(turn, s[0], s[1], s[2], t[0], t[1], t[2]);

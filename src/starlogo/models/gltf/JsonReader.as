@@ -2,6 +2,7 @@ package starlogo.models.gltf
 {
     import starlogo.models.ModelError;
     import starlogo.models.files.FileBudget;
+    import starlogo.models.files.refuseFileIf;
     import starlogo.models.text.Decimal;
     import starlogo.steps.Steps;
 
@@ -71,7 +72,7 @@ package starlogo.models.gltf
                     readMark(_text.charAt(_at - 1));
                 }
             }
-            refuseIf(_at == _text.length && _allowed != "", "it is cut off");
+            refuseFileIf(_at == _text.length && _allowed != "", _budget.modelName, "its JSON can't be read: it is cut off", this);
             return _at < _text.length;
         }
 
@@ -87,7 +88,7 @@ package starlogo.models.gltf
             var mark:String = MARKS.indexOf(character) < 0 ? WORD : character;
             if (_allowed.indexOf(mark) < 0)
             {
-                throw errorOf("unexpected " + GltfJson.shown(character));
+                throw new ModelError(_budget.modelName, String(this), "its JSON can't be read: unexpected " + GltfJson.shown(character));
             }
             switch (mark)
             {
@@ -120,13 +121,13 @@ package starlogo.models.gltf
             put(value);
             _open.push(value);
             _allowed = allowed;
-            refuseIf(_open.length > MAX_DEPTH, "it is nested deeper than " + MAX_DEPTH);
+            refuseFileIf(_open.length > MAX_DEPTH, _budget.modelName, "its JSON can't be read: it is nested deeper than " + MAX_DEPTH, this);
         }
 
         private function readString():void
         {
             var end:int = endOfString();
-            refuseIf(end < 0, "a string has no end");
+            refuseFileIf(end < 0, _budget.modelName, "its JSON can't be read: a string has no end", this);
             var text:String = decoded(_text.substring(_at - 1, end + 1));
             if (_allowed.indexOf(WORD) >= 0)
             {
@@ -152,7 +153,7 @@ package starlogo.models.gltf
             {
                 // the text stays null
             }
-            refuseIf(text == null, "a string has a wrong character or escape");
+            refuseFileIf(text == null, _budget.modelName, "its JSON can't be read: a string has a wrong character or escape", this);
             return text;
         }
 
@@ -185,7 +186,7 @@ package starlogo.models.gltf
             // NaN for a word that is too long for the pattern
             var number:Number = Decimal.of(word);
             var isNumber:Boolean = number == number && NUMBER.test(word);
-            refuseIf(!isNumber && !WORDS.hasOwnProperty(word), "a word is no number, true, false or null");
+            refuseFileIf(!isNumber && !WORDS.hasOwnProperty(word), _budget.modelName, "its JSON can't be read: a word is no number, true, false or null", this);
             put(isNumber ? number : WORDS[word]);
             _at = end;
         }
@@ -218,19 +219,6 @@ package starlogo.models.gltf
         private function endValue():void
         {
             _allowed = _open.length == 0 ? "" : (_open[_open.length - 1] is Array ? IN_LIST : IN_OBJECT);
-        }
-
-        private function refuseIf(isWrong:Boolean, problem:String):void
-        {
-            if (isWrong)
-            {
-                throw errorOf(problem);
-            }
-        }
-
-        private function errorOf(problem:String):ModelError
-        {
-            return new ModelError(_budget.modelName, String(this), "its JSON can't be read: " + problem);
         }
     }
 }

@@ -5,7 +5,7 @@ package starlogo.models.loading
     import starlogo.models.files.FileUrl;
 
     /**
-     * The list of the cooked files in a folder and below. It is fetched when it is first needed.
+     * The list of the cooked files in a folder and below.
      *
      * @private
      */
@@ -14,7 +14,8 @@ package starlogo.models.loading
         /** The list's address. Read only. */
         public var url:String;
 
-        private var _download:FileDownload = null;
+        /** The download of the list. It begins when it is first needed. */
+        public var download:FileDownload = null;
 
         // The addresses of the cooked files, by those of the models' files. All are relative to the list's folder. Null before they are read.
         private var _cooked:Object = null;
@@ -25,28 +26,16 @@ package starlogo.models.loading
             this.url = url;
         }
 
-        /** Fetches the list, if it has not been requested before. @param newLoader <code>function():URLLoader</code> */
-        public function fetch(newLoader:Function):void
-        {
-            _download ||= new FileDownload(url, newLoader());
-        }
-
-        /** Whether the download is running. */
-        public function get isRunning():Boolean
-        {
-            return _download != null && _download.isRunning;
-        }
-
         /** The address of the cooked file for a model's file; null if the list has none, or has not come. */
         public function addressFor(file:String):String
         {
             var path:String = FileUrl.pathOf(file);
             var folder:String = FileUrl.folderOf(url);
-            if (path.indexOf(folder) != 0 || _download == null || _download.bytes == null)
+            if (path.indexOf(folder) != 0 || download == null || download.bytes == null)
             {
                 return null;
             }
-            _cooked ||= read(_download.bytes);
+            _cooked ||= read(download.bytes);
             var model:String = path.substr(folder.length);
             var cooked:String = _cooked[keyOf(model)] || "";
             // A cooked file's address may begin with the model's, which the game chose. Only what the list adds is checked.

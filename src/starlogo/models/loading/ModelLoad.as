@@ -11,7 +11,7 @@ package starlogo.models.loading
     import starlogo.models.cooked.CookedReader;
     import starlogo.models.files.FileUrl;
     import starlogo.models.files.ModelFile;
-    import starlogo.models.files.refuseIf;
+    import starlogo.models.files.refuseFileIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -22,7 +22,7 @@ package starlogo.models.loading
      *
      * <p>Each method adds the steps that come after it. <code>fetch</code> fetches the list of cooked files, if there is one. Then
      * <code>fetchCooked</code> and <code>readCooked</code> try the cooked file. If that gives no model, <code>fetchFile</code> fetches the model's own
-     * file and its transform file. <code>addReading</code> decodes the file. <code>addMaking</code> has its reader make the model, which may fetch other
+     * file and its transform file. <code>addReadSteps</code> decodes the file. <code>addMakeSteps</code> has its reader make the model, which may fetch other
      * files (<code>fetchSibling</code>), and <code>keepModel</code> gives it to the receiver.</p>
      *
      * @private
@@ -87,7 +87,7 @@ package starlogo.models.loading
         /** Whether the load can go on: no download is running. */
         public function get isReady():Boolean
         {
-            return !_downloads.some(isRunning) && (_manifest == null || !_manifest.isRunning);
+            return !_downloads.some(isRunning) && (_manifest == null || !_manifest.download.isRunning);
         }
 
         /** The share of the load that is done, from 0 to 1. */
@@ -120,12 +120,12 @@ package starlogo.models.loading
                 return;
             }
             _manifest = manifest;
-            manifest.fetch(_newLoader);
+            manifest.download ||= new FileDownload(manifest.url, _newLoader());
             call(fetchCooked);
         }
 
         /** Adds the steps that read a file. */
-        public function addReading(file:ModelFile):void
+        public function addReadSteps(file:ModelFile):void
         {
             var format:String;
             call(function():void
@@ -134,12 +134,12 @@ package starlogo.models.loading
                     format = ModelFormat.of(file);
                 }).call(function():void
                 {
-                    addMaking(ModelBuilder.reading(ModelFormat.newReader(file, format, _upAxis, _scaling, fetchSibling)));
+                    addMakeSteps(ModelBuilder.reading(ModelFormat.newReader(file, format, _upAxis, _scaling, fetchSibling)));
                 });
         }
 
         /** Adds the steps of what makes the model: the reader of its file, or the game's own maker. */
-        public function addMaking(maker:ModelMaker):void
+        public function addMakeSteps(maker:ModelMaker):void
         {
             _downloads.length = 0;
             _maker = maker;
@@ -217,8 +217,8 @@ package starlogo.models.loading
 
         private function readFetched(file:FileDownload, transformFile:FileDownload):void
         {
-            refuseIf(file == null, name, "there is no address to fetch its file from");
-            refuseIf(file.problem != null, name, file.problem);
+            refuseFileIf(file == null, name, "there is no address to fetch its file from");
+            refuseFileIf(file.problem != null, name, file.problem);
             // without a transform file, or with one that says nothing, the caller's axis stays
             var bytes:ByteArray = transformFile == null ? null : transformFile.bytes;
             if (bytes != null)
@@ -227,7 +227,7 @@ package starlogo.models.loading
                 var transform:ModelTransform = ModelTransform.fromText(bytes.readUTFBytes(bytes.length));
                 _upAxis = transform.isIdentity ? _upAxis : transform;
             }
-            addReading(new ModelFile(name, file.bytes, null, _url));
+            addReadSteps(new ModelFile(name, file.bytes, null, _url));
         }
 
         // Starts to fetch a file that the model's file names. The maker's next step is done when it has come.

@@ -6,7 +6,7 @@ package starlogo.models.obj
     import starlogo.models.building.TriangleLabels;
     import starlogo.models.building.removingUnusedVertices;
     import starlogo.models.files.FileBudget;
-    import starlogo.models.files.refuseIf;
+    import starlogo.models.files.refuseFileIf;
     import starlogo.models.files.shortened;
     import starlogo.models.polygons.Triangulator;
     import starlogo.models.text.Decimal;
@@ -25,8 +25,11 @@ package starlogo.models.obj
         private var _lines:LineReader;
         private var _budget:FileBudget;
 
-        // The polygons are kept until all vertices are known. Then the most triangles that they can have.
-        private var _polygons:Vector.<ObjPolygon> = new Vector.<ObjPolygon>();
+        // The faces of more than three corners are kept until all vertices are known: the corners, and the labels of each one's material and mesh. Then
+        // the most triangles that they can have.
+        private var _polygons:Vector.<Vector.<uint>> = new Vector.<Vector.<uint>>();
+        private var _materials:Vector.<int> = new Vector.<int>();
+        private var _meshes:Vector.<int> = new Vector.<int>();
         private var _polygonTriangles:int = 0;
 
         // The highest index of a vertex in a face, and its line.
@@ -37,8 +40,8 @@ package starlogo.models.obj
         public function ObjReader(name:String, text:String, upAxis:Object, scaling:String)
         {
             _data = ModelData.forFile(name, upAxis, scaling);
-            refuseIf(text == null, name, "there is no text to read");
-            refuseIf(text.indexOf("\u0000") >= 0, name, "this is a binary file, not OBJ text");
+            refuseFileIf(text == null, name, "there is no text to read");
+            refuseFileIf(text.indexOf("\u0000") >= 0, name, "this is a binary file, not OBJ text");
             refuseMarkup(name, text);
             _lines = new LineReader(name, text);
             _budget = new FileBudget(name, text.length);
@@ -110,7 +113,9 @@ package starlogo.models.obj
             }
             else if (corners.length > 3)
             {
-                _polygons.push(new ObjPolygon(corners, _data.materials.current, _data.meshes.current));
+                _polygons.push(corners);
+                _materials.push(_data.materials.current);
+                _meshes.push(_data.meshes.current);
                 _polygonTriangles += corners.length - 2;
             }
         }
@@ -143,8 +148,8 @@ package starlogo.models.obj
         private function checkIndices():void
         {
             var vertexCount:int = _data.vertices.length / 3;
-            refuseIf(vertexCount == 0, _data.name, "no vertices, so this is no OBJ text: expected lines such as \"v 1 2 3\"");
-            refuseIf(_highestIndex >= vertexCount, _data.name, "there is no vertex " + (_highestIndex + 1) + ": the file has " + vertexCount, LineReader.placeOf(_highestLine));
+            refuseFileIf(vertexCount == 0, _data.name, "no vertices, so this is no OBJ text: expected lines such as \"v 1 2 3\"");
+            refuseFileIf(_highestIndex >= vertexCount, _data.name, "there is no vertex " + (_highestIndex + 1) + ": the file has " + vertexCount, LineReader.placeOf(_highestLine));
         }
 
         // The steps that triangulate all polygons.
@@ -153,10 +158,9 @@ package starlogo.models.obj
             var triangulator:Triangulator = new Triangulator(_budget, _data.vertices, _data.triangles);
             return triangulator.addingEach(_polygons.length, function(index:int):Steps
                 {
-                    var polygon:ObjPolygon = _polygons[index];
-                    _data.materials.beginRun(polygon.material, _data.triangles.length / 3);
-                    _data.meshes.beginRun(polygon.mesh, _data.triangles.length / 3);
-                    return triangulator.addPolygon(polygon.corners);
+                    _data.materials.beginRun(_materials[index], _data.triangles.length / 3);
+                    _data.meshes.beginRun(_meshes[index], _data.triangles.length / 3);
+                    return triangulator.addPolygon(_polygons[index]);
                 });
         }
     }

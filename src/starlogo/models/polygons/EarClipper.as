@@ -63,7 +63,8 @@ package starlogo.models.polygons
                         _triangles.push(vertex[before], vertex[_node], vertex[after]);
                     }
                     _rings.remove(_node);
-                    _misses = _misses > 2 * _count ? _misses : 0;
+                    // once all are cut, it stays so
+                    _misses = cutsAll ? _misses : 0;
                     _count--;
                     // What is left of a cut part goes first, because no other triangle is right while the ring goes there and back.
                     _node = _rings.turnsBack(before) ? before : (_rings.turnsBack(after) ? after : next[after]);

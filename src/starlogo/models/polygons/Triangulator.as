@@ -21,6 +21,10 @@ package starlogo.models.polygons
     {
         private static const POLYGONS_PER_STEP:int = 100;
 
+        // The areas in quads with shorter diagonals are multiplied by a power of two, which rounds nothing.
+        private static const TINY:Number = 1e-60;
+        private static const ENLARGING:Number = 4.149515568880993e180;
+
         /** Three indices for each triangle, in the direction of its polygon. */
         public var triangles:Vector.<uint>;
 
@@ -161,8 +165,11 @@ package starlogo.models.polygons
             var dx:Number = vertices[start] - x;
             var dy:Number = vertices[int(start + 1)] - y;
             var dz:Number = vertices[int(start + 2)] - z;
-            return (by * cz - bz * cy) * (cy * dz - cz * dy) + (bz * cx - bx * cz) * (cz * dx - cx * dz) +
-                (bx * cy - by * cx) * (cx * dy - cy * dx) > 0;
+            // the products of four lengths of a tiny or huge quad would be 0 or infinite
+            var size:Number = Math.abs(cx) + Math.abs(cy) + Math.abs(cz);
+            var scale:Number = size < TINY ? ENLARGING : (size > 1 / TINY ? 1 / ENLARGING : 1);
+            return scale * (by * cz - bz * cy) * (scale * (cy * dz - cz * dy)) + scale * (bz * cx - bx * cz) * (scale * (cz * dx - cx * dz)) +
+                scale * (bx * cy - by * cx) * (scale * (cx * dy - cy * dx)) > 0;
         }
 
         // Whether the ring turns left as seen from its first corner, as a convex polygon without corners in a straight line does.

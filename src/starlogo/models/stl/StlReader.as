@@ -8,7 +8,7 @@ package starlogo.models.stl
     import starlogo.models.building.ModelReader;
     import starlogo.models.files.FileBudget;
     import starlogo.models.files.ModelFile;
-    import starlogo.models.files.refuseIf;
+    import starlogo.models.files.refuseFileIf;
     import starlogo.models.text.LineReader;
     import starlogo.steps.StepSequence;
 
@@ -180,8 +180,8 @@ package starlogo.models.stl
 
         private function checkEnd():void
         {
-            refuseIf(_corners != 0, _data.name, "the file is cut off: a facet has no end", _lines == null ? "" : _lines.place);
-            refuseIf(_data.vertices.length == 0, _data.name, "no vertices: expected facets");
+            refuseFileIf(_corners != 0, _data.name, "the file is cut off: a facet has no end", _lines == null ? "" : _lines.place);
+            refuseFileIf(_data.vertices.length == 0, _data.name, "no vertices: expected facets");
         }
     }
 }

@@ -72,6 +72,20 @@ package starlogo.models.polygons
         }
 
         /** In a plane that leans, corners in a line are beside it by rounding. Every cut must have them on the same side. */
+
+        /** An arrow is cut along the diagonal inside it, whatever its size. */
+        [Test]
+        public function cutsQuadsOfAnySize():void
+        {
+            for each (var size:Number in [1, 1e-70, 1e-82, 1e-100, 1e-150, 1e77, 1e80, 1e150])
+            {
+                var vertices:Vector.<Number> = new <Number>[0, 0, 0, size, size, 0, 0.3 * size, 0, 0, size, -size, 0];
+                var triangles:Vector.<uint> = new Vector.<uint>();
+                new Triangulator(new FileBudget("a", 0), vertices, triangles).addPolygon(new <uint>[1, 0, 3, 2]);
+                assertEquals("size " + size, "1,0,2,0,3,2", triangles.join());
+            }
+        }
+
         [Test]
         public function coversStepsInLeaningPlanes():void
         {

@@ -23,9 +23,9 @@ package starlogo.libraries
      *
      * @private
      */
-    public final class ModelResults extends StepSequence
+    public final class ResultsBuilder extends StepSequence
     {
-        /** The structures. Null if none are wanted, or if they are not there yet. */
+        /** The structures, which are found when no step is left. Null if none are wanted. */
         public var structures:ModelStructures = null;
 
         /** The tree of the hierarchy; null if none is wanted. It may have no nodes yet when this work has no step left. */
@@ -38,6 +38,8 @@ package starlogo.libraries
         private var _size:Number;
 
         private var _settings:FitSettings;
+
+        // Finds the structures. Null if none are wanted, or if the cooked file has them.
         private var _structuresBuilder:StructuresBuilder = null;
 
         // Makes the nodes of the tree again from a stored division; null for none.
@@ -50,29 +52,23 @@ package starlogo.libraries
          * @param store null for none
          * @throws ArgumentError if a coordinate of the model is beyond 1e60
          */
-        public function ModelResults(model:Model, structuresLibrary:BoundingStructuresLibrary, hierarchiesLibrary:HierarchiesLibrary, store:FitStore)
+        public function ResultsBuilder(model:Model, structuresLibrary:BoundingStructuresLibrary, hierarchiesLibrary:HierarchiesLibrary, store:FitStore)
         {
             _model = model;
             _poseCount = model.poseCount;
             _size = ModelTable.requireSize(model.name, model.vertices);
             _settings = new FitSettings(structuresLibrary, hierarchiesLibrary);
             tree = hierarchiesLibrary == null ? null : hierarchiesLibrary.newTree(model.vertices, model.triangles);
+            structures = structuresLibrary == null ? null : structuresLibrary.newStructures(model.vertices);
             if (model.data.cooked != null)
             {
                 takeFrom(model.data.cooked);
             }
-            if (structuresLibrary != null && structures == null)
+            if (!hasStructures)
             {
-                _structuresBuilder = structuresLibrary.newBuilder(model.name, model.vertices);
+                _structuresBuilder = structuresLibrary.newBuilder(model.name, structures);
             }
-            if (store == null || isComplete)
-            {
-                begin(computing);
-            }
-            else
-            {
-                addStoring(store);
-            }
+            add(store == null || isComplete ? computing() : storing(store));
         }
 
         /** @inheritDoc @throws ArgumentError if the model was posed since this work was created, or as its parts */
@@ -106,34 +102,45 @@ package starlogo.libraries
             return bytesOfResults(modelKey, CookedWriter.write(_model));
         }
 
+        // Whether the structures are found, or none are wanted.
+        private function get hasStructures():Boolean
+        {
+            return structures == null || structures.tightest != null;
+        }
+
         // Whether all results that are wanted are there, or stored.
         private function get isComplete():Boolean
         {
-            return (_structuresBuilder == null || structures != null) && (tree == null || isTreeStored)
+            return hasStructures && (tree == null || isTreeStored)
                 && (!_settings.preparesExact || _model.triangles == null || tree.surface != null);
         }
 
-        // Adds the parts that take results from a store, compute what it does not have, and store all.
-        private function addStoring(store:FitStore):void
+        // The work that takes results from a store, computes what it does not have, and stores all.
+        private function storing(store:FitStore):Steps
         {
             var geometryKey:Fingerprint = new Fingerprint();
-            var stored:CookedFile;
-            var isStoring:Boolean;
-            add(geometryKey.addingLists(_model.vertices, _model.triangles)).begin(function():Steps
+            return new StepSequence().add(geometryKey.addingLists(_model.vertices, _model.triangles)).begin(function():Steps
                 {
-                    return stored = store.load(geometryKey, _settings);
-                }).call(function():void
+                    var stored:CookedFile = store.load(geometryKey, _settings);
+                    return new StepSequence().add(stored).begin(function():Steps
+                        {
+                            return completing(stored, geometryKey, store);
+                        });
+                });
+        }
+
+        // Takes what is in a file of a store. The work that it returns computes the rest, and stores all.
+        private function completing(stored:CookedFile, geometryKey:Fingerprint, store:FitStore):Steps
+        {
+            if (stored.isOf(geometryKey))
+            {
+                takeFrom(stored);
+            }
+            return isComplete || !store.hasRoomFor(_model, tree != null) ? computing() : computing().call(function():void
                 {
-                    if (stored.isOf(geometryKey))
-                    {
-                        takeFrom(stored);
-                    }
-                    isStoring = !isComplete && store.hasRoomFor(_model, tree != null);
-                }).begin(computing).call(function():void
-                {
-                    var bytes:ByteArray = isStoring ? bytesOfResults(geometryKey, null) : null;
+                    var bytes:ByteArray = bytesOfResults(geometryKey, null);
                     // results that cannot be stored are computed each time
-                    if (isStoring && stored.isChangedBy(bytes))
+                    if (stored.isChangedBy(bytes))
                     {
                         store.save(geometryKey, _settings, bytes);
                     }
@@ -141,15 +148,12 @@ package starlogo.libraries
         }
 
         // The work that computes what is missing.
-        private function computing():Steps
+        private function computing():StepSequence
         {
             var work:StepSequence = new StepSequence();
-            if (structures == null && _structuresBuilder != null)
+            if (!hasStructures)
             {
-                work.add(_structuresBuilder).call(function():void
-                    {
-                        structures = _structuresBuilder.structures;
-                    });
+                work.add(_structuresBuilder);
             }
             if (tree != null && (_settings.preparesExact || !isTreeStored))
             {
@@ -161,7 +165,10 @@ package starlogo.libraries
         // Takes the results that are missing from a file of the model.
         private function takeFrom(file:CookedFile):void
         {
-            structures ||= structuresIn(file);
+            if (!hasStructures)
+            {
+                takeStructures(file);
+            }
             var division:ByteArray = _settings.sectionOf(file, CookedFile.HIERARCHY);
             if (division != null && _cookedTree == null)
             {
@@ -176,21 +183,23 @@ package starlogo.libraries
             }
         }
 
-        // The structures in a file; null if it does not have all that are wanted. The smallest sphere may be in the hull's place.
-        private function structuresIn(file:CookedFile):ModelStructures
+        // Takes the structures in a file, if it has all that are wanted. The smallest sphere may be in the hull's place.
+        private function takeStructures(file:CookedFile):void
         {
             var found:Vector.<BoundingStructure> = CookedStructures.read(_settings.sectionOf(file, CookedFile.STRUCTURES), BoundingStructure.BOX, _size);
             var hulls:Vector.<BoundingStructure> = CookedStructures.read(_settings.sectionOf(file, CookedFile.HULL), BoundingStructure.HULL, _size);
             var hull:BoundingStructure = hulls == null ? null : hulls[BoundingStructure.HULL] || hulls[BoundingStructure.SPHERE];
-            return found == null || hulls == null && _settings.storesHull ? null : new ModelStructures(found, hull, _settings.keepsAll);
+            if (found != null && (hulls != null || !_settings.keepsHull))
+            {
+                structures.setAll(found, hull);
+            }
         }
 
         // The section with structures; null if there are none, or reading would refuse them, because one is much larger than the model.
         private function sectionOf(found:Vector.<BoundingStructure>, last:int):ByteArray
         {
             var bytes:ByteArray = CookedStructures.write(found);
-            var isAccepted:Boolean = CookedStructures.read(bytes, last, _size) != null;
-            return isAccepted ? bytes : null;
+            return CookedStructures.read(bytes, last, _size) == null ? null : bytes;
         }
 
         // The bytes of a file with the results. It has the surface if that is prepared. @param model the bytes of the model; null for none

@@ -14,7 +14,7 @@ package starlogo.models.files
      *
      * @private
      */
-    public function refuseIf(isWrong:Boolean, name:String, problem:String, place:Object = ""):void
+    public function refuseFileIf(isWrong:Boolean, name:String, problem:String, place:Object = ""):void
     {
         if (isWrong)
         {

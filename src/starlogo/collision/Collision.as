@@ -138,22 +138,25 @@ package starlogo.collision
             requireGiven("collisionSystem", value);
             var before:BaseCollider = _system;
             var next:BaseCollider = BaseCollider.wrap(value);
-            if (next.ownedCollider != null && !uses(next.ownedCollider))
+            if (next.innerCollider != null)
             {
-                next.ownedCollider.take();
+                next.innerCollider.own(this);
             }
             _givenSystem = value;
             _system = next;
-            if (before != null && before.ownedCollider != null && !uses(before.ownedCollider))
+            if (before != null)
             {
-                before.ownedCollider.release();
+                releaseUnused(before.innerCollider);
             }
         }
 
-        // Whether a collider is in the collision system, or in the one of the frame under way.
-        private function uses(collider:Collider):Boolean
+        // Releases a collider, unless it is in the collision system or in the one of the frame under way.
+        private function releaseUnused(collider:Collider):void
         {
-            return _system != null && _system.ownedCollider === collider || _frameSystem != null && _frameSystem.ownedCollider === collider;
+            if (collider != null && collider !== _system.innerCollider && collider !== systemOfFrame.innerCollider)
+            {
+                collider.release();
+            }
         }
 
         /** Counts and times of the last frame. The next frame overwrites them. */
@@ -173,7 +176,8 @@ package starlogo.collision
 
         /**
          * The errors that handlers threw in the last frame, in order. The next frame empties the list, even if it refuses its agents. If a handler throws
-         * something else, it becomes the message of an Error. At the end of each message stand the breeds for which the handler was added.
+         * something else, it becomes the message of an Error. At the end of each message stand the breeds for which the handler was added. If handlers
+         * throw the same object, these are the breeds of the last of them.
          */
         public function get handlerErrors():Vector.<Error>
         {
@@ -181,7 +185,7 @@ package starlogo.collision
         }
 
         /**
-         * The breeds that the handlers of the last frame name and that none of its agents had. One of them may be misspelt. A handler that you add or
+         * The breeds that the handlers of the last frame name and that none of its agents has now. One of them may be misspelt. A handler that you add or
          * remove after that frame counts from the next one on. Before the first frame, and after <code>reset()</code>, there are none. TERRAIN is
          * among them while <code>terrain</code> is null, and EDGE while <code>bounds</code> is null. The breeds are found when you ask, so a frame
          * pays nothing.
@@ -264,7 +268,7 @@ package starlogo.collision
          */
         public function removeHandler(breed:String, otherBreed:String, handler:Function, kind:String = null):Boolean
         {
-            return _handlers.remove(breed, otherBreed, handler, CollisionHandler.kindsNamed(kind));
+            return _handlers.remove(breed, otherBreed, handler, CollisionHandler.momentsNamed(kind));
         }
 
         /**
@@ -276,10 +280,12 @@ package starlogo.collision
             _handlers.clear();
             // a handler may call this, and the frame under way goes on with its own
             _lastFrame = new LastFrame();
-            var owned:Collider = _system.ownedCollider;
-            if (owned != null)
+            for each (var system:BaseCollider in [_system, systemOfFrame])
             {
-                owned.forgetMotions();
+                if (system.innerCollider != null)
+                {
+                    system.innerCollider.forgetMotions();
+                }
             }
         }
 
@@ -308,11 +314,9 @@ package starlogo.collision
             finally
             {
                 _calls.end();
+                enter(Collider.IDLE);
                 _frameSystem = null;
-                if (system.ownedCollider != null)
-                {
-                    system.ownedCollider.endFrame(uses(system.ownedCollider));
-                }
+                releaseUnused(system.innerCollider);
                 if (_heldGround != null)
                 {
                     _heldGround.release();
@@ -364,11 +368,11 @@ package starlogo.collision
             requireGiven("bytes", bytes);
             requireGiven("agents", agents);
             _snapshots.read(bytes, agents, collider.search, ground, edges, _lastFrame);
-            collider.takeContactsFromFrame();
+            collider.contactSearch = collider.search;
         }
 
         /** @private The system of the frame under way, which a handler may have exchanged for the next one; or else the collision system. */
-        engine function get systemInUse():BaseCollider
+        engine function get systemOfFrame():BaseCollider
         {
             return _frameSystem || _system;
         }
@@ -394,12 +398,10 @@ package starlogo.collision
             // The filter may have called reset(), which forgets the frames before this one. The touches of this frame do not count then
             var lastFrame:LastFrame = _lastFrame;
             lastFrame.hasFailed = true;
+            enter(Collider.SEARCHING, _input);
             var pairs:FoundPairs = system.findPairs(_input, _pairReader, _statistics);
-            if (system.ownedCollider != null)
-            {
-                system.ownedCollider.beginHandlers();
-            }
-            var searched:Collider = system.equivalentCollider;
+            enter(Collider.HANDLING);
+            var searched:Collider = system.samePairsCollider;
             lastFrame.agents = copyAgents(_input.agents, lastFrame.agents);
             lastFrame.search = searched == null ? null : searched.search;
             if (_input.ground != null)
@@ -409,6 +411,15 @@ package starlogo.collision
             }
             _statistics.handlerCalls = _calls.callHandlers(pairs, system, tracker, agents, _handlerErrors);
             lastFrame.hasFailed = false;
+        }
+
+        // Tells the collider of the frame under way which phase begins.
+        private function enter(phase:int, input:SearchInput = null):void
+        {
+            if (_frameSystem.innerCollider != null)
+            {
+                _frameSystem.innerCollider.enter(phase, input);
+            }
         }
 
         private function requireIdle(what:String):void
@@ -423,7 +434,7 @@ package starlogo.collision
         private function engineCollider(what:String):Collider
         {
             requireIdle(what);
-            var collider:Collider = _system.equivalentCollider;
+            var collider:Collider = _system.samePairsCollider;
             if (collider == null)
             {
                 throw new IllegalOperationError(what + " needs one of the engine's collision systems, not " + textOf(_givenSystem, "a Collider"));

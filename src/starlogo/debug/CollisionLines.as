@@ -64,7 +64,7 @@ package starlogo.debug
         public function linesOf(agent:Agent, system:CollisionSystem, out:Vector.<Number> = null):Vector.<Number>
         {
             requireGiven("agent", agent);
-            var collider:Collider = BaseCollider.wrap(system).equivalentCollider;
+            var collider:Collider = BaseCollider.wrap(system).samePairsCollider;
             var choice:BaseShapeChoice = collider == null ? _tightest : collider.narrowPhase.choice;
             var all:Vector.<Number> = out || new Vector.<Number>();
             // a BinCollider may be without models, and its agents have any shapes

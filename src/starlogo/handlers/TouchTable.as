@@ -56,8 +56,8 @@ package starlogo.handlers
             touch.second = second;
             touch.firstBreed = firstBreed;
             touch.secondBreed = secondBreed;
-            touch.firstFrame = lastFrames[touch.index] = frame;
-            touch.isCalledForBoth = false;
+            lastFrames[touch.index] = frame;
+            touch.isComplete = false;
             touch.serial = _startedCount;
             _startedCount++;
             count++;

@@ -10,18 +10,15 @@ package starlogo.handlers
 
     /**
      * Compares the pairs of a frame with the touches of the last one: which touches go on, and which end. A frame calls
-     * <code>findStarting()</code> and <code>endOthers()</code> before its handlers, and <code>release()</code> after them. If the search has only updated the
+     * <code>beginFrame()</code> and <code>endOthers()</code> before its handlers, and <code>release()</code> after them. If the search has only updated the
      * pairs of the last one, kept pairs keep their touches without a look at their agents.
      *
      * @private
      */
     public final class TouchTracker
     {
-        // In place of the index of a pair's touch: none has begun yet.
+        // In place of the index of a pair's touch: there is none, or none yet.
         private static const NO_TOUCH:int = -1;
-
-        // In place of the index of a pair's touch: the pair has no handlers for starts or ends.
-        private static const UNTRACKED:int = -2;
 
         // In place of a version of pairs: it is not known which touches pairs have.
         private static const NO_VERSION:int = -1;
@@ -36,11 +33,11 @@ package starlogo.handlers
         private var _pairs:FoundPairs = null;
         private var _version:int = NO_VERSION;
 
-        // By pair: the index of its touch, NO_TOUCH or UNTRACKED. Longer than the pairs.
-        private var _ofPairs:Vector.<int> = new Vector.<int>();
+        // By pair: the index of its touch, or NO_TOUCH. There may be more entries than pairs.
+        private var _touchOfPair:Vector.<int> = new Vector.<int>();
 
         // The same for the version before.
-        private var _ofPairsBefore:Vector.<int> = new Vector.<int>();
+        private var _touchOfPairBefore:Vector.<int> = new Vector.<int>();
 
         // The pairs whose touches may begin.
         private var _starting:IntList = new IntList();
@@ -57,19 +54,19 @@ package starlogo.handlers
         /**
          * Begins a frame: the touches of pairs that touched before go on. No touch has ended yet.
          *
-         * @param table the handlers. A pair without handlers for starts or ends has no touch
-         * @return the pairs whose touches may begin, until the next call
+         * @param table the handlers
+         * @return the pairs without a touch, until the next call. Their touches may begin, if they have handlers for starts or ends then
          */
-        public function findStarting(pairs:FoundPairs, table:HandlerTable):IntList
+        public function beginFrame(pairs:FoundPairs, table:HandlerTable):IntList
         {
             var isUpdate:Boolean = pairs === _pairs && pairs.isUpdate && pairs.version == _version + 1;
-            var before:Vector.<int> = _ofPairs;
-            _ofPairs = _ofPairsBefore;
-            _ofPairsBefore = before;
-            if (_ofPairs.length < pairs.count)
+            var before:Vector.<int> = _touchOfPair;
+            _touchOfPair = _touchOfPairBefore;
+            _touchOfPairBefore = before;
+            if (_touchOfPair.length < pairs.count)
             {
                 // grows by an eighth, because a vector that grows a little in each frame is copied each time
-                _ofPairs.length = pairs.count + (pairs.count >> 3);
+                _touchOfPair.length = pairs.count + (pairs.count >> 3);
             }
             _pairs = pairs;
             _version = pairs.version;
@@ -83,14 +80,14 @@ package starlogo.handlers
                 {
                     touch = touchToContinue(pair, table);
                 }
-                _ofPairs[pair] = touch;
-                if (touch >= 0)
-                {
-                    lastFrames[touch] = frame;
-                }
-                else if (touch == NO_TOUCH)
+                _touchOfPair[pair] = touch;
+                if (touch == NO_TOUCH)
                 {
                     _starting.add(pair);
+                }
+                else
+                {
+                    lastFrames[touch] = frame;
                 }
             }
             return _starting;
@@ -136,23 +133,23 @@ package starlogo.handlers
         /** The touch of a pair of the frame; null if there is none. */
         public function touchAt(pair:int):Touch
         {
-            return _ofPairs[pair] < 0 ? null : touches.all[_ofPairs[pair]];
+            return _touchOfPair[pair] == NO_TOUCH ? null : touches.all[_touchOfPair[pair]];
         }
 
-        /** Gives a pair of the frame the touch of its agents. If there is none, one begins, of the breeds that the two have now. */
-        public function findOrStartAt(pair:int):Touch
+        /** Begins the touch of a pair of the frame that has none, of the breeds that the two agents have now. */
+        public function startAt(pair:int):Touch
         {
             var first:Agent = _pairs.firstOf(pair);
             var second:Agent = _pairs.secondOf(pair);
-            var touch:Touch = touches.find(first, second) || touches.start(first, second, first.breedNumber, second.breedNumber, frame);
-            _ofPairs[pair] = touch.index;
+            var touch:Touch = touches.start(first, second, first.breedNumber, second.breedNumber, frame);
+            _touchOfPair[pair] = touch.index;
             return touch;
         }
 
         /** Lets the touch of a pair end in the next frame, because its handlers were called for the first agent only. A new one may begin there. */
         public function dropAt(pair:int):void
         {
-            _ofPairs[pair] = NO_TOUCH;
+            _touchOfPair[pair] = NO_TOUCH;
         }
 
         /** Forgets which touches the pairs have, because the calls of a frame have failed. */
@@ -161,16 +158,16 @@ package starlogo.handlers
             _version = NO_VERSION;
         }
 
-        // The index of the touch of a pair that goes on; NO_TOUCH if there is none, if a breed has changed, or if handlers were called for the first agent
-        // only. UNTRACKED if the two have no handlers for starts or ends.
+        // The index of the touch of a pair that goes on; NO_TOUCH if there is none, if a breed has changed, if handlers were called for the first agent
+        // only, or if the two have no handlers for starts or ends.
         private function touchToContinue(pair:int, table:HandlerTable):int
         {
             if (!table.handlersOfPair(_pairs, pair).tracksTouches)
             {
-                return UNTRACKED;
+                return NO_TOUCH;
             }
             var touch:Touch = touches.find(_pairs.firstOf(pair), _pairs.secondOf(pair));
-            var goesOn:Boolean = touch != null && touch.isCalledForBoth && touch.firstBreed == touch.first.breedNumber
+            var goesOn:Boolean = touch != null && touch.isComplete && touch.firstBreed == touch.first.breedNumber
                 && touch.secondBreed == touch.second.breedNumber;
             return goesOn ? touch.index : NO_TOUCH;
         }

@@ -261,7 +261,7 @@ package starlogo.blocks
             assertThrows(BlockError, /"what I stand on" needs an agent/, _blocks.standsOn, null);
             assertThrows(BlockError, /"solid" needs the name of a breed/, _blocks.setSolid, "", true);
             assertThrows(ArgumentError, /detection must not be null/, create, WalkBlocks, null);
-            assertThrows(RangeError, /gravity must be more than 0 and finite: 0/, function():void
+            assertThrows(RangeError, /gravity must be more than 0 and at most 1000000000: 0/, function():void
                 {
                     _blocks.gravity = 0;
                 });

@@ -78,11 +78,10 @@ package starlogo.handlers
                     assertEquals(name, pairs.indexOf(name) >= 0, known != null);
                     if (known == null)
                     {
-                        known = _tracker.findOrStartAt(i);
-                        known.isCalledForBoth = true;
+                        known = _tracker.startAt(i);
+                        known.isComplete = true;
                         assertStrictlyEquals("either way round it is the same", known, _tracker.touches.find(b, a));
                         assertStrictlyEquals(known, _tracker.touchAt(i));
-                        assertEquals(frame, known.firstFrame);
                         if (left.indexOf(name) < 0)
                         {
                             left.push(name);
@@ -175,8 +174,8 @@ package starlogo.handlers
                     assertEquals(pairs[i], begun.indexOf(pairs[i]) >= 0, touch != null);
                     if (touch == null)
                     {
-                        touch = _tracker.findOrStartAt(i);
-                        touch.isCalledForBoth = true;
+                        touch = _tracker.startAt(i);
+                        touch.isComplete = true;
                         begun.push(pairs[i]);
                     }
                     assertEquals(pairs[i], nameOf(touch.first, touch.second));
@@ -188,7 +187,7 @@ package starlogo.handlers
             }
             assertTrue("some remained", begun.length > 5);
             _found.version++;
-            assertEquals("another tracker knows none of them", _found.count, new TouchTracker(new TouchTable()).findStarting(_found, _handlers).count);
+            assertEquals("another tracker knows none of them", _found.count, new TouchTracker(new TouchTable()).beginFrame(_found, _handlers).count);
         }
 
         [Test]
@@ -199,7 +198,7 @@ package starlogo.handlers
             begin(false);
             for (var pair:int = 0; pair < 2; pair++)
             {
-                _tracker.findOrStartAt(pair).isCalledForBoth = pair == 0;
+                _tracker.startAt(pair).isComplete = pair == 0;
             }
             _tracker.dropAt(1);
             _tracker.release();
@@ -217,7 +216,7 @@ package starlogo.handlers
         {
             _found.version++;
             _found.isUpdate = isUpdate;
-            var starting:IntList = _tracker.findStarting(_found, _handlers);
+            var starting:IntList = _tracker.beginFrame(_found, _handlers);
             for (var i:int = 0; i < starting.count; i++)
             {
                 assertNull(_tracker.touchAt(starting.values[i]));
@@ -253,7 +252,7 @@ package starlogo.handlers
         private function startBothWays(a:Agent, b:Agent):Touch
         {
             var touch:Touch = _tracker.touches.start(a, b, a.breedNumber, b.breedNumber, _tracker.frame);
-            touch.isCalledForBoth = true;
+            touch.isComplete = true;
             return touch;
         }
 

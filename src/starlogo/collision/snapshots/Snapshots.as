@@ -215,7 +215,7 @@ package starlogo.collision.snapshots
                 bytes.writeInt(second);
                 bytes.writeInt(names.ofBreed(touch.firstBreed));
                 bytes.writeInt(names.ofBreed(touch.secondBreed));
-                bytes.writeBoolean(touch.isCalledForBoth);
+                bytes.writeBoolean(touch.isComplete);
             }
             return formerWorld;
         }
@@ -277,7 +277,7 @@ package starlogo.collision.snapshots
                 check(firstBreed > Breeds.ANY && (partner.isOfWorld ? secondBreed == partner.breedNumber : secondBreed > Breeds.ANY));
                 // each pair is there once
                 check(touches.find(agents[first], partner) == null);
-                touches.start(agents[first], partner, firstBreed, secondBreed, 0).isCalledForBoth = flag == 1;
+                touches.start(agents[first], partner, firstBreed, secondBreed, 0).isComplete = flag == 1;
             }
             return touches;
         }

@@ -154,7 +154,7 @@ package starlogo
         public function receive(model:Model):Steps
         {
             requireGiven("model", model);
-            var results:ModelResults = preparing(model, fitStore);
+            var results:ModelResults = newResults(model, fitStore);
             return results.call(function():void
                 {
                     // a result that was not computed is set to null too, because the entry's old result belongs to another model
@@ -179,7 +179,7 @@ package starlogo
         {
             requireGiven("model", model);
             ModelData.requireUpAxis(model.name, upAxis);
-            var results:ModelResults = preparing(model, null);
+            var results:ModelResults = newResults(model, null);
             finish(results);
             return results.toCooked(CookedFile.keyOfLoad(upAxis, model.data.scaling, usesTransforms));
         }
@@ -273,7 +273,7 @@ package starlogo
         }
 
         /** @private The work that finds the results that the flags ask for. None of its steps is done yet. @param store null for none */
-        engine function preparing(model:Model, store:FitStore):ModelResults
+        engine function newResults(model:Model, store:FitStore):ModelResults
         {
             return new ModelResults(model, loadTightestFit ? _boundingStructures : null, loadHierarchies ? _hierarchies : null, store);
         }

@@ -203,19 +203,14 @@ package starlogo.blocks
             return _search.pairQuery.areColliding(agent, other) ? system.samePairsCollider.contactIn(_search, agent, other, new Contact()) : null;
         }
 
-        /**
-         * @private Moves an agent out of another one by the shortest way, from where both are now. Returns their contact before; null if they did not
-         *     touch.
-         */
-        engine function pushOut(agent:Agent, other:Agent):Contact
+        /** @private Moves an agent by the shortest way out of what it touches. @param contact how it touches that where it is now; null if it does not */
+        engine static function pushOut(agent:Agent, contact:Contact):void
         {
-            var contact:Contact = contactNow(agent, other);
             if (contact != null)
             {
                 var normal:Vector3D = contact.normal;
                 agent.moveTo(agent.x + contact.depth * normal.x, agent.y + contact.depth * normal.y, agent.z + contact.depth * normal.z);
             }
-            return contact;
         }
 
         private static function check(block:String, breed:String, otherBreed:String, script:Function):void

@@ -131,7 +131,7 @@ package starlogo.blocks
         {
             BlockChecks.checkBoth("push away from", agent, other);
             BlockChecks.checkAgent("push away from", agent);
-            _collisions.pushOut(agent, other);
+            CollisionBlocks.pushOut(agent, _collisions.contactNow(agent, other));
         }
 
         private function contactOf(block:String, agent:Agent, other:Agent):Contact

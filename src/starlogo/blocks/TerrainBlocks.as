@@ -190,7 +190,7 @@ package starlogo.blocks
          */
         public function stopAtEdge(agent:Agent):void
         {
-            moveInside("stop at the edge", agent);
+            CollisionBlocks.pushOut(agent, contactWithEdge("stop at the edge", agent));
         }
 
         /**
@@ -202,11 +202,12 @@ package starlogo.blocks
          */
         public function bounceOffEdge(agent:Agent):void
         {
-            var contact:Contact = moveInside("bounce off the edge", agent);
+            var contact:Contact = contactWithEdge("bounce off the edge", agent);
             if (contact == null)
             {
                 return;
             }
+            CollisionBlocks.pushOut(agent, contact);
             var x:Number = Trigonometry.cosine(agent.heading);
             var y:Number = Trigonometry.sine(agent.heading);
             // the normal points into the world: from each edge that the agent touches
@@ -257,14 +258,6 @@ package starlogo.blocks
             BlockChecks.checkAgent(block, agent);
             var bounds:WorldBounds = _collisions.collision.bounds;
             return bounds == null ? null : _collisions.contactNow(agent, bounds.agent);
-        }
-
-        // Moves the agent into the world. Returns its contact with the edges before; null if it touched none.
-        private function moveInside(block:String, agent:Agent):Contact
-        {
-            BlockChecks.checkAgent(block, agent);
-            var bounds:WorldBounds = _collisions.collision.bounds;
-            return bounds == null ? null : _collisions.pushOut(agent, bounds.agent);
         }
 
         private function raiseAt(block:String, x:Number, y:Number, height:Number):void

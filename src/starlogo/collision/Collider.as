@@ -34,6 +34,7 @@ package starlogo.collision
     {
         // Phases of a frame. While it searches, it calls findCollisions of the collider, or of a system around it. While its handlers run, contacts stay
         // those of the frame.
+
         /** @private No frame is under way. */
         engine static const IDLE:int = 0;
 

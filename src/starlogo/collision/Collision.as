@@ -2,8 +2,7 @@
 // 1. HandlerTable (in the room handlers) takes the handlers as they are now. SearchInput asks the game's filter who takes part.
 // 2. Collider, the base of the collision systems, searches for the pairs: CollisionSearch, in the room search. In its place BaseCollider asks a
 // system of the game's own, and PairReader reads what that has found.
-// 3. HandlerCalls lets FrameContacts compute the contacts that handlers take. It calls the handlers for touches that have ended (TouchTracker), and then
-// those of each pair.
+// 3. HandlerCalls lets FrameContacts compute the contacts that handlers take. It calls the handlers for ended touches (TouchTracker), then those of pairs.
 // Snapshots (snapshots/) goes back to earlier frames. Read this file first, then Collider, HandlerCalls, and CollisionSearch.
 package starlogo.collision
 {
@@ -144,15 +143,13 @@ package starlogo.collision
             }
             _givenSystem = value;
             _system = next;
-            if (before != null)
-            {
-                releaseUnused(before.innerCollider);
-            }
+            releaseUnused(before);
         }
 
-        // Releases a collider, unless it is in the collision system or in the one of the frame under way.
-        private function releaseUnused(collider:Collider):void
+        // Releases the collider of a system, unless it is in the collision system or in the one of the frame under way.
+        private function releaseUnused(system:BaseCollider):void
         {
+            var collider:Collider = system == null ? null : system.innerCollider;
             if (collider != null && collider !== _system.innerCollider && collider !== systemOfFrame.innerCollider)
             {
                 collider.release();
@@ -176,8 +173,8 @@ package starlogo.collision
 
         /**
          * The errors that handlers threw in the last frame, in order. The next frame empties the list, even if it refuses its agents. If a handler throws
-         * something else, it becomes the message of an Error. At the end of each message stand the breeds for which the handler was added. If handlers
-         * throw the same object, these are the breeds of the last of them.
+         * something else, it becomes the message of an Error. At the end of each message stand the breeds for which the handler was added: those of
+         * the last one, if handlers throw the same object.
          */
         public function get handlerErrors():Vector.<Error>
         {
@@ -187,8 +184,7 @@ package starlogo.collision
         /**
          * The breeds that the handlers of the last frame name and that none of its agents has now. One of them may be misspelt. A handler that you add or
          * remove after that frame counts from the next one on. Before the first frame, and after <code>reset()</code>, there are none. TERRAIN is
-         * among them while <code>terrain</code> is null, and EDGE while <code>bounds</code> is null. The breeds are found when you ask, so a frame
-         * pays nothing.
+         * among them while <code>terrain</code> is null, and EDGE while <code>bounds</code> is null.
          */
         public function get breedsWithoutAgents():Vector.<String>
         {
@@ -280,11 +276,11 @@ package starlogo.collision
             _handlers.clear();
             // a handler may call this, and the frame under way goes on with its own
             _lastFrame = new LastFrame();
-            for each (var system:BaseCollider in [_system, systemOfFrame])
+            for each (var collider:Collider in [_system.innerCollider, systemOfFrame.innerCollider])
             {
-                if (system.innerCollider != null)
+                if (collider != null)
                 {
-                    system.innerCollider.forgetMotions();
+                    collider.forgetMotions();
                 }
             }
         }
@@ -305,8 +301,7 @@ package starlogo.collision
             requireGiven("agents", agents);
             var start:Number = getTimer();
             _handlerErrors.length = 0;
-            var system:BaseCollider = _system;
-            _frameSystem = system;
+            var system:BaseCollider = _frameSystem = _system;
             try
             {
                 runFrame(agents, system);
@@ -316,7 +311,7 @@ package starlogo.collision
                 _calls.end();
                 enter(Collider.IDLE);
                 _frameSystem = null;
-                releaseUnused(system.innerCollider);
+                releaseUnused(system);
                 if (_heldGround != null)
                 {
                     _heldGround.release();

@@ -52,7 +52,7 @@ package starlogo.handlers
                 {
                     var a:Agent = random.pick(_agents);
                     var b:Agent = random.pick(_agents);
-                    if (a != b)
+                    if (a != b && !seen[nameOf(a, b)])
                     {
                         addPair(a, b);
                         seen[nameOf(a, b)] = true;

@@ -552,7 +552,7 @@ package starlogo.libraries
         private function isTaken(model:Model, cooked:ByteArray, structures:Boolean):Boolean
         {
             var read:Model = CookedModel.fromBytes(model.name, cooked);
-            var results:ModelResults = _greatLand.preparing(read, null);
+            var results:ModelResults = _greatLand.newResults(read, null);
             if (structures)
             {
                 return results.structures != null;

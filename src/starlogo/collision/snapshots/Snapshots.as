@@ -43,7 +43,7 @@ package starlogo.collision.snapshots
         private static const HAS_HEIGHTS:int = 4;
 
         // The factor of the number of the collision system (BaseShapeChoice.system), which is in the bits above these.
-        private static const SYSTEM:int = 8;
+        private static const SYSTEM_FACTOR:int = 8;
 
         // The names of the collision systems, by BaseShapeChoice.system.
         private static const SYSTEMS:Array = ["a collider of the game's own", "a BinCollider", "a TightestFitCollider", "a HierarchicalCollider", "a CombinationCollider",
@@ -73,9 +73,11 @@ package starlogo.collision.snapshots
             }
             var agents:Vector.<Agent> = frame.agents;
             var table:AgentTable = (frame.search || search).table;
-            if (agents.length > 0 && !table.list.isListed(agents))
+            if (agents.length > 0 && (frame.search == null || !table.list.isListed(agents)))
             {
-                throw new IllegalOperationError("the collision system has searched another list since the last frame");
+                throw new IllegalOperationError(frame.search == null
+                        ? "the last frame had a collision system of the game's own: there is nothing to take a snapshot of"
+                        : "the collision system has searched another list since the last frame");
             }
             var hasHeights:Boolean = withGround && ground != null;
             var names:SnapshotNames = new SnapshotNames();
@@ -93,7 +95,7 @@ package starlogo.collision.snapshots
             }
             var bytes:ByteArray = newBytes();
             bytes.writeUnsignedInt(MARK);
-            bytes.writeByte(int(withTraits) * HAS_TRAITS + int(ground != null) * HAS_GROUND + int(hasHeights) * HAS_HEIGHTS + search.narrowPhase.choice.system * SYSTEM);
+            bytes.writeByte(int(withTraits) * HAS_TRAITS + int(ground != null) * HAS_GROUND + int(hasHeights) * HAS_HEIGHTS + search.narrowPhase.choice.system * SYSTEM_FACTOR);
             bytes.writeInt(agents.length);
             names.write(bytes);
             bytes.writeBytes(rest);
@@ -158,7 +160,7 @@ package starlogo.collision.snapshots
                     SnapshotTraits.write(before, agents, namesBefore);
                     readTraits(bytes, agents, parts.names);
                 }
-                parts.places.restore(agents, search.table);
+                parts.places.putInto(agents, search.table);
                 search.forgetSearch();
             }
             catch (error:Error)
@@ -224,7 +226,7 @@ package starlogo.collision.snapshots
         private function readParts(bytes:ByteArray, agents:Vector.<Agent>, system:int, ground:WorldAgent, edges:WorldAgent, parts:SnapshotParts):void
         {
             var contents:int = bytes.readUnsignedByte();
-            var writtenBy:int = contents / SYSTEM;
+            var writtenBy:int = contents / SYSTEM_FACTOR;
             check(writtenBy < SYSTEMS.length && (contents & (HAS_GROUND | HAS_HEIGHTS)) != HAS_HEIGHTS);
             if (writtenBy != system)
             {
@@ -232,7 +234,7 @@ package starlogo.collision.snapshots
             }
             var count:uint = bytes.readUnsignedInt();
             check(count <= bytes.bytesAvailable / SnapshotPlaces.SIZE);
-            var formerWorld:Vector.<Agent> = _register.formerWorldOf(bytes, count, agents) || _unknownWorld;
+            var formerWorld:Vector.<Agent> = _register.recallFormerWorld(bytes, count, agents) || _unknownWorld;
             parts.names.read(bytes);
             parts.places = SnapshotPlaces.read(bytes, count);
             check(parts.places != null);

@@ -87,7 +87,7 @@ package starlogo.collision
          * @param collider the normal points to it
          * @param collidee another agent
          * @param out receives the contact; created if null
-         * @return out
+         * @return out. A subclass may return another Contact: what it returns counts
          */
         public function contactOf(collider:Agent, collidee:Agent, out:Contact = null):Contact
         {

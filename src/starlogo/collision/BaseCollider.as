@@ -1,3 +1,6 @@
+// A Collision asks a collision system for two colliders. Its innerCollider is the engine's collider in it, which the Collision owns, because it keeps
+// motions and contacts. Its samePairsCollider is the one that finds the same pairs, as a CollisionRecorder's does: snapshots and questions need it. Both are
+// null for a system of the game's own; one around a collider has an innerCollider alone.
 package starlogo.collision
 {
     import flash.errors.IllegalOperationError;

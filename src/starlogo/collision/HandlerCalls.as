@@ -64,7 +64,7 @@ package starlogo.collision
             _system = system;
             _gameList.begin(agents);
             _count = 0;
-            _tracker = tracker.touches.count > 0 || _table.tracksTouches ? tracker : null;
+            _tracker = tracker.count > 0 || _table.tracksTouches ? tracker : null;
             var starting:IntList = _tracker == null ? null : tracker.beginFrame(pairs, _table);
             if (_table.contactMoments != 0)
             {

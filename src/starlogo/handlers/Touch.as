@@ -24,7 +24,7 @@ package starlogo.handlers
         /** How many touches began before it. */
         public var serial:Number;
 
-        /** Its index in the TouchTable. */
+        /** Its index in the TouchTracker. */
         public var index:int;
 
         /**

@@ -17,7 +17,7 @@ package starlogo.handlers
     {
         private static const FRAMES:int = 300;
 
-        private var _tracker:TouchTracker = new TouchTracker(new TouchTable());
+        private var _tracker:TouchTracker = new TouchTracker();
         private var _found:FoundPairs = new FoundPairs(new ListedAgents());
         private var _agents:Array = [];
         private var _handlers:HandlerTable = new HandlerTable();
@@ -80,7 +80,7 @@ package starlogo.handlers
                     {
                         known = _tracker.startAt(i);
                         known.isComplete = true;
-                        assertStrictlyEquals("either way round it is the same", known, _tracker.touches.find(b, a));
+                        assertStrictlyEquals("either way round it is the same", known, _tracker.find(b, a));
                         assertStrictlyEquals(known, _tracker.touchAt(i));
                         if (left.indexOf(name) < 0)
                         {
@@ -90,8 +90,8 @@ package starlogo.handlers
                 }
                 _tracker.release();
                 most = Math.max(most, left.length);
-                assertEquals(left.join(), namesOf(_tracker.touches.inOrder()));
-                assertEquals(left.length, _tracker.touches.count);
+                assertEquals(left.join(), namesOf(_tracker.inOrder()));
+                assertEquals(left.length, _tracker.count);
                 pairs = left;
             }
             assertTrue("there were many", most > 150);
@@ -181,13 +181,13 @@ package starlogo.handlers
                     assertEquals(pairs[i], nameOf(touch.first, touch.second));
                 }
                 _tracker.release();
-                assertEquals(begun.join(), namesOf(_tracker.touches.inOrder()));
-                assertEquals(begun.length, _tracker.touches.count);
+                assertEquals(begun.join(), namesOf(_tracker.inOrder()));
+                assertEquals(begun.length, _tracker.count);
                 numbers = pairs.concat();
             }
             assertTrue("some remained", begun.length > 5);
             _found.version++;
-            assertEquals("another tracker knows none of them", _found.count, new TouchTracker(new TouchTable()).beginFrame(_found, _handlers).count);
+            assertEquals("another tracker knows none of them", _found.count, new TouchTracker().beginFrame(_found, _handlers).count);
         }
 
         [Test]
@@ -208,7 +208,7 @@ package starlogo.handlers
             assertTrue(_tracker.touchAt(0) != null);
             assertNull(_tracker.touchAt(1));
             _tracker.release();
-            assertEquals(1, _tracker.touches.count);
+            assertEquals(1, _tracker.count);
         }
 
         // Begins a frame with other pairs, or with those that are updated. Returns how many touches may begin.
@@ -238,7 +238,7 @@ package starlogo.handlers
             var b:Agent = _agents[1];
             addPair(b, a);
             assertNull(next());
-            _tracker.touches.start(a, b, a.breedNumber, b.breedNumber, _tracker.frame);
+            _tracker.start(a, b, a.breedNumber, b.breedNumber);
             assertNull("handlers of one way only", next());
             var touch:Touch = startBothWays(a, b);
             assertStrictlyEquals(touch, next());
@@ -251,7 +251,7 @@ package starlogo.handlers
 
         private function startBothWays(a:Agent, b:Agent):Touch
         {
-            var touch:Touch = _tracker.touches.start(a, b, a.breedNumber, b.breedNumber, _tracker.frame);
+            var touch:Touch = _tracker.start(a, b, a.breedNumber, b.breedNumber);
             touch.isComplete = true;
             return touch;
         }

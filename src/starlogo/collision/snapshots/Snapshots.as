@@ -11,7 +11,6 @@ package starlogo.collision.snapshots
     import starlogo.agents.Breeds;
     import starlogo.engine;
     import starlogo.handlers.Touch;
-    import starlogo.handlers.TouchTable;
     import starlogo.handlers.TouchTracker;
     import starlogo.search.CollisionSearch;
     import starlogo.search.table.AgentTable;
@@ -83,7 +82,7 @@ package starlogo.collision.snapshots
             var names:SnapshotNames = new SnapshotNames();
             var rest:ByteArray = newBytes();
             SnapshotPlaces.write(rest, agents, table, frame.search === search);
-            var formerWorld:Vector.<Agent> = writeTouches(rest, names, frame.tracker.touches.inOrder(), table, ground, edges);
+            var formerWorld:Vector.<Agent> = writeTouches(rest, names, frame.tracker.inOrder(), table, ground, edges);
             SnapshotPlatforms.write(rest, agents, table);
             if (hasHeights)
             {
@@ -141,7 +140,7 @@ package starlogo.collision.snapshots
             {
                 ground.restoreGrid(parts.ground);
             }
-            frame.tracker = new TouchTracker(parts.touches);
+            frame.tracker = parts.touches;
             frame.agents = copyAgents(agents, frame.agents);
             frame.search = search;
             frame.hasFailed = false;
@@ -256,10 +255,10 @@ package starlogo.collision.snapshots
         }
 
         // What stands for the world: the ground and the edges, or null, and those that were exchanged.
-        private static function readTouches(bytes:ByteArray, agents:Vector.<Agent>, world:Vector.<Agent>, names:SnapshotNames):TouchTable
+        private static function readTouches(bytes:ByteArray, agents:Vector.<Agent>, world:Vector.<Agent>, names:SnapshotNames):TouchTracker
         {
             var partners:Vector.<Agent> = agents.concat(world);
-            var touches:TouchTable = new TouchTable();
+            var touches:TouchTracker = new TouchTracker();
             var pairs:uint = bytes.readUnsignedInt();
             for (var left:uint = pairs; left > 0; left--)
             {
@@ -279,7 +278,7 @@ package starlogo.collision.snapshots
                 check(firstBreed > Breeds.ANY && (partner.isOfWorld ? secondBreed == partner.breedNumber : secondBreed > Breeds.ANY));
                 // each pair is there once
                 check(touches.find(agents[first], partner) == null);
-                touches.start(agents[first], partner, firstBreed, secondBreed, 0).isComplete = flag == 1;
+                touches.start(agents[first], partner, firstBreed, secondBreed).isComplete = flag == 1;
             }
             return touches;
         }

@@ -209,15 +209,15 @@ package starlogo.collision
             _owner = null;
         }
 
-        /** @private A phase of its owner's frame begins. @param input what the frame searches among, while it searches */
-        engine function enter(phase:int, input:SearchInput = null):void
+        /** @private */
+        override engine function enter(phase:int, input:SearchInput = null):void
         {
             _phase = phase;
             _frameInput = input;
         }
 
-        /** @private Lets no agent have a motion in the next frame. */
-        engine function forgetMotions():void
+        /** @private */
+        override engine function forgetMotions():void
         {
             search.table.forgetMotionStarts();
         }

@@ -276,13 +276,8 @@ package starlogo.collision
             _handlers.clear();
             // a handler may call this, and the frame under way goes on with its own
             _lastFrame = new LastFrame();
-            for each (var collider:Collider in [_system.innerCollider, systemOfFrame.innerCollider])
-            {
-                if (collider != null)
-                {
-                    collider.forgetMotions();
-                }
-            }
+            _system.forgetMotions();
+            systemOfFrame.forgetMotions();
         }
 
         /**
@@ -309,7 +304,7 @@ package starlogo.collision
             finally
             {
                 _calls.end();
-                enter(Collider.IDLE);
+                system.enter(Collider.IDLE);
                 _frameSystem = null;
                 releaseUnused(system);
                 if (_heldGround != null)
@@ -393,9 +388,9 @@ package starlogo.collision
             // The filter may have called reset(), which forgets the frames before this one. The touches of this frame do not count then
             var lastFrame:LastFrame = _lastFrame;
             lastFrame.hasFailed = true;
-            enter(Collider.SEARCHING, _input);
+            system.enter(Collider.SEARCHING, _input);
             var pairs:FoundPairs = system.findPairs(_input, _pairReader, _statistics);
-            enter(Collider.HANDLING);
+            system.enter(Collider.HANDLING);
             var searched:Collider = system.samePairsCollider;
             lastFrame.agents = copyAgents(_input.agents, lastFrame.agents);
             lastFrame.search = searched == null ? null : searched.search;
@@ -406,15 +401,6 @@ package starlogo.collision
             }
             _statistics.handlerCalls = _calls.callHandlers(pairs, system, tracker, agents, _handlerErrors);
             lastFrame.hasFailed = false;
-        }
-
-        // Tells the collider of the frame under way which phase begins.
-        private function enter(phase:int, input:SearchInput = null):void
-        {
-            if (_frameSystem.innerCollider != null)
-            {
-                _frameSystem.innerCollider.enter(phase, input);
-            }
         }
 
         private function requireIdle(what:String):void

@@ -115,7 +115,8 @@ package starlogo.collision
         private function callAll(chosen:IntList, errors:Vector.<Error>):void
         {
             var endedCount:int = _tracker == null ? 0 : _tracker.endedCount;
-            var stepCount:int = endedCount + (chosen == null ? _pairs.count : chosen.count);
+            var pairCount:int = chosen == null ? _pairs.count : chosen.count;
+            var stepCount:int = endedCount + pairCount;
             var step:int = 0;
             _handlersOfPair = null;
             _running = null;

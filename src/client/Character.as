@@ -14,9 +14,8 @@ package client
     public final class Character
     {
         private static const LINES:uint = 0xffd21f;
-        // the thickness of the lines
-        private static const STRUCTURE:Number = 1.5;
-        private static const LEVEL:Number = 0.9;
+        private static const STRUCTURE_THICKNESS:Number = 1.5;
+        private static const LEVEL_THICKNESS:Number = 0.9;
         private static const SHADOW_HEIGHT:Number = 0.04;
         private static const COVER:Number = 0.7;
 
@@ -92,13 +91,13 @@ package client
         /** Shows a structure as a wireframe. */
         public function showStructure(structure:BoundingStructure):void
         {
-            newWireframe(STRUCTURE).showStructure(structure);
+            newWireframe(STRUCTURE_THICKNESS).showStructure(structure);
         }
 
         /** Shows a level of a hierarchy as a wireframe. */
         public function showLevel(root:HierarchyNode, level:int):void
         {
-            newWireframe(LEVEL).showLevel(root, level);
+            newWireframe(LEVEL_THICKNESS).showLevel(root, level);
         }
 
         /** Shows no wireframe. */

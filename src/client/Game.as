@@ -2,7 +2,6 @@ package client
 {
     import flash.geom.Vector3D;
     import flash.ui.Keyboard;
-    import flash.utils.Dictionary;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.bounding.Sphere;
@@ -12,29 +11,19 @@ package client
     import starlogo.collision.CombinationCollider;
     import starlogo.collision.HierarchicalCollider;
     import starlogo.collision.TightestFitCollider;
+    import starlogo.terrain.Terrain;
 
     /** The bear of thesis §2.2 among turtles, seagulls and a fortress. Paintballs colour the agents that they hit. */
-    public final class Game implements Show
+    public final class Game extends BearGame implements Show
     {
-        private static const PAINTS:Array = [0xe4572e, 0x2e86ab, 0xf6ae2d, 0x8e44ad, 0x17a398, 0xd81e5b];
         private static const EDGE:Number = 30;
-        private static const MOST_AGENTS:int = 90;
+
+        // The level of the hierarchies that is tested and shown.
         private static const LEVEL:int = 5;
 
-        private var _land:Land;
-        private var _cast:Cast;
         private var _systems:Vector.<CollisionSystem>;
         private var _system:int = 1;
-        private var _collision:Collision;
-        private var _agents:Vector.<Agent> = new Vector.<Agent>();
-        private var _characters:Dictionary = new Dictionary();
-        private var _bear:Character;
-        private var _held:Object = {};
-        private var _frame:int = 0;
-        private var _lastThrow:int = -100;
-        private var _thrown:int = 0;
         private var _hasWireframes:Boolean = false;
-        private var _gone:Vector.<Character> = new Vector.<Character>();
 
         /**
          * @param land shows the game
@@ -42,22 +31,14 @@ package client
          */
         public function Game(land:Land, cast:Cast)
         {
-            _land = land;
-            _cast = cast;
             var greatLand:GreatLand = cast.greatLand;
             _systems = new <CollisionSystem>[new BinCollider(greatLand), new TightestFitCollider(greatLand), new HierarchicalCollider(greatLand),
                     new CombinationCollider(greatLand)];
-            _collision = new Collision(_systems[_system]);
-            _collision.onCollision("paintballs", Collision.ANY_BREED, splash);
-            _collision.onCollision("bears", Collision.ANY_BREED, bump);
-            _collision.onCollision("turtles", Collision.ANY_BREED, turnAway);
+            super(land, cast, _systems[_system]);
+            collision.onCollision("paintballs", Collision.ANY_BREED, splash);
+            collision.onCollision("bears", Collision.ANY_BREED, bump);
+            collision.onCollision("turtles", Collision.ANY_BREED, turnAway);
             populate();
-        }
-
-        /** @inheritDoc */
-        public function get collision():Collision
-        {
-            return _collision;
         }
 
         /** @inheritDoc */
@@ -69,52 +50,24 @@ package client
         }
 
         /** @inheritDoc */
-        public function get agentCount():int
+        override public function update():void
         {
-            return _agents.length;
-        }
-
-        /** @inheritDoc */
-        public function play():void
-        {
-            _frame++;
-            steer();
-            for each (var agent:Agent in _agents)
-            {
-                var character:Character = _characters[agent];
-                wander(character);
-                character.move();
-            }
-            _collision.update(_agents);
-            for each (var gone:Character in _gone)
-            {
-                remove(gone);
-            }
-            _gone.length = 0;
-        }
-
-        /** @inheritDoc */
-        public function update():void
-        {
-            for each (var agent:Agent in _agents)
-            {
-                Character(_characters[agent]).update();
-            }
-            var bear:Agent = _bear.agent;
-            var heading:Number = bear.heading * Math.PI / 180;
+            super.update();
+            var agent:Agent = bear.agent;
+            var heading:Number = agent.heading * Math.PI / 180;
             var x:Number = Math.cos(heading);
             var y:Number = Math.sin(heading);
-            _land.look(bear.x - 9.5 * x, bear.y - 9.5 * y, 6.5, bear.x + 4 * x, bear.y + 4 * y, 1.2, _frame == 1 ? 1 : 0.08);
+            land.look(agent.x - 9.5 * x, agent.y - 9.5 * y, 6.5, agent.x + 4 * x, agent.y + 4 * y, 1.2, frame == 1 ? 1 : 0.08);
         }
 
         /** @inheritDoc */
-        public function press(key:uint):void
+        override public function press(key:uint):void
         {
-            _held[key] = true;
+            super.press(key);
             if (key >= 49 && key <= 52)
             {
                 _system = key - 49;
-                _collision.collisionSystem = _systems[_system];
+                collision.collisionSystem = _systems[_system];
             }
             else if (key == Keyboard.W)
             {
@@ -124,23 +77,17 @@ package client
             {
                 return;
             }
-            for each (var character:Character in _characters)
+            for each (var character:Character in characters)
             {
                 outline(character);
             }
         }
 
-        /** @inheritDoc */
-        public function release(key:uint):void
-        {
-            _held[key] = false;
-        }
-
         private function populate():void
         {
-            _bear = add("bear", "bears", 1.5, -9, -2, 0, 10);
-            _bear.agent.hierarchical = true;
-            _bear.agent.traversalDepth = LEVEL;
+            bear = add("bear", "bears", 1.5, -9, -2, 0, 10);
+            bear.agent.hierarchical = true;
+            bear.agent.traversalDepth = LEVEL;
             add("fortress", "forts", 13, 10, 6, 0, 205);
             add("dragon", "dragons", 6, -1, 8, 0, -75);
             add("spaceship", "ships", 5, 12, -12, 0.1, 120);
@@ -165,56 +112,35 @@ package client
             add("cylinder", "things", 1.2, -3, -7, 0, 0);
         }
 
-        private function add(shape:String, breed:String, size:Number, x:Number, y:Number, z:Number, heading:Number):Character
+        /** @inheritDoc */
+        override protected function add(shape:String, breed:String, size:Number, x:Number, y:Number, z:Number, heading:Number,
+                terrain:Terrain = null):Character
         {
-            var agent:Agent = new Agent(shape, breed);
-            agent.size = size;
-            agent.moveTo(x, y, z);
-            agent.heading = heading;
-            var character:Character = new Character(_land, _cast, agent);
-            _agents.push(agent);
-            _characters[agent] = character;
+            var character:Character = super.add(shape, breed, size, x, y, z, heading, terrain);
             outline(character);
             return character;
         }
 
-        private function remove(character:Character):void
+        /** @inheritDoc */
+        override protected function beginFrame(agents:Vector.<Agent>):void
         {
-            var place:int = _agents.indexOf(character.agent);
-            if (place >= 0)
-            {
-                _agents.splice(place, 1);
-                delete _characters[character.agent];
-                character.leave();
-            }
+            steer(0.14, 0.08);
+            bear.agent.roll = bear.speed == 0 ? 0 : 2.5 * Math.sin(frame / 5);
         }
 
-        private function steer():void
+        /** @inheritDoc */
+        override protected function throwBall(heading:Number, number:int):Character
         {
-            _bear.speed = _held[Keyboard.UP] ? 0.14 : _held[Keyboard.DOWN] ? -0.08 : 0;
-            _bear.agent.heading += (_held[Keyboard.LEFT] ? 2.5 : 0) - (_held[Keyboard.RIGHT] ? 2.5 : 0);
-            _bear.agent.roll = _bear.speed == 0 ? 0 : 2.5 * Math.sin(_frame / 5);
-            if (_held[Keyboard.SPACE] && _frame - _lastThrow > 14 && _agents.length < MOST_AGENTS)
-            {
-                throwBall();
-            }
-        }
-
-        private function throwBall():void
-        {
-            var bear:Agent = _bear.agent;
-            var spread:Number = bear.heading + 16 * Math.sin(_thrown * 2.3);
-            var x:Number = Math.cos(spread * Math.PI / 180);
-            var y:Number = Math.sin(spread * Math.PI / 180);
-            var ball:Character = add("sphere", "paintballs", 0.45, bear.x + 1.9 * x, bear.y + 1.9 * y, 1.6, spread);
+            var x:Number = Math.cos(heading * Math.PI / 180);
+            var y:Number = Math.sin(heading * Math.PI / 180);
+            var ball:Character = add("sphere", "paintballs", 0.45, bear.agent.x + 1.9 * x, bear.agent.y + 1.9 * y, 1.6, heading);
             ball.speed = 0.3;
-            ball.climb = 0.06 + _thrown % 3 * 0.03;
-            ball.paint(PAINTS[_thrown % PAINTS.length]);
-            _thrown++;
-            _lastThrow = _frame;
+            ball.climb = 0.06 + number % 3 * 0.03;
+            return ball;
         }
 
-        private function wander(character:Character):void
+        /** @inheritDoc */
+        override protected function move(character:Character):void
         {
             var agent:Agent = character.agent;
             switch (agent.breed)
@@ -223,11 +149,11 @@ package client
                     character.climb -= 0.006;
                     if (agent.z < 0)
                     {
-                        _gone.push(character);
+                        gone.push(agent);
                     }
                     break;
                 case "turtles":
-                    agent.heading += 1.5 * Math.sin(_frame / 40 + agent.id);
+                    agent.heading += 1.5 * Math.sin(frame / 40 + agent.id);
                     if (Math.abs(agent.x) > EDGE || Math.abs(agent.y) > EDGE)
                     {
                         agent.heading = Math.atan2(-agent.y, -agent.x) * 180 / Math.PI;
@@ -237,18 +163,19 @@ package client
                     // it flies in a circle, banked, up and down
                     agent.heading += 0.55;
                     agent.roll = -18;
-                    agent.pitch = -8 * Math.sin(_frame / 30 + agent.id);
-                    character.climb = 0.016 * Math.sin(_frame / 30 + agent.id);
+                    agent.pitch = -8 * Math.sin(frame / 30 + agent.id);
+                    character.climb = 0.016 * Math.sin(frame / 30 + agent.id);
                     break;
             }
+            character.move();
         }
 
         private function splash(ball:Agent, hit:Agent):void
         {
-            if (hit.breed != "paintballs" && hit != _bear.agent)
+            if (hit.breed != "paintballs" && hit != bear.agent)
             {
-                Character(_characters[hit]).paint(uint(ball.color));
-                _gone.push(_characters[ball]);
+                Character(characters[hit]).paint(uint(ball.color));
+                gone.push(ball);
             }
         }
 
@@ -285,7 +212,7 @@ package client
         private function outline(character:Character):void
         {
             var shape:String = character.agent.shape;
-            var greatLand:GreatLand = _cast.greatLand;
+            var greatLand:GreatLand = cast.greatLand;
             if (!_hasWireframes)
             {
                 character.hideWireframe();

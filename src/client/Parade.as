@@ -85,7 +85,11 @@ package client
         /** @inheritDoc */
         public function press(key:uint):void
         {
-            for each (var character:Character in key >= 48 && key <= 57 ? _characters : null)
+            if (key < 48 || key > 57)
+            {
+                return;
+            }
+            for each (var character:Character in _characters)
             {
                 var shape:String = character.agent.shape;
                 if (key == 48)

@@ -154,7 +154,7 @@ package starlogo
         public function receive(model:Model):Steps
         {
             requireGiven("model", model);
-            var results:ResultsBuilder = preparing(model, fitStore);
+            var results:ResultsBuilder = newResults(model, fitStore);
             return results.call(function():void
                 {
                     // a result that was not computed is set to null too, because the entry's old result belongs to another model
@@ -179,7 +179,7 @@ package starlogo
         {
             requireGiven("model", model);
             ModelData.requireUpAxis(model.name, upAxis);
-            var results:ResultsBuilder = preparing(model, null);
+            var results:ResultsBuilder = newResults(model, null);
             finish(results);
             return results.toCooked(CookedFile.keyOfLoad(upAxis, model.data.scaling, usesTransforms));
         }
@@ -273,7 +273,7 @@ package starlogo
         }
 
         /** @private The work that finds the results that the flags ask for. None of its steps is done yet. @param store null for none */
-        engine function preparing(model:Model, store:FitStore):ResultsBuilder
+        engine function newResults(model:Model, store:FitStore):ResultsBuilder
         {
             return new ResultsBuilder(model, loadTightestFit ? _boundingStructures : null, loadHierarchies ? _hierarchies : null, store);
         }

@@ -55,17 +55,12 @@ package starlogo.away3d
             _data.vertices = points.coordinates;
             return new StepSequence().beginEach(_parts.length, function(index:int):Steps
                 {
-                    return readingPart(index, hasTriangles, points);
+                    var setShare:Function = function(share:Number):void
+                    {
+                        _data.readProgress = (index + share) / _parts.length;
+                    };
+                    return hasTriangles ? _parts[index].readingTriangles(points, _data.triangles, setShare) : _parts[index].readingVertices(points, setShare);
                 });
-        }
-
-        private function readingPart(index:int, hasTriangles:Boolean, points:PointTable):Steps
-        {
-            var setShare:Function = function(share:Number):void
-            {
-                _data.readProgress = (index + share) / _parts.length;
-            };
-            return hasTriangles ? _parts[index].readingTriangles(points, _data.triangles, setShare) : _parts[index].readingVertices(points, setShare);
         }
 
         private function addSource(source:Object):void

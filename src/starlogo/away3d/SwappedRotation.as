@@ -33,7 +33,15 @@ package starlogo.away3d
             }
             else
             {
-                readRotation();
+                // the matrix with rows and columns 1 and 2 swapped
+                _swapped.r00 = _placement.r00;
+                _swapped.r01 = _placement.r02;
+                _swapped.r02 = _placement.r01;
+                _swapped.r10 = _placement.r20;
+                _swapped.r11 = _placement.r22;
+                _swapped.r12 = _placement.r21;
+                _swapped.r20 = _placement.r10;
+                _swapped.readAngles(_angles);
             }
             return _angles;
         }
@@ -44,19 +52,6 @@ package starlogo.away3d
             _point.setTo(x, y, z);
             _placement.turn(_point, _point);
             return _point;
-        }
-
-        // Reads the angles of the matrix with rows and columns 1 and 2 swapped.
-        private function readRotation():void
-        {
-            _swapped.r00 = _placement.r00;
-            _swapped.r01 = _placement.r02;
-            _swapped.r02 = _placement.r01;
-            _swapped.r10 = _placement.r20;
-            _swapped.r11 = _placement.r22;
-            _swapped.r12 = _placement.r21;
-            _swapped.r20 = _placement.r10;
-            _swapped.readAngles(_angles);
         }
     }
 }

@@ -1,4 +1,4 @@
-// This room has what the client's blocks call: a class for each drawer of blocks, and a method for each block. BlockSubject checks what a block
+// This room has what the client's blocks call: a class for each drawer of blocks, and a method for each block. BlockChecks checks what a block
 // is given, and BlockError says what is wrong in words for students; the work is done by the rooms collision, queries and terrain. Read this
 // file first, then DetectionBlocks.
 package starlogo.blocks
@@ -119,7 +119,7 @@ package starlogo.blocks
         {
             if (NAMES.indexOf(name) < 0)
             {
-                throw new BlockError("use collision system", "does not know " + BlockSubject.nameOf(name) + ". Choose one of these: " + NAMES.join(", ") + ".");
+                throw new BlockError("use collision system", "does not know " + BlockChecks.nameOf(name) + ". Choose one of these: " + NAMES.join(", ") + ".");
             }
             return _systems[name];
         }
@@ -194,34 +194,29 @@ package starlogo.blocks
         /** @private How two agents touch where they are now, in the system in use; null if they do not. */
         engine function contactNow(agent:Agent, other:Agent):Contact
         {
-            var system:BaseCollider = _collision.systemInUse;
+            var system:BaseCollider = _collision.systemOfFrame;
             var tests:NarrowPhase = system.findNarrowPhase();
             if (_search == null || _search.narrowPhase !== tests)
             {
                 _search = new CollisionSearch(tests);
             }
-            return _search.pairQuery.areColliding(agent, other) ? system.equivalentCollider.contactIn(_search, agent, other, new Contact()) : null;
+            return _search.pairQuery.areColliding(agent, other) ? system.samePairsCollider.contactIn(_search, agent, other, new Contact()) : null;
         }
 
-        /**
-         * @private Moves an agent out of another one by the shortest way, from where both are now. Returns their contact before; null if they did not
-         *     touch.
-         */
-        engine function pushOut(agent:Agent, other:Agent):Contact
+        /** @private Moves an agent by the shortest way out of what it touches. @param contact how it touches that where it is now; null if it does not */
+        engine static function pushOut(agent:Agent, contact:Contact):void
         {
-            var contact:Contact = contactNow(agent, other);
             if (contact != null)
             {
                 var normal:Vector3D = contact.normal;
                 agent.moveTo(agent.x + contact.depth * normal.x, agent.y + contact.depth * normal.y, agent.z + contact.depth * normal.z);
             }
-            return contact;
         }
 
         private static function check(block:String, breed:String, otherBreed:String, script:Function):void
         {
-            BlockSubject.checkBreed(block, breed);
-            BlockSubject.checkBreed(block, otherBreed);
+            BlockChecks.checkBreed(block, breed);
+            BlockChecks.checkBreed(block, otherBreed);
             if (script == null)
             {
                 throw new BlockError(block, "has nothing to do: put blocks into it.");

@@ -62,7 +62,7 @@ package starlogo.blocks
          * @param agent the agent whose side it is
          * @param other the agent that touches it
          * @return one of sideNames. Of two sides that are equally near, the first in this list
-         * @throws BlockError if one is missing, or both are the same
+         * @throws BlockError if one is missing, both are the same, or one is the ground's agent and the other the edges'
          * @throws ArgumentError while the model of one is loading
          */
         public function sideHit(agent:Agent, other:Agent):String
@@ -93,7 +93,7 @@ package starlogo.blocks
          * @param other the other
          * @param out receives the point; null for a new one
          * @return out, or the new point
-         * @throws BlockError if one is missing, or both are the same
+         * @throws BlockError if one is missing, both are the same, or one is the ground's agent and the other the edges'
          * @throws ArgumentError while the model of one is loading
          */
         public function touchPoint(agent:Agent, other:Agent, out:Vector3D = null):Vector3D
@@ -109,7 +109,7 @@ package starlogo.blocks
          * @param agent one of them
          * @param other the other
          * @return 0 if neither collides along its way (<code>sweeps</code>), or if they part
-         * @throws BlockError if one is missing, or both are the same
+         * @throws BlockError if one is missing, both are the same, or one is the ground's agent and the other the edges'
          * @throws ArgumentError while the model of one is loading
          */
         public function touchSpeed(agent:Agent, other:Agent):Number
@@ -124,21 +124,20 @@ package starlogo.blocks
          * @param agent the agent that moves
          * @param other the agent that stays. If the two do not touch, nothing moves
          * @throws BlockError if one is missing, if both are the same, or if the one that moves is the ground's agent or the edges'
+         * @throws ArgumentError if the game has given its Collision a collision system of its own
+         * @throws RangeError if the agent would leave the world; it then stays
          */
         public function pushAway(agent:Agent, other:Agent):void
         {
-            BlockSubject.checkBoth("push away from", agent, other);
-            if (agent.isOfWorld)
-            {
-                throw new BlockError("push away from", "cannot move the ground or the edges of the world.");
-            }
-            _collisions.pushOut(agent, other);
+            BlockChecks.checkBoth("push away from", agent, other);
+            BlockChecks.checkAgent("push away from", agent);
+            CollisionBlocks.pushOut(agent, _collisions.contactNow(agent, other));
         }
 
         private function contactOf(block:String, agent:Agent, other:Agent):Contact
         {
-            BlockSubject.checkBoth(block, agent, other);
-            return _collisions.collision.systemInUse.contactOf(agent, other);
+            BlockChecks.checkBoth(block, agent, other);
+            return _collisions.collision.systemOfFrame.contactOf(agent, other);
         }
     }
 }

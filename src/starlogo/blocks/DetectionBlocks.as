@@ -7,6 +7,7 @@ package starlogo.blocks
     import starlogo.queries.AgentFilter;
     import starlogo.queries.AgentQueries;
     import starlogo.queries.ShapeHit;
+    import starlogo.terrain.WorldBounds;
 
     /**
      * The blocks that ask about other agents: "count within", "count with", "nearest within", "nearest with", "touching?", "can see?", "distance
@@ -135,13 +136,18 @@ package starlogo.blocks
          * The block "touching?": whether the agent touches another agent, or any agent of a breed.
          *
          * @param agent the agent that asks
-         * @param subject an agent, or the name of a breed, or Collision.ANY_BREED
+         * @param subject an agent, or the name of a breed, or Collision.ANY_BREED, TERRAIN or EDGE
          * @throws BlockError if something is missing
          */
         public function isTouching(agent:Agent, subject:Object):Boolean
         {
-            BlockSubject.check("touching?", subject);
-            BlockSubject.checkAgent("touching?", agent);
+            BlockChecks.check("touching?", subject);
+            BlockChecks.checkGiven("touching?", agent);
+            if ((subject is Agent ? Agent(subject).breed : subject) == Collision.EDGE)
+            {
+                var bounds:WorldBounds = _collisions.collision.bounds;
+                return bounds != null && queries.touchesEdge(agent, bounds);
+            }
             return queries.touchesAny(agent, subject is Agent ? filterOne(subject) : filterFor(subject as String));
         }
 
@@ -151,11 +157,13 @@ package starlogo.blocks
          *
          * @param agent the agent that asks
          * @param other another agent
-         * @throws BlockError if something is missing, or both are the same agent
+         * @throws BlockError if something is missing, both are the same agent, or one is the ground's agent or the edges'
          */
         public function canSee(agent:Agent, other:Agent):Boolean
         {
-            BlockSubject.checkBoth("can see?", agent, other);
+            BlockChecks.checkBoth("can see?", agent, other);
+            BlockChecks.checkAgent("can see?", agent);
+            BlockChecks.checkAgent("can see?", other);
             return queries.canSee(agent, other);
         }
 
@@ -170,7 +178,7 @@ package starlogo.blocks
          */
         public function distanceTo(agent:Agent, other:Agent):Number
         {
-            BlockSubject.checkBoth("distance to", agent, other);
+            BlockChecks.checkBoth("distance to", agent, other);
             return queries.distance(agent, other);
         }
 
@@ -209,7 +217,7 @@ package starlogo.blocks
         {
             check(block, agent, breed);
             checkDistance(block, distance);
-            BlockSubject.checkWay(block, distance, "the distance");
+            BlockChecks.checkReach(block, distance, "the distance");
             return queries.castAgent(agent, distance * Trigonometry.cosine(agent.heading), distance * Trigonometry.sine(agent.heading), 0, filterFor(breed), _ahead);
         }
 
@@ -244,7 +252,7 @@ package starlogo.blocks
         {
             if (trait == null || !(trait in asker))
             {
-                throw new BlockError(block, "does not know the trait " + BlockSubject.nameOf(trait) + ". Check how it is spelled.");
+                throw new BlockError(block, "does not know the trait " + BlockChecks.nameOf(trait) + ". Check how it is spelled.");
             }
             return function(agent:Agent):Boolean
             {
@@ -254,8 +262,8 @@ package starlogo.blocks
 
         private static function check(block:String, agent:Agent, breed:String):void
         {
-            BlockSubject.checkAgent(block, agent);
-            BlockSubject.checkBreed(block, breed);
+            BlockChecks.checkAgent(block, agent);
+            BlockChecks.checkBreed(block, breed);
         }
 
         private static function checkDistance(block:String, distance:Number):void

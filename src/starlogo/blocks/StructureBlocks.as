@@ -14,7 +14,7 @@ package starlogo.blocks
         private var _collisions:CollisionBlocks;
         private var _breeds:Vector.<String> = new Vector.<String>();
 
-        // By the ids of agents: 1 for agents whose structures are shown. Only ids are stored, so agents that have left the game can be
+        // By the numbers of agents' ids: 1 for agents whose structures are shown. Only ids are stored, so agents that have left the game can be
         // garbage-collected.
         private var _agents:HashTable = new HashTable();
         private var _lines:CollisionLines;
@@ -41,7 +41,7 @@ package starlogo.blocks
          */
         public function show(subject:Object, isOn:Boolean):void
         {
-            BlockSubject.check("show bounding structures", subject);
+            BlockChecks.checkOfGame("show bounding structures", subject);
             if (subject is Agent)
             {
                 _agents.set (Agent(subject).id, 0, isOn ? 1 : 0);

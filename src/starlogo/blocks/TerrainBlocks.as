@@ -72,7 +72,7 @@ package starlogo.blocks
          */
         public function buildWall(agent:Agent, height:Number):void
         {
-            BlockSubject.checkAgent("build wall", agent);
+            BlockChecks.checkAgent("build wall", agent);
             raiseAt("build wall", agent.x, agent.y, height);
         }
 
@@ -86,9 +86,9 @@ package starlogo.blocks
          */
         public function buildMound(agent:Agent, width:Number, height:Number):void
         {
-            BlockSubject.checkAgent("build mound", agent);
+            BlockChecks.checkAgent("build mound", agent);
             var ground:Terrain = groundOf("build mound");
-            BlockSubject.checkNumber("build mound", height, "the height");
+            BlockChecks.checkNumber("build mound", height, "the height");
             if (!(width > 0 && width < Infinity))
             {
                 throw new BlockError("build mound", "needs a width of more than 0, but got " + width + ".");
@@ -119,7 +119,7 @@ package starlogo.blocks
          */
         public function terrainHeight(agent:Agent):Number
         {
-            BlockSubject.checkAgent("terrain height", agent);
+            BlockChecks.checkAgent("terrain height", agent);
             var height:Number = groundOf("terrain height").heightAt(agent.x, agent.y);
             return isNaN(height) ? 0 : height;
         }
@@ -145,7 +145,7 @@ package starlogo.blocks
          */
         public function isTouchingGround(agent:Agent):Boolean
         {
-            BlockSubject.checkAgent("touching ground?", agent);
+            BlockChecks.checkAgent("touching ground?", agent);
             return _detection.isTouching(agent, Collision.TERRAIN);
         }
 
@@ -182,14 +182,15 @@ package starlogo.blocks
         }
 
         /**
-         * The block "stop at the edge": moves the agent back into the world, so that it only touches the edge.
+         * The block "stop at the edge": moves the agent back into the world, so that it only touches the edge. An agent that is wider than the world
+         * has no place in it: it still reaches beyond an edge, and may be moved in every frame.
          *
          * @param agent the agent that stops
          * @throws BlockError if there is no agent
          */
         public function stopAtEdge(agent:Agent):void
         {
-            moveInside("stop at the edge", agent);
+            CollisionBlocks.pushOut(agent, contactWithEdge("stop at the edge", agent));
         }
 
         /**
@@ -201,11 +202,12 @@ package starlogo.blocks
          */
         public function bounceOffEdge(agent:Agent):void
         {
-            var contact:Contact = moveInside("bounce off the edge", agent);
+            var contact:Contact = contactWithEdge("bounce off the edge", agent);
             if (contact == null)
             {
                 return;
             }
+            CollisionBlocks.pushOut(agent, contact);
             var x:Number = Trigonometry.cosine(agent.heading);
             var y:Number = Trigonometry.sine(agent.heading);
             // the normal points into the world: from each edge that the agent touches
@@ -225,7 +227,7 @@ package starlogo.blocks
          */
         public function wrapAtEdge(agent:Agent):void
         {
-            BlockSubject.checkAgent("wrap at the edge", agent);
+            BlockChecks.checkAgent("wrap at the edge", agent);
             var bounds:WorldBounds = _collisions.collision.bounds;
             if (bounds == null)
             {
@@ -253,23 +255,15 @@ package starlogo.blocks
         // How the agent touches the edges where it is now; null if it touches none.
         private function contactWithEdge(block:String, agent:Agent):Contact
         {
-            BlockSubject.checkAgent(block, agent);
+            BlockChecks.checkAgent(block, agent);
             var bounds:WorldBounds = _collisions.collision.bounds;
             return bounds == null ? null : _collisions.contactNow(agent, bounds.agent);
-        }
-
-        // Moves the agent into the world. Returns its contact with the edges before; null if it touched none.
-        private function moveInside(block:String, agent:Agent):Contact
-        {
-            BlockSubject.checkAgent(block, agent);
-            var bounds:WorldBounds = _collisions.collision.bounds;
-            return bounds == null ? null : _collisions.pushOut(agent, bounds.agent);
         }
 
         private function raiseAt(block:String, x:Number, y:Number, height:Number):void
         {
             var ground:Terrain = groundOf(block);
-            BlockSubject.checkNumber(block, height, "the height");
+            BlockChecks.checkNumber(block, height, "the height");
             if (!isFinite(x) || !isFinite(y))
             {
                 throw new BlockError(block, "needs numbers for the place, but got (" + x + ", " + y + ").");

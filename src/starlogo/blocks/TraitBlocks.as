@@ -79,7 +79,7 @@ package starlogo.blocks
         {
             if (STRUCTURES.indexOf(structure) < 0)
             {
-                throw new BlockError("collide as", "does not know " + BlockSubject.nameOf(structure) + ". Choose one of these: " + STRUCTURES.join(", ") + ".");
+                throw new BlockError("collide as", "does not know " + BlockChecks.nameOf(structure) + ". Choose one of these: " + STRUCTURES.join(", ") + ".");
             }
             apply("collide as", subject, "collideAs", structure);
         }
@@ -120,7 +120,7 @@ package starlogo.blocks
         // Sets a trait of the agent, or of the breed's agents.
         private function apply(block:String, subject:Object, trait:String, value:Object):void
         {
-            BlockSubject.check(block, subject);
+            BlockChecks.checkOfGame(block, subject);
             if (subject is Agent)
             {
                 subject[trait] = value;

@@ -47,7 +47,7 @@ package starlogo.blocks
             _walking.fall = 0;
         }
 
-        /** By how much falling gets faster in each frame, in patches a frame; 0.01. @throws RangeError if it is not more than 0 and finite */
+        /** By how much falling gets faster in each frame, in patches a frame; 0.01. @throws RangeError if it is not more than 0, or more than 1e9 */
         public function get gravity():Number
         {
             return _gravity;
@@ -55,9 +55,9 @@ package starlogo.blocks
 
         public function set gravity(value:Number):void
         {
-            if (!(value > 0 && value < Infinity))
+            if (!(value > 0 && value <= Agent.LARGEST_COORDINATE))
             {
-                throw new RangeError("gravity must be more than 0 and finite: " + value);
+                throw new RangeError("gravity must be more than 0 and at most " + Agent.LARGEST_COORDINATE + ": " + value);
             }
             _gravity = value;
         }
@@ -86,11 +86,12 @@ package starlogo.blocks
          *
          * @param breed the name of a breed
          * @param isOn whether it is solid from now on
-         * @throws BlockError if there is no breed
+         * @throws BlockError if there is no breed, or if it is Collision.ANY_BREED, TERRAIN or EDGE
          */
         public function setSolid(breed:String, isOn:Boolean):void
         {
-            BlockSubject.checkBreed("solid", breed);
+            BlockChecks.checkBreed("solid", breed);
+            BlockChecks.checkOfGame("solid", breed);
             var names:Array = solidBreeds;
             var at:int = names.indexOf(breed);
             if (isOn && at < 0)
@@ -137,7 +138,7 @@ package starlogo.blocks
          *
          * @param agent the agent that falls, or rises
          * @param speed its upward speed, in patches a frame
-         * @return its new speed; 0 if it stands, or has bumped its head
+         * @return its new speed, at most 1e9 downwards; 0 if it stands, or has bumped its head
          * @throws BlockError if there is no agent, or the speed is not a number or more than 1e9 either way
          */
         public function fall(agent:Agent, speed:Number):Number
@@ -149,7 +150,7 @@ package starlogo.blocks
             }
             _falling.fall = Math.min(_gravity - speed, Agent.LARGEST_COORDINATE);
             _detection.queries.walk(agent, 0, 0, _falling, _footing);
-            return _footing.stands ? 0 : speed - _gravity;
+            return _footing.stands ? 0 : -_falling.fall;
         }
 
         /**
@@ -187,7 +188,7 @@ package starlogo.blocks
          */
         public function isStanding(agent:Agent):Boolean
         {
-            BlockSubject.checkAgent("standing?", agent);
+            BlockChecks.checkAgent("standing?", agent);
             return standsOn(agent) != null;
         }
 
@@ -201,14 +202,14 @@ package starlogo.blocks
          */
         public function standsOn(agent:Agent):Agent
         {
-            BlockSubject.checkAgent("what I stand on", agent);
+            BlockChecks.checkAgent("what I stand on", agent);
             return _detection.queries.moves.findFooting(agent, _walking, _footing).on;
         }
 
         private static function check(block:String, agent:Agent, value:Number, what:String):void
         {
-            BlockSubject.checkAgent(block, agent);
-            BlockSubject.checkWay(block, value, what);
+            BlockChecks.checkAgent(block, agent);
+            BlockChecks.checkReach(block, value, what);
         }
     }
 }

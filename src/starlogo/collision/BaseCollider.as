@@ -1,3 +1,6 @@
+// A Collision asks a collision system for two colliders. Its innerCollider is the engine's collider in it, which the Collision owns, because it keeps
+// motions and contacts. Its samePairsCollider is the one that finds the same pairs, as a CollisionRecorder's does: snapshots and questions need it. Both are
+// null for a system of the game's own; one around a collider has an innerCollider alone.
 package starlogo.collision
 {
     import flash.errors.IllegalOperationError;
@@ -87,13 +90,13 @@ package starlogo.collision
          * @param collider the normal points to it
          * @param collidee another agent
          * @param out receives the contact; created if null
-         * @return out
+         * @return out. A subclass may return another Contact: what it returns counts
          */
         public function contactOf(collider:Agent, collidee:Agent, out:Contact = null):Contact
         {
-            if (_collisionSystem is BaseCollider)
+            if (inner != null)
             {
-                return BaseCollider(_collisionSystem).contactOf(collider, collidee, out);
+                return inner.contactOf(collider, collidee, out);
             }
             var contact:Contact = out || new Contact();
             contact.setBetween(collider, collidee);
@@ -101,16 +104,15 @@ package starlogo.collision
         }
 
         /** @private The engine's collider that this one is or contains, which one Collision at most owns; null if there is none. */
-        engine function get ownedCollider():Collider
+        engine function get innerCollider():Collider
         {
-            var around:BaseCollider = _collisionSystem as BaseCollider;
-            return around == null ? null : around.ownedCollider;
+            return inner == null ? null : inner.innerCollider;
         }
 
         /** @private */
         override engine function findNarrowPhase():NarrowPhase
         {
-            var collider:Collider = equivalentCollider;
+            var collider:Collider = samePairsCollider;
             if (collider != null)
             {
                 return collider.narrowPhase;
@@ -119,7 +121,7 @@ package starlogo.collision
         }
 
         /** @private The engine's collider that finds the same pairs as this one, or null. Snapshots and questions use it. */
-        engine function get equivalentCollider():Collider
+        engine function get samePairsCollider():Collider
         {
             return null;
         }
@@ -142,16 +144,12 @@ package starlogo.collision
                 var what:String = input.ground != null ? "a terrain needs" : "bounds need";
                 throw new IllegalOperationError(what + " one of the engine's collision systems, not " + textOf(systemToName, "a Collider"));
             }
-            if (ownedCollider != null)
-            {
-                ownedCollider.beginSearch(input);
-            }
             reader.begin(input.agents);
             var listed:Vector.<Agent> = input.admittedAgents;
             var pairs:FoundPairs = reader.read(findCollisionsAmong(listed, input.interests, _foundAgents));
             counts.copyFrom(statistics);
-            // the engine's collider has all agents of the frame, even within another system. Other systems have only those that the filter admits
-            if (counts.agents != input.agents.length)
+            // the engine's collider counts all agents of the frame, even within another system. Other systems have only those that the filter admits
+            if (innerCollider == null)
             {
                 counts.agentsSkipped += input.agents.length - listed.length;
             }
@@ -161,15 +159,43 @@ package starlogo.collision
             return pairs;
         }
 
+        /** @private A phase of the owner's frame begins, for the engine's collider within. @param input what the frame searches among, while it searches */
+        engine function enter(phase:int, input:SearchInput = null):void
+        {
+            if (inner != null)
+            {
+                inner.enter(phase, input);
+            }
+        }
+
+        /** @private Lets no agent have a motion in the next frame, in the engine's collider within. */
+        engine function forgetMotions():void
+        {
+            if (inner != null)
+            {
+                inner.forgetMotions();
+            }
+        }
+
         /** @private Called when a Collision's frame is over, handlers included, with the Collision's statistics. */
         engine function onFrame(statistics:CollisionStatistics):void
         {
+            if (inner != null)
+            {
+                inner.onFrame(statistics);
+            }
+        }
+
+        // The system that does the work, if it is a BaseCollider; or else null.
+        private function get inner():BaseCollider
+        {
+            return _collisionSystem as BaseCollider;
         }
 
         // What errors name if this is none of the engine's systems: a game's own system that wrap() has put into this, or else this.
         private function get systemToName():CollisionSystem
         {
-            return _collisionSystem == null || _collisionSystem is BaseCollider ? this : _collisionSystem;
+            return _collisionSystem == null || inner != null ? this : _collisionSystem;
         }
 
         // Returns the collision system that does the work.

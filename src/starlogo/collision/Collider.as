@@ -32,23 +32,34 @@ package starlogo.collision
      */
     public class Collider extends BaseCollider
     {
+        // Phases of a frame. While it searches, it calls findCollisions of the collider, or of a system around it. While its handlers run, contacts stay
+        // those of the frame.
+
+        /** @private No frame is under way. */
+        engine static const IDLE:int = 0;
+
+        /** @private A frame searches for its pairs. */
+        engine static const SEARCHING:int = 1;
+
+        /** @private The handlers of a frame run. */
+        engine static const HANDLING:int = 2;
+
         /** @private The search that the collider makes. */
         engine var search:CollisionSearch;
 
-        // Whether a Collision has the collider.
-        private var _isTaken:Boolean = false;
+        /** @private The search whose contacts contactOf gives. */
+        engine var contactSearch:CollisionSearch;
 
-        // The input of the frame that searches for its pairs, or null.
+        // The Collision that owns the collider, or null. It keeps its motions and contacts in the collider.
+        private var _owner:Collision = null;
+
+        private var _phase:int = IDLE;
+
+        // What the frame searches among, or null.
         private var _frameInput:SearchInput = null;
 
-        // Whether the handlers of a frame of this collider run.
-        private var _isHandling:Boolean = false;
-
-        // The search for the game's own calls of findCollisions while a Collision has the collider, or null.
+        // The search for the game's own calls of findCollisions while a Collision owns the collider, or null.
         private var _extraSearch:CollisionSearch = null;
-
-        // The search whose contacts contactOf gives.
-        private var _contactSearch:CollisionSearch;
 
         private var _statistics:CollisionStatistics = new CollisionStatistics();
         private var _motion:RelativeMotion = new RelativeMotion();
@@ -65,7 +76,7 @@ package starlogo.collision
         {
             super();
             search = new CollisionSearch(narrowPhaseFor(choice));
-            _contactSearch = search;
+            contactSearch = search;
         }
 
         /** @private The tests of pairs that a choice of shapes needs. */
@@ -105,13 +116,13 @@ package starlogo.collision
         override public function findCollisionsAmong(agents:Vector.<Agent>, interests:BreedInterests, out:Vector.<Agent> = null):Vector.<Agent>
         {
             requireGiven("agents", agents);
-            var by:CollisionSearch = search;
-            if (_isTaken && _frameInput == null)
+            var inSearch:CollisionSearch = search;
+            if (_owner != null && _phase != SEARCHING)
             {
                 // The next frame's motions begin where the last frame saw the agents, so a game's own call must not change that. While a Collision
                 // searches it is no call of the game's: a BaseCollider around this collider makes it
                 _extraSearch ||= new CollisionSearch(narrowPhase);
-                by = _extraSearch;
+                inSearch = _extraSearch;
             }
             var found:Vector.<Agent> = out || new Vector.<Agent>();
             _input.begin(agents, interests || BreedInterests.ALL, null, null, null);
@@ -119,7 +130,7 @@ package starlogo.collision
             {
                 _input.takeFilterOf(_frameInput);
             }
-            var pairs:FoundPairs = find(by, _input);
+            var pairs:FoundPairs = find(inSearch, _input);
             if (found.length > 2 * pairs.count)
             {
                 found.length = 2 * pairs.count;
@@ -146,19 +157,19 @@ package starlogo.collision
         override public function contactOf(collider:Agent, collidee:Agent, out:Contact = null):Contact
         {
             requireTwo(collider, collidee);
-            return contactIn(_contactSearch, collider, collidee, out || new Contact());
+            return contactIn(contactSearch, collider, collidee, out || new Contact());
         }
 
         /** @private As contactOf, in one of the collider's searches. */
-        engine function contactIn(by:CollisionSearch, collider:Agent, collidee:Agent, contact:Contact):Contact
+        engine function contactIn(inSearch:CollisionSearch, collider:Agent, collidee:Agent, contact:Contact):Contact
         {
             var motion:RelativeMotion = _motion;
             var point:ContactPoint = _point;
-            if (!_isHandling)
+            if (_phase != HANDLING)
             {
-                by.table.refreshWorld();
+                inSearch.table.refreshWorld();
             }
-            by.pairQuery.findContact(collider, collidee, motion, point);
+            inSearch.pairQuery.findContact(collider, collidee, motion, point);
             contact.setFromPoint(point);
             contact.time = motion.time;
             contact.approachSpeed = Math.max(0, -(motion.x * point.normalX + motion.y * point.normalY + motion.z * point.normalZ));
@@ -166,86 +177,68 @@ package starlogo.collision
         }
 
         /** @private */
-        override engine function get equivalentCollider():Collider
+        override engine function get samePairsCollider():Collider
         {
             return this;
         }
 
         /** @private */
-        override engine function get ownedCollider():Collider
+        override engine function get innerCollider():Collider
         {
             return this;
         }
 
-        /** @private Gives the collider to a Collision that does not have it. No agent has a motion then. */
-        engine function take():void
+        /** @private Lets a Collision own the collider. If it did not before, no agent has a motion then. @throws ArgumentError if another owns it */
+        engine function own(owner:Collision):void
         {
-            if (_isTaken)
+            if (_owner == null)
+            {
+                forgetMotions();
+            }
+            else if (_owner !== owner)
             {
                 throw new ArgumentError("the collider belongs to another Collision, whose motions and contacts it keeps: give each Collision "
                         + "a collider of its own, or first exchange the collisionSystem of the other");
             }
-            forgetMotions();
-            _isTaken = true;
+            _owner = owner;
         }
 
-        /** @private From now on another Collision may take the collider. */
+        /** @private From now on another Collision may own the collider. */
         engine function release():void
         {
-            _isTaken = false;
+            _owner = null;
         }
 
-        /** @private A frame searches for its pairs, until the handlers begin: with the collider, or a system around it. */
-        engine function beginSearch(input:SearchInput):void
+        /** @private */
+        override engine function enter(phase:int, input:SearchInput = null):void
         {
+            _phase = phase;
             _frameInput = input;
         }
 
-        /** @private The handlers of the frame begin. Contacts stay those of the frame. */
-        engine function beginHandlers():void
-        {
-            _frameInput = null;
-            _isHandling = true;
-        }
-
-        /** @private The frame is over, also one that has thrown an error. @param isTaken whether the Collision still has the collider */
-        engine function endFrame(isTaken:Boolean):void
-        {
-            _frameInput = null;
-            _isHandling = false;
-            _isTaken = isTaken;
-        }
-
-        /** @private Lets no agent have a motion in the next frame. */
-        engine function forgetMotions():void
+        /** @private */
+        override engine function forgetMotions():void
         {
             search.table.forgetMotionStarts();
-        }
-
-        /** @private From now on contactOf sees the last frame. */
-        engine function takeContactsFromFrame():void
-        {
-            _contactSearch = search;
         }
 
         /** @private */
         override engine function findPairs(input:SearchInput, reader:PairReader, counts:CollisionStatistics):FoundPairs
         {
-            beginSearch(input);
             var pairs:FoundPairs = find(search, input);
             counts.copyFrom(_statistics);
             return pairs;
         }
 
-        private function find(by:CollisionSearch, input:SearchInput):FoundPairs
+        private function find(inSearch:CollisionSearch, input:SearchInput):FoundPairs
         {
             var start:Number = getTimer();
-            var pairs:FoundPairs = by.find(input);
-            if (!_isHandling)
+            var pairs:FoundPairs = inSearch.find(input);
+            if (_phase != HANDLING)
             {
-                _contactSearch = by;
+                contactSearch = inSearch;
             }
-            _statistics.readSearch(by, pairs);
+            _statistics.readSearch(inSearch, pairs);
             _statistics.findMs = getTimer() - start;
             return pairs;
         }

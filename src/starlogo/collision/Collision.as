@@ -2,8 +2,7 @@
 // 1. HandlerTable (in the room handlers) takes the handlers as they are now. SearchInput asks the game's filter who takes part.
 // 2. Collider, the base of the collision systems, searches for the pairs: CollisionSearch, in the room search. In its place BaseCollider asks a
 // system of the game's own, and PairReader reads what that has found.
-// 3. HandlerCalls lets FrameContacts compute the contacts that handlers take. It calls the handlers for touches that have ended (TouchTracker), and then
-// those of each pair.
+// 3. HandlerCalls lets FrameContacts compute the contacts that handlers take. It calls the handlers for ended touches (TouchTracker), then those of pairs.
 // Snapshots (snapshots/) goes back to earlier frames. Read this file first, then Collider, HandlerCalls, and CollisionSearch.
 package starlogo.collision
 {
@@ -138,22 +137,23 @@ package starlogo.collision
             requireGiven("collisionSystem", value);
             var before:BaseCollider = _system;
             var next:BaseCollider = BaseCollider.wrap(value);
-            if (next.ownedCollider != null && !uses(next.ownedCollider))
+            if (next.innerCollider != null)
             {
-                next.ownedCollider.take();
+                next.innerCollider.own(this);
             }
             _givenSystem = value;
             _system = next;
-            if (before != null && before.ownedCollider != null && !uses(before.ownedCollider))
-            {
-                before.ownedCollider.release();
-            }
+            releaseUnused(before);
         }
 
-        // Whether a collider is in the collision system, or in the one of the frame under way.
-        private function uses(collider:Collider):Boolean
+        // Releases the collider of a system, unless it is in the collision system or in the one of the frame under way.
+        private function releaseUnused(system:BaseCollider):void
         {
-            return _system != null && _system.ownedCollider === collider || _frameSystem != null && _frameSystem.ownedCollider === collider;
+            var collider:Collider = system == null ? null : system.innerCollider;
+            if (collider != null && collider !== _system.innerCollider && collider !== systemOfFrame.innerCollider)
+            {
+                collider.release();
+            }
         }
 
         /** Counts and times of the last frame. The next frame overwrites them. */
@@ -173,7 +173,8 @@ package starlogo.collision
 
         /**
          * The errors that handlers threw in the last frame, in order. The next frame empties the list, even if it refuses its agents. If a handler throws
-         * something else, it becomes the message of an Error. At the end of each message stand the breeds for which the handler was added.
+         * something else, it becomes the message of an Error. At the end of each message stand the breeds for which the handler was added: those of
+         * the last one, if handlers throw the same object.
          */
         public function get handlerErrors():Vector.<Error>
         {
@@ -181,10 +182,9 @@ package starlogo.collision
         }
 
         /**
-         * The breeds that the handlers of the last frame name and that none of its agents had. One of them may be misspelt. A handler that you add or
+         * The breeds that the handlers of the last frame name and that none of its agents has now. One of them may be misspelt. A handler that you add or
          * remove after that frame counts from the next one on. Before the first frame, and after <code>reset()</code>, there are none. TERRAIN is
-         * among them while <code>terrain</code> is null, and EDGE while <code>bounds</code> is null. The breeds are found when you ask, so a frame
-         * pays nothing.
+         * among them while <code>terrain</code> is null, and EDGE while <code>bounds</code> is null.
          */
         public function get breedsWithoutAgents():Vector.<String>
         {
@@ -264,7 +264,7 @@ package starlogo.collision
          */
         public function removeHandler(breed:String, otherBreed:String, handler:Function, kind:String = null):Boolean
         {
-            return _handlers.remove(breed, otherBreed, handler, CollisionHandler.kindsNamed(kind));
+            return _handlers.remove(breed, otherBreed, handler, CollisionHandler.momentsNamed(kind));
         }
 
         /**
@@ -276,11 +276,8 @@ package starlogo.collision
             _handlers.clear();
             // a handler may call this, and the frame under way goes on with its own
             _lastFrame = new LastFrame();
-            var owned:Collider = _system.ownedCollider;
-            if (owned != null)
-            {
-                owned.forgetMotions();
-            }
+            _system.forgetMotions();
+            systemOfFrame.forgetMotions();
         }
 
         /**
@@ -299,8 +296,7 @@ package starlogo.collision
             requireGiven("agents", agents);
             var start:Number = getTimer();
             _handlerErrors.length = 0;
-            var system:BaseCollider = _system;
-            _frameSystem = system;
+            var system:BaseCollider = _frameSystem = _system;
             try
             {
                 runFrame(agents, system);
@@ -308,11 +304,9 @@ package starlogo.collision
             finally
             {
                 _calls.end();
+                system.enter(Collider.IDLE);
                 _frameSystem = null;
-                if (system.ownedCollider != null)
-                {
-                    system.ownedCollider.endFrame(uses(system.ownedCollider));
-                }
+                releaseUnused(system);
                 if (_heldGround != null)
                 {
                     _heldGround.release();
@@ -364,11 +358,11 @@ package starlogo.collision
             requireGiven("bytes", bytes);
             requireGiven("agents", agents);
             _snapshots.read(bytes, agents, collider.search, ground, edges, _lastFrame);
-            collider.takeContactsFromFrame();
+            collider.contactSearch = collider.search;
         }
 
         /** @private The system of the frame under way, which a handler may have exchanged for the next one; or else the collision system. */
-        engine function get systemInUse():BaseCollider
+        engine function get systemOfFrame():BaseCollider
         {
             return _frameSystem || _system;
         }
@@ -394,12 +388,10 @@ package starlogo.collision
             // The filter may have called reset(), which forgets the frames before this one. The touches of this frame do not count then
             var lastFrame:LastFrame = _lastFrame;
             lastFrame.hasFailed = true;
+            system.enter(Collider.SEARCHING, _input);
             var pairs:FoundPairs = system.findPairs(_input, _pairReader, _statistics);
-            if (system.ownedCollider != null)
-            {
-                system.ownedCollider.beginHandlers();
-            }
-            var searched:Collider = system.equivalentCollider;
+            system.enter(Collider.HANDLING);
+            var searched:Collider = system.samePairsCollider;
             lastFrame.agents = copyAgents(_input.agents, lastFrame.agents);
             lastFrame.search = searched == null ? null : searched.search;
             if (_input.ground != null)
@@ -423,7 +415,7 @@ package starlogo.collision
         private function engineCollider(what:String):Collider
         {
             requireIdle(what);
-            var collider:Collider = _system.equivalentCollider;
+            var collider:Collider = _system.samePairsCollider;
             if (collider == null)
             {
                 throw new IllegalOperationError(what + " needs one of the engine's collision systems, not " + textOf(_givenSystem, "a Collider"));

@@ -9,6 +9,9 @@ package starlogo.collision
     /** The contacts of a frame's pairs, for the pairs whose handlers take contacts. */
     internal final class FrameContacts
     {
+        // A system of the game's own may leave numbers of a contact as they are.
+        private static const UNSET:Contact = new Contact();
+
         // The contacts that were computed in this frame, and objects for more of them.
         private var _contacts:Vector.<Contact> = new Vector.<Contact>();
         private var _count:int = 0;
@@ -26,16 +29,18 @@ package starlogo.collision
             _indices.clear();
         }
 
-        /** Computes the contact of a pair of the frame. @param system computes it @param pairs those of the frame */
-        public function find(pair:int, pairs:FoundPairs, system:BaseCollider):void
+        /** Computes the contact of a pair of the frame, and returns its index. @param system computes it @param pairs those of the frame */
+        public function compute(pair:int, pairs:FoundPairs, system:BaseCollider):int
         {
             if (_count == _contacts.length)
             {
                 _contacts.push(new Contact());
             }
-            system.contactOf(pairs.firstOf(pair), pairs.secondOf(pair), _contacts[_count]);
+            var contact:Contact = _contacts[_count];
+            contact.copyFrom(UNSET);
+            contact.copyFrom(system.contactOf(pairs.firstOf(pair), pairs.secondOf(pair), contact) || contact);
             _indices.set (pair, 0, _count);
-            _count++;
+            return _count++;
         }
 
         /**
@@ -46,11 +51,12 @@ package starlogo.collision
          */
         public function contactFor(pair:int, isSecondCollider:Boolean, pairs:FoundPairs, system:BaseCollider):Contact
         {
-            if (_indices.find(pair, 0) < 0)
+            var index:int = _indices.find(pair, 0);
+            if (index < 0)
             {
-                find(pair, pairs, system);
+                index = compute(pair, pairs, system);
             }
-            _given.copyFrom(_contacts[_indices.find(pair, 0)]);
+            _given.copyFrom(_contacts[index]);
             if (isSecondCollider)
             {
                 _given.normal.negate();

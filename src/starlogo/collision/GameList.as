@@ -44,7 +44,11 @@ package starlogo.collision
             var index:int = _isUnchanged ? list.ranks[row] : _indices[row];
             if (index >= 0 && (index >= _agents.length || _agents[index] !== agent))
             {
-                copyRanks(list.ranks);
+                for (var other:int = 0; _isUnchanged && other < list.ranks.length; other++)
+                {
+                    _indices[other] = list.ranks[other];
+                }
+                _isUnchanged = false;
                 index = _agents.lastIndexOf(agent, index);
                 if (index < 0)
                 {
@@ -53,19 +57,6 @@ package starlogo.collision
                 _indices[row] = index;
             }
             return index;
-        }
-
-        private function copyRanks(ranks:Vector.<int>):void
-        {
-            if (!_isUnchanged)
-            {
-                return;
-            }
-            for (var row:int = 0; row < ranks.length; row++)
-            {
-                _indices[row] = ranks[row];
-            }
-            _isUnchanged = false;
         }
     }
 }

@@ -31,7 +31,7 @@ package starlogo.collision
         private var _tracker:TouchTracker = null;
 
         // The handlers of the present pair or ended touch; null before its calls begin.
-        private var _ofPair:PairHandlers = null;
+        private var _handlersOfPair:PairHandlers = null;
 
         // The index of the next of these handlers. If a handler throws, the calls go on from here.
         private var _next:int;
@@ -64,9 +64,9 @@ package starlogo.collision
             _system = system;
             _gameList.begin(agents);
             _count = 0;
-            _tracker = tracker.touches.count > 0 || _table.tracksTouches ? tracker : null;
-            var starting:IntList = _tracker == null ? null : tracker.findStarting(pairs, _table);
-            if (_table.contactKinds != 0)
+            _tracker = tracker.count > 0 || _table.tracksTouches ? tracker : null;
+            var starting:IntList = _tracker == null ? null : tracker.beginFrame(pairs, _table);
+            if (_table.contactMoments != 0)
             {
                 // before touches end, because a game's own contactOf may throw. Then the next frame ends them
                 _contacts.begin();
@@ -76,7 +76,7 @@ package starlogo.collision
             {
                 tracker.endOthers();
             }
-            callAll((_table.kinds & CollisionHandler.COLLISION) == 0 ? starting : null, errors);
+            callAll((_table.moments & CollisionHandler.COLLISION) == 0 ? starting : null, errors);
             return _count;
         }
 
@@ -96,44 +96,45 @@ package starlogo.collision
         // Computes the contacts that handlers take, before a handler moves an agent. Handlers for starts take none of a touch that goes on.
         private function findContacts(starting:IntList):void
         {
-            var chosen:IntList = (_table.contactKinds & CollisionHandler.COLLISION) == 0 ? starting : null;
+            var chosen:IntList = (_table.contactMoments & CollisionHandler.COLLISION) == 0 ? starting : null;
             var end:int = chosen == null ? _pairs.count : chosen.count;
             for (var i:int = 0; i < end; i++)
             {
                 var pair:int = chosen == null ? i : chosen.values[i];
-                var kinds:int = _table.handlersOfPair(_pairs, pair).contactKinds;
-                if ((kinds & CollisionHandler.COLLISION) != 0 || kinds != 0 && _tracker.touchAt(pair) == null)
+                var moments:int = _table.handlersOfPair(_pairs, pair).contactMoments;
+                if ((moments & CollisionHandler.COLLISION) != 0 || moments != 0 && _tracker.touchAt(pair) == null)
                 {
-                    _contacts.find(pair, _pairs, _system);
+                    _contacts.compute(pair, _pairs, _system);
                 }
             }
         }
 
-        // Makes all calls: for the touches that have ended, then for the chosen pairs. Null stands for all pairs. The try is here and not around each
+        // Makes all calls, a step for each touch that has ended, and then for each chosen pair. Null stands for all pairs. After an error the same step goes
+        // on with the next handler. The try is here and not around each
         // call, because a method with a try makes an object for each of its calls in Adobe's VM, and takes longer than most handlers.
         private function callAll(chosen:IntList, errors:Vector.<Error>):void
         {
-            var ended:int = _tracker == null ? 0 : _tracker.endedCount;
+            var endedCount:int = _tracker == null ? 0 : _tracker.endedCount;
             var pairCount:int = chosen == null ? _pairs.count : chosen.count;
-            var end:int = ended + pairCount;
-            var done:int = 0;
-            _ofPair = null;
+            var stepCount:int = endedCount + pairCount;
+            var step:int = 0;
+            _handlersOfPair = null;
             _running = null;
-            while (done < end)
+            while (step < stepCount)
             {
                 try
                 {
-                    for (; done < end; done++)
+                    for (; step < stepCount; step++)
                     {
-                        if (done < ended)
+                        if (step < endedCount)
                         {
-                            callForEnded(_tracker.endedAt(done));
+                            callForEnded(_tracker.endedAt(step));
                         }
                         else
                         {
-                            callForPair(chosen == null ? done - ended : chosen.values[done - ended]);
+                            callForPair(chosen == null ? step - endedCount : chosen.values[step - endedCount]);
                         }
-                        _ofPair = null;
+                        _handlersOfPair = null;
                     }
                 }
                 catch (error:*)
@@ -163,15 +164,15 @@ package starlogo.collision
         private function callForEnded(touch:Touch):void
         {
             beginWith(touch.firstBreed, touch.secondBreed);
-            callRest(NO_PAIR, touch.first, touch.second, CollisionHandler.END, touch.isCalledForBoth ? _ofPair.handlers.length : _ofPair.firstCount);
+            callRest(NO_PAIR, touch.first, touch.second, CollisionHandler.END, touch.isComplete ? _handlersOfPair.handlers.length : _handlersOfPair.firstCount);
         }
 
         // Finds the handlers of a pair or ended touch, unless its calls have begun. The breeds count as they are when the calls begin.
         private function beginWith(firstBreed:int, secondBreed:int):void
         {
-            if (_ofPair == null)
+            if (_handlersOfPair == null)
             {
-                _ofPair = _table.handlersOf(firstBreed, secondBreed);
+                _handlersOfPair = _table.handlersOf(firstBreed, secondBreed);
                 _next = 0;
             }
         }
@@ -181,8 +182,8 @@ package starlogo.collision
             var first:Agent = _pairs.firstOf(pair);
             var second:Agent = _pairs.secondOf(pair);
             beginWith(first.breedNumber, second.breedNumber);
-            var end:int = _ofPair.handlers.length;
-            if (!_ofPair.tracksTouches)
+            var end:int = _handlersOfPair.handlers.length;
+            if (!_handlersOfPair.tracksTouches)
             {
                 callRest(pair, first, second, CollisionHandler.COLLISION, end);
                 return;
@@ -192,12 +193,13 @@ package starlogo.collision
             {
                 return;
             }
-            var isStarting:Boolean = touch.firstFrame == _tracker.frame;
+            // a touch that was not complete has ended
+            var isStarting:Boolean = !touch.isComplete;
             callRest(pair, first, second, isStarting ? CollisionHandler.COLLISION | CollisionHandler.START : CollisionHandler.COLLISION, end);
             if (isStarting)
             {
-                touch.isCalledForBoth = _next > _ofPair.firstCount || _next == end;
-                if (!touch.isCalledForBoth)
+                touch.isComplete = _next > _handlersOfPair.firstCount || _next == end;
+                if (!touch.isComplete)
                 {
                     _tracker.dropAt(pair);
                 }
@@ -210,21 +212,21 @@ package starlogo.collision
             var touch:Touch = _tracker.touchAt(pair);
             if (touch == null && _gameList.hasBoth(_pairs, pair))
             {
-                touch = _tracker.findOrStartAt(pair);
+                touch = _tracker.startAt(pair);
             }
             return touch;
         }
 
-        // Calls the handlers of the kinds from _next on, up to an index. In the first frame of a touch, those for starts come before those for every
+        // Calls the handlers of the moments from _next on, up to an index. In the first frame of a touch, those for starts come before those for every
         // frame. An ended touch has no contact, and its agents may have left the list: pass NO_PAIR. For a pair it stops when one of the two has left.
-        private function callRest(pair:int, first:Agent, second:Agent, kinds:int, end:int):void
+        private function callRest(pair:int, first:Agent, second:Agent, moments:int, end:int):void
         {
-            var handlers:Vector.<CollisionHandler> = _ofPair.handlers;
-            var firstCount:int = _ofPair.firstCount;
+            var handlers:Vector.<CollisionHandler> = _handlersOfPair.handlers;
+            var firstCount:int = _handlersOfPair.firstCount;
             while (_next < end)
             {
                 var handler:CollisionHandler = handlers[_next];
-                var isMeant:Boolean = (handler.kind & kinds) != 0;
+                var isMeant:Boolean = (handler.moment & moments) != 0;
                 if (isMeant && pair != NO_PAIR && !_gameList.hasBoth(_pairs, pair))
                 {
                     return;

@@ -50,8 +50,8 @@ package starlogo.debug
         }
 
         /**
-         * The lines of the shape that a collision system tests for an agent. While the agent's model is loading, and if it was removed, there are
-         * none. The lines of a model are computed on the first call, and after a call with another system. Other calls take a time proportional
+         * The lines of the shape that a collision system tests for an agent. While the agent's model is loading, if it was removed, and for the ground
+         * and the edges of the world there are none. The lines of a model are computed on the first call, and after a call with another system. Other calls take a time proportional
          * to the number of lines.
          *
          * @param agent any agent
@@ -64,11 +64,11 @@ package starlogo.debug
         public function linesOf(agent:Agent, system:CollisionSystem, out:Vector.<Number> = null):Vector.<Number>
         {
             requireGiven("agent", agent);
-            var collider:Collider = BaseCollider.wrap(system).equivalentCollider;
+            var collider:Collider = BaseCollider.wrap(system).samePairsCollider;
             var choice:BaseShapeChoice = collider == null ? _tightest : collider.narrowPhase.choice;
             var all:Vector.<Number> = out || new Vector.<Number>();
             // a BinCollider may be without models, and its agents have any shapes
-            if (choice.greatLand != null && !choice.greatLand.hasModel(agent.shape))
+            if (agent.isOfWorld || choice.greatLand != null && !choice.greatLand.hasModel(agent.shape))
             {
                 return all;
             }

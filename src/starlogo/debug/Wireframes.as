@@ -56,7 +56,7 @@ package starlogo.debug
                     break;
                 case BoundingStructure.CAPSULE:
                     var capsule:Capsule = Capsule(structure);
-                    drawRound(pen, capsule.start, capsule.end, capsule.radius, true);
+                    drawRound(pen, capsule.start, capsule.end, capsule.radius, 180);
                     break;
                 case BoundingStructure.HULL:
                     drawHull(pen, structure);
@@ -67,7 +67,10 @@ package starlogo.debug
                     {
                         throw new ArgumentError("this kind of structure can't be drawn: " + structure);
                     }
-                    drawRound(pen, cylinder.start, cylinder.end, cylinder.radius, false);
+                    if (!cylinder.start.equals(cylinder.end))
+                    {
+                        drawRound(pen, cylinder.start, cylinder.end, cylinder.radius, 0);
+                    }
             }
             return pen.lines;
         }
@@ -190,16 +193,12 @@ package starlogo.debug
             }
         }
 
-        // Draws a capsule or a cylinder.
-        private static function drawRound(pen:LinePen, start:Vector3D, end:Vector3D, radius:Number, isCapsule:Boolean):void
+        // Draws a tube with round ends, which arcs of so many degrees show: a capsule, or a cylinder if the ends are flat.
+        private static function drawRound(pen:LinePen, start:Vector3D, end:Vector3D, radius:Number, endDegrees:int):void
         {
             var w:Vector3D = end.subtract(start);
             // Divides by the largest coordinate first. Otherwise squares could become 0 or infinite.
             var largest:Number = Math.max(Math.abs(w.x), Math.abs(w.y), Math.abs(w.z));
-            if (largest == 0 && !isCapsule)
-            {
-                return;
-            }
             w = largest == 0 ? new Vector3D(0, 0, 1) : new Vector3D(w.x / largest, w.y / largest, w.z / largest);
             w.normalize();
             var u:Vector3D = (Math.abs(w.z) < 0.7 ? Vector3D.Z_AXIS : Vector3D.X_AXIS).crossProduct(w);
@@ -211,18 +210,15 @@ package starlogo.debug
                 var distance:Number = i % 2 == 0 ? radius : -radius;
                 pen.drawLine(LinePen.along(start, across, distance, w, 0), LinePen.along(end, across, distance, w, 0));
             }
-            drawEnd(pen, start, u, v, w, -radius, isCapsule);
-            drawEnd(pen, end, u, v, w, radius, isCapsule);
+            drawEnd(pen, start, u, v, w, -radius, endDegrees);
+            drawEnd(pen, end, u, v, w, radius, endDegrees);
         }
 
-        private static function drawEnd(pen:LinePen, center:Vector3D, u:Vector3D, v:Vector3D, w:Vector3D, radius:Number, isCapsule:Boolean):void
+        private static function drawEnd(pen:LinePen, center:Vector3D, u:Vector3D, v:Vector3D, w:Vector3D, radius:Number, degrees:int):void
         {
             pen.drawArc(center, u, v, radius);
-            if (isCapsule)
-            {
-                pen.drawArc(center, u, w, radius, 180);
-                pen.drawArc(center, v, w, radius, 180);
-            }
+            pen.drawArc(center, u, w, radius, degrees);
+            pen.drawArc(center, v, w, radius, degrees);
         }
     }
 }

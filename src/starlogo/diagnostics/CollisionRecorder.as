@@ -102,9 +102,9 @@ package starlogo.diagnostics
         }
 
         /** @private */
-        override engine function get equivalentCollider():Collider
+        override engine function get samePairsCollider():Collider
         {
-            return _system.equivalentCollider;
+            return _system.samePairsCollider;
         }
 
         /** @private */
@@ -124,7 +124,7 @@ package starlogo.diagnostics
         override engine function onFrame(statistics:CollisionStatistics):void
         {
             _frameTimes.add(statistics.frameMs);
-            _system.onFrame(statistics);
+            super.onFrame(statistics);
         }
 
         /** Removes all recorded frames. */

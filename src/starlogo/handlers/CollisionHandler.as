@@ -12,20 +12,20 @@ package starlogo.handlers
      */
     public final class CollisionHandler
     {
-        /** A kind of handlers: called in the first frame of a touch. Each kind is a bit, so that kinds can be added up. */
+        /** When handlers are called: in the first frame of a touch. Each moment is a bit, so that moments can be added up. */
         public static const START:int = 1;
 
-        /** A kind of handlers: called in every frame of a touch; in its first frame, after the handlers for starts. */
+        /** When handlers are called: in every frame of a touch; in its first frame, after the handlers for starts. */
         public static const COLLISION:int = 2;
 
-        /** A kind of handlers: called in the first frame after a touch. */
+        /** When handlers are called: in the first frame after a touch. */
         public static const END:int = 4;
 
-        // The names of the kinds, as games give them: in the order of the bits.
-        private static const KIND_NAMES:Array = ["start", "collision", "end"];
+        // The names of the moments, as games give them: in the order of the bits.
+        private static const MOMENT_NAMES:Array = ["start", "collision", "end"];
 
-        /** START, COLLISION or END. */
-        public var kind:int;
+        /** When it is called: START, COLLISION or END. */
+        public var moment:int;
 
         /** The number of the collider's breed; Breeds.ANY for any breed. */
         public var colliderBreed:int;
@@ -45,9 +45,9 @@ package starlogo.handlers
         /** Whether it was removed, perhaps by another handler. A removed handler is not called. */
         public var isRemoved:Boolean = false;
 
-        public function CollisionHandler(breed:String, otherBreed:String, callback:Function, kind:int, serial:int)
+        public function CollisionHandler(breed:String, otherBreed:String, callback:Function, moment:int, serial:int)
         {
-            this.kind = kind;
+            this.moment = moment;
             this.callback = callback;
             this.serial = serial;
             colliderBreed = Breeds.NAMES.numberOf(breed);
@@ -55,10 +55,10 @@ package starlogo.handlers
             takesContact = mayTakeContact(callback);
         }
 
-        /** The kind with a name; all kinds for null. @throws ArgumentError if there is no such kind */
-        public static function kindsNamed(name:String):int
+        /** The moment with a name; all moments for null. @throws ArgumentError if there is no such moment */
+        public static function momentsNamed(name:String):int
         {
-            var index:int = KIND_NAMES.indexOf(name);
+            var index:int = MOMENT_NAMES.indexOf(name);
             if (name != null && index < 0)
             {
                 throw new ArgumentError("kind must be \"collision\", \"start\", \"end\" or null, not \"" + name + "\"");
@@ -69,7 +69,7 @@ package starlogo.handlers
         /** Whether its calls need a contact. At the end of a touch there is none. */
         public function get needsContact():Boolean
         {
-            return takesContact && kind != END;
+            return takesContact && moment != END;
         }
     }
 }

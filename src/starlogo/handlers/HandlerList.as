@@ -9,7 +9,8 @@ package starlogo.handlers
     {
         private var _handlers:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
 
-        // How many of the first handlers are removed. The others are not.
+        // How many of the first handlers are removed. The others are not. These stay in their places, so that it takes no longer to remove many handlers
+        // than to add them. The next frame makes the list anew.
         private var _removedCount:int = 0;
 
         /** Adds a handler. */
@@ -22,18 +23,25 @@ package starlogo.handlers
          * Removes the handler with a function that was added first. It compares one function after the other, because a function has no hash in
          * ActionScript.
          *
-         * @param kinds the kinds that count: a sum
+         * @param moments the moments that count: a sum
          * @return whether it was there
          */
-        public function remove(callback:Function, kinds:int):Boolean
+        public function remove(callback:Function, moments:int):Boolean
         {
             for (var i:int = _removedCount; i < _handlers.length; i++)
             {
                 var handler:CollisionHandler = _handlers[i];
-                if (handler.callback == callback && (handler.kind & kinds) != 0)
+                if (handler.callback == callback && (handler.moment & moments) != 0)
                 {
                     handler.isRemoved = true;
-                    removeAt(i);
+                    if (i == _removedCount)
+                    {
+                        _removedCount++;
+                    }
+                    else
+                    {
+                        _handlers.splice(i, 1);
+                    }
                     return true;
                 }
             }
@@ -60,25 +68,6 @@ package starlogo.handlers
             for (var i:int = _removedCount; i < _handlers.length && _handlers[i].serial < end; i++)
             {
                 list.push(_handlers[i]);
-            }
-        }
-
-        // If the first handler is removed, the others stay in their places until more than half of the places are free. So it takes no longer to remove many
-        // handlers than to add them.
-        private function removeAt(index:int):void
-        {
-            if (index > _removedCount)
-            {
-                _handlers.splice(index, 1);
-            }
-            else
-            {
-                _removedCount++;
-            }
-            if (2 * _removedCount > _handlers.length)
-            {
-                _handlers.splice(0, _removedCount);
-                _removedCount = 0;
             }
         }
     }

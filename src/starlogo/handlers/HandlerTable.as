@@ -1,6 +1,6 @@
 // This room keeps a game's handlers, and the touches that begin and end. HandlerTable takes what a game adds (HandlerList), and finds what a
-// frame calls for two breeds (PairHandlers); TouchTracker finds which touches of the TouchTable go on. Read this file first, then HandlerCalls in the
-// room collision, which calls them.
+// frame calls for two breeds (PairHandlers); TouchTracker keeps the touches, and finds which of them go on. Read this file first, then HandlerCalls in
+// the room collision, which calls them.
 package starlogo.handlers
 {
     import starlogo.agents.Agent;
@@ -24,11 +24,11 @@ package starlogo.handlers
         /** The pairs of breeds that have handlers. Each frame after a change of the handlers has another object. */
         public var interests:BreedInterests = new BreedInterests();
 
-        /** The kinds of the handlers: a sum of CollisionHandler.START and so on. */
-        public var kinds:int = 0;
+        /** The moments of the handlers: a sum of CollisionHandler.START and so on. */
+        public var moments:int = 0;
 
-        /** The kinds of the handlers that take the contact of a touch. */
-        public var contactKinds:int = 0;
+        /** The moments of the handlers that take the contact of a touch. */
+        public var contactMoments:int = 0;
 
         // What the game has added: a list for each two breeds.
         private var _lists:Vector.<HandlerList> = new Vector.<HandlerList>();
@@ -51,19 +51,19 @@ package starlogo.handlers
         /** Whether a handler is for starts or ends, so that touches have to be tracked. */
         public function get tracksTouches():Boolean
         {
-            return (kinds & ~CollisionHandler.COLLISION) != 0;
+            return (moments & ~CollisionHandler.COLLISION) != 0;
         }
 
         /**
-         * Adds a handler of a kind.
+         * Adds a handler for a moment.
          *
          * @throws ArgumentError as Collision.onCollision does
          */
-        public function add(breed:String, otherBreed:String, callback:Function, kind:int):void
+        public function add(breed:String, otherBreed:String, callback:Function, moment:int):void
         {
             requireArguments(breed, otherBreed, callback);
-            requireParameters(breed, otherBreed, callback, kind);
-            var handler:CollisionHandler = new CollisionHandler(breed, otherBreed, callback, kind, _changes);
+            requireParameters(breed, otherBreed, callback, moment);
+            var handler:CollisionHandler = new CollisionHandler(breed, otherBreed, callback, moment, _changes);
             if (Breeds.isOfWorld(handler.colliderBreed) && Breeds.isOfWorld(handler.collideeBreed))
             {
                 throw new ArgumentError("TERRAIN and EDGE do not collide with each other");
@@ -72,12 +72,12 @@ package starlogo.handlers
             _changes++;
         }
 
-        /** Removes a handler of some kinds, a sum: see Collision.removeHandler. */
-        public function remove(breed:String, otherBreed:String, callback:Function, kinds:int):Boolean
+        /** Removes a handler for one of some moments, a sum: see Collision.removeHandler. */
+        public function remove(breed:String, otherBreed:String, callback:Function, moments:int):Boolean
         {
             requireArguments(breed, otherBreed, callback);
             var list:HandlerList = listFor(Breeds.NAMES.knownNumberOf(breed), Breeds.NAMES.knownNumberOf(otherBreed));
-            var isRemoved:Boolean = list != null && list.remove(callback, kinds);
+            var isRemoved:Boolean = list != null && list.remove(callback, moments);
             _changes += isRemoved ? 1 : 0;
             return isRemoved;
         }
@@ -90,7 +90,7 @@ package starlogo.handlers
                 list.clear();
             }
             interests = new BreedInterests();
-            kinds = contactKinds = 0;
+            moments = contactMoments = 0;
             _changes++;
         }
 
@@ -114,14 +114,14 @@ package starlogo.handlers
             _listIndices.clear();
             _pairIndices.clear();
             interests = new BreedInterests();
-            kinds = contactKinds = 0;
+            moments = contactMoments = 0;
             var newNames:Vector.<String> = new Vector.<String>();
             for each (var handler:CollisionHandler in all)
             {
                 addToList(handler);
                 interests.addNumbers(handler.colliderBreed, handler.collideeBreed);
-                kinds |= handler.kind;
-                contactKinds |= handler.needsContact ? handler.kind : 0;
+                moments |= handler.moment;
+                contactMoments |= handler.needsContact ? handler.moment : 0;
                 if (handler.serial >= _changesBefore)
                 {
                     newNames.push(Breeds.NAMES.nameOf(handler.colliderBreed), Breeds.NAMES.nameOf(handler.collideeBreed));

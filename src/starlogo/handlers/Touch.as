@@ -3,7 +3,7 @@ package starlogo.handlers
     import starlogo.agents.Agent;
 
     /**
-     * Two agents that touch, with the frame in which the touch began.
+     * Two agents that touch, with the breeds that they had when the touch began.
      *
      * @private
      */
@@ -21,16 +21,16 @@ package starlogo.handlers
         /** The number of the second agent's breed when the touch began. */
         public var secondBreed:int;
 
-        /** The tracker's frame in which the touch began. */
-        public var firstFrame:int;
-
         /** How many touches began before it. */
         public var serial:Number;
 
-        /** Its index in the TouchTable. */
+        /** Its index in the TouchTracker. */
         public var index:int;
 
-        /** Whether handlers have been called for both agents, not only for the first. */
-        public var isCalledForBoth:Boolean;
+        /**
+         * Whether the calls of its first frame have come to the second agent's handlers, or there are none. Otherwise it is a touch of the first agent
+         * only, and ends in the next frame.
+         */
+        public var isComplete:Boolean;
     }
 }

@@ -1,6 +1,7 @@
 package starlogo.handlers
 {
     import starlogo.agents.Agent;
+    import starlogo.data.HashTable;
     import starlogo.data.IntList;
     import starlogo.data.SortableIntList;
     import starlogo.engine;
@@ -9,73 +10,82 @@ package starlogo.handlers
     use namespace engine;
 
     /**
-     * Compares the pairs of a frame with the touches of the last one: which touches go on, and which end. A frame calls
-     * <code>findStarting()</code> and <code>endOthers()</code> before its handlers, and <code>release()</code> after them. If the search has only updated the
-     * pairs of the last one, kept pairs keep their touches without a look at their agents.
+     * The touches of a Collision. It compares the pairs of a frame with those of the last one: which touches go on, and which end. A frame calls
+     * <code>beginFrame()</code> and <code>endOthers()</code> before its handlers, and <code>release()</code> after them. If the search has only updated the
+     * pairs of the last one, kept pairs keep their touches without a look at their agents. Objects of ended touches are used again, so it allocates nothing
+     * unless there are more touches than before.
      *
      * @private
      */
     public final class TouchTracker
     {
-        // In place of the index of a pair's touch: none has begun yet.
+        // In place of the index of a pair's touch: there is none, or none yet.
         private static const NO_TOUCH:int = -1;
-
-        // In place of the index of a pair's touch: the pair has no handlers for starts or ends.
-        private static const UNTRACKED:int = -2;
 
         // In place of a version of pairs: it is not known which touches pairs have.
         private static const NO_VERSION:int = -1;
 
+        // In place of the last frame of a touch: it has ended.
+        private static const NO_FRAME:int = int.MAX_VALUE;
+
         /** The number of the frame, from 1 on. */
         public var frame:int = 0;
 
-        /** The touches. Those that have ended in this frame keep their agents until <code>release()</code>. */
-        public var touches:TouchTable;
+        /** The number of touches that have not ended. Read only. */
+        public var count:int = 0;
+
+        // By index: all touches that there are, and objects for later ones, which have no agents.
+        private var _all:Vector.<Touch> = new Vector.<Touch>();
+
+        // By index: the last frame in which the touch began or went on; NO_FRAME for an object without a touch.
+        private var _lastFrames:Vector.<int> = new Vector.<int>();
+
+        // By the ids of the first and of the second agent: the index of their touch.
+        private var _indices:HashTable = new HashTable();
+
+        // The indices of the objects for later touches.
+        private var _free:IntList = new IntList();
+
+        // The number of touches that ever began.
+        private var _startedCount:Number = 0;
 
         // The pairs of the frame, and their version.
         private var _pairs:FoundPairs = null;
         private var _version:int = NO_VERSION;
 
-        // By pair: the index of its touch, NO_TOUCH or UNTRACKED. Longer than the pairs.
-        private var _ofPairs:Vector.<int> = new Vector.<int>();
+        // By pair: the index of its touch, or NO_TOUCH. There may be more entries than pairs.
+        private var _touchOfPair:Vector.<int> = new Vector.<int>();
 
         // The same for the version before.
-        private var _ofPairsBefore:Vector.<int> = new Vector.<int>();
+        private var _touchOfPairBefore:Vector.<int> = new Vector.<int>();
 
         // The pairs whose touches may begin.
         private var _starting:IntList = new IntList();
 
-        // The indices of the touches that ended in this frame, in the order in which they began.
+        // The indices of the touches that ended in this frame, in the order in which they began. They keep their agents until release().
         private var _ended:SortableIntList = new SortableIntList();
-
-        /** @param touches those of the frames before. Which pairs they belong to is not known here */
-        public function TouchTracker(touches:TouchTable)
-        {
-            this.touches = touches;
-        }
 
         /**
          * Begins a frame: the touches of pairs that touched before go on. No touch has ended yet.
          *
-         * @param table the handlers. A pair without handlers for starts or ends has no touch
-         * @return the pairs whose touches may begin, until the next call
+         * @param table the handlers
+         * @return the pairs without a touch, until the next call. Their touches may begin, if they have handlers for starts or ends then
          */
-        public function findStarting(pairs:FoundPairs, table:HandlerTable):IntList
+        public function beginFrame(pairs:FoundPairs, table:HandlerTable):IntList
         {
             var isUpdate:Boolean = pairs === _pairs && pairs.isUpdate && pairs.version == _version + 1;
-            var before:Vector.<int> = _ofPairs;
-            _ofPairs = _ofPairsBefore;
-            _ofPairsBefore = before;
-            if (_ofPairs.length < pairs.count)
+            var before:Vector.<int> = _touchOfPair;
+            _touchOfPair = _touchOfPairBefore;
+            _touchOfPairBefore = before;
+            if (_touchOfPair.length < pairs.count)
             {
                 // grows by an eighth, because a vector that grows a little in each frame is copied each time
-                _ofPairs.length = pairs.count + (pairs.count >> 3);
+                _touchOfPair.length = pairs.count + (pairs.count >> 3);
             }
             _pairs = pairs;
             _version = pairs.version;
             frame++;
             _starting.count = 0;
-            var lastFrames:Vector.<int> = touches.lastFrames;
             for (var pair:int = 0; pair < pairs.count; pair++)
             {
                 var touch:int = isUpdate && pairs.origins[pair] != FoundPairs.NEW ? before[pairs.origins[pair]] : NO_TOUCH;
@@ -83,14 +93,14 @@ package starlogo.handlers
                 {
                     touch = touchToContinue(pair, table);
                 }
-                _ofPairs[pair] = touch;
-                if (touch >= 0)
-                {
-                    lastFrames[touch] = frame;
-                }
-                else if (touch == NO_TOUCH)
+                _touchOfPair[pair] = touch;
+                if (touch == NO_TOUCH)
                 {
                     _starting.add(pair);
+                }
+                else
+                {
+                    _lastFrames[touch] = frame;
                 }
             }
             return _starting;
@@ -99,13 +109,15 @@ package starlogo.handlers
         /** Ends the touches that do not go on in this frame. */
         public function endOthers():void
         {
-            var lastFrames:Vector.<int> = touches.lastFrames;
-            for (var index:int = 0; index < lastFrames.length; index++)
+            for (var index:int = 0; index < _lastFrames.length; index++)
             {
-                if (lastFrames[index] < frame)
+                if (_lastFrames[index] < frame)
                 {
-                    touches.end(touches.all[index]);
-                    _ended.add(index, touches.all[index].serial);
+                    var touch:Touch = _all[index];
+                    _indices.remove(touch.first.idNumber, touch.second.idNumber);
+                    _lastFrames[index] = NO_FRAME;
+                    count--;
+                    _ended.add(index, touch.serial);
                 }
             }
             _ended.sortFirst(_ended.count);
@@ -120,7 +132,7 @@ package starlogo.handlers
         /** One of the touches that ended in this frame. They are in the order in which they began. */
         public function endedAt(index:int):Touch
         {
-            return touches.all[_ended.values[index]];
+            return _all[_ended.values[index]];
         }
 
         /** Ends a frame, also one that has failed: forgets the touches that have ended. */
@@ -128,31 +140,60 @@ package starlogo.handlers
         {
             for (var i:int = 0; i < _ended.count; i++)
             {
-                touches.release(endedAt(i));
+                endedAt(i).first = endedAt(i).second = null;
+                _free.add(_ended.values[i]);
             }
             _ended.count = 0;
+        }
+
+        /** The touch of two agents, in either order; null if there is none. */
+        public function find(a:Agent, b:Agent):Touch
+        {
+            var index:int = _indices.find(a.idNumber, b.idNumber);
+            if (index < 0)
+            {
+                index = _indices.find(b.idNumber, a.idNumber);
+            }
+            return index < 0 ? null : _all[index];
         }
 
         /** The touch of a pair of the frame; null if there is none. */
         public function touchAt(pair:int):Touch
         {
-            return _ofPairs[pair] < 0 ? null : touches.all[_ofPairs[pair]];
+            return _touchOfPair[pair] == NO_TOUCH ? null : _all[_touchOfPair[pair]];
         }
 
-        /** Gives a pair of the frame the touch of its agents. If there is none, one begins, of the breeds that the two have now. */
-        public function findOrStartAt(pair:int):Touch
+        /** Begins the touch of a pair of the frame that has none, of the breeds that the two agents have now. */
+        public function startAt(pair:int):Touch
         {
             var first:Agent = _pairs.firstOf(pair);
             var second:Agent = _pairs.secondOf(pair);
-            var touch:Touch = touches.find(first, second) || touches.start(first, second, first.breedNumber, second.breedNumber, frame);
-            _ofPairs[pair] = touch.index;
+            var touch:Touch = start(first, second, first.breedNumber, second.breedNumber);
+            _touchOfPair[pair] = touch.index;
+            return touch;
+        }
+
+        /** Begins a touch of two agents that have none, of these breeds. No handler has been called for it. */
+        public function start(first:Agent, second:Agent, firstBreed:int, secondBreed:int):Touch
+        {
+            var touch:Touch = newTouch();
+            touch.first = first;
+            touch.second = second;
+            touch.firstBreed = firstBreed;
+            touch.secondBreed = secondBreed;
+            touch.isComplete = false;
+            touch.serial = _startedCount;
+            _lastFrames[touch.index] = frame;
+            _startedCount++;
+            count++;
+            _indices.set (first.idNumber, second.idNumber, touch.index);
             return touch;
         }
 
         /** Lets the touch of a pair end in the next frame, because its handlers were called for the first agent only. A new one may begin there. */
         public function dropAt(pair:int):void
         {
-            _ofPairs[pair] = NO_TOUCH;
+            _touchOfPair[pair] = NO_TOUCH;
         }
 
         /** Forgets which touches the pairs have, because the calls of a frame have failed. */
@@ -161,16 +202,48 @@ package starlogo.handlers
             _version = NO_VERSION;
         }
 
-        // The index of the touch of a pair that goes on; NO_TOUCH if there is none, if a breed has changed, or if handlers were called for the first agent
-        // only. UNTRACKED if the two have no handlers for starts or ends.
+        /** Returns all touches, in the order in which they began. Call it between two frames. */
+        public function inOrder():Vector.<Touch>
+        {
+            var order:SortableIntList = new SortableIntList();
+            for (var i:int = 0; i < _all.length; i++)
+            {
+                if (_all[i].first != null)
+                {
+                    order.add(i, _all[i].serial);
+                }
+            }
+            order.sortFirst(order.count);
+            var ordered:Vector.<Touch> = new Vector.<Touch>();
+            for (i = 0; i < order.count; i++)
+            {
+                ordered.push(_all[order.values[i]]);
+            }
+            return ordered;
+        }
+
+        private function newTouch():Touch
+        {
+            if (_free.count > 0)
+            {
+                _free.count--;
+                return _all[_free.values[_free.count]];
+            }
+            var touch:Touch = new Touch();
+            touch.index = _all.push(touch) - 1;
+            return touch;
+        }
+
+        // The index of the touch of a pair that goes on; NO_TOUCH if there is none, if a breed has changed, if handlers were called for the first agent
+        // only, or if the two have no handlers for starts or ends.
         private function touchToContinue(pair:int, table:HandlerTable):int
         {
             if (!table.handlersOfPair(_pairs, pair).tracksTouches)
             {
-                return UNTRACKED;
+                return NO_TOUCH;
             }
-            var touch:Touch = touches.find(_pairs.firstOf(pair), _pairs.secondOf(pair));
-            var goesOn:Boolean = touch != null && touch.isCalledForBoth && touch.firstBreed == touch.first.breedNumber
+            var touch:Touch = find(_pairs.firstOf(pair), _pairs.secondOf(pair));
+            var goesOn:Boolean = touch != null && touch.isComplete && touch.firstBreed == touch.first.breedNumber
                 && touch.secondBreed == touch.second.breedNumber;
             return goesOn ? touch.index : NO_TOUCH;
         }

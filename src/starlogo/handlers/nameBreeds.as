@@ -3,7 +3,8 @@ package starlogo.handlers
     import starlogo.agents.Breeds;
 
     /**
-     * Returns what a handler has thrown as an error, and adds the handler's breeds to its text. An error that is thrown again keeps one such addition.
+     * Returns what a handler has thrown as an error, and adds the handler's breeds to its text. In an error that is thrown again they take the place of
+     * those that were added before.
      *
      * @private
      */
@@ -15,10 +16,7 @@ package starlogo.handlers
         try
         {
             error = thrown is Error ? thrown : new Error(String(thrown));
-            if (error.message.slice(-addition.length) != addition)
-            {
-                error.message += addition;
-            }
+            error.message = error.message.replace(/ \(in the handler for "[\s\S]*" and "[\s\S]*"\)$/, "") + addition;
         }
         catch (problem:*)
         {

@@ -59,7 +59,7 @@ package starlogo.blocks
             _bear.moveTo(0, 4.8, -0.3);
             for each (var agent:Agent in [_collisions.collision.terrain.agent, _collisions.collision.bounds.agent])
             {
-                assertThrows(BlockError, /"push away from" cannot move the ground or the edges of the world\.$/, _blocks.pushAway, agent, _bear);
+                assertThrows(BlockError, /"push away from" needs an agent, but got the ground or the edges of the world\.$/, _blocks.pushAway, agent, _bear);
                 assertEquals(0, agent.z);
             }
             _blocks.pushAway(_bear, _collisions.collision.terrain.agent);

@@ -9,6 +9,7 @@ package starlogo.blocks
     import starlogo.collision.Collision;
     import starlogo.models.BuiltInModel;
     import starlogo.terrain.Terrain;
+    import starlogo.terrain.WorldBounds;
     import support.assertClose;
     import support.assertThrows;
     import support.create;
@@ -82,6 +83,29 @@ package starlogo.blocks
             assertEquals(_agents[1], _blocks.nearestWithin(_turtle, Collision.ANY_BREED, 50));
             _turtle.moveTo(0, 9, 0);
             assertFalse(_blocks.isTouching(_turtle, Collision.ANY_BREED));
+        }
+
+        [Test]
+        public function touchesTheEdges():void
+        {
+            assertFalse("there are none", _blocks.isTouching(_turtle, Collision.EDGE));
+            _collisions.collision.bounds = new WorldBounds(_turtle.x, -100, -100, 100, 100, 100);
+            assertTrue(_blocks.isTouching(_turtle, Collision.EDGE));
+            assertTrue(_blocks.isTouching(_turtle, _collisions.collision.bounds.agent));
+            assertFalse(_blocks.isTouching(_agents[3], Collision.EDGE));
+        }
+
+        /** They have no place, from which one could ask. */
+        [Test]
+        public function theGroundAsksNothing():void
+        {
+            var ground:Agent = new Terrain(5, 5, 1, -2, -2).agent;
+            for each (var ask:Function in [_blocks.countWithin, _blocks.nearestWithin, _blocks.ahead, _blocks.distanceAhead])
+            {
+                assertThrows(BlockError, /needs an agent, but got the ground or the edges of the world\.$/, ask, ground, "wolves", 1);
+            }
+            assertThrows(BlockError, /"can see\?" needs an agent, but got the ground/, _blocks.canSee, _turtle, ground);
+            assertThrows(BlockError, /"can see\?" needs an agent, but got the ground/, _blocks.canSee, ground, _turtle);
         }
 
         [Test]

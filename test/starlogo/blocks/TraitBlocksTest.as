@@ -2,6 +2,7 @@ package starlogo.blocks
 {
     import org.flexunit.asserts.assertEquals;
     import starlogo.agents.Agent;
+    import starlogo.collision.Collision;
     import support.assertThrows;
     import support.create;
 
@@ -85,6 +86,10 @@ package starlogo.blocks
             for each (var depth:Number in [-1, 1.5, NaN, Infinity])
             {
                 assertThrows(BlockError, /^The block "set collision depth" needs a whole number: 1 is the coarsest/, _blocks.setCollisionDepth, "bears", depth);
+            }
+            for each (var breed:String in [Collision.ANY_BREED, Collision.TERRAIN, Collision.EDGE])
+            {
+                assertThrows(BlockError, /"one way" needs an agent or a breed of the game, not the ground/, _blocks.setOneWay, breed, true);
             }
             assertEquals("false 0 tightest", traitsOf(_bear));
             assertThrows(ArgumentError, /list of agents/, create, TraitBlocks, null);

@@ -7,6 +7,7 @@ package starlogo.blocks
     import org.flexunit.asserts.assertTrue;
     import starlogo.agents.Agent;
     import starlogo.collision.Collider;
+    import starlogo.collision.Collision;
     import starlogo.models.BuiltInModel;
     import starlogo.terrain.Terrain;
     import support.assertClose;
@@ -260,11 +261,36 @@ package starlogo.blocks
             assertThrows(BlockError, /"standing\?" needs an agent/, _blocks.isStanding, null);
             assertThrows(BlockError, /"what I stand on" needs an agent/, _blocks.standsOn, null);
             assertThrows(BlockError, /"solid" needs the name of a breed/, _blocks.setSolid, "", true);
+            for each (var breed:String in [Collision.ANY_BREED, Collision.TERRAIN, Collision.EDGE])
+            {
+                assertThrows(BlockError, /"solid" needs an agent or a breed of the game, not the ground/, _blocks.setSolid, breed, true);
+            }
+            assertEquals(0, _blocks.solidBreeds.length);
+            for each (block in [_blocks.walk, _blocks.forward, _blocks.fall])
+            {
+                assertThrows(BlockError, /needs an agent, but got the ground or the edges of the world/, block, _terrain.agent, 1);
+            }
             assertThrows(ArgumentError, /detection must not be null/, create, WalkBlocks, null);
-            assertThrows(RangeError, /gravity must be more than 0 and finite: 0/, function():void
+            assertThrows(RangeError, /gravity must be more than 0 and at most 1000000000: 0/, function():void
                 {
                     _blocks.gravity = 0;
                 });
+        }
+
+        /** No gravity makes a speed that a block refuses. */
+        [Test]
+        public function aSpeedStaysOneThatBlocksTake():void
+        {
+            assertThrows(RangeError, /at most 1000000000: 1e\+300/, function():void
+                {
+                    _blocks.gravity = 1e300;
+                });
+            _blocks.gravity = 1e9;
+            for each (var speed:Number in [-5e8, -1e9])
+            {
+                _hero.moveTo(50, 0, 1e9);
+                assertEquals(-1e9, _blocks.fall(_hero, speed));
+            }
         }
 
         private function settle():void

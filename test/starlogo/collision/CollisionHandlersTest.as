@@ -175,6 +175,24 @@ package starlogo.collision
         }
 
         [Test]
+        public function anErrorOfTwoHandlersDoesNotGrow():void
+        {
+            addAll("bears", "balls");
+            var same:Error = new Error("again");
+            var fail:Function = function(collider:Agent, collidee:Agent):void
+            {
+                throw same;
+            };
+            _collision.onCollision("bears", "balls", fail);
+            _collision.onCollision("balls", Collision.ANY_BREED, fail);
+            for (var i:int = 0; i < 3; i++)
+            {
+                assertThrows(Error, /^again \(in the handler for "balls" and "\*"\)$/, _collision.update, _agents);
+                assertEquals(2, _collision.handlerErrors.length);
+            }
+        }
+
+        [Test]
         public function everyErrorOfAFrameIsKept():void
         {
             addAll("bears", "bears", "bears");

@@ -77,6 +77,33 @@ package starlogo.collision
             assertFrame("gone", 5, "end bears balls,end balls bears");
         }
 
+        /** A breed counts as it is when the calls of the pair begin, whether there are other handlers or not. */
+        [Test]
+        public function aBreedThatAHandlerGivesMayStartATouch():void
+        {
+            for each (var hasOthers:Boolean in [false, true])
+            {
+                var rock:Agent = new Agent("sphere", "rocks");
+                rock.moveTo(0.2, 0, 0);
+                var all:Vector.<Agent> = new <Agent>[_bear, _ball, rock];
+                var collision:Collision = new Collision(new BaseCollider(new BinCollider(_greatLand)));
+                collision.onCollisionStart("bears", "balls", function(bear:Agent, ball:Agent):void
+                    {
+                        rock.breed = "gems";
+                    });
+                collision.onCollisionStart("bears", "gems", noting("start"));
+                if (hasOthers)
+                {
+                    collision.onCollision("doors", "keys", noting("open"));
+                }
+                collision.update(all);
+                assertEquals("start bears gems", _calls.join());
+                collision.update(all);
+                assertEquals("once", "start bears gems", _calls.join());
+                _calls = [];
+            }
+        }
+
         [Test]
         public function anotherSystemMayEndIt():void
         {

@@ -85,6 +85,66 @@ package starlogo.collision
         }
 
         [Test]
+        public function resetInAHandlerForgetsTheMotionsOfTheFrame():void
+        {
+            for each (var isExchanged:Boolean in [false, true])
+            {
+                makeGame();
+                var collider:Collider = new BinCollider();
+                var collision:Collision = new Collision(collider);
+                _agents.push(agentAt("sphere", 5.2, 0, 0, "others"));
+                collision.onCollision("walls", "others", function(wall:Agent, other:Agent):void
+                    {
+                        exchange(collision, isExchanged ? new BinCollider() : collider);
+                        collision.reset();
+                        exchange(collision, collider);
+                        _hits++;
+                    });
+                collision.update(_agents);
+                collision.onCollision("balls", "walls", function(ball:Agent, wall:Agent):void
+                    {
+                        _hits++;
+                    });
+                _ball.moveTo(10, 0, 0);
+                collision.update(_agents);
+                assertEquals(isExchanged + ": the ball begins there", 1, _hits);
+            }
+        }
+
+        /** Who has counted decides, not how many agents it says there are. */
+        [Test]
+        public function whoIsNotAskedAboutIsSkipped():void
+        {
+            for each (var said:int in [1, 2])
+            {
+                var system:SayingSystem = new SayingSystem(said);
+                var collision:Collision = new Collision(system);
+                collision.filter = AgentFilter.ofBreeds("balls");
+                collision.update(_agents);
+                assertEquals("2 1", collision.statistics.agents + " " + collision.statistics.agentsSkipped);
+            }
+        }
+
+        /** A contact has no numbers of another one, and one that is returned counts. */
+        [Test]
+        public function aContactOfItsOwnIsItsOwn():void
+        {
+            var depths:Array = [];
+            var collision:Collision = new Collision(new DeepBins());
+            collision.onCollision("balls", Collision.ANY_BREED, function(ball:Agent, other:Agent, contact:Contact):void
+                {
+                    depths.push(contact.depth + " " + contact.time);
+                });
+            for each (var breed:String in ["deep", "plain", "returned"])
+            {
+                _wall.breed = breed;
+                _ball.moveTo(4.5, 0, 0);
+                collision.update(_agents);
+            }
+            assertEquals("5 0.25,0 1,7 1", depths.join());
+        }
+
+        [Test]
         public function motionsBeginAnewAfterAnExchange():void
         {
             var collider:Collider = new BinCollider();
@@ -304,5 +364,58 @@ package starlogo.collision
         {
             collision.collisionSystem = system;
         }
+    }
+}
+
+import starlogo.agents.Agent;
+import starlogo.collision.BaseCollider;
+import starlogo.collision.BinCollider;
+import starlogo.collision.CollisionStatistics;
+import starlogo.collision.CollisionSystem;
+import starlogo.collision.Contact;
+
+/** Finds nothing, and says how many agents it has had. */
+final class SayingSystem implements CollisionSystem
+{
+    private var _statistics:CollisionStatistics = new CollisionStatistics();
+
+    public function SayingSystem(agents:int)
+    {
+        _statistics.agents = agents;
+    }
+
+    public function get statistics():CollisionStatistics
+    {
+        return _statistics;
+    }
+
+    public function areColliding(a:Agent, b:Agent):Boolean
+    {
+        return false;
+    }
+
+    public function findCollisions(agents:Vector.<Agent>, out:Vector.<Agent> = null):Vector.<Agent>
+    {
+        return new Vector.<Agent>();
+    }
+}
+
+/** Sets some numbers of some contacts, and returns another object for others. */
+final class DeepBins extends BaseCollider
+{
+    public function DeepBins()
+    {
+        super(new BinCollider());
+    }
+
+    override public function contactOf(collider:Agent, collidee:Agent, out:Contact = null):Contact
+    {
+        var contact:Contact = collidee.breed == "returned" ? new Contact() : out;
+        if (collidee.breed != "plain")
+        {
+            contact.depth = collidee.breed == "deep" ? 5 : 7;
+            contact.time = collidee.breed == "deep" ? 0.25 : 1;
+        }
+        return contact;
     }
 }

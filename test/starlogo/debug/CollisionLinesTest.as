@@ -11,6 +11,7 @@ package starlogo.debug
     import starlogo.models.Model;
     import starlogo.queries.LevelCollider;
     import starlogo.queries.LevelShapes;
+    import starlogo.terrain.Terrain;
     import support.EachCollider;
     import support.agentAt;
     import support.assertThrows;
@@ -66,6 +67,7 @@ package starlogo.debug
         public function aColliderWithoutModelsShowsSpheresOfAnyShape():void
         {
             assertTrue(new CollisionLines(new GreatLand()).linesOf(agentAt("no model", 0, 0, 0), new BinCollider()).length > 0);
+            assertEquals("the ground", 0, new CollisionLines(new GreatLand()).linesOf(new Terrain(3, 3, 1, 0, 0).agent, new BinCollider()).length);
         }
     }
 }

@@ -7,6 +7,7 @@ package starlogo.diagnostics
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
+    import starlogo.collision.BaseCollider;
     import starlogo.collision.BinCollider;
     import starlogo.collision.Collision;
     import starlogo.models.BuiltInModel;
@@ -95,6 +96,16 @@ package starlogo.diagnostics
             assertEquals(1, collision.statistics.agentsSkipped);
             assertEquals(1, collision.statistics.collisions);
             assertTrue(collision.statistics.sphereSphereTests > 0);
+        }
+
+        [Test]
+        public function aRecorderInsideASystemOfTheGamesRecordsItsFrames():void
+        {
+            var recorder:CollisionRecorder = new CollisionRecorder(new BinCollider(_greatLand));
+            var collision:Collision = new Collision(new BaseCollider(recorder));
+            collision.onCollision("cats", "dogs", ignore);
+            collision.update(new <Agent>[new Agent("sphere", "cats"), new Agent("sphere", "dogs")]);
+            assertEquals("1 1 1", [recorder.frames, recorder.findTimes.frames, recorder.frameTimes.frames].join(" "));
         }
 
         [Test]

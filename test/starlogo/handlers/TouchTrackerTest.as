@@ -17,7 +17,7 @@ package starlogo.handlers
     {
         private static const FRAMES:int = 300;
 
-        private var _tracker:TouchTracker = new TouchTracker(new TouchTable());
+        private var _tracker:TouchTracker = new TouchTracker();
         private var _found:FoundPairs = new FoundPairs(new ListedAgents());
         private var _agents:Array = [];
         private var _handlers:HandlerTable = new HandlerTable();
@@ -52,7 +52,7 @@ package starlogo.handlers
                 {
                     var a:Agent = random.pick(_agents);
                     var b:Agent = random.pick(_agents);
-                    if (a != b)
+                    if (a != b && !seen[nameOf(a, b)])
                     {
                         addPair(a, b);
                         seen[nameOf(a, b)] = true;
@@ -78,11 +78,10 @@ package starlogo.handlers
                     assertEquals(name, pairs.indexOf(name) >= 0, known != null);
                     if (known == null)
                     {
-                        known = _tracker.findOrStartAt(i);
-                        known.isCalledForBoth = true;
-                        assertStrictlyEquals("either way round it is the same", known, _tracker.touches.find(b, a));
+                        known = _tracker.startAt(i);
+                        known.isComplete = true;
+                        assertStrictlyEquals("either way round it is the same", known, _tracker.find(b, a));
                         assertStrictlyEquals(known, _tracker.touchAt(i));
-                        assertEquals(frame, known.firstFrame);
                         if (left.indexOf(name) < 0)
                         {
                             left.push(name);
@@ -91,8 +90,8 @@ package starlogo.handlers
                 }
                 _tracker.release();
                 most = Math.max(most, left.length);
-                assertEquals(left.join(), namesOf(_tracker.touches.inOrder()));
-                assertEquals(left.length, _tracker.touches.count);
+                assertEquals(left.join(), namesOf(_tracker.inOrder()));
+                assertEquals(left.length, _tracker.count);
                 pairs = left;
             }
             assertTrue("there were many", most > 150);
@@ -175,20 +174,20 @@ package starlogo.handlers
                     assertEquals(pairs[i], begun.indexOf(pairs[i]) >= 0, touch != null);
                     if (touch == null)
                     {
-                        touch = _tracker.findOrStartAt(i);
-                        touch.isCalledForBoth = true;
+                        touch = _tracker.startAt(i);
+                        touch.isComplete = true;
                         begun.push(pairs[i]);
                     }
                     assertEquals(pairs[i], nameOf(touch.first, touch.second));
                 }
                 _tracker.release();
-                assertEquals(begun.join(), namesOf(_tracker.touches.inOrder()));
-                assertEquals(begun.length, _tracker.touches.count);
+                assertEquals(begun.join(), namesOf(_tracker.inOrder()));
+                assertEquals(begun.length, _tracker.count);
                 numbers = pairs.concat();
             }
             assertTrue("some remained", begun.length > 5);
             _found.version++;
-            assertEquals("another tracker knows none of them", _found.count, new TouchTracker(new TouchTable()).findStarting(_found, _handlers).count);
+            assertEquals("another tracker knows none of them", _found.count, new TouchTracker().beginFrame(_found, _handlers).count);
         }
 
         [Test]
@@ -199,7 +198,7 @@ package starlogo.handlers
             begin(false);
             for (var pair:int = 0; pair < 2; pair++)
             {
-                _tracker.findOrStartAt(pair).isCalledForBoth = pair == 0;
+                _tracker.startAt(pair).isComplete = pair == 0;
             }
             _tracker.dropAt(1);
             _tracker.release();
@@ -209,7 +208,7 @@ package starlogo.handlers
             assertTrue(_tracker.touchAt(0) != null);
             assertNull(_tracker.touchAt(1));
             _tracker.release();
-            assertEquals(1, _tracker.touches.count);
+            assertEquals(1, _tracker.count);
         }
 
         // Begins a frame with other pairs, or with those that are updated. Returns how many touches may begin.
@@ -217,7 +216,7 @@ package starlogo.handlers
         {
             _found.version++;
             _found.isUpdate = isUpdate;
-            var starting:IntList = _tracker.findStarting(_found, _handlers);
+            var starting:IntList = _tracker.beginFrame(_found, _handlers);
             for (var i:int = 0; i < starting.count; i++)
             {
                 assertNull(_tracker.touchAt(starting.values[i]));
@@ -239,7 +238,7 @@ package starlogo.handlers
             var b:Agent = _agents[1];
             addPair(b, a);
             assertNull(next());
-            _tracker.touches.start(a, b, a.breedNumber, b.breedNumber, _tracker.frame);
+            _tracker.start(a, b, a.breedNumber, b.breedNumber);
             assertNull("handlers of one way only", next());
             var touch:Touch = startBothWays(a, b);
             assertStrictlyEquals(touch, next());
@@ -252,8 +251,8 @@ package starlogo.handlers
 
         private function startBothWays(a:Agent, b:Agent):Touch
         {
-            var touch:Touch = _tracker.touches.start(a, b, a.breedNumber, b.breedNumber, _tracker.frame);
-            touch.isCalledForBoth = true;
+            var touch:Touch = _tracker.start(a, b, a.breedNumber, b.breedNumber);
+            touch.isComplete = true;
             return touch;
         }
 

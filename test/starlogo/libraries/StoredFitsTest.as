@@ -552,7 +552,7 @@ package starlogo.libraries
         private function isTaken(model:Model, cooked:ByteArray, structures:Boolean):Boolean
         {
             var read:Model = CookedModel.fromBytes(model.name, cooked);
-            var results:ResultsBuilder = _greatLand.preparing(read, null);
+            var results:ResultsBuilder = _greatLand.newResults(read, null);
             if (structures)
             {
                 return results.structures.tightest != null;

@@ -24,7 +24,7 @@ const $newMap = () => new Map();
  * Warns of a handler with more parameters than it gets arguments, with the contact before the agents, or of one that uses the contact
  * at the end of a touch, where it is null. Handlers with fewer parameters are as common as methods without any.
  */
-export function $warnOfHandler(breed, otherBreed, handler, kind) {
+export function $warnOfHandler(breed, otherBreed, handler, moment) {
 	const breeds = $breedsText(breed, otherBreed);
 	const name = `the handler ${handler.name || "without a name"} for ${breeds}`;
 	$keptOf($breedsOf, handler, $newSet).add(breeds);
@@ -34,7 +34,7 @@ export function $warnOfHandler(breed, otherBreed, handler, kind) {
 	if (first === "contact" || second === "contact") {
 		$warn(`${name} has its contact too early: it gets the two agents first, (a, b, contact)`);
 	}
-	if (kind === $END && third && $readsBlindly(text, third)) {
+	if (moment === $END && third && $readsBlindly(text, third)) {
 		$warn(`${name} is for the end of a touch, where its third argument is null: there it is without contact. `
 			+ "Copy what you need of the contact in onCollisionStart");
 	}

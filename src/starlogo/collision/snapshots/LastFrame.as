@@ -1,7 +1,6 @@
 package starlogo.collision.snapshots
 {
     import starlogo.agents.Agent;
-    import starlogo.handlers.TouchTable;
     import starlogo.handlers.TouchTracker;
     import starlogo.search.CollisionSearch;
 
@@ -21,7 +20,7 @@ package starlogo.collision.snapshots
         /** The list. A game gets it, and must not change it. */
         public var agents:Vector.<Agent> = new Vector.<Agent>();
 
-        /** Compares the next frame with the pairs that touch. */
-        public var tracker:TouchTracker = new TouchTracker(new TouchTable());
+        /** The pairs that touch, with which it compares those of the next frame. */
+        public var tracker:TouchTracker = new TouchTracker();
     }
 }

@@ -2,7 +2,7 @@ package starlogo.collision.snapshots
 {
     import starlogo.agents.PlatformLink;
     import starlogo.ground.HeightGrid;
-    import starlogo.handlers.TouchTable;
+    import starlogo.handlers.TouchTracker;
 
     /** What was read of a snapshot: all but the traits of agents, which are not known to be right before an agent has taken them. A record. */
     internal final class SnapshotParts
@@ -17,7 +17,7 @@ package starlogo.collision.snapshots
         public var places:SnapshotPlaces = null;
 
         /** The touching pairs. */
-        public var touches:TouchTable = null;
+        public var touches:TouchTracker = null;
 
         /** What agents stand on. */
         public var platforms:Vector.<PlatformLink> = null;

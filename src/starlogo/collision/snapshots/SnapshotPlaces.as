@@ -63,12 +63,12 @@ package starlogo.collision.snapshots
         }
 
         /**
-         * Reads a list of agents into a table as if the last search had seen them at these places.
+         * Puts a list of agents into a table as if the last search had seen them at these places.
          *
          * @param list as many agents
          * @throws ArgumentError as <code>AgentTable.read()</code> does
          */
-        public function restore(list:Vector.<Agent>, table:AgentTable):void
+        public function putInto(list:Vector.<Agent>, table:AgentTable):void
         {
             table.read(list);
             for (var i:int = 0; i < list.length; i++)

@@ -16,21 +16,14 @@ package starlogo.collision.snapshots
      */
     public final class SnapshotRegister
     {
-        // How many ids are remembered, unless the last snapshot alone has more.
-        private static const MAX_IDS:int = 65536;
+        // How many snapshots are remembered.
+        private static const REMEMBERED:int = 256;
 
         // How many ids an error names.
         private static const NAMED:int = 10;
 
-        // For how many ids an entry counts without them.
-        private static const HEAD_SIZE:int = 3;
-
-        // For how many ids a former ground or former edges count, because they may be large.
-        private static const FORMER_SIZE:int = 512;
-
-        // The entries, the oldest first, and their sizes together.
+        // The entries, the oldest first.
         private var _entries:Vector.<SnapshotEntry> = new Vector.<SnapshotEntry>();
-        private var _size:int = 0;
 
         /**
          * Remembers a snapshot of these agents.
@@ -48,22 +41,20 @@ package starlogo.collision.snapshots
             {
                 entry.ids.push(agents[i].idNumber);
             }
-            _entries.push(entry);
-            _size += sizeOf(entry);
-            while (_size > MAX_IDS && _entries.length > 1)
+            if (_entries.push(entry) > REMEMBERED)
             {
-                _size -= sizeOf(_entries.shift());
+                _entries.shift();
             }
         }
 
         /**
-         * Compares a list with the agents of a snapshot. Returns what <code>note()</code> got as the former world; null if the snapshot is not
+         * Refuses a list that has not the agents of a snapshot. Returns what <code>note()</code> got as the former world; null if the snapshot is not
          * remembered.
          *
          * @param count the number of agents of the snapshot
          * @throws ArgumentError if the list has another length, or the snapshot is remembered and has other agents
          */
-        public function formerWorldOf(bytes:ByteArray, count:int, agents:Vector.<Agent>):Vector.<Agent>
+        public function recallFormerWorld(bytes:ByteArray, count:int, agents:Vector.<Agent>):Vector.<Agent>
         {
             var hash:int = hashOf(bytes);
             var known:SnapshotEntry = null;
@@ -90,17 +81,6 @@ package starlogo.collision.snapshots
                         + " the list has " + agents[other]);
             }
             return null;
-        }
-
-        // For how many ids an entry counts. Its head counts too, because the list may be empty.
-        private static function sizeOf(entry:SnapshotEntry):int
-        {
-            var size:int = HEAD_SIZE + entry.ids.length;
-            if (entry.formerWorld != null)
-            {
-                size += FORMER_SIZE;
-            }
-            return size;
         }
 
         // The index of the first agent that is another than the entry's; -1 if none is, or if all were created since.

@@ -11,7 +11,6 @@ package starlogo.collision.snapshots
     import starlogo.agents.Breeds;
     import starlogo.engine;
     import starlogo.handlers.Touch;
-    import starlogo.handlers.TouchTable;
     import starlogo.handlers.TouchTracker;
     import starlogo.search.CollisionSearch;
     import starlogo.search.table.AgentTable;
@@ -43,7 +42,7 @@ package starlogo.collision.snapshots
         private static const HAS_HEIGHTS:int = 4;
 
         // The factor of the number of the collision system (BaseShapeChoice.system), which is in the bits above these.
-        private static const SYSTEM:int = 8;
+        private static const SYSTEM_FACTOR:int = 8;
 
         // The names of the collision systems, by BaseShapeChoice.system.
         private static const SYSTEMS:Array = ["a collider of the game's own", "a BinCollider", "a TightestFitCollider", "a HierarchicalCollider", "a CombinationCollider",
@@ -73,15 +72,17 @@ package starlogo.collision.snapshots
             }
             var agents:Vector.<Agent> = frame.agents;
             var table:AgentTable = (frame.search || search).table;
-            if (agents.length > 0 && !table.list.isListed(agents))
+            if (agents.length > 0 && (frame.search == null || !table.list.isListed(agents)))
             {
-                throw new IllegalOperationError("the collision system has searched another list since the last frame");
+                throw new IllegalOperationError(frame.search == null
+                        ? "the last frame had a collision system of the game's own: there is nothing to take a snapshot of"
+                        : "the collision system has searched another list since the last frame");
             }
             var hasHeights:Boolean = withGround && ground != null;
             var names:SnapshotNames = new SnapshotNames();
             var rest:ByteArray = newBytes();
             SnapshotPlaces.write(rest, agents, table, frame.search === search);
-            var formerWorld:Vector.<Agent> = writeTouches(rest, names, frame.tracker.touches.inOrder(), table, ground, edges);
+            var formerWorld:Vector.<Agent> = writeTouches(rest, names, frame.tracker.inOrder(), table, ground, edges);
             SnapshotPlatforms.write(rest, agents, table);
             if (hasHeights)
             {
@@ -93,7 +94,7 @@ package starlogo.collision.snapshots
             }
             var bytes:ByteArray = newBytes();
             bytes.writeUnsignedInt(MARK);
-            bytes.writeByte(int(withTraits) * HAS_TRAITS + int(ground != null) * HAS_GROUND + int(hasHeights) * HAS_HEIGHTS + search.narrowPhase.choice.system * SYSTEM);
+            bytes.writeByte(int(withTraits) * HAS_TRAITS + int(ground != null) * HAS_GROUND + int(hasHeights) * HAS_HEIGHTS + search.narrowPhase.choice.system * SYSTEM_FACTOR);
             bytes.writeInt(agents.length);
             names.write(bytes);
             bytes.writeBytes(rest);
@@ -139,7 +140,7 @@ package starlogo.collision.snapshots
             {
                 ground.restoreGrid(parts.ground);
             }
-            frame.tracker = new TouchTracker(parts.touches);
+            frame.tracker = parts.touches;
             frame.agents = copyAgents(agents, frame.agents);
             frame.search = search;
             frame.hasFailed = false;
@@ -158,7 +159,7 @@ package starlogo.collision.snapshots
                     SnapshotTraits.write(before, agents, namesBefore);
                     readTraits(bytes, agents, parts.names);
                 }
-                parts.places.restore(agents, search.table);
+                parts.places.putInto(agents, search.table);
                 search.forgetSearch();
             }
             catch (error:Error)
@@ -215,7 +216,7 @@ package starlogo.collision.snapshots
                 bytes.writeInt(second);
                 bytes.writeInt(names.ofBreed(touch.firstBreed));
                 bytes.writeInt(names.ofBreed(touch.secondBreed));
-                bytes.writeBoolean(touch.isCalledForBoth);
+                bytes.writeBoolean(touch.isComplete);
             }
             return formerWorld;
         }
@@ -224,7 +225,7 @@ package starlogo.collision.snapshots
         private function readParts(bytes:ByteArray, agents:Vector.<Agent>, system:int, ground:WorldAgent, edges:WorldAgent, parts:SnapshotParts):void
         {
             var contents:int = bytes.readUnsignedByte();
-            var writtenBy:int = contents / SYSTEM;
+            var writtenBy:int = contents / SYSTEM_FACTOR;
             check(writtenBy < SYSTEMS.length && (contents & (HAS_GROUND | HAS_HEIGHTS)) != HAS_HEIGHTS);
             if (writtenBy != system)
             {
@@ -232,7 +233,7 @@ package starlogo.collision.snapshots
             }
             var count:uint = bytes.readUnsignedInt();
             check(count <= bytes.bytesAvailable / SnapshotPlaces.SIZE);
-            var formerWorld:Vector.<Agent> = _register.formerWorldOf(bytes, count, agents) || _unknownWorld;
+            var formerWorld:Vector.<Agent> = _register.recallFormerWorld(bytes, count, agents) || _unknownWorld;
             parts.names.read(bytes);
             parts.places = SnapshotPlaces.read(bytes, count);
             check(parts.places != null);
@@ -254,10 +255,10 @@ package starlogo.collision.snapshots
         }
 
         // What stands for the world: the ground and the edges, or null, and those that were exchanged.
-        private static function readTouches(bytes:ByteArray, agents:Vector.<Agent>, world:Vector.<Agent>, names:SnapshotNames):TouchTable
+        private static function readTouches(bytes:ByteArray, agents:Vector.<Agent>, world:Vector.<Agent>, names:SnapshotNames):TouchTracker
         {
             var partners:Vector.<Agent> = agents.concat(world);
-            var touches:TouchTable = new TouchTable();
+            var touches:TouchTracker = new TouchTracker();
             var pairs:uint = bytes.readUnsignedInt();
             for (var left:uint = pairs; left > 0; left--)
             {
@@ -277,7 +278,7 @@ package starlogo.collision.snapshots
                 check(firstBreed > Breeds.ANY && (partner.isOfWorld ? secondBreed == partner.breedNumber : secondBreed > Breeds.ANY));
                 // each pair is there once
                 check(touches.find(agents[first], partner) == null);
-                touches.start(agents[first], partner, firstBreed, secondBreed, 0).isCalledForBoth = flag == 1;
+                touches.start(agents[first], partner, firstBreed, secondBreed).isComplete = flag == 1;
             }
             return touches;
         }

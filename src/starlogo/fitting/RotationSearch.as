@@ -52,7 +52,8 @@ package starlogo.fitting
             _incrementZ = incrementZ;
             call(function():void
                 {
-                    prepare(session.hull);
+                    _hull = session.hull;
+                    _rotated = new Vector.<Number>(_hull.points.length);
                 }).repeat(tryNext);
         }
 
@@ -81,12 +82,6 @@ package starlogo.fitting
                 throw new ArgumentError("the increment must be at least " + LEAST_INCREMENT + " degrees, and finite: " + degrees);
             }
             return degrees;
-        }
-
-        private function prepare(hull:ConvexHull):void
-        {
-            _hull = hull;
-            _rotated = new Vector.<Number>(hull.points.length);
         }
 
         // Tries all rotations about z that follow the next one about x and y. Returns false if there are no more.

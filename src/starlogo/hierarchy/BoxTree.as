@@ -307,15 +307,6 @@ package starlogo.hierarchy
         /** Ends the making of nodes. */
         public function completeNodes():void
         {
-            if (4 * _count < 3 * left.length)
-            {
-                boxes = boxes.slice(0, 6 * _count);
-                left = left.slice(0, _count);
-                firstSlot = firstSlot.slice(0, _count);
-                endSlot = endSlot.slice(0, _count);
-                stopDepth = stopDepth.slice(0, _count);
-                splits = splits.slice(0, _count);
-            }
             setRoom(_count);
             _count = 0;
         }

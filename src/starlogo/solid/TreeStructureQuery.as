@@ -148,7 +148,6 @@ package starlogo.solid
             if (out != null)
             {
                 out.setPoint(_point);
-                out.placePoints(placementA);
             }
             return true;
         }

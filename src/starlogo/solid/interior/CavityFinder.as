@@ -155,8 +155,8 @@ package starlogo.solid.interior
         // must have read the triangle.
         private function findEnclosingNear(shell:int, slot:int, corner:int):void
         {
-            var inwards:Number = INWARDS * cubeRoot(Math.abs(_shells[shell].volume));
-            inwards = _surface.isReversed(_mesh.tree.items[slot]) == _shells[shell].volume > 0 ? inwards : -inwards;
+            var facesInwards:Boolean = _surface.isReversed(_mesh.tree.items[slot]) == _shells[shell].volume > 0;
+            var inwards:Number = (facesInwards ? INWARDS : -INWARDS) * cubeRoot(Math.abs(_shells[shell].volume));
             var fraction:Number = corner == MIDDLE ? 1 / 3 : SHARE_OF_EACH;
             var point:Vector.<Number> = new <Number>[inwards * _plane.normal.x, inwards * _plane.normal.y, inwards * _plane.normal.z];
             for (var axis:int = 0; axis < 3; axis++)
@@ -174,29 +174,16 @@ package starlogo.solid.interior
             var closed:ClosedShell = _shells[shell];
             var kept:Vector.<int> = new Vector.<int>();
             var isNeeded:Boolean = false;
-            markEnclosing(true);
             for each (var other:int in closed.enclosing || _enclosingPoint)
             {
-                if (closed.enclosing == null ? isLarger(other, shell) || mayCopy(shell, other) : _shells[other].enclosesPoint)
+                if (closed.enclosing == null ? isLarger(other, shell) || mayCopy(shell, other) : _enclosingPoint.indexOf(other) >= 0)
                 {
                     kept.push(other);
                     isNeeded ||= _shells[other].orientation == -closed.orientation || mayCopy(shell, other);
                 }
             }
-            markEnclosing(false);
             kept.length = isNeeded ? kept.length : 0;
             closed.enclosing = kept;
-        }
-
-        private function markEnclosing(enclosesPoint:Boolean):void
-        {
-            for each (var shell:int in _enclosingPoint)
-            {
-                if (_shells[shell] != null)
-                {
-                    _shells[shell].enclosesPoint = enclosesPoint;
-                }
-            }
         }
 
         // Whether a shell may have another one inside.

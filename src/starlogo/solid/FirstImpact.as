@@ -50,11 +50,13 @@ package starlogo.solid
                 time = motion.time;
                 motion.latest = time > 0 ? Math.min(motion.latest, time + Tolerances.SAME_TIME) : 0;
             }
-            var squareness:Number = squarenessOf(plane.normal, motion, -1);
+            var approach:Number = approachTo(plane.normal, motion, -1);
             if (other != null)
             {
-                squareness = (squareness + squarenessOf(other.normal, motion, 1)) / 2;
+                approach = (approach + approachTo(other.normal, motion, 1)) / 2;
             }
+            var length:Number = Math.sqrt(motion.x * motion.x + motion.y * motion.y + motion.z * motion.z);
+            var squareness:Number = length > 0 ? approach / length : 0;
             var countedTime:Number = motion.time - Tolerances.SAME_TIME * squareness;
             if (!(countedTime < _countedTime))
             {
@@ -64,13 +66,12 @@ package starlogo.solid
             return true;
         }
 
-        // How squarely the motion meets a plane: 1 against its normal, or along it if the side is 1; 0 flush with the plane, or without a motion. A plane that
-        // is met from behind counts only if none is met from the front.
-        private static function squarenessOf(normal:Vector3D, motion:RelativeMotion, side:int):Number
+        // The component of the motion against a plane, or along it if the side is 1. A plane that is met from behind counts only if none is met from
+        // the front.
+        private static function approachTo(normal:Vector3D, motion:RelativeMotion, side:int):Number
         {
             var speed:Number = side * (normal.x * motion.x + normal.y * motion.y + normal.z * motion.z);
-            var length:Number = Math.sqrt(motion.x * motion.x + motion.y * motion.y + motion.z * motion.z);
-            return length == 0 ? 0 : (speed > 0 ? speed : -Tolerances.DIRECTION * speed) / length;
+            return speed > 0 ? speed : -Tolerances.DIRECTION * speed;
         }
     }
 }

@@ -106,8 +106,8 @@ package starlogo.solid
             if (!isPointNeeded || !findInside(out))
             {
                 out.correct(areTouching);
+                out.placePoints(placementA);
             }
-            out.placePoints(placementA);
         }
 
         /** Whether the two touch in their pose. */
@@ -145,7 +145,7 @@ package starlogo.solid
         /**
          * Finds a point of one of the two, whose surfaces do not touch in their pose, that is inside of the other.
          *
-         * @param out receives the point twice, in a's space, if there is one; null if only the answer is needed
+         * @param out receives the point twice, in the world, if there is one; null if only the answer is needed
          * @return whether there is one
          */
         internal function findInside(out:ClosestPoints):Boolean

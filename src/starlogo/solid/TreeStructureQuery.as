@@ -148,6 +148,7 @@ package starlogo.solid
             if (out != null)
             {
                 out.setPoint(_point);
+                out.placePoints(placementA);
             }
             return true;
         }

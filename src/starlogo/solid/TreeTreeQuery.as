@@ -134,23 +134,14 @@ package starlogo.solid
             {
                 return false;
             }
-            if (findPartIn(_a, _b, pose.placement, out))
-            {
-                return true;
-            }
             Placement.invert(pose.placement, _inverse);
-            var isInside:Boolean = findPartIn(_b, _a, _inverse, out);
-            if (isInside && out != null)
-            {
-                out.placePoints(pose.placement);
-            }
-            return isInside;
+            return findPartIn(_a, _b, pose.placement, placementA, out) || findPartIn(_b, _a, _inverse, placementB, out);
         }
 
         // Finds a point of a part of the inner model that is inside of the outer one. Their surfaces do not touch, so one point of each part decides. The
-        // pose is that of the inner model in the outer one's space, in which out receives the point. It is asked for all agents that are close but do not
-        // touch, so a ray is cast only if the point is in the box around the outer model.
-        private function findPartIn(outer:ModelTree, inner:ModelTree, pose:Placement, out:ClosestPoints):Boolean
+        // pose is that of the inner model in the outer one's space, and the placement that of the outer model. It is asked for all agents that are close but
+        // do not touch, so a ray is cast only if the point is in the box around the outer model.
+        private function findPartIn(outer:ModelTree, inner:ModelTree, pose:Placement, placement:Placement, out:ClosestPoints):Boolean
         {
             var points:Vector.<Number> = inner.preparedInterior().partPoints;
             for (var at:int = 0; at < points.length; at += 3)
@@ -164,6 +155,7 @@ package starlogo.solid
                     if (out != null)
                     {
                         out.setPoint(_point);
+                        out.placePoints(placement);
                     }
                     return true;
                 }

@@ -113,7 +113,7 @@ function readArguments() {
 	if (!existsSync(folder) || !statSync(folder).isDirectory()) fail(`${positionals[0]} is no folder`);
 	if (!["x", "y", "z"].includes(values.up)) fail(`--up is x, y or z, not ${values.up}`);
 	if (!SCALINGS.includes(values.scaling)) fail(`--scaling is footprint, volume or "as given", not ${values.scaling}`);
-	if (!(Number(values.increment) > 0 && Number(values.increment) <= 360)) fail(`--increment is a number of degrees above 0, not ${values.increment}`);
+	if (!(Number(values.increment) >= 0.01 && Number(values.increment) <= 360)) fail(`--increment is a number of degrees of at least 0.01, not ${values.increment}`);
 	if (values.hulls !== undefined && !(/^\d{1,3}$/.test(values.hulls) && Number(values.hulls) >= 8)) fail(`--hulls is a whole number from 8 to 999, not ${values.hulls}`);
 	for (const name of ["min-vertices", "depth"]) if (!/^[1-9]\d{0,5}$/.test(values[name])) fail(`--${name} is a whole number from 1 on, not ${values[name]}`);
 	return { values, folder };

@@ -69,11 +69,12 @@ package starlogo.bounding
         /**
          * For subclasses only.
          *
-         * @param kind one of the constants. Any other number becomes OTHER
+         * @param kind HULL for a convex structure that describes itself to the tests. Any other number becomes OTHER: the engine's own classes alone
+         *     have the first three kinds
          */
         public function BoundingStructure(kind:int)
         {
-            this.kind = kind >= 0 && kind < OTHER ? kind : OTHER;
+            this.kind = kind == HULL ? HULL : OTHER;
         }
 
         /** A description of the structure and its place, for messages. */
@@ -180,7 +181,7 @@ package starlogo.bounding
          * Transforms this structure by an agent's placement: scales, rotates, then translates it (thesis §3.5). It uses double precision
          * throughout. Allocates nothing if <code>out</code> is given.
          *
-         * @param placement the model's placement; its numbers are not checked
+         * @param placement the model's placement, which does not mirror; its numbers are not checked
          * @param out a structure of the same class, which receives the result; may be this structure
          * @return out. A new structure if out is null, or if both have the kind HULL and are of different classes
          * @throws ArgumentError if out is of another kind

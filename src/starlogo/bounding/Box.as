@@ -60,7 +60,8 @@ package starlogo.bounding
         public function Box(center:Vector3D, axisX:Vector3D, axisY:Vector3D, axisZ:Vector3D,
                 halfX:Number, halfY:Number, halfZ:Number)
         {
-            super(BOX);
+            super(OTHER);
+            kind = BOX;
             checkVector(axisX, "a box's axisX");
             checkVector(axisY, "a box's axisY");
             checkVector(axisZ, "a box's axisZ");

@@ -38,7 +38,8 @@ package starlogo.bounding
          */
         public function Capsule(start:Vector3D, end:Vector3D, radius:Number)
         {
-            super(CAPSULE);
+            super(OTHER);
+            kind = CAPSULE;
             checkAxis(start, end, radius, "a capsule");
             this.start = start.clone();
             this.end = end.clone();

@@ -2,17 +2,17 @@ package starlogo.bounding
 {
     /**
      * Finds the half-spaces whose intersection is the hull of some corners. A half-space has four numbers: an outward unit normal, and how
-     * far its plane is from the middle of the corners along the normal.
+     * far its plane is from the hull's centre along the normal.
      *
      * @private
      */
     public final class HalfSpaces
     {
         /**
-         * Writes all half-spaces. Those whose planes go through the middle come first: none for a solid hull, two for a flat one, four for a
+         * Writes all half-spaces. Those whose planes go through the centre come first: none for a solid hull, two for a flat one, four for a
          * segment, six for a point.
          *
-         * @param points the corners relative to the middle, x, y, z of each
+         * @param points the corners relative to the centre, x, y, z of each
          * @param topology their faces and edges
          * @param out empty; receives four numbers for each half-space
          */
@@ -67,7 +67,7 @@ package starlogo.bounding
                 y += points[a + 2] * points[b] - points[a] * points[b + 2];
                 z += points[a] * points[b + 1] - points[a + 1] * points[b];
             }
-            addThroughMiddle(x, y, z, out);
+            addThroughCentre(x, y, z, out);
             if (out.length == 0)
             {
                 // rounding has left no area
@@ -99,8 +99,8 @@ package starlogo.bounding
             var acrossX:Number = isX ? 0 : isY ? -z : y;
             var acrossY:Number = isX ? z : isY ? 0 : -x;
             var acrossZ:Number = isX ? -y : isY ? x : 0;
-            addThroughMiddle(acrossX, acrossY, acrossZ, out);
-            addThroughMiddle(y * acrossZ - z * acrossY, z * acrossX - x * acrossZ, x * acrossY - y * acrossX, out);
+            addThroughCentre(acrossX, acrossY, acrossZ, out);
+            addThroughCentre(y * acrossZ - z * acrossY, z * acrossX - x * acrossZ, x * acrossY - y * acrossX, out);
             add(-x, -y, -z, points, out);
             add(x, y, z, points, out);
         }
@@ -126,7 +126,7 @@ package starlogo.bounding
             out.push(x, y, z, most);
         }
 
-        private static function addThroughMiddle(x:Number, y:Number, z:Number, out:Vector.<Number>):void
+        private static function addThroughCentre(x:Number, y:Number, z:Number, out:Vector.<Number>):void
         {
             var length:Number = Math.sqrt(x * x + y * y + z * z);
             if (length > 0)

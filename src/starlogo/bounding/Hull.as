@@ -140,8 +140,7 @@ package starlogo.bounding
             super.rotate(rotation);
             if (rotation.determinant < 0)
             {
-                topology = topology.mirrored();
-                forgetShape();
+                setCorners(points);
             }
             return this;
         }

@@ -56,22 +56,6 @@ package starlogo.bounding
             }
         }
 
-        /** The topology of this hull's mirror image. */
-        public function mirrored():HullTopology
-        {
-            var turned:Vector.<int> = new Vector.<int>();
-            for (var i:int = 0; i < faces.length; i += 3)
-            {
-                turned.push(faces[i], faces[i + 2], faces[i + 1]);
-            }
-            var swapped:Vector.<int> = new Vector.<int>();
-            for (i = 0; i < edges.length; i += 4)
-            {
-                swapped.push(edges[i], edges[i + 1], edges[i + 3], edges[i + 2]);
-            }
-            return new HullTopology(dimension, turned, swapped);
-        }
-
         private static function ofPolygon(outline:Vector.<int>):HullTopology
         {
             var count:int = outline.length;

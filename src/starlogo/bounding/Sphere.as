@@ -31,7 +31,8 @@ package starlogo.bounding
          */
         public function Sphere(center:Vector3D, radius:Number)
         {
-            super(SPHERE);
+            super(OTHER);
+            kind = SPHERE;
             this.radius = checkLength(radius, "the radius of a sphere");
             this.center = checkVector(center, "the centre of a sphere").clone();
             checkSize(radius, "a sphere");

@@ -19,8 +19,8 @@ package starlogo.fitting
         /**
          * Creates a fitter that tries all rotations by multiples of an increment.
          *
-         * @param degIncrement in degrees, above 0; half the increment takes eight times as long
-         * @throws ArgumentError if it is not a positive, finite number
+         * @param degIncrement in degrees, at least 0.01; half the increment takes eight times as long
+         * @throws ArgumentError if it is less than 0.01, or not finite
          */
         public function OrientedBoxFitter(degIncrement:Number = 10)
         {
@@ -28,9 +28,9 @@ package starlogo.fitting
         }
 
         /**
-         * The increment in degrees, above 0.
+         * The increment in degrees, at least 0.01.
          *
-         * @throws ArgumentError if it is set to a value that is not a positive, finite number
+         * @throws ArgumentError if it is set to a value that is less than 0.01, or not finite
          */
         public function get degIncrement():Number
         {

@@ -26,6 +26,9 @@ package starlogo.fitting
      */
     internal final class RotationSearch extends StepSequence
     {
+        // With a smaller increment, a step would take longer than some milliseconds, and rotations would be too many to count.
+        private static const LEAST_INCREMENT:Number = 0.01;
+
         private var _hull:ConvexHull;
         private var _rotated:Vector.<Number>;
 
@@ -49,7 +52,8 @@ package starlogo.fitting
             _incrementZ = incrementZ;
             call(function():void
                 {
-                    prepare(session.hull);
+                    _hull = session.hull;
+                    _rotated = new Vector.<Number>(_hull.points.length);
                 }).repeat(tryNext);
         }
 
@@ -69,21 +73,15 @@ package starlogo.fitting
         /**
          * Checks degrees between rotations, and returns them.
          *
-         * @throws ArgumentError if they are not positive and finite
+         * @throws ArgumentError if they are less than LEAST_INCREMENT or not finite
          */
         internal static function checkedIncrement(degrees:Number):Number
         {
-            if (!(degrees > 0 && degrees < Infinity))
+            if (!(degrees >= LEAST_INCREMENT && degrees < Infinity))
             {
-                throw new ArgumentError("the increment must be a positive number of degrees: " + degrees);
+                throw new ArgumentError("the increment must be at least " + LEAST_INCREMENT + " degrees, and finite: " + degrees);
             }
             return degrees;
-        }
-
-        private function prepare(hull:ConvexHull):void
-        {
-            _hull = hull;
-            _rotated = new Vector.<Number>(hull.points.length);
         }
 
         // Tries all rotations about z that follow the next one about x and y. Returns false if there are no more.

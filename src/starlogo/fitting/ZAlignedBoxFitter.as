@@ -16,8 +16,8 @@ package starlogo.fitting
         /**
          * Creates a fitter that tries all rotations about z by multiples of an increment.
          *
-         * @param degIncrement in degrees, above 0
-         * @throws ArgumentError if it is not a positive, finite number
+         * @param degIncrement in degrees, at least 0.01
+         * @throws ArgumentError if it is less than 0.01, or not finite
          */
         public function ZAlignedBoxFitter(degIncrement:Number = 10)
         {
@@ -25,9 +25,9 @@ package starlogo.fitting
         }
 
         /**
-         * The increment in degrees, above 0.
+         * The increment in degrees, at least 0.01.
          *
-         * @throws ArgumentError if it is set to a value that is not a positive, finite number
+         * @throws ArgumentError if it is set to a value that is less than 0.01, or not finite
          */
         public function get degIncrement():Number
         {

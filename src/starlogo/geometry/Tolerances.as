@@ -264,8 +264,8 @@ package starlogo.geometry
         public static const BALL_SINGULAR:Number = 1e-13;
 
         /**
-         * A point is outside of the smallest sphere if it enlarges the squared radius by more than this fraction. Smaller: the search may
-         * never end. Larger: points outside count as inside, by half that fraction of the radius.
+         * The search for the smallest sphere ends when the squared radius grows by no more than this fraction. Smaller: the search may never
+         * end. Larger: other points may be outside of the last sphere, by up to the square root of this fraction of the radius.
          */
         public static const BALL_GAIN:Number = 1e-14;
     }

@@ -94,7 +94,7 @@ package starlogo.ground
             sweep.copyVector(motion);
             sweep.earliest = motion.earliest;
             sweep.latest = motion.latest;
-            _firstImpact.reset(motion.latest);
+            _firstImpact.reset();
             _pairs.pieces.moveTo(motion, 0);
             _pairs.begin(sweep, 0);
             while (_firstImpact.time > 0 && _pairs.next())
@@ -112,7 +112,6 @@ package starlogo.ground
                     near.plane.leadOutside(kernel.shape, sweep, out);
                     near.plane.alignContact(kernel.shape, sweep, out);
                 }
-                sweep.latest = _firstImpact.latest;
             }
             motion.time = _firstImpact.time;
             if (out != null && motion.time != RelativeMotion.NEVER)

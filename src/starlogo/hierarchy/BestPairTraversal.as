@@ -38,8 +38,8 @@ package starlogo.hierarchy
         {
             var treeA:BoxTree = trees.a;
             var treeB:BoxTree = trees.b;
-            var endsA:Vector.<int> = treeA.stopDepth;
-            var endsB:Vector.<int> = treeB.stopDepth;
+            var endsA:Vector.<int> = treeA.endsUpToDepth;
+            var endsB:Vector.<int> = treeB.endsUpToDepth;
             var nodes:Vector.<int> = _nodes;
             var bounds:Vector.<Number> = _nodeBounds;
             var out:BestPair = _best;

@@ -144,17 +144,13 @@ package starlogo.hierarchy
             var absZ:Number = inverseZ < 0 ? -inverseZ : inverseZ;
             var boxes:Vector.<Number> = tree.boxes;
             var children:Vector.<int> = tree.left;
-            var ends:Vector.<int> = tree.stopDepth;
+            var ends:Vector.<int> = tree.endsUpToDepth;
             // An exact visit ends at the nodes without children. It need not read another column.
             var isLimited:Boolean = depth < BoxTree.EXACT;
             var nodes:Vector.<int> = _nodes;
             var enters:Vector.<Number> = _enters;
             var begin:Number = _from;
             var latest:Number = visitor.limit < LATEST ? visitor.limit : LATEST;
-            var enter:Number;
-            var middle:Number;
-            var half:Number;
-            var enterNext:Number;
             var visits:int = 0;
             var top:int = 0;
             var node:int = 0;
@@ -169,13 +165,15 @@ package starlogo.hierarchy
                 }
                 else
                 {
+                    // of the children that are met, the one to visit next, and when it is entered
                     var next:int = -1;
+                    var enterNext:Number = 0;
                     for (var child:int = left; child < left + 2; child++)
                     {
                         var at:int = 6 * child;
                         // A box is met unless the moving box enters it along one axis after it has left it along another one.
-                        middle = (boxes[at] - fromX) * inverseX;
-                        half = (boxes[int(at + 3)] + widerX) * absX;
+                        var middle:Number = (boxes[at] - fromX) * inverseX;
+                        var half:Number = (boxes[int(at + 3)] + widerX) * absX;
                         var enterX:Number = middle - half;
                         var leaveX:Number = middle + half;
                         if (enterX > latest || leaveX < begin)
@@ -198,11 +196,12 @@ package starlogo.hierarchy
                         {
                             continue;
                         }
-                        enter = enterX > begin ? enterX : begin;
+                        var enter:Number = enterX > begin ? enterX : begin;
                         enter = enterY > enter ? enterY : enter;
                         enter = enterZ > enter ? enterZ : enter;
                         if (next < 0)
                         {
+                            // the first child that is met
                             next = child;
                             enterNext = enter;
                             continue;
@@ -216,10 +215,12 @@ package starlogo.hierarchy
                     }
                     if (next >= 0)
                     {
+                        // it does not pass the stack
                         node = next;
                         continue;
                     }
                 }
+                // The way down has ended: the last node that waits and still counts is next.
                 top--;
                 while (top >= 0 && enters[top] > latest)
                 {
@@ -276,7 +277,7 @@ package starlogo.hierarchy
                     continue;
                 }
                 _counts.nodeVisits++;
-                if (tree.stopDepth[node] >= depth)
+                if (tree.endsUpToDepth[node] >= depth)
                 {
                     visitor.visit(tree, node);
                     continue;

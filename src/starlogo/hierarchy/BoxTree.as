@@ -16,7 +16,7 @@ package starlogo.hierarchy
      * tree is made, only a BoxRefit changes it: it gives all nodes new boxes. Clients see a node as a HierarchyNode.</p>
      *
      * <p>A leaf is a leaf of the thesis's tree. A tree of triangles goes on below its leaves, down to nodes with a few triangles, for exact tests.
-     * A visit ends at the nodes that its depth limit says (<code>stopDepth</code>). They are the nodes that decide, by their boxes or their
+     * A visit ends at the nodes that its depth limit says (<code>endsUpToDepth</code>). They are the nodes that decide, by their boxes or their
      * items.</p>
      *
      * @private
@@ -27,7 +27,7 @@ package starlogo.hierarchy
         public static const EXACT:int = int.MAX_VALUE;
 
         /** The largest other depth limit. A visit with it ends at the leaves. */
-        public static const MAX_DEPTH:int = int.MAX_VALUE - 1;
+        public static const LEAVES:int = int.MAX_VALUE - 1;
 
         // The boxes' margins are at least as large as if this were the model's largest coordinate. So no box is smaller than a structure may be.
         private static const MIN_COORDINATE:Number = 1e-50;
@@ -57,13 +57,13 @@ package starlogo.hierarchy
         public var endSlot:Vector.<int> = new Vector.<int>();
 
         /**
-         * For each node, the largest depth limit for which a visit ends at it: EXACT for a node without children, MAX_DEPTH for any other
+         * For each node, the largest depth limit for which a visit ends at it: EXACT for a node without children, LEAVES for any other
          * leaf or node below one, its level for a node above the leaves.
          */
-        public var stopDepth:Vector.<int> = new Vector.<int>();
+        public var endsUpToDepth:Vector.<int> = new Vector.<int>();
 
         /** For each node, four times its level plus the axis along which it is split: see <code>levelOf()</code> and <code>axisOf()</code>. */
-        internal var splits:Vector.<int> = new Vector.<int>();
+        internal var levelAndAxis:Vector.<int> = new Vector.<int>();
 
         /** The radius of the sphere around the root's box. Set with that box. */
         public var radius:Number = 0;
@@ -110,19 +110,19 @@ package starlogo.hierarchy
         /** Whether a node is a leaf, or below one. */
         public function isLeafOrBelow(node:int):Boolean
         {
-            return stopDepth[node] >= MAX_DEPTH;
+            return endsUpToDepth[node] >= LEAVES;
         }
 
         /** The axis along which a node is split: 0, 1 or 2. */
         public function axisOf(node:int):int
         {
-            return splits[node] & 3;
+            return levelAndAxis[node] & 3;
         }
 
         /** The level of a node. The root has 1. */
         public function levelOf(node:int):int
         {
-            return splits[node] >> 2;
+            return levelAndAxis[node] >> 2;
         }
 
         /** The box of a node as a structure. The next call overwrites it. */
@@ -278,8 +278,8 @@ package starlogo.hierarchy
             left = new Vector.<int>(room);
             firstSlot = new Vector.<int>(room);
             endSlot = new Vector.<int>(room);
-            stopDepth = new Vector.<int>(room);
-            splits = new Vector.<int>(room);
+            endsUpToDepth = new Vector.<int>(room);
+            levelAndAxis = new Vector.<int>(room);
             _count = 0;
             addNode(0, itemCount, 1);
         }
@@ -292,13 +292,13 @@ package starlogo.hierarchy
          * @param isLeafOrBelow whether the node is a leaf, or below one
          * @return the left child
          */
-        public function divide(node:int, axis:int, splitIndex:int, isLeafOrBelow:Boolean):int
+        public function addChildren(node:int, axis:int, splitIndex:int, isLeafOrBelow:Boolean):int
         {
             var level:int = levelOf(node);
             var child:int = _count;
             left[node] = child;
-            stopDepth[node] = isLeafOrBelow ? MAX_DEPTH : level;
-            splits[node] = level << 2 | axis;
+            endsUpToDepth[node] = isLeafOrBelow ? LEAVES : level;
+            levelAndAxis[node] = level << 2 | axis;
             addNode(firstSlot[node], splitIndex, level + 1);
             addNode(splitIndex, endSlot[node], level + 1);
             return child;
@@ -307,15 +307,6 @@ package starlogo.hierarchy
         /** Ends the making of nodes. */
         public function completeNodes():void
         {
-            if (4 * _count < 3 * left.length)
-            {
-                boxes = boxes.slice(0, 6 * _count);
-                left = left.slice(0, _count);
-                firstSlot = firstSlot.slice(0, _count);
-                endSlot = endSlot.slice(0, _count);
-                stopDepth = stopDepth.slice(0, _count);
-                splits = splits.slice(0, _count);
-            }
             setRoom(_count);
             _count = 0;
         }
@@ -336,15 +327,15 @@ package starlogo.hierarchy
             }
             firstSlot[node] = from;
             endSlot[node] = to;
-            stopDepth[node] = EXACT;
-            splits[node] = level << 2;
+            endsUpToDepth[node] = EXACT;
+            levelAndAxis[node] = level << 2;
             _count = node + 1;
         }
 
         private function setRoom(count:int):void
         {
             boxes.length = 6 * count;
-            left.length = firstSlot.length = endSlot.length = stopDepth.length = splits.length = count;
+            left.length = firstSlot.length = endSlot.length = endsUpToDepth.length = levelAndAxis.length = count;
         }
     }
 }

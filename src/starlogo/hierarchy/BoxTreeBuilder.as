@@ -25,10 +25,10 @@ package starlogo.hierarchy
     public final class BoxTreeBuilder extends StepSequence
     {
         /** The most vertices of a leaf, and the levels of a tree, if a game does not say (thesis §4.4). */
-        public static const MAX_VERTICES_OF_LEAF:int = 5;
+        public static const DEFAULT_VERTICES_OF_LEAF:int = 5;
 
-        /** @copy #MAX_VERTICES_OF_LEAF */
-        public static const MAX_DEPTH:int = 10;
+        /** @copy #DEFAULT_VERTICES_OF_LEAF */
+        public static const DEFAULT_DEPTH:int = 10;
 
         // The most triangles of a node without children.
         private static const MAX_TRIANGLES:int = 8;
@@ -83,7 +83,7 @@ package starlogo.hierarchy
         private function takeItems():void
         {
             _items = new TreeItems(_tree);
-            slices(_tree.itemCount, ITEMS_PER_STEP, _items.measure).call(beginRoot).repeat(divide).call(_tree.completeNodes);
+            slices(_tree.itemCount, ITEMS_PER_STEP, _items.measure).call(beginRoot).repeat(visitSome).call(_tree.completeNodes);
         }
 
         private function beginRoot():void
@@ -95,7 +95,7 @@ package starlogo.hierarchy
             _areLeavesOrBelow.push(false);
         }
 
-        private function divide():Boolean
+        private function visitSome():Boolean
         {
             var rest:int = ITEMS_PER_STEP;
             while (rest > 0 && _waiting.length > 0)
@@ -105,14 +105,14 @@ package starlogo.hierarchy
                 _isDividing = _isDividing ? advance(node) : beginNode(node);
                 if (!_isDividing)
                 {
-                    goOn(node);
+                    goOnFrom(node);
                 }
             }
             return _waiting.length > 0;
         }
 
         // Goes on to the children of a node, or to the next node if it has none.
-        private function goOn(node:int):void
+        private function goOnFrom(node:int):void
         {
             var child:int = _tree.left[node];
             var isLeafOrBelow:Boolean = _areLeavesOrBelow.pop();
@@ -134,12 +134,12 @@ package starlogo.hierarchy
                 return false;
             }
             var axis:int = longestAxisOf(node);
-            var split:Number = 2 * _tree.boxes[6 * node + axis];
+            var doubledSplit:Number = 2 * _tree.boxes[6 * node + axis];
             if (_splitByMean && !_areLeavesOrBelow[top])
             {
-                split = _items.meanOf(_tree.firstSlot[node], _tree.endSlot[node], axis);
+                doubledSplit = _items.doubledMeanOf(_tree.firstSlot[node], _tree.endSlot[node], axis);
             }
-            _items.beginDivision(_tree.firstSlot[node], _tree.endSlot[node], axis, split);
+            _items.beginDivision(_tree.firstSlot[node], _tree.endSlot[node], axis, doubledSplit);
             return true;
         }
 
@@ -205,7 +205,7 @@ package starlogo.hierarchy
         // Makes the children of a node, whose items are divided.
         private function makeChildren(node:int):void
         {
-            var child:int = _tree.divide(node, _items.axis, _items.splitIndex, _areLeavesOrBelow[_waiting.length - 1]);
+            var child:int = _tree.addChildren(node, _items.axis, _items.splitIndex, _areLeavesOrBelow[_waiting.length - 1]);
             _tree.enclose(child, _items.leftExtents);
             _tree.enclose(child + 1, _items.rightExtents);
         }

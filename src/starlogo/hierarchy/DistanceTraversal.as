@@ -63,6 +63,10 @@ package starlogo.hierarchy
             var pair:BoxPair = _pair;
             var axes:BoxAxes = pair.axes;
             trees.setPair(a, b, pair);
+            // measure() widens b's boxes as well
+            pair.halfXB += trees.pose.margin;
+            pair.halfYB += trees.pose.margin;
+            pair.halfZB += trees.pose.margin;
             var distance:Number = pair.offsetX < 0 ? -pair.offsetX : pair.offsetX;
             distance -= pair.halfXA + axes.abs00 * pair.halfXB + axes.abs01 * pair.halfYB + axes.abs02 * pair.halfZB;
             distance = distance > 0 ? distance : 0;
@@ -75,22 +79,22 @@ package starlogo.hierarchy
             distance -= pair.halfZA + axes.abs20 * pair.halfXB + axes.abs21 * pair.halfYB + axes.abs22 * pair.halfZB;
             distance = distance > 0 ? distance : 0;
             squared += distance * distance;
-            var far:Number = out.limit + trees.pose.margin + 2 * SLACK * (out.limit + _radii);
+            var far:Number = out.limit + 2 * SLACK * (out.limit + _radii);
             if (squared > far * far)
             {
                 out.bound = out.limit;
                 return;
             }
-            raise(Math.sqrt(squared), trees.pose, out);
-            estimateAlongAxesOfB(pair, trees.pose, out);
+            raise(Math.sqrt(squared), out);
+            estimateAlongAxesOfB(pair, out);
             if (out.points.distance < Infinity)
             {
-                estimateAlongLine(pair, trees.pose, out);
+                estimateAlongLine(pair, out);
             }
         }
 
         // Raises the bound to the distance of two boxes along the axes of b's.
-        private function estimateAlongAxesOfB(pair:BoxPair, pose:RelativePose, out:BestPair):void
+        private function estimateAlongAxesOfB(pair:BoxPair, out:BestPair):void
         {
             var axes:BoxAxes = pair.axes;
             var distance:Number = axes.m00 * pair.offsetX + axes.m10 * pair.offsetY + axes.m20 * pair.offsetZ;
@@ -108,12 +112,12 @@ package starlogo.hierarchy
             distance -= axes.abs02 * pair.halfXA + axes.abs12 * pair.halfYA + axes.abs22 * pair.halfZA + pair.halfZB;
             distance = distance > 0 ? distance : 0;
             squared += distance * distance;
-            raise(Math.sqrt(squared), pose, out);
+            raise(Math.sqrt(squared), out);
         }
 
         // Raises the bound to the distance of two boxes along the line between the closest points so far. It rules out most of the pairs that are not
         // nearer.
-        private function estimateAlongLine(pair:BoxPair, pose:RelativePose, out:BestPair):void
+        private function estimateAlongLine(pair:BoxPair, out:BestPair):void
         {
             var axes:BoxAxes = pair.axes;
             var points:ClosestPoints = out.points;
@@ -136,13 +140,13 @@ package starlogo.hierarchy
             toX = toX < 0 ? -toX : toX;
             toY = toY < 0 ? -toY : toY;
             toZ = toZ < 0 ? -toZ : toZ;
-            raise((distance - pair.halfXA * toX - pair.halfYA * toY - pair.halfZA * toZ) / length, pose, out);
+            raise((distance - pair.halfXA * toX - pair.halfYA * toY - pair.halfZA * toZ) / length, out);
         }
 
         // Raises the bound to a computed distance, less its rounding error.
-        private function raise(distance:Number, pose:RelativePose, out:BestPair):void
+        private function raise(distance:Number, out:BestPair):void
         {
-            var bound:Number = distance - SLACK * (distance + _radii) - pose.margin;
+            var bound:Number = distance - SLACK * (distance + _radii);
             if (bound > out.bound)
             {
                 out.bound = bound;

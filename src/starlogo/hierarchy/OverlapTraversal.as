@@ -55,8 +55,8 @@ package starlogo.hierarchy
         {
             var pair:BoxPair = _pair;
             var tolerance:Number = trees.pose.margin;
-            var endsA:Vector.<int> = trees.a.stopDepth;
-            var endsB:Vector.<int> = trees.b.stopDepth;
+            var endsA:Vector.<int> = trees.a.endsUpToDepth;
+            var endsB:Vector.<int> = trees.b.endsUpToDepth;
             var depthA:int = trees.depthA;
             var depthB:int = trees.depthB;
             var stack:Vector.<int> = _nodes;

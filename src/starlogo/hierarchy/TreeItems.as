@@ -32,7 +32,7 @@ package starlogo.hierarchy
 
         // The current division. The items before splitIndex are in the first group, those after _last in the second one.
         private var _last:int;
-        private var _split:Number;
+        private var _doubledSplit:Number;
 
         /**
          * @param tree has the items; receives their order, which begins as that of their indices
@@ -62,12 +62,12 @@ package starlogo.hierarchy
         }
 
         /** Twice the mean of the centres of some items along an axis. */
-        public function meanOf(first:int, end:int, axis:int):Number
+        public function doubledMeanOf(first:int, end:int, axis:int):Number
         {
             var sum:Number = 0;
             for (var i:int = first; i < end; i++)
             {
-                sum += sumOf(_tree.items[i], axis);
+                sum += doubledCentreOf(_tree.items[i], axis);
             }
             return sum / (end - first);
         }
@@ -78,14 +78,14 @@ package starlogo.hierarchy
          * @param first the slot of the first item
          * @param end the slot after the last item
          * @param axis 0, 1 or 2
-         * @param split twice the coordinate of the splitting point
+         * @param doubledSplit twice the coordinate of the splitting point
          */
-        public function beginDivision(first:int, end:int, axis:int, split:Number):void
+        public function beginDivision(first:int, end:int, axis:int, doubledSplit:Number):void
         {
             splitIndex = first;
             _last = end - 1;
             this.axis = axis;
-            _split = split;
+            _doubledSplit = doubledSplit;
             clear(leftExtents);
             clear(rightExtents);
         }
@@ -102,7 +102,7 @@ package starlogo.hierarchy
             var widest:int = 0;
             var width:Number = 0;
             var begin:Number = 0;
-            var split:Number = 0;
+            var doubledSplit:Number = 0;
             for (var along:int = 0; along < 3; along++)
             {
                 // twice the smallest and the largest centre
@@ -110,7 +110,7 @@ package starlogo.hierarchy
                 var largest:Number = -Infinity;
                 for (var i:int = first; i < end; i++)
                 {
-                    var sum:Number = sumOf(_tree.items[i], along);
+                    var sum:Number = doubledCentreOf(_tree.items[i], along);
                     least = sum < least ? sum : least;
                     largest = sum > largest ? sum : largest;
                 }
@@ -119,11 +119,11 @@ package starlogo.hierarchy
                     widest = along;
                     width = largest - least;
                     begin = least;
-                    split = least + 0.5 * width;
+                    doubledSplit = least + 0.5 * width;
                 }
             }
-            beginDivision(first, end, widest, split);
-            return split > begin;
+            beginDivision(first, end, widest, doubledSplit);
+            return doubledSplit > begin;
         }
 
         /**
@@ -137,21 +137,21 @@ package starlogo.hierarchy
             var items:Vector.<int> = _tree.items;
             var extents:Vector.<Number> = _extents;
             var along:int = 2 * axis;
-            var split:Number = _split;
+            var doubledSplit:Number = _doubledSplit;
             var low:int = splitIndex;
             var high:int = _last;
             for (var rest:int = most; rest > 0 && low <= high; rest--)
             {
                 var item:int = items[low];
                 var at:int = 6 * item + along;
-                if (extents[at] + extents[int(at + 1)] < split)
+                if (extents[at] + extents[int(at + 1)] < doubledSplit)
                 {
                     low++;
                     continue;
                 }
                 var other:int = items[high];
                 at = 6 * other + along;
-                if (extents[at] + extents[int(at + 1)] < split)
+                if (extents[at] + extents[int(at + 1)] < doubledSplit)
                 {
                     items[low] = other;
                     items[high] = item;
@@ -184,7 +184,7 @@ package starlogo.hierarchy
         }
 
         // Twice the centre of an item's extents along an axis.
-        private function sumOf(item:int, axis:int):Number
+        private function doubledCentreOf(item:int, axis:int):Number
         {
             var at:int = 6 * item + 2 * axis;
             return _extents[at] + _extents[int(at + 1)];

@@ -38,8 +38,8 @@ package starlogo.libraries
 
         private var _models:ModelTable = new ModelTable();
 
-        private var _minVerticesToSplit:int = BoxTreeBuilder.MAX_VERTICES_OF_LEAF;
-        private var _maxDepth:int = BoxTreeBuilder.MAX_DEPTH;
+        private var _minVerticesToSplit:int = BoxTreeBuilder.DEFAULT_VERTICES_OF_LEAF;
+        private var _maxDepth:int = BoxTreeBuilder.DEFAULT_DEPTH;
 
         /** Creates a library without models. */
         public function HierarchiesLibrary()

@@ -179,7 +179,7 @@ package starlogo.libraries
             var topology:SurfaceTopology = surface == null ? null : SurfaceTopology.read(surface, _model.triangles.length / 3);
             if (topology != null)
             {
-                tree.restoreSurface(topology);
+                tree.surface = topology;
             }
         }
 

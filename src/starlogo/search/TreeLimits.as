@@ -35,7 +35,7 @@ package starlogo.search
         /** The number of levels to which trees are tested if their agents have no limits; BoxTree.EXACT if the triangles decide. */
         public function get depth():int
         {
-            return isExact ? BoxTree.EXACT : Math.min(_maxDepth, BoxTree.MAX_DEPTH);
+            return isExact ? BoxTree.EXACT : Math.min(_maxDepth, BoxTree.LEAVES);
         }
 
         /** The number of levels to which the tree of a body is tested; BoxTree.EXACT if its triangles decide. */
@@ -46,7 +46,7 @@ package starlogo.search
                 return BoxTree.EXACT;
             }
             var levels:int = body.depthLimit == 0 ? maxDepth : body.depthLimit;
-            return isExact || levels > BoxTree.MAX_DEPTH ? BoxTree.MAX_DEPTH : levels;
+            return isExact || levels > BoxTree.LEAVES ? BoxTree.LEAVES : levels;
         }
     }
 }

@@ -8,10 +8,11 @@ package starlogo.solid
     /**
      * Chooses the triangle, or the pair of triangles, that makes the contact of an impact: the one that is touched first. The more squarely the motion
      * meets a plane, the earlier its touch counts, by up to Tolerances.SAME_TIME. So a shape that moves along a side, flush with it, and then meets
-     * another side, touches the one that stops it. The order of the touches does not matter.
+     * another side, touches the one that stops it. Of touches that count as equally early, the
+     * first one that is offered makes the contact. So there the order of a model's triangles decides.
      *
-     * <p>What touches at time 0 ends the search: the first one found makes the contact, because nothing is earlier. The way out of an overlap is
-     * another search.</p>
+     * <p>What touches at time 0 ends the search: the first one found makes the contact, because nothing is earlier. If the models overlap there, it
+     * depends on the order of the triangles which one that is. The way out of an overlap is another search.</p>
      *
      * @private
      */
@@ -20,45 +21,42 @@ package starlogo.solid
         /** The time of the earliest touch so far, or RelativeMotion.NEVER. Read only. */
         public var time:Number = RelativeMotion.NEVER;
 
-        /** Touches up to this time count. Read only. */
-        public var latest:Number = 0;
-
         // The time as which the chosen one counts.
         private var _countedTime:Number = RelativeMotion.NEVER;
 
-        /** Begins. Touches up to a time count. */
-        public function reset(latest:Number):void
+        /** Begins. */
+        public function reset():void
         {
             time = _countedTime = RelativeMotion.NEVER;
-            this.latest = latest;
         }
 
         /**
-         * Takes a touch. Afterwards <code>time</code> and <code>latest</code> may be earlier, even if another touch stays the chosen one.
+         * Takes a touch, which counts if it is no later than the motion's latest time. Afterwards <code>time</code> and that latest time may be earlier, even
+         * if another touch stays the chosen one.
          *
-         * @param motion of the shape, or of the other triangle, with the time of the touch
+         * @param motion of the shape, or of the other triangle, with the time of the touch; receives its latest time
          * @param plane of the triangle
          * @param other of the other triangle; null if a shape touches the first one
          * @return whether it is the one that counts, of all so far
          */
         public function offer(motion:RelativeMotion, plane:TrianglePlane, other:TrianglePlane = null):Boolean
         {
-            if (!(motion.time <= latest))
+            if (!(motion.time <= motion.latest))
             {
                 return false;
             }
             if (motion.time < time)
             {
                 time = motion.time;
-                latest = time > 0 ? Math.min(latest, time + Tolerances.SAME_TIME) : 0;
+                motion.latest = time > 0 ? Math.min(motion.latest, time + Tolerances.SAME_TIME) : 0;
             }
-            var speed:Number = squarenessOf(plane.normal, motion, -1);
+            var approach:Number = approachTo(plane.normal, motion, -1);
             if (other != null)
             {
-                speed = (speed + squarenessOf(other.normal, motion, 1)) / 2;
+                approach = (approach + approachTo(other.normal, motion, 1)) / 2;
             }
             var length:Number = Math.sqrt(motion.x * motion.x + motion.y * motion.y + motion.z * motion.z);
-            var squareness:Number = length > 0 ? speed / length : 0;
+            var squareness:Number = length > 0 ? approach / length : 0;
             var countedTime:Number = motion.time - Tolerances.SAME_TIME * squareness;
             if (!(countedTime < _countedTime))
             {
@@ -70,7 +68,7 @@ package starlogo.solid
 
         // The component of the motion against a plane, or along it if the side is 1. A plane that is met from behind counts only if none is met from
         // the front.
-        private static function squarenessOf(normal:Vector3D, motion:RelativeMotion, side:int):Number
+        private static function approachTo(normal:Vector3D, motion:RelativeMotion, side:int):Number
         {
             var speed:Number = side * (normal.x * motion.x + normal.y * motion.y + normal.z * motion.z);
             return speed > 0 ? speed : -Tolerances.DIRECTION * speed;

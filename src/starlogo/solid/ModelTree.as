@@ -17,7 +17,7 @@
 // the distance          | TriangleDistanceVisitor  | TrianglePairKernel     | -
 // the contact           | TriangleImpactVisitor    | TriangleContactFinder  | -
 // 
-// what is inside        | ModelTree.isInside()     | PartInsideFinder       | ModelTree.isInside()
+// what is inside        | ModelTree.isInside()     | who is asked           | ModelTree.isInside()
 // 
 // ImpactQuery, which TreeQuery extends, puts together when two first touch: standing tests at both ends, impacts of surfaces between. Of several triangles
 // that are touched first, a FirstImpact says which one counts. The package solid.interior knows what is inside of a surface.
@@ -31,10 +31,10 @@ package starlogo.solid
     import starlogo.hierarchy.BoxTreeBuilder;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.hierarchy.TriangleMesh;
-    import starlogo.solid.interior.Interior;
     import starlogo.solid.interior.InteriorBuilder;
     import starlogo.solid.interior.OpenSideVisitor;
     import starlogo.solid.interior.SurfaceTopology;
+    import starlogo.solid.interior.WindingCounter;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
@@ -55,7 +55,7 @@ package starlogo.solid
         /** @private The tree of the model's triangles or vertices. */
         engine var boxTree:BoxTree;
 
-        /** @private The surface that the triangles make; null before it is known. Read only. */
+        /** @private The surface that the triangles make; null before it is known. One that was stored may be set, so that it need not be found. */
         engine var surface:SurfaceTopology = null;
 
         /** @private The work that makes the nodes, which was begun. It may have no steps left. Null if there is none to do. */
@@ -64,7 +64,7 @@ package starlogo.solid
         // Null before they are asked for: the root, as clients see it; the triangles; what is inside of them.
         private var _root:HierarchyNode = null;
         private var _mesh:TriangleMesh = null;
-        private var _interior:Interior = null;
+        private var _interior:WindingCounter = null;
 
         /** @param tree the tree of the model's triangles or vertices. <code>beginBuilding()</code> makes its nodes if it has none */
         public function ModelTree(tree:BoxTree)
@@ -95,12 +95,6 @@ package starlogo.solid
             building = new StepSequence().add(restoring).add(building);
         }
 
-        /** @private Takes a surface that was stored, so that it need not be found. */
-        engine function restoreSurface(stored:SurfaceTopology):void
-        {
-            surface = stored;
-        }
-
         /** @private Does what is left of the work that was begun. */
         engine function finishBuilding():void
         {
@@ -117,8 +111,8 @@ package starlogo.solid
             var builder:InteriorBuilder = new InteriorBuilder(mesh, surface);
             return new StepSequence().add(builder).call(function():void
                 {
-                    _interior = builder.interior;
-                    surface = builder.surface;
+                    _interior = builder.windingCounter;
+                    surface = _interior.surface;
                 });
         }
 
@@ -157,7 +151,7 @@ package starlogo.solid
         }
 
         /** What is inside of the triangles, for models that have some. The first call prepares it, which is slow. */
-        internal function preparedInterior():Interior
+        internal function preparedInterior():WindingCounter
         {
             prepareExact();
             return _interior;

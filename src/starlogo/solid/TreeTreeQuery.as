@@ -1,5 +1,6 @@
 package starlogo.solid
 {
+    import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
@@ -39,8 +40,9 @@ package starlogo.solid
         private var _impact:ImpactTraversal;
         private var _distance:DistanceTraversal;
 
-        // The pose of a in b's space.
+        // The pose of a in b's space, and a point of one of the two.
         private var _inverse:Placement = new Placement();
+        private var _point:Vector3D = new Vector3D();
 
         /** @param counts counts what the questions take */
         public function TreeTreeQuery(counts:TreeCounts)
@@ -132,12 +134,33 @@ package starlogo.solid
             {
                 return false;
             }
-            if (PartInsideFinder.find(_a, _b, pose.placement, placementA, out))
-            {
-                return true;
-            }
             Placement.invert(pose.placement, _inverse);
-            return PartInsideFinder.find(_b, _a, _inverse, placementB, out);
+            return findPartIn(_a, _b, pose.placement, placementA, out) || findPartIn(_b, _a, _inverse, placementB, out);
+        }
+
+        // Finds a point of a part of the inner model that is inside of the outer one. Their surfaces do not touch, so one point of each part decides. The
+        // pose is that of the inner model in the outer one's space, and the placement that of the outer model. It is asked for all agents that are close but
+        // do not touch, so a ray is cast only if the point is in the box around the outer model.
+        private function findPartIn(outer:ModelTree, inner:ModelTree, pose:Placement, placement:Placement, out:ClosestPoints):Boolean
+        {
+            var points:Vector.<Number> = inner.preparedInterior().partPoints;
+            for (var at:int = 0; at < points.length; at += 3)
+            {
+                _point.x = points[at];
+                _point.y = points[int(at + 1)];
+                _point.z = points[int(at + 2)];
+                pose.place(_point, _point);
+                if (outer.isInside(_point, 0))
+                {
+                    if (out != null)
+                    {
+                        out.setPoint(_point);
+                        out.placePoints(placement);
+                    }
+                    return true;
+                }
+            }
+            return false;
         }
 
         // Whether triangles decide.

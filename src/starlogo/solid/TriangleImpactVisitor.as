@@ -74,7 +74,7 @@ package starlogo.solid
         {
             limit = motion.latest;
             begin(model, structure, pose, motion);
-            _firstImpact.reset(limit);
+            _firstImpact.reset();
             _found = -1;
             _search.visitMet(_mesh.tree, BoxTree.EXACT, this);
             motion.time = _firstImpact.time;
@@ -132,14 +132,13 @@ package starlogo.solid
                     continue;
                 }
                 _mesh.readTriangle(i, _corners);
-                motion.latest = limit;
                 if (!isStill && _separatingAxes.areApart(_corners))
                 {
                     continue;
                 }
                 _plane.setTriangle(_corners, 0);
                 motion.earliest = _plane.timeOfEntry(_kernel.shape, _cullDistance, motion);
-                if (motion.earliest > limit)
+                if (motion.earliest > motion.latest)
                 {
                     continue;
                 }
@@ -160,9 +159,9 @@ package starlogo.solid
                 {
                     endSearch();
                 }
-                else if (_firstImpact.latest < limit)
+                else if (motion.latest < limit)
                 {
-                    limit = _firstImpact.latest;
+                    limit = motion.latest;
                     sweepExtents();
                 }
             }

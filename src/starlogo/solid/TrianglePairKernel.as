@@ -78,7 +78,7 @@ package starlogo.solid
             _meshA = a;
             _meshB = b;
             _motion = motion;
-            _firstImpact.reset(motion.latest);
+            _firstImpact.reset();
             _firstPlaced = NONE;
             _cullDistance = trees.cullDistance(motion);
             return this;
@@ -94,7 +94,7 @@ package starlogo.solid
                 setTriangleOfB(i);
                 for (var slot:int = _meshA.tree.firstSlot[a]; slot < end; slot++)
                 {
-                    if (areExtentsNear(slot))
+                    if (squaredDistanceToExtents(_extents, _meshA, slot) == 0)
                     {
                         _counts.triangleTests++;
                         if (!staysOnOneSide(slot) && _kernel.areTouching(_cornersOfA))
@@ -119,12 +119,17 @@ package starlogo.solid
                 _planeOfB.setTriangle(_placed, 9 * i);
                 for (var slot:int = end - 1; slot >= first && _firstImpact.time > 0; slot--)
                 {
-                    if (!areExtentsNear(slot))
+                    if (squaredDistanceToExtents(_extents, _meshA, slot) > 0)
                     {
                         continue;
                     }
                     _counts.triangleTests++;
-                    if (findTime(slot))
+                    if (staysOnOneSide(slot))
+                    {
+                        continue;
+                    }
+                    _kernel.findTime(_cornersOfA, _motion);
+                    if (_motion.time <= _motion.latest)
                     {
                         if (_firstImpact.offer(_motion, _planeOfA, _planeOfB))
                         {
@@ -132,7 +137,7 @@ package starlogo.solid
                             best.b = _firstPlaced + i;
                         }
                         best.time = _firstImpact.time;
-                        best.limit = _motion.latest = _firstImpact.latest;
+                        best.limit = _motion.latest;
                     }
                 }
             }
@@ -199,18 +204,6 @@ package starlogo.solid
             _extents[int(to + 1)] = travel > 0 ? high + travel : high;
         }
 
-        // Finds when b's current triangle first touches a triangle of a. Sets the motion's time if that is no later than its latest time, and returns
-        // whether it is.
-        private function findTime(slot:int):Boolean
-        {
-            if (staysOnOneSide(slot))
-            {
-                return false;
-            }
-            _kernel.findTime(_cornersOfA, _motion);
-            return _motion.time <= _motion.latest;
-        }
-
         // Makes a triangle of a the current one. Returns whether b's current triangle stays on one side of its plane.
         private function staysOnOneSide(slot:int):Boolean
         {
@@ -236,28 +229,6 @@ package starlogo.solid
                     points.swap();
                 }
             }
-        }
-
-        // Whether the extents of a triangle of a meet those of b's current triangle and of its motion.
-        private function areExtentsNear(slot:int):Boolean
-        {
-            var points:Vector.<Number> = _meshA.vertices;
-            var first:int = _meshA.corners[int(3 * slot)];
-            var second:int = _meshA.corners[int(3 * slot + 1)];
-            var third:int = _meshA.corners[int(3 * slot + 2)];
-            for (var axis:int = 0; axis < 3; axis++)
-            {
-                var low:Number = _extents[int(2 * axis)];
-                var high:Number = _extents[int(2 * axis + 1)];
-                if (points[first] > high && points[second] > high && points[third] > high || points[first] < low && points[second] < low && points[third] < low)
-                {
-                    return false;
-                }
-                first++;
-                second++;
-                third++;
-            }
-            return true;
         }
 
         // Whether a's current triangle is so far before b's triangle, along the vector from the closest point so far of a to that of b, that the two

@@ -60,6 +60,15 @@ package starlogo.bounding
         }
 
         [Test]
+        public function oneOfAGamesOwnClassIsNoneOfTheEnginesKinds():void
+        {
+            for each (var kind:int in [BoundingStructure.SPHERE, BoundingStructure.CAPSULE, BoundingStructure.BOX, BoundingStructure.OTHER])
+            {
+                assertThrows(ArgumentError, /no intersection test/, intersects, new BoundingStructure(kind), new Box(at(0, 0, 0), X, Y, Z, 1, 1, 1));
+            }
+        }
+
+        [Test]
         public function whatIsNoStructureIsRefused():void
         {
             for each (var wrong:Number in [-1, NaN, Infinity])

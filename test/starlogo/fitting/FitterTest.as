@@ -358,6 +358,16 @@ package starlogo.fitting
             assertTrue(fit.structure is Capsule);
         }
 
+        /** The ball through all three has hardly a larger radius than that through two, and its centre is elsewhere. */
+        [Test]
+        public function theSmallestSphereIsNoLargerThanANaiveOne():void
+        {
+            var points:Vector.<Number> = new <Number>[0, 2, 2, 0.0003, 2, 3, 0, 1, 3];
+            var smallest:Sphere = Sphere(new MinimalSphereFitter().fit(points));
+            var naive:Sphere = Sphere(new NaiveSphereFitter().fit(points));
+            assertTrue(smallest + ", " + naive, smallest.radius <= naive.radius * (1 + 1e-12));
+        }
+
         [Test]
         public function settingsCountAsTheyWereAtTheBeginning():void
         {
@@ -391,7 +401,7 @@ package starlogo.fitting
                 assertThrows(ArgumentError, /./, finish, new NaiveSphereFitter().fitting(new FitSession(vertices)));
             }
             assertThrows(IllegalOperationError, /fitting/, new Fitter().fit, PointSets.box(1, 1, 1));
-            for each (var increment:Number in [0, -10, NaN, Infinity])
+            for each (var increment:Number in [0, -10, NaN, Infinity, 0.009, 90 / 4294967296])
             {
                 assertThrows(ArgumentError, /.{10}/, create, OrientedBoxFitter, increment);
                 assertThrows(ArgumentError, /.{10}/, create, ZAlignedBoxFitter, increment);

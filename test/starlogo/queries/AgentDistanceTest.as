@@ -7,6 +7,7 @@ package starlogo.queries
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.collision.Collider;
+    import starlogo.collision.HierarchicalCollider;
     import starlogo.collision.TightestFitCollider;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
@@ -46,6 +47,26 @@ package starlogo.queries
                 assertNear(collider + ": a stranger is of now", apart + 2, queries.distance(a, stranger));
                 queries.moved(b);
                 assertFalse(collider + ": moved", apart == queries.distance(a, b));
+            }
+        }
+
+        /** Far from the origin boxes are widened by the rounding error of places, which brings their corners nearer. */
+        [Test]
+        public function aGreaterDepthIsNeverNearerFarFromTheOrigin():void
+        {
+            var collider:HierarchicalCollider = new HierarchicalCollider(landOf(BuiltInModel.cube()));
+            var a:Agent = agentAt("cube", 1e5 + 0.467, 0.5, -1e5);
+            var b:Agent = agentAt("cube", 1e5 - 0.5, -1, -1e5 - 0.6443);
+            var before:Number = 0;
+            a.size = 0.5;
+            for each (var depth:int in [1, 3, 5, 8])
+            {
+                collider.maxDepth = depth;
+                var queries:AgentQueries = new AgentQueries(collider);
+                queries.update(new <Agent>[a, b]);
+                var distance:Number = queries.distance(a, b);
+                assertTrue(depth + ": " + distance + " after " + before, distance >= before);
+                before = distance;
             }
         }
 

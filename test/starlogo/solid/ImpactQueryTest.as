@@ -129,7 +129,7 @@ package starlogo.solid
         // The second model is a tree or a structure, and stands at the origin.
         private function queryOf(a:ModelTree, at:Placement, b:ModelTree, structure:BoundingStructure, isExact:Boolean):TreeQuery
         {
-            var depth:int = isExact ? BoxTree.EXACT : BoxTree.MAX_DEPTH;
+            var depth:int = isExact ? BoxTree.EXACT : BoxTree.LEAVES;
             return b != null ? _trees.setTo(a, at, depth, b, new Placement(), depth)
                 : _treeAndStructure.setTo(a, at, depth, structure, new Placement());
         }

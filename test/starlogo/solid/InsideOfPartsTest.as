@@ -9,7 +9,7 @@ package starlogo.solid
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
-    import starlogo.solid.interior.Interior;
+    import starlogo.solid.interior.WindingCounter;
     import support.SolidModels;
 
     use namespace engine;
@@ -49,6 +49,24 @@ package starlogo.solid
             model = SolidModels.of("flush", [[1, 0, 0, 0, false], [0.5, 0.25, 0, 0.25, true]], Model.AS_GIVEN);
             assertFalse(isInside(model.vertices, model.triangles, [0.2, 0.05, 0.5]));
             assertTrue(isInside(model.vertices, model.triangles, [-0.2, 0.05, 0.5]));
+        }
+
+        /** A file may have triangles twice, some of them reversed so that they are seen from both sides. */
+        [Test]
+        public function cavitiesStayHollowIfTrianglesAreDoubled():void
+        {
+            var model:Model = SolidModels.of("doll", [[1, 0, 0, 0, false], [0.8, 0, 0, 0.1, true], [0.6, 0, 0, 0.2, false]], Model.AS_GIVEN);
+            var all:Vector.<uint> = new Vector.<uint>().concat(model.triangles);
+            var third:int = all.length / 3;
+            var backs:Vector.<uint> = all.concat().reverse();
+            for each (var triangles:Vector.<uint> in [all.concat(all), all.concat(backs), all.concat(all.slice(0, third)),
+                        all.slice(0, third).concat(all), all.concat(all.slice(third, 2 * third)), all.concat(all.slice(2 * third))])
+            {
+                for (var i:int = 0; i < 3; i++)
+                {
+                    assertEquals(triangles.length + ", level " + i, i != 1, isInside(model.vertices, triangles, [0.45 - 0.1 * i, 0.01, 0.51]));
+                }
+            }
         }
 
         /** The cavity touches the shell with a face that has a triangle without area, in the file or after a pose. */
@@ -176,7 +194,7 @@ package starlogo.solid
             return solidOf(vertices, triangles).isInside(new Vector3D(at[0], at[1], at[2]));
         }
 
-        private static function solidOf(vertices:Vector.<Number>, triangles:Vector.<uint>):Interior
+        private static function solidOf(vertices:Vector.<Number>, triangles:Vector.<uint>):WindingCounter
         {
             return hierarchyOf(vertices, triangles).preparedInterior();
         }

@@ -4,7 +4,6 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.TriangleMesh;
-    import starlogo.solid.interior.Interior;
     import starlogo.solid.interior.SurfaceTopology;
     import starlogo.solid.interior.WindingCounter;
 
@@ -21,11 +20,10 @@ package starlogo.solid
             {
                 return "none";
             }
-            var interior:Interior = hierarchy.preparedInterior();
-            var windings:WindingCounter = interior.windingCounter;
+            var windings:WindingCounter = hierarchy.preparedInterior();
             var surface:SurfaceTopology = windings.surface;
             var mesh:TriangleMesh = windings.mesh;
-            return [interior.hasClosedShell, surface.signedShells, surface.shellStates, surface.cavityOf, surface.widestSeam, windings.welded, interior.partPoints, mesh.corners,
+            return [windings.hasClosedShell, surface.signedShells, surface.shellStates, surface.cavityOf, surface.widestSeam, windings.welded, windings.partPoints, mesh.corners,
                     mesh.vertices, axesOf(hierarchy.boxTree)].join("\n");
         }
 

@@ -261,7 +261,7 @@ package starlogo.solid
         private static function surfaceOf(vertices:Vector.<Number>, triangles:Vector.<uint>):SurfaceTopology
         {
             var tree:ModelTree = new ModelTree(new BoxTree(vertices, triangles));
-            tree.beginBuilding(BoxTreeBuilder.MAX_VERTICES_OF_LEAF, BoxTreeBuilder.MAX_DEPTH, false, true);
+            tree.beginBuilding(BoxTreeBuilder.DEFAULT_VERTICES_OF_LEAF, BoxTreeBuilder.DEFAULT_DEPTH, false, true);
             tree.finishBuilding();
             return tree.surface;
         }

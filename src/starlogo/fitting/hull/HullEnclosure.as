@@ -22,7 +22,7 @@ package starlogo.fitting.hull
         private static const VERTICES_PER_STEP:int = 1000;
 
         // The hull is scaled by this fraction more than it needs. Rounding may leave a vertex outside, so the fraction is doubled each time.
-        private static const MIN_EXCESS:Number = 1e-15;
+        private static const FIRST_EXCESS:Number = 1e-15;
         private static const MAX_SCALINGS:int = 20;
 
         /** The hull, when no step is left. */
@@ -99,7 +99,7 @@ package starlogo.fitting.hull
             }
             if (factor > 1)
             {
-                hull.scaleCorners(factor * (1 + MIN_EXCESS * (1 << scalings)));
+                hull.scaleCorners(factor * (1 + FIRST_EXCESS * (1 << scalings)));
                 addRound(vertices, scalings + 1);
             }
             else if (vertices != _session.vertices)

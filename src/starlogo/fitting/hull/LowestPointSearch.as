@@ -140,10 +140,10 @@ package starlogo.fitting.hull
                 var y:Number = crosses[int(3 * i + 1)];
                 var z:Number = crosses[int(3 * i + 2)];
                 var fraction:Number = (normalX * x + normalY * y + normalZ * z) / determinant;
-                var lasts:Number = fraction > Tolerances.UNIT_ROUNDING ? (upX * x + upY * y + upZ * z) / determinant / fraction : Infinity;
-                if (lasts < least)
+                var ratio:Number = fraction > Tolerances.UNIT_ROUNDING ? (upX * x + upY * y + upZ * z) / determinant / fraction : Infinity;
+                if (ratio < least)
                 {
-                    least = lasts;
+                    least = ratio;
                     leaving = i;
                 }
             }

@@ -74,7 +74,8 @@ package starlogo.fitting.minimal
             return square > _ball.squaredRadius * (1 + Tolerances.BALL_GAIN);
         }
 
-        // Grows to the smallest ball through this point and around the points of the ball so far. Returns false if it does not grow any more.
+        // Grows to the smallest ball through this point and around the points of the ball so far. Returns whether it has grown by
+        // more than rounding. If not, its centre may have moved all the same: as far as a point is from a ball that is hardly too small.
         private function growTo(point:Vector.<Number>):Boolean
         {
             var earlier:Vector.<Number> = _ball.points;
@@ -97,12 +98,13 @@ package starlogo.fitting.minimal
                     best = ball;
                 }
             }
-            if (best == null || !isLarger(best.squaredRadius))
+            if (best == null || best.squaredRadius < _ball.squaredRadius)
             {
                 return false;
             }
+            var grows:Boolean = isLarger(best.squaredRadius);
             _ball = best;
-            return true;
+            return grows;
         }
     }
 }

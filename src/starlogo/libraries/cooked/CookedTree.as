@@ -171,7 +171,7 @@ package starlogo.libraries.cooked
             {
                 return false;
             }
-            var left:int = _tree.divide(node, division % BELOW, splitIndex, division >= BELOW);
+            var left:int = _tree.addChildren(node, division % BELOW, splitIndex, division >= BELOW);
             _waiting.push(left + 1, left);
             return true;
         }

@@ -136,7 +136,7 @@ package starlogo.search.pairs
                 {
                     continue;
                 }
-                if (tree.stopDepth[node] < depth)
+                if (tree.endsUpToDepth[node] < depth)
                 {
                     var left:int = tree.left[node];
                     var axis:int = tree.axisOf(node);

@@ -7,7 +7,8 @@ package starlogo.solid.interior
 
     /**
      * Finds which shells of a surface bound cavities, in steps. A shell bounds a cavity if it lies inside of a closed shell, has the opposite
-     * orientation, and no other cavity of that closed shell contains it. Only surfaces with shells of both orientations are searched.
+     * orientation, and no other cavity of that closed shell contains it. Only surfaces with shells of both orientations are searched. If a shell copies
+     * another one, as in files that have triangles twice, it counts as open. Otherwise it would fill the other one's cavities.
      */
     internal final class CavityFinder extends StepSequence
     {
@@ -18,7 +19,7 @@ package starlogo.solid.interior
         // Larger: it may be outside of a thin shell.
         private static const INWARDS:Number = 1e-7;
 
-        // How much larger a shell has to be to have the other one inside, as a fraction.
+        // How much larger a shell has to be to have the other one inside, as a fraction. A shell of the same volume may be a copy.
         private static const LARGER:Number = 1e-9;
 
         // A point near a corner of a triangle is the sum of these shares: of each corner, and of that one once more.
@@ -142,15 +143,20 @@ package starlogo.solid.interior
         // Whether more points decide about a shell. One point decides if too many crossings are counted, as in models with very many nested shells.
         private function isUndecided(closed:ClosedShell):Boolean
         {
-            return closed.enclosing == null || closed.enclosing.length > 0 && _countedCrossings < WindingCounter.MAX_CROSSINGS_PER_TRIANGLE * _mesh.tree.itemCount;
+            return closed.enclosing == null || closed.enclosing.length > 0 && isWorthCounting;
+        }
+
+        private function get isWorthCounting():Boolean
+        {
+            return _countedCrossings < WindingCounter.MAX_CROSSINGS_PER_TRIANGLE * _mesh.tree.itemCount;
         }
 
         // Finds the shells that enclose a point of a triangle of a shell: near a corner, or in the middle, and a little inside of the shell. readTriangle()
         // must have read the triangle.
         private function findEnclosingNear(shell:int, slot:int, corner:int):void
         {
-            var inwards:Number = INWARDS * cubeRoot(Math.abs(_shells[shell].volume));
-            inwards = _surface.isReversed(_mesh.tree.items[slot]) == _shells[shell].volume > 0 ? inwards : -inwards;
+            var facesInwards:Boolean = _surface.isReversed(_mesh.tree.items[slot]) == _shells[shell].volume > 0;
+            var inwards:Number = (facesInwards ? INWARDS : -INWARDS) * cubeRoot(Math.abs(_shells[shell].volume));
             var fraction:Number = corner == MIDDLE ? 1 / 3 : SHARE_OF_EACH;
             var point:Vector.<Number> = new <Number>[inwards * _plane.normal.x, inwards * _plane.normal.y, inwards * _plane.normal.z];
             for (var axis:int = 0; axis < 3; axis++)
@@ -161,36 +167,23 @@ package starlogo.solid.interior
             _countedCrossings += _windingCounter.findEnclosing(point[0], point[1], point[2], _enclosingPoint);
         }
 
-        // Keeps those of a shell's enclosing shells that enclose the last point too; after its first point, all larger shells that enclose it. Keeps none
-        // if all of them have the orientation of this shell.
+        // Keeps those of a shell's enclosing shells that enclose the last point too; after its first point, all shells that enclose it and are larger, or
+        // that it may copy. Keeps none if all of them are larger and have the orientation of this shell.
         private function keepEnclosing(shell:int):void
         {
             var closed:ClosedShell = _shells[shell];
             var kept:Vector.<int> = new Vector.<int>();
-            var hasOpposite:Boolean = false;
-            markEnclosing(true);
+            var isNeeded:Boolean = false;
             for each (var other:int in closed.enclosing || _enclosingPoint)
             {
-                if (closed.enclosing == null ? isLarger(other, shell) : _shells[other].enclosesPoint)
+                if (closed.enclosing == null ? isLarger(other, shell) || mayCopy(shell, other) : _enclosingPoint.indexOf(other) >= 0)
                 {
                     kept.push(other);
-                    hasOpposite ||= _shells[other].orientation == -closed.orientation;
+                    isNeeded ||= _shells[other].orientation == -closed.orientation || mayCopy(shell, other);
                 }
             }
-            markEnclosing(false);
-            kept.length = hasOpposite ? kept.length : 0;
+            kept.length = isNeeded ? kept.length : 0;
             closed.enclosing = kept;
-        }
-
-        private function markEnclosing(enclosesPoint:Boolean):void
-        {
-            for each (var shell:int in _enclosingPoint)
-            {
-                if (_shells[shell] != null)
-                {
-                    _shells[shell].enclosesPoint = enclosesPoint;
-                }
-            }
         }
 
         // Whether a shell may have another one inside.
@@ -199,7 +192,13 @@ package starlogo.solid.interior
             return isTwoSided(outer) && Math.abs(_shells[outer].volume) > (1 + LARGER) * Math.abs(_shells[inner].volume);
         }
 
-        // Finds the shells that bound cavities: the largest shells first. A shell that encloses another one is larger.
+        // Whether a shell may have the same triangles as an earlier one.
+        private function mayCopy(shell:int, earlier:int):Boolean
+        {
+            return earlier < shell && isTwoSided(earlier) && !isLarger(earlier, shell) && !isLarger(shell, earlier);
+        }
+
+        // Finds the copies and the shells that bound cavities: the largest shells first. A shell that encloses another one is larger.
         private function findCavities():void
         {
             // negative, so that the largest shell comes first
@@ -218,12 +217,17 @@ package starlogo.solid.interior
                 var innermost:int = -1;
                 for each (var outer:int in closed.enclosing)
                 {
-                    if (innermost < 0 || sortKeys[outer] > sortKeys[innermost])
+                    if (mayCopy(shell, outer) && isWorthCounting)
+                    {
+                        // it encloses all points that were tested
+                        _surface.shellStates[shell] = SurfaceTopology.OPEN;
+                    }
+                    else if (isLarger(outer, shell) && (innermost < 0 || sortKeys[outer] > sortKeys[innermost]))
                     {
                         innermost = outer;
                     }
                 }
-                if (isTwoSided(innermost) && !_surface.boundsCavity(innermost) && _shells[innermost].orientation == -closed.orientation)
+                if (isTwoSided(shell) && innermost >= 0 && !_surface.boundsCavity(innermost) && _shells[innermost].orientation == -closed.orientation)
                 {
                     _surface.cavityOf[shell] = innermost;
                 }

@@ -15,9 +15,6 @@ package starlogo.solid.interior
         /** The larger shells that enclose all of its points tested so far. Null before the first point. */
         public var enclosing:Vector.<int> = null;
 
-        /** Whether it encloses the point that is tested. */
-        public var enclosesPoint:Boolean = false;
-
         /** @param origin where the coordinates of one of its vertices begin */
         public function ClosedShell(origin:int)
         {

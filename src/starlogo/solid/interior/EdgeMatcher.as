@@ -34,18 +34,18 @@ package starlogo.solid.interior
         private var _triangles:Vector.<uint>;
         private var _welding:Welding;
 
-        // For each vertex, the last edge of which it is the lower vertex, or -1. For each edge, the one before it with the same lower vertex, or -1.
-        // Null after the edges are linked.
+        // For each vertex, one more than the last edge of which it is the lower vertex, or 0. For each edge, one more than the one before it with the same
+        // lower vertex, or 0. Null after the edges are linked.
         private var _lastOfLow:Vector.<int>;
         private var _beforeOfLow:Vector.<int>;
 
-        // For each vertex, the last visited edge of which it is the higher vertex, or -1, and how many were visited between the same two vertices. Null
-        // after the edges are linked.
+        // For each vertex, one more than the last visited edge of which it is the higher vertex, or 0, and how many were visited between the same two
+        // vertices. Null after the edges are linked.
         private var _visitedOfHigh:Vector.<int>;
         private var _countOfHigh:Vector.<int>;
 
         // For each edge, the one before it between the same two vertices, or -1.
-        private var _before:Vector.<int>;
+        private var _beforeBetweenSame:Vector.<int>;
 
         // If more than two edges are between the same two vertices, the last of these edges is in this list, in the order of the lower
         // vertices: the lower vertex times the number of edges, plus the edge. The sets have the triangles that are connected.
@@ -63,12 +63,11 @@ package starlogo.solid.interior
             var vertexCount:int = welding.welded.length;
             partners = fixedInts(triangles.length);
             _beforeOfLow = fixedInts(triangles.length);
-            _before = fixedInts(triangles.length);
+            _beforeBetweenSame = fixedInts(triangles.length);
             _lastOfLow = fixedInts(vertexCount);
             _visitedOfHigh = fixedInts(vertexCount);
             _countOfHigh = fixedInts(vertexCount);
-            slices(vertexCount, VERTICES_PER_STEP, clear).slices(triangles.length / 3, TRIANGLES_PER_STEP, listByLowVertex)
-                .slices(vertexCount, VERTICES_PER_STEP, matchEdges).call(beginNonManifold);
+            slices(triangles.length / 3, TRIANGLES_PER_STEP, listByLowVertex).slices(vertexCount, VERTICES_PER_STEP, matchEdges).call(beginNonManifold);
         }
 
         /** Whether a triangle has three different corners. Other triangles have no edges. */
@@ -98,15 +97,6 @@ package starlogo.solid.interior
             return begin < end ? begin : end;
         }
 
-        private function clear(first:int, end:int):void
-        {
-            for (var vertex:int = first; vertex < end; vertex++)
-            {
-                _lastOfLow[vertex] = -1;
-                _visitedOfHigh[vertex] = -1;
-            }
-        }
-
         // Gathers the edges of each lower vertex.
         private function listByLowVertex(first:int, end:int):void
         {
@@ -127,7 +117,7 @@ package starlogo.solid.interior
         private function gatherAt(low:int, edge:int):void
         {
             _beforeOfLow[edge] = _lastOfLow[low];
-            _lastOfLow[low] = edge;
+            _lastOfLow[low] = edge + 1;
         }
 
         // Links the edges between the same vertices, those of each lower vertex from the last one to the first. Two are matched. If there are more,
@@ -136,17 +126,17 @@ package starlogo.solid.interior
         {
             for (var low:int = first; low < end; low++)
             {
-                for (var edge:int = _lastOfLow[low]; edge >= 0; edge = _beforeOfLow[edge])
+                for (var edge:int = _lastOfLow[low] - 1; edge >= 0; edge = _beforeOfLow[edge] - 1)
                 {
                     var high:int = beginOf(edge) + endOf(edge) - low;
-                    var later:int = _visitedOfHigh[high];
+                    var later:int = _visitedOfHigh[high] - 1;
                     var count:int = 1;
                     partners[edge] = -1;
-                    _before[edge] = -1;
+                    _beforeBetweenSame[edge] = -1;
                     if (later >= 0 && lowOf(later) == low)
                     {
                         count += _countOfHigh[high];
-                        _before[later] = edge;
+                        _beforeBetweenSame[later] = edge;
                     }
                     if (count == 2)
                     {
@@ -156,7 +146,7 @@ package starlogo.solid.interior
                     {
                         unmatch(low, later);
                     }
-                    _visitedOfHigh[high] = edge;
+                    _visitedOfHigh[high] = edge + 1;
                     _countOfHigh[high] = count;
                 }
             }
@@ -212,7 +202,7 @@ package starlogo.solid.interior
         private function matchNonManifold(last:int):void
         {
             var groups:Object = {};
-            for (var edge:int = last; edge >= 0; edge = _before[edge])
+            for (var edge:int = last; edge >= 0; edge = _beforeBetweenSame[edge])
             {
                 var root:int = _sets.rootOf(edge / 3);
                 groups[root] ||= [];

@@ -16,18 +16,14 @@ package starlogo.solid.interior
         private static const TRIANGLES_PER_STEP:int = 400;
         private static const PARTS_PER_STEP:int = 50;
 
-        /** The surface that the triangles make, when no step is left. */
-        public var surface:SurfaceTopology;
-
-        /** What is inside of it. */
-        public var interior:Interior = null;
+        /** Knows the surface that the triangles make, and what is inside of it, when no step is left. */
+        public var windingCounter:WindingCounter = null;
 
         private var _mesh:TriangleMesh;
+        private var _surface:SurfaceTopology;
 
         // Which vertices are at the same place; null if the surface is known, and no vertices of its seams are apart.
         private var _welding:Welding = null;
-
-        private var _windingCounter:WindingCounter;
 
         // For each part, where the coordinates of one of its vertices begin. For each shell, its part. The sets of parts that overlap, and how many
         // crossings were counted to find them.
@@ -43,7 +39,7 @@ package starlogo.solid.interior
         public function InteriorBuilder(mesh:TriangleMesh, knownSurface:SurfaceTopology)
         {
             _mesh = mesh;
-            surface = knownSurface;
+            _surface = knownSurface;
             if (knownSurface == null || knownSurface.widestSeam > 0)
             {
                 _welding = new Welding(mesh.vertices);
@@ -54,17 +50,17 @@ package starlogo.solid.interior
 
         private function findSurface():Steps
         {
-            var isKnown:Boolean = surface != null;
-            surface ||= new SurfaceTopology(_mesh.tree.itemCount);
-            _windingCounter = new WindingCounter(_mesh, surface, _welding == null || _welding.widestSeam == 0 ? null : _welding.welded);
-            return isKnown ? null : new SurfaceBuilder(_windingCounter, _welding);
+            var isKnown:Boolean = _surface != null;
+            _surface ||= new SurfaceTopology(_mesh.tree.itemCount);
+            windingCounter = new WindingCounter(_mesh, _surface, _welding == null || _welding.widestSeam == 0 ? null : _welding.welded);
+            return isKnown ? null : new SurfaceBuilder(windingCounter, _welding);
         }
 
         private function beginParts():void
         {
-            _vertexOf = fixedInts(surface.partCount);
-            _partOf = fixedInts(surface.shellStates.length);
-            _overlapping = new DisjointSets(surface.partCount);
+            _vertexOf = fixedInts(_surface.partCount);
+            _partOf = fixedInts(_surface.shellStates.length);
+            _overlapping = new DisjointSets(_surface.partCount);
         }
 
         private function addToParts(first:int, end:int):void
@@ -72,12 +68,12 @@ package starlogo.solid.interior
             for (var slot:int = first; slot < end; slot++)
             {
                 var triangle:int = _mesh.tree.items[slot];
-                var shell:int = surface.shellOf(triangle);
+                var shell:int = _surface.shellOf(triangle);
                 if (shell >= 0)
                 {
-                    _partOf[shell] = surface.parts[triangle];
+                    _partOf[shell] = _surface.parts[triangle];
                 }
-                _vertexOf[surface.parts[triangle]] = _mesh.corners[3 * slot];
+                _vertexOf[_surface.parts[triangle]] = _mesh.corners[3 * slot];
             }
         }
 
@@ -85,9 +81,9 @@ package starlogo.solid.interior
         // stands for all those that it overlaps, and each pair of models needs fewer points.
         private function beginOverlaps():void
         {
-            if (surface.hasClosedShell)
+            if (_surface.hasClosedShell)
             {
-                slices(surface.partCount, PARTS_PER_STEP, findOverlaps);
+                slices(_surface.partCount, PARTS_PER_STEP, findOverlaps);
             }
             call(conclude);
         }
@@ -99,7 +95,7 @@ package starlogo.solid.interior
             for (var part:int = first; part < end && _countedCrossings < WindingCounter.MAX_CROSSINGS_PER_TRIANGLE * _mesh.tree.itemCount; part++)
             {
                 var at:int = _vertexOf[part];
-                _countedCrossings += _windingCounter.findEnclosing(_mesh.vertices[at], _mesh.vertices[at + 1], _mesh.vertices[at + 2], enclosing);
+                _countedCrossings += windingCounter.findEnclosing(_mesh.vertices[at], _mesh.vertices[at + 1], _mesh.vertices[at + 2], enclosing);
                 for each (var shell:int in enclosing)
                 {
                     _overlapping.join(_partOf[shell], part);
@@ -110,7 +106,7 @@ package starlogo.solid.interior
         private function conclude():void
         {
             var points:Vector.<Number> = new Vector.<Number>();
-            for (var part:int = 0; part < surface.partCount; part++)
+            for (var part:int = 0; part < _surface.partCount; part++)
             {
                 if (_overlapping.rootOf(part) == part)
                 {
@@ -118,7 +114,8 @@ package starlogo.solid.interior
                     points.push(_mesh.vertices[at], _mesh.vertices[at + 1], _mesh.vertices[at + 2]);
                 }
             }
-            interior = new Interior(_windingCounter, points);
+            windingCounter.partPoints = points;
+            windingCounter.hasClosedShell = _surface.hasClosedShell;
         }
     }
 }

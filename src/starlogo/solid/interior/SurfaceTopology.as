@@ -17,7 +17,7 @@ package starlogo.solid.interior
         /** In shellStates: the shell is closed and has one side only. A point is inside if the shell winds around it an odd number of times. */
         public static const ONE_SIDED:int = -2;
 
-        /** In shellStates: the shell is not closed, and has no inside. */
+        /** In shellStates: the shell is not closed, and has no inside; or it copies another one. */
         public static const OPEN:int = -3;
 
         // The number of parts, the number of shells, and the widest seam.

@@ -31,8 +31,8 @@ package starlogo.solid.interior
         private var _bounds:VertexBounds = new VertexBounds();
         private var _tolerance:Number;
 
-        // For each hash, one more than the number of the last place with that hash, or 0. For each place, one more than the number of the
-        // place before it with the same hash, or 0.
+        // For each bucket of the hash table, one more than the number of the last place in it, or 0. For each place, one more than the number of the
+        // place before it in the same bucket, or 0.
         private var _last:Vector.<int>;
         private var _before:Vector.<int>;
 
@@ -84,13 +84,13 @@ package starlogo.solid.interior
             var besideX:int = cellX + sideOf(x - cellX);
             var besideY:int = cellY + sideOf(y - cellY);
             var besideZ:int = cellZ + sideOf(z - cellZ);
-            var own:int = hash(cellX, cellY, cellZ);
+            var own:int = bucketOf(cellX, cellY, cellZ);
             var nearest:int = nearestOf(own, vertex, -1);
             var beside:int = (besideX == cellX ? 0 : 1) | (besideY == cellY ? 0 : 2) | (besideZ == cellZ ? 0 : 4);
             // all cells that are beside the own one in some of these directions
             for (var i:int = beside; i > 0; i = (i - 1) & beside)
             {
-                nearest = nearestOf(hash((i & 1) == 0 ? cellX : besideX, (i & 2) == 0 ? cellY : besideY, (i & 4) == 0 ? cellZ : besideZ), vertex, nearest);
+                nearest = nearestOf(bucketOf((i & 1) == 0 ? cellX : besideX, (i & 2) == 0 ? cellY : besideY, (i & 4) == 0 ? cellZ : besideZ), vertex, nearest);
             }
             if (nearest >= 0)
             {
@@ -108,11 +108,11 @@ package starlogo.solid.interior
             return part < NEAR ? -1 : (part > 1 - NEAR ? 1 : 0);
         }
 
-        // The nearest place with a hash, unless the nearest one so far is as near. -1 if there is none within the tolerance.
-        private function nearestOf(hash:int, vertex:int, nearest:int):int
+        // The nearest place in a bucket of the hash table, unless the nearest one so far is as near. -1 if there is none within the tolerance.
+        private function nearestOf(bucket:int, vertex:int, nearest:int):int
         {
             var least:Number = nearest < 0 ? _tolerance : distanceOf(vertex, nearest);
-            for (var vertexThere:int = _last[hash] - 1; vertexThere >= 0; vertexThere = _before[vertexThere] - 1)
+            for (var vertexThere:int = _last[bucket] - 1; vertexThere >= 0; vertexThere = _before[vertexThere] - 1)
             {
                 var distance:Number = distanceOf(vertex, vertexThere);
                 if (distance < least || distance == least && nearest < 0)
@@ -133,7 +133,7 @@ package starlogo.solid.interior
         }
 
         // The products are below 2 to the 53rd, so all of their lowest bits are exact.
-        private function hash(x:int, y:int, z:int):int
+        private function bucketOf(x:int, y:int, z:int):int
         {
             var hash:int = x * 69069;
             hash = (hash ^ hash >>> 15 ^ y) * 69069;

@@ -1,3 +1,15 @@
+// The package solid.interior says which points are inside of a model whose triangles come from a file: with seams, holes, shells that overlap and
+// cavities. A shell is connected over edges, a part over vertices. Engines whose meshes are hollow need none of it.
+// 
+// An InteriorBuilder makes a WindingCounter, which answers, and prepares it in steps:
+// Welding           finds the vertices that are at the same place
+// SurfaceBuilder    finds the SurfaceTopology, with three classes:
+// - EdgeMatcher     pairs the triangles that continue each other over an edge
+// - ShellFinder     follows these pairs, and so finds the shells
+// - CavityFinder    decides which shells bound cavities
+// 
+// Read WindingCounter first, then SurfaceTopology and SurfaceBuilder.
+
 package starlogo.solid.interior
 {
     import flash.geom.Vector3D;
@@ -35,6 +47,15 @@ package starlogo.solid.interior
 
         /** For each vertex, the vertex to whose place it is welded. Null if all vertices of each seam are at one place. */
         public var welded:Vector.<int>;
+
+        /** Whether at least one shell of the surface is closed, so that it has an inside. Known when the surface is complete. */
+        public var hasClosedShell:Boolean = false;
+
+        /**
+         * A point of each part of the surface: x, y, z. A part is connected. So a part that does not touch another surface is inside or outside of it as a
+         * whole, and its point decides. Of parts that overlap there is one: it stands for the others. Known when the surface is complete.
+         */
+        public var partPoints:Vector.<Number> = null;
 
         // How often each shell winds around the point of the last countWindings(), or 0 if a cavity of it does. Null before that.
         private var _windings:Vector.<int> = null;
@@ -94,10 +115,14 @@ package starlogo.solid.interior
 
         /**
          * Whether a point is inside of the surface. The point must not be on it. A point is inside if a closed shell winds around it, and no
-         * shell that bounds a cavity in that one. The surface must have a closed shell.
+         * shell that bounds a cavity in that one.
          */
         public function isInside(point:Vector3D):Boolean
         {
+            if (!hasClosedShell)
+            {
+                return false;
+            }
             countWindings(point.x, point.y, point.z);
             for (var i:int = 0; i < _crossedCount; i++)
             {

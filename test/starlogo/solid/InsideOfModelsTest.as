@@ -2,7 +2,6 @@ package starlogo.solid
 {
     import evaluation.pairs.SeededRandom;
     import flash.geom.Vector3D;
-    import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
@@ -10,7 +9,6 @@ package starlogo.solid
     import starlogo.collision.HierarchicalCollider;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.hierarchy.BoxTree;
     import starlogo.intersection.intersects;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
@@ -23,7 +21,7 @@ package starlogo.solid
     use namespace engine;
 
     /** What is wholly inside of a turned model collides: boxes say what is right. */
-    public class PartInsideFinderTest
+    public class InsideOfModelsTest
     {
         [Test]
         public function aTurnedModelOfCubesCollidesWhereOneOfItsCubesDoes():void
@@ -75,24 +73,6 @@ package starlogo.solid
                 assertTrue("size " + size, collider.areColliding(outer, inner));
                 assertTrue("size " + size + ", the other order", collider.areColliding(inner, outer));
             }
-        }
-
-        /** What is open has no inside. That is known without what is inside of the other, which is slow to prepare. */
-        [Test]
-        public function nothingIsPreparedForAnOpenModel():void
-        {
-            var open:ModelTree = treeOf(BuiltInModel.cube().vertices, BuiltInModel.cube().triangles.slice(3));
-            var inner:ModelTree = treeOf(BuiltInModel.sphere().vertices, BuiltInModel.sphere().triangles);
-            assertFalse(PartInsideFinder.find(open, inner, new Placement(), new Placement(), null));
-            assertFalse(inner.isExactPrepared);
-        }
-
-        private static function treeOf(vertices:Vector.<Number>, triangles:Vector.<uint>):ModelTree
-        {
-            var tree:ModelTree = new ModelTree(new BoxTree(vertices, triangles));
-            tree.beginBuilding(5, 10, false, false);
-            tree.finishBuilding();
-            return tree;
         }
 
         private static function tilted(shape:String, random:SeededRandom):Agent

@@ -65,14 +65,14 @@ package starlogo.convex
             motion.time = motion.earliest > motion.time ? motion.earliest : motion.time;
         }
 
-        // Returns the step, from the distance at the motion's time.
+        // Returns the step, from the distance at the motion's time. Where the cores are apart, but no axis proves it, the step is as long as the gap in the
+        // motion's direction: no shape comes nearer faster than that.
         private function measure(cores:CorePair):AdvancementStep
         {
             var witness:CoreWitness = _witness;
             var step:AdvancementStep = _step;
-            var radii:Number = cores.first.radius + cores.second.radius;
             step.isTouching = witness.isWithinLimit(cores);
-            if (!step.isTouching && !(witness.separation > radii))
+            if (!step.isTouching && !(witness.separation > cores.maxDistance))
             {
                 // A short line between two points is too imprecise a direction where an edge or a face is nearly perpendicular to it. The normals of
                 // faces and pairs of edges are precise.
@@ -82,8 +82,12 @@ package starlogo.convex
                     witness.setAxis(_overlapWitness.normalX, _overlapWitness.normalY, _overlapWitness.normalZ, _overlapWitness.separation);
                 }
             }
-            step.gap = witness.separation - radii;
-            step.speed = -(witness.normalX * cores.motionX + witness.normalY * cores.motionY + witness.normalZ * cores.motionZ);
+            var x:Number = cores.motionX;
+            var y:Number = cores.motionY;
+            var z:Number = cores.motionZ;
+            var isProven:Boolean = step.isTouching || witness.separation > cores.maxDistance;
+            step.gap = (isProven ? witness.separation : witness.distance) - (cores.first.radius + cores.second.radius);
+            step.speed = isProven ? -(witness.normalX * x + witness.normalY * y + witness.normalZ * z) : Math.sqrt(x * x + y * y + z * z);
             return step;
         }
     }

@@ -44,16 +44,16 @@ package starlogo.ground
                 return true;
             }
             begin(grid, ray);
-            _first.slot = -1;
+            _first.distance = Infinity;
             while (nextTriangle())
             {
-                if (_sheared.findEarlier(_triangle.corners, 0, 3, 6, 0, _first))
+                if (_sheared.findEarlier(_triangle.corners, 0, 3, 6, _first))
                 {
                     _search.motion.latest = _first.distance;
                     _sheared.writeEntry(_triangle.corners, _first, -1, out);
                 }
             }
-            return _first.slot >= 0;
+            return _first.distance < Infinity;
         }
 
         /**

@@ -12,7 +12,6 @@ package starlogo.geometry.hull
     {
         // The number at which a normal's components are split for exact products.
         private static const SPLIT:Number = 67108864;
-        private static const CERTAIN:Number = Tolerances.HULL_CERTAIN;
 
         /** A corner, as the index of a point. */
         public var a:int;
@@ -125,7 +124,7 @@ package starlogo.geometry.hull
             var y:Number = points[3 * point + 1];
             var z:Number = points[3 * point + 2];
             var distance:Number = normalX * x + normalY * y + normalZ * z - offset;
-            if (distance > CERTAIN || distance < -CERTAIN)
+            if (distance > Tolerances.HULL_CERTAIN || distance < -Tolerances.HULL_CERTAIN)
             {
                 return distance > 0 ? 1 : -1;
             }

@@ -102,18 +102,16 @@ package starlogo.intersection.ray
          * @param a index at which the coordinates of a corner begin
          * @param b index at which those of the next corner begin
          * @param c index at which those of the last corner begin
-         * @param slot the triangle's slot
          * @param first the first crossing so far; receives an earlier one
          * @return whether it is earlier
          */
-        public function findEarlier(points:Vector.<Number>, a:int, b:int, c:int, slot:int, first:TriangleCrossing):Boolean
+        public function findEarlier(points:Vector.<Number>, a:int, b:int, c:int, first:TriangleCrossing):Boolean
         {
             if (!findCrossing(points, a, b, c, _crossing) || !isBefore(_crossing, first))
             {
                 return false;
             }
             first.copyFrom(_crossing);
-            first.slot = slot;
             return true;
         }
 
@@ -156,13 +154,9 @@ package starlogo.intersection.ray
         // error nearer, and another one may be a rounding error behind it.
         private function isBefore(crossing:TriangleCrossing, first:TriangleCrossing):Boolean
         {
-            if (first.slot < 0)
-            {
-                return crossing.distance <= _ray.to;
-            }
             var latest:Number = first.side == RayCrossings.EDGE_ON ? first.distance + first.rounding : first.distance;
             var distance:Number = crossing.side == RayCrossings.EDGE_ON ? crossing.distance + crossing.rounding : crossing.distance;
-            return distance < Math.min(_ray.to, latest);
+            return crossing.distance <= _ray.to && distance < latest;
         }
 
         // Finds where the line meets a triangle, where the ray begins or later. It shears the corners as seen from the line, finds the sides on which

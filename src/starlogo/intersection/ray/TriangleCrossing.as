@@ -7,10 +7,7 @@ package starlogo.intersection.ray
      */
     public final class TriangleCrossing
     {
-        /** The triangle's slot; -1 if there is none. */
-        public var slot:int = -1;
-
-        /** The distance of the place, as the ray counts distances. */
+        /** The distance of the place, as the ray counts distances; Infinity if there is none. */
         public var distance:Number = 0;
 
         /** How far the distance may be wrong because of rounding. */
@@ -25,7 +22,6 @@ package starlogo.intersection.ray
         /** Becomes the same as another crossing. */
         public function copyFrom(other:TriangleCrossing):void
         {
-            slot = other.slot;
             distance = other.distance;
             rounding = other.rounding;
             end = other.end;

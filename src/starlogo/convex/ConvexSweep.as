@@ -52,14 +52,14 @@ package starlogo.convex
             motion.time = 0;
             cores.setMotion(motion);
             cores.limitToTouching();
-            cores.maxDistance += motion.margin;
+            cores.searchLimit += motion.margin;
             var balls:CoreGap = _balls;
             // the motion is that of a
             var side:int = cores.isSwapped ? -1 : 1;
             balls.x = side * cores.x;
             balls.y = side * cores.y;
             balls.z = side * cores.z;
-            balls.radiusA = Tolerances.OUTER * (cores.maxDistance + cores.first.extent + cores.second.extent);
+            balls.radiusA = Tolerances.OUTER * (cores.searchLimit + cores.first.extent + cores.second.extent);
             balls.radiusB = 0;
             findTimeOfSpheres(balls, motion);
             motion.time = motion.earliest > motion.time ? motion.earliest : motion.time;
@@ -72,7 +72,7 @@ package starlogo.convex
             var witness:CoreWitness = _witness;
             var step:AdvancementStep = _step;
             step.isTouching = witness.isWithinLimit(cores);
-            if (!step.isTouching && !(witness.separation > cores.maxDistance))
+            if (!step.isTouching && !(witness.separation > cores.searchLimit))
             {
                 // A short line between two points is too imprecise a direction where an edge or a face is nearly perpendicular to it. The normals of
                 // faces and pairs of edges are precise.
@@ -85,8 +85,8 @@ package starlogo.convex
             var x:Number = cores.motionX;
             var y:Number = cores.motionY;
             var z:Number = cores.motionZ;
-            var isProven:Boolean = step.isTouching || witness.separation > cores.maxDistance;
-            step.gap = (isProven ? witness.separation : witness.distance) - (cores.first.radius + cores.second.radius);
+            var isProven:Boolean = step.isTouching || witness.separation > cores.searchLimit;
+            step.separation = (isProven ? witness.separation : witness.distance) - (cores.first.radius + cores.second.radius);
             step.speed = isProven ? -(witness.normalX * x + witness.normalY * y + witness.normalZ * z) : Math.sqrt(x * x + y * y + z * z);
             return step;
         }

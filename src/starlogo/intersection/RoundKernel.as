@@ -50,7 +50,7 @@ package starlogo.intersection
                     _convex.findTimeInOrder(first, second, motion);
                     return;
                 }
-                step.gap = length - radii;
+                step.separation = length - radii;
                 step.speed = gap.closing / length;
             }
             while (step.advance(motion));

@@ -11,7 +11,6 @@ package starlogo.solid
     import starlogo.intersection.ray.RaySpan;
     import starlogo.intersection.ray.ShearedRay;
     import starlogo.intersection.ray.SpanFinder;
-    import starlogo.intersection.ray.TriangleCrossing;
 
     use namespace engine;
 
@@ -38,10 +37,9 @@ package starlogo.solid
         // The slot of the triangle, or the node, that the ray meets first so far, or -1.
         private var _first:int = -1;
 
-        // If triangles decide: the model's triangles, null otherwise; the ray for them; where the ray meets the first one so far.
+        // If triangles decide: the model's triangles, null otherwise; the ray for them.
         private var _mesh:TriangleMesh = null;
         private var _shearedRay:ShearedRay = new ShearedRay();
-        private var _firstTriangle:TriangleCrossing = new TriangleCrossing();
         private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
 
         // If nodes decide: where the ray enters the current one.
@@ -80,14 +78,13 @@ package starlogo.solid
             _mesh = depth == BoxTree.EXACT ? model.mesh : null;
             if (_mesh != null)
             {
-                _firstTriangle.distance = Infinity;
                 _shearedRay.setTo(ray, tree.radiusAboutOrigin);
             }
             _search.visitAlong(ray, tree, depth, this);
             if (_first >= 0 && _mesh != null)
             {
                 _mesh.readTriangle(_first, _corners);
-                _shearedRay.writeEntry(_corners, _firstTriangle, tree.items[_first], out);
+                _shearedRay.writeEntry(_corners, _shearedRay.first, tree.items[_first], out);
                 return true;
             }
             return _first >= 0 && enters(tree, _first, out);
@@ -118,10 +115,10 @@ package starlogo.solid
             var corners:Vector.<int> = _mesh.corners;
             for (var i:int = first; i < end; i++)
             {
-                if (_shearedRay.findEarlier(_mesh.vertices, corners[int(3 * i)], corners[int(3 * i + 1)], corners[int(3 * i + 2)], _firstTriangle))
+                if (_shearedRay.findEarlier(_mesh.vertices, corners[int(3 * i)], corners[int(3 * i + 1)], corners[int(3 * i + 2)]))
                 {
                     _first = i;
-                    limit = _firstTriangle.distance;
+                    limit = _shearedRay.first.distance;
                 }
             }
         }

@@ -184,7 +184,7 @@ package starlogo.geometry.hull
                 grid.push(QuickHull.GRID / 2, QuickHull.GRID / 2, QuickHull.GRID);
             }
             // Flat sides along the coordinate axes stay flat on a grid along these axes.
-            if (isPlane || _simplex.isThin)
+            if (isPlane || _simplex.isSlanted)
             {
                 var turning:Placement = new Placement();
                 turning.setRows(axes, 0);

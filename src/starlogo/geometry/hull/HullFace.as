@@ -6,7 +6,7 @@ package starlogo.geometry.hull
      * A triangle of the hull that QuickHull is building: its corners counter-clockwise seen from outside, its neighbours, its plane, and
      * the list of points beyond that plane that QuickHull has not processed yet. Coordinates are those of QuickHull's grid.
      *
-     * <p>QuickHull writes the neighbours and says which faces are buried or visited. OutsidePoints writes the lists. All else is read only.</p>
+     * <p>QuickHull writes the neighbours and says which faces are done. OutsidePoints writes the lists. All else is read only.</p>
      */
     internal final class HullFace
     {
@@ -48,11 +48,11 @@ package starlogo.geometry.hull
         public var before:HullFace = null;
         public var after:HullFace = null;
 
-        /** Whether a vertex that was added later lies beyond this face. Then the face is no longer part of the hull. */
-        public var isBuried:Boolean;
-
-        /** Whether a walk over the finished hull has visited this face. */
-        public var isVisited:Boolean;
+        /**
+         * Whether QuickHull has done with this face: a vertex that was added later lies beyond it, so it is no longer part of the hull, or the walk over
+         * the finished hull has listed it.
+         */
+        public var isDone:Boolean;
 
         // The outward normal (b - a) x (c - a). It is exact, because its components are whole numbers below 2^53.
         private var _exactX:Number;
@@ -74,7 +74,7 @@ package starlogo.geometry.hull
             this.c = c;
             firstOutside = farthest = -1;
             farthestDistance = 0;
-            isBuried = isVisited = false;
+            isDone = false;
             var i:int = 3 * a;
             var x:Number = points[i];
             var y:Number = points[i + 1];

@@ -18,14 +18,5 @@ package starlogo.intersection.ray
 
         /** RayCrossings.FRONT, BACK or EDGE_ON. */
         public var side:int = 0;
-
-        /** Becomes the same as another crossing. */
-        public function copyFrom(other:TriangleCrossing):void
-        {
-            distance = other.distance;
-            rounding = other.rounding;
-            end = other.end;
-            side = other.side;
-        }
     }
 }

@@ -9,7 +9,6 @@ package starlogo.convex
         private var _overlap:CoreOverlap;
         private var _step:AdvancementStep = new AdvancementStep();
         private var _witness:CoreWitness = new CoreWitness();
-        private var _overlapWitness:CoreWitness = new CoreWitness();
         private var _balls:CoreGap = new CoreGap();
 
         /**
@@ -76,11 +75,7 @@ package starlogo.convex
             {
                 // A short line between two points is too imprecise a direction where an edge or a face is nearly perpendicular to it. The normals of
                 // faces and pairs of edges are precise.
-                _overlap.find(cores, _overlapWitness);
-                if (_overlapWitness.separation > witness.separation)
-                {
-                    witness.setAxis(_overlapWitness.normalX, _overlapWitness.normalY, _overlapWitness.normalZ, _overlapWitness.separation);
-                }
+                _overlap.tryNormals(cores, witness);
             }
             var x:Number = cores.motionX;
             var y:Number = cores.motionY;

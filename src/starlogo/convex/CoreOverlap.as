@@ -40,15 +40,21 @@ package starlogo.convex
         public function find(cores:CorePair, out:CoreWitness):void
         {
             out.separation = -Infinity;
+            tryNormals(cores, out);
+            if (out.separation == -Infinity)
+            {
+                tryUpwards(cores, out);
+            }
+        }
+
+        /** Takes a normal of a face, or of an edge of each, if the cores are farther apart along it than along the axis before. */
+        public function tryNormals(cores:CorePair, out:CoreWitness):void
+        {
             tryFaces(cores.second, cores, out);
             tryFaces(cores.first, cores, out);
             if (cores.first.edges.length > 0 && cores.second.edges.length > 0)
             {
                 tryEdges(cores, out);
-            }
-            if (out.separation == -Infinity)
-            {
-                tryUpwards(cores, out);
             }
         }
 

@@ -80,10 +80,7 @@ package starlogo.intersection
             segments.setTo(start, isSphere ? start : (a as Capsule).end, b);
             out.radiusA = isSphere ? (a as Sphere).radius : (a as Capsule).radius;
             segments.move(motion);
-            segments.findClosest();
-            out.x = segments.gapX;
-            out.y = segments.gapY;
-            out.z = segments.gapZ;
+            segments.findClosest(out);
             out.squaredLength = out.x * out.x + out.y * out.y + out.z * out.z;
             out.closing = -(out.x * motion.x + out.y * motion.y + out.z * motion.z);
             out.pointX = start.x + segments.fractionOfU * segments.uX;

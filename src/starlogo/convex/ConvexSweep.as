@@ -80,9 +80,14 @@ package starlogo.convex
             var x:Number = cores.motionX;
             var y:Number = cores.motionY;
             var z:Number = cores.motionZ;
-            var isProven:Boolean = step.isTouching || witness.separation > cores.searchLimit;
-            step.separation = (isProven ? witness.separation : witness.distance) - (cores.first.radius + cores.second.radius);
-            step.speed = isProven ? -(witness.normalX * x + witness.normalY * y + witness.normalZ * z) : Math.sqrt(x * x + y * y + z * z);
+            var radii:Number = cores.first.radius + cores.second.radius;
+            step.separation = witness.separation - radii;
+            step.speed = -(witness.normalX * x + witness.normalY * y + witness.normalZ * z);
+            if (!step.isTouching && !(witness.separation > cores.searchLimit))
+            {
+                step.separation = witness.distance - radii;
+                step.speed = Math.sqrt(x * x + y * y + z * z);
+            }
             return step;
         }
     }

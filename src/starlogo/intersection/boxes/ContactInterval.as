@@ -46,37 +46,37 @@ package starlogo.intersection.boxes
         public function narrow():Boolean
         {
             var from:Number = offset;
-            var speed:Number = this.speed;
+            var rise:Number = speed;
             // mirrored, so that the motion is upwards
-            if (speed < 0)
+            if (rise < 0)
             {
-                speed = -speed;
+                rise = -rise;
                 from = -from;
             }
             var touchingDistance:Number = halfExtents * Tolerances.TOUCHING + margin;
             var time:Number;
             if (from < -touchingDistance)
             {
-                if (!(speed > 0))
+                if (!(rise > 0))
                 {
                     return false;
                 }
-                time = (-touchingDistance - from) / speed;
+                time = (-touchingDistance - from) / rise;
                 if (time > latest)
                 {
                     return false;
                 }
                 _earliest = time > _earliest ? time : _earliest;
-                time = (-halfExtents - from) / speed;
+                time = (-halfExtents - from) / rise;
                 timeOfImpact = time > timeOfImpact ? time : timeOfImpact;
             }
             else if (from > touchingDistance)
             {
                 return false;
             }
-            if (from + latest * speed > touchingDistance)
+            if (from + latest * rise > touchingDistance)
             {
-                time = (touchingDistance - from) / speed;
+                time = (touchingDistance - from) / rise;
                 if (time < _earliest)
                 {
                     return false;

@@ -1,5 +1,6 @@
 package starlogo.bounding
 {
+    import flash.geom.Vector3D;
     import starlogo.geometry.hull.ConvexHull;
     import starlogo.geometry.hull.edgesAcross;
     import starlogo.geometry.hull.outlineOf;
@@ -94,25 +95,21 @@ package starlogo.bounding
             return found;
         }
 
-        // Whether the two triangles at an edge are in one plane, up to rounding.
+        // Whether the two triangles at an edge are parts of one flat side: their normals are the same, up to rounding. At a knife's edge they are opposite.
         private static function isInFlatSide(points:Vector.<Number>, start:int, end:int, left:int, right:int):Boolean
         {
-            var alongX:Number = points[end] - points[start];
-            var alongY:Number = points[end + 1] - points[start + 1];
-            var alongZ:Number = points[end + 2] - points[start + 2];
-            var leftX:Number = points[left] - points[start];
-            var leftY:Number = points[left + 1] - points[start + 1];
-            var leftZ:Number = points[left + 2] - points[start + 2];
-            var rightX:Number = points[right] - points[start];
-            var rightY:Number = points[right + 1] - points[start + 1];
-            var rightZ:Number = points[right + 2] - points[start + 2];
-            var normalX:Number = alongY * leftZ - alongZ * leftY;
-            var normalY:Number = alongZ * leftX - alongX * leftZ;
-            var normalZ:Number = alongX * leftY - alongY * leftX;
-            var height:Number = normalX * rightX + normalY * rightY + normalZ * rightZ;
-            var length:Number = Math.sqrt(normalX * normalX + normalY * normalY + normalZ * normalZ)
-                * Math.sqrt(rightX * rightX + rightY * rightY + rightZ * rightZ);
-            return Math.abs(height) <= Tolerances.UNIT_ROUNDING * length;
+            var along:Vector3D = between(points, start, end);
+            var toRight:Vector3D = between(points, start, right);
+            var ofLeft:Vector3D = along.crossProduct(between(points, start, left));
+            var ofRight:Vector3D = toRight.crossProduct(along);
+            // the sine of the angle between the normals, times their lengths
+            var turn:Number = Math.abs(ofLeft.dotProduct(toRight)) * along.length;
+            return ofLeft.dotProduct(ofRight) > 0 && turn <= Tolerances.UNIT_ROUNDING * ofLeft.length * ofRight.length;
+        }
+
+        private static function between(points:Vector.<Number>, from:int, to:int):Vector3D
+        {
+            return new Vector3D(points[to] - points[from], points[to + 1] - points[from + 1], points[to + 2] - points[from + 2]);
         }
 
         private static function coordinateIndices(corners:Vector.<int>):Vector.<int>

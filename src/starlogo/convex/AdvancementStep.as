@@ -9,7 +9,7 @@ package starlogo.convex
      * <p>If the shapes touch across the margins only, one more step leads to where they touch without them. It counts if they still touch there. The gap
      * leaves the margins out. So the steps may pass two shapes that touch across the margins alone, if they part again before the motion ends.</p>
      *
-     * <p>Each step shrinks the product of the gap and its slope to at most a quarter, and both are numbers of 53 bits. So MAX_STEPS steps are
+     * <p>Each step shrinks the product of the separation and its slope to at most a quarter, and both are numbers of 53 bits. So MAX_STEPS steps are
      * enough. Should rounding need more, the time is that of the last step: the shapes do not touch before, and their gap is at most rounding.</p>
      *
      * @private
@@ -18,10 +18,13 @@ package starlogo.convex
     {
         private static const MAX_STEPS:int = 80;
 
-        /** The gap between the two shapes along a direction that keeps them apart. No gap is left if it is not above 0. */
-        public var gap:Number = 0;
+        /**
+         * How far the two shapes are apart along a direction that keeps them apart, or in all directions. It is above 0 unless they touch. So shapes that do
+         * not close it in time never touch.
+         */
+        public var separation:Number = 0;
 
-        /** How fast the motion closes the gap along that direction. */
+        /** How fast the motion closes the separation, or faster. */
         public var speed:Number = 0;
 
         /** Whether the shapes touch, with all margins: see Touching. */
@@ -48,19 +51,27 @@ package starlogo.convex
          */
         public function advance(motion:RelativeMotion):Boolean
         {
-            var wasTouching:Boolean = _marginTouchTime != RelativeMotion.NEVER;
+            if (_marginTouchTime != RelativeMotion.NEVER)
+            {
+                if (!isTouching)
+                {
+                    // the step after the touch has led out of it
+                    motion.time = _marginTouchTime;
+                }
+                return false;
+            }
             if (isTouching)
             {
-                if (wasTouching || motion.time == 0)
+                if (motion.time == 0)
                 {
                     return false;
                 }
                 _marginTouchTime = motion.time;
             }
-            var next:Number = motion.time + gap / speed;
-            if (wasTouching || !(speed > 0 && next > motion.time && next <= motion.latest))
+            var next:Number = motion.time + separation / speed;
+            if (!(speed > 0 && next > motion.time && next <= motion.latest))
             {
-                // the step after a touch has led out of it, or there is none in time
+                // there is no step in time
                 motion.time = _marginTouchTime;
                 return false;
             }

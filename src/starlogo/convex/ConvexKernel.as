@@ -53,7 +53,7 @@ package starlogo.convex
         public function findCloser(a:ConvexShape, b:ConvexShape, out:ClosestPoints):Boolean
         {
             _cores.setShapes(a, b);
-            _cores.maxDistance = out.distance + (a.radius + b.radius);
+            _cores.searchLimit = out.distance + (a.radius + b.radius);
             _distance.find(_cores, _witness);
             var distance:Number = _witness.distance - (a.radius + b.radius);
             distance = distance > 0 ? distance : 0;

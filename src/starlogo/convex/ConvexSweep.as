@@ -9,7 +9,6 @@ package starlogo.convex
         private var _overlap:CoreOverlap;
         private var _step:AdvancementStep = new AdvancementStep();
         private var _witness:CoreWitness = new CoreWitness();
-        private var _overlapWitness:CoreWitness = new CoreWitness();
         private var _balls:CoreGap = new CoreGap();
 
         /**
@@ -52,38 +51,43 @@ package starlogo.convex
             motion.time = 0;
             cores.setMotion(motion);
             cores.limitToTouching();
-            cores.maxDistance += motion.margin;
+            cores.searchLimit += motion.margin;
             var balls:CoreGap = _balls;
             // the motion is that of a
             var side:int = cores.isSwapped ? -1 : 1;
             balls.x = side * cores.x;
             balls.y = side * cores.y;
             balls.z = side * cores.z;
-            balls.radiusA = Tolerances.OUTER * (cores.maxDistance + cores.first.extent + cores.second.extent);
+            balls.radiusA = Tolerances.OUTER * (cores.searchLimit + cores.first.extent + cores.second.extent);
             balls.radiusB = 0;
             findTimeOfSpheres(balls, motion);
             motion.time = motion.earliest > motion.time ? motion.earliest : motion.time;
         }
 
-        // Returns the step, from the distance at the motion's time.
+        // Returns the step, from the distance at the motion's time. Where the cores are apart, but no axis proves it, the step is as long as the gap in the
+        // motion's direction: no shape comes nearer faster than that.
         private function measure(cores:CorePair):AdvancementStep
         {
             var witness:CoreWitness = _witness;
             var step:AdvancementStep = _step;
-            var radii:Number = cores.first.radius + cores.second.radius;
             step.isTouching = witness.isWithinLimit(cores);
-            if (!step.isTouching && !(witness.separation > radii))
+            if (!step.isTouching && !(witness.separation > cores.searchLimit))
             {
                 // A short line between two points is too imprecise a direction where an edge or a face is nearly perpendicular to it. The normals of
                 // faces and pairs of edges are precise.
-                _overlap.find(cores, _overlapWitness);
-                if (_overlapWitness.separation > witness.separation)
-                {
-                    witness.setAxis(_overlapWitness.normalX, _overlapWitness.normalY, _overlapWitness.normalZ, _overlapWitness.separation);
-                }
+                _overlap.tryNormals(cores, witness);
             }
-            step.gap = witness.separation - radii;
-            step.speed = -(witness.normalX * cores.motionX + witness.normalY * cores.motionY + witness.normalZ * cores.motionZ);
+            var x:Number = cores.motionX;
+            var y:Number = cores.motionY;
+            var z:Number = cores.motionZ;
+            var radii:Number = cores.first.radius + cores.second.radius;
+            step.separation = witness.separation - radii;
+            step.speed = -(witness.normalX * x + witness.normalY * y + witness.normalZ * z);
+            if (!step.isTouching && !(witness.separation > cores.searchLimit))
+            {
+                step.separation = witness.distance - radii;
+                step.speed = Math.sqrt(x * x + y * y + z * z);
+            }
             return step;
         }
     }

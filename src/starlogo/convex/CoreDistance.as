@@ -8,8 +8,8 @@ package starlogo.convex
      * difference, and the cores' distance is the set's distance from the origin. Each step adds the corner of the set that is farthest towards the
      * origin to a simplex. Then it drops the corners that the simplex does not need for its point nearest to the origin.
      *
-     * <p>The result is exact except for rounding, which is 1e-15 of the extents, however small the distance is. The separation proves it, because it is
-     * the same length. The search ends, because no simplex comes twice: each step finds a nearer one, but for the few that rounding hides. Two hulls of
+     * <p>The result is exact except for rounding, which is 1e-15 of the extents, however small the distance is. The separation proves it where it is the
+     * same length. Between hulls that are hardly thicker than rounding it may be less, because no direction of the search is precise. The search ends, because no simplex comes twice: each step finds a nearer one, but for the few that rounding hides. Two hulls of
      * 40,000 points each need up to 27 steps.</p>
      */
     internal final class CoreDistance
@@ -144,7 +144,7 @@ package starlogo.convex
         // Whether the cores are known to be farther apart than the search has to know, also in all the time that is left.
         private static function areTooFar(cores:CorePair, witness:CoreWitness):Boolean
         {
-            var gap:Number = witness.separation - cores.maxDistance;
+            var gap:Number = witness.separation - cores.searchLimit;
             return gap > 0 && gap > -cores.timeLeft * (witness.normalX * cores.motionX + witness.normalY * cores.motionY + witness.normalZ * cores.motionZ);
         }
 

@@ -13,7 +13,8 @@ package starlogo.convex
      * opposite ones, it is the one against the pair's motion. If the pair has no motion, rounding decides. Of two points or parallel
      * segments the first moves upwards as far as possible.</p>
      *
-     * <p>The results are a unit vector, and how far the cores are apart along it. It is less than 0 if they overlap: the displacement is as long.</p>
+     * <p>The results are a unit vector, and how far the cores are apart along it. It is less than 0 if they overlap: the displacement is as long. If they
+     * are apart, it is at most their distance, and may be less than 0 if the axis between is across edges that count as parallel.</p>
      */
     internal final class CoreOverlap
     {
@@ -39,15 +40,21 @@ package starlogo.convex
         public function find(cores:CorePair, out:CoreWitness):void
         {
             out.separation = -Infinity;
+            tryNormals(cores, out);
+            if (out.separation == -Infinity)
+            {
+                tryUpwards(cores, out);
+            }
+        }
+
+        /** Takes a normal of a face, or of an edge of each, if the cores are farther apart along it than along the axis before. */
+        public function tryNormals(cores:CorePair, out:CoreWitness):void
+        {
             tryFaces(cores.second, cores, out);
             tryFaces(cores.first, cores, out);
             if (cores.first.edges.length > 0 && cores.second.edges.length > 0)
             {
                 tryEdges(cores, out);
-            }
-            if (out.separation == -Infinity)
-            {
-                tryUpwards(cores, out);
             }
         }
 

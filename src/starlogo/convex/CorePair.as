@@ -26,8 +26,8 @@ package starlogo.convex
         public var motionY:Number = 0;
         public var motionZ:Number = 0;
 
-        /** How far apart the cores may be. A search may end when it knows that they are farther apart. Infinity if it has to find the distance. */
-        public var maxDistance:Number = Infinity;
+        /** A search may end when it knows that the cores are farther apart than this: where they touch, or a distance to beat. Infinity if there is none. */
+        public var searchLimit:Number = Infinity;
 
         /** How much of the motion is left. Cores that come near enough in this time are not too far apart. */
         public var timeLeft:Number = 0;
@@ -43,13 +43,13 @@ package starlogo.convex
             z = first.z - second.z;
             motionX = motionY = motionZ = 0;
             timeLeft = 0;
-            maxDistance = Infinity;
+            searchLimit = Infinity;
         }
 
         /** Sets how far apart the cores may be to as far as the shapes touch. The margin of a motion is not included. */
         public function limitToTouching():void
         {
-            maxDistance = (first.radius + second.radius) * Tolerances.TOUCHING + (first.margin + second.margin)
+            searchLimit = (first.radius + second.radius) * Tolerances.TOUCHING + (first.margin + second.margin)
                 + Tolerances.CORES * (first.extent + second.extent);
         }
 

@@ -11,7 +11,7 @@ package starlogo.convex
 
         /**
          * The length of the gap: 0 if the cores overlap. Infinity if the search ended early, because the cores are farther apart than
-         * CorePair.maxDistance, or do not touch in the time that is left.
+         * CorePair.searchLimit, or do not touch in the time that is left.
          */
         public var distance:Number = 0;
 
@@ -32,7 +32,7 @@ package starlogo.convex
          */
         public function isWithinLimit(cores:CorePair):Boolean
         {
-            return distance <= cores.maxDistance && !(separation > cores.maxDistance);
+            return distance <= cores.searchLimit && !(separation > cores.searchLimit);
         }
 
         /** Sets the unit vector, and how far the cores are apart along it. */

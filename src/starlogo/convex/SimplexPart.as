@@ -19,6 +19,12 @@ package starlogo.convex
      */
     public final class SimplexPart
     {
+        // How far outside of a triangle a point may be because of rounding, as a weight.
+        private static const BORDER:Number = 1e-15;
+
+        // The weight of a triangle's corner that has no share of a point on the triangle's border. It is kept, as corners without a weight are not.
+        private static const LEAST_WEIGHT:Number = 1e-300;
+
         /** Tries a corner. */
         public static function tryCorner(w:Vector.<Number>, i:int, out:NearestPoint):void
         {
@@ -107,7 +113,8 @@ package starlogo.convex
             }
         }
 
-        // Tries a triangle on its base, the longest edge, which goes from i to j. If the origin is not over its inside, tries its edges.
+        // Tries a triangle on its base, the longest edge, which goes from i to j. If the origin is not over it, tries its edges. Over an edge it is over the
+        // triangle as well: the nearest point is the same, but only the triangle's normal says where nearer points are.
         private static function tryTriangleOnBase(w:Vector.<Number>, i:int, j:int, k:int, newest:int, out:NearestPoint):void
         {
             var from:int = 3 * i;
@@ -135,7 +142,8 @@ package starlogo.convex
             toZ += projection * uz;
             var up:Number = -(toX * hx + toY * hy + toZ * hz) / hh;
             var low:Number = projection - foot * up;
-            if (!(hh > Tolerances.NARROW_TRIANGLE * uu && up > 0 && low > 0 && low < 1 - up))
+            var rest:Number = 1 - up - low;
+            if (!(hh > Tolerances.NARROW_TRIANGLE * uu && up >= -BORDER && low >= -BORDER && rest >= -BORDER))
             {
                 tryEdges(w, i, j, k, newest, out);
                 return;
@@ -148,9 +156,9 @@ package starlogo.convex
             {
                 out.squaredDistance = squared;
                 out.clearWeights();
-                out.weights[i] = 1 - up - low;
-                out.weights[j] = low;
-                out.weights[k] = up;
+                out.weights[i] = rest > LEAST_WEIGHT ? rest : LEAST_WEIGHT;
+                out.weights[j] = low > LEAST_WEIGHT ? low : LEAST_WEIGHT;
+                out.weights[k] = up > LEAST_WEIGHT ? up : LEAST_WEIGHT;
                 out.x = toX;
                 out.y = toY;
                 out.z = toZ;

@@ -4,7 +4,7 @@ package starlogo.convex
     import starlogo.geometry.Tolerances;
 
     /**
-     * The plane of a triangle: a quick test by it, and contacts whose normal is the plane's. Its fields are read only.
+     * The plane of a triangle: a quick test by it, and contacts whose normal is the plane's. Its fields are read only, but for the cull distance.
      *
      * <p>This class alone decides which triangles are flat: needles and points, whose normal would be a rounding error (Tolerances.FLAT_TRIANGLE). A
      * flat triangle has no plane. Its normal is 0 and its offset NaN, so all comparisons with places along the normal are false. ConvexKernel makes no
@@ -30,11 +30,14 @@ package starlogo.convex
         /** Twice the triangle's area. */
         public var doubleArea:Number = 0;
 
+        /**
+         * How far from the plane a shape's core may be if it touches the triangle, with all that is rounded. Callers of timeOfEntry() write it. It is a
+         * field, because V8 makes an object of a Number that is passed.
+         */
+        public var cullDistance:Number = 0;
+
         // How far the last shape's core extends along the normal, relative to the shape's origin.
         private var _ofShape:Interval = new Interval();
-
-        // How far from the plane the last shape's core may be if it touches the triangle, with all that is rounded.
-        private var _cullDistance:Number = 0;
 
         /** Whether the triangle is flat. */
         public function get isFlat():Boolean
@@ -87,25 +90,17 @@ package starlogo.convex
          * is apart from the triangle until then.
          *
          * @param shape where it is at time 0
-         * @param cullDistance how far from the plane the shape's core may be if it touches the triangle, with all that is rounded
          * @param motion its vector; nothing else of it counts
          * @return at least 0. 0 for a flat triangle too. RelativeMotion.NEVER if the shape moves away from the plane or beside it
          */
-        public function timeOfEntry(shape:ConvexShape, cullDistance:Number, motion:RelativeMotion):Number
-        {
-            _cullDistance = cullDistance;
-            return timeToPlane(shape, motion);
-        }
-
-        // As timeOfEntry(), with the distance that was set: V8 makes an object of a Number that is passed.
-        private function timeToPlane(shape:ConvexShape, motion:RelativeMotion):Number
+        public function timeOfEntry(shape:ConvexShape, motion:RelativeMotion):Number
         {
             shape.project(normal, _ofShape);
             var projection:Number = normal.x * shape.x + normal.y * shape.y + normal.z * shape.z;
             var speed:Number = normal.x * motion.x + normal.y * motion.y + normal.z * motion.z;
             // how far in front of the plane all of the shape is, and how far behind
-            var above:Number = projection - max + _ofShape.min - _cullDistance;
-            var below:Number = -(projection - min + _ofShape.max + _cullDistance);
+            var above:Number = projection - max + _ofShape.min - cullDistance;
+            var below:Number = -(projection - min + _ofShape.max + cullDistance);
             return above > 0 ? (speed < 0 ? above / -speed : RelativeMotion.NEVER)
                 : below > 0 ? (speed > 0 ? below / speed : RelativeMotion.NEVER) : 0;
         }
@@ -120,8 +115,8 @@ package starlogo.convex
         {
             var size:Number = shape.extent + Math.abs(shape.x) + Math.abs(shape.y) + Math.abs(shape.z) + Math.abs(offset)
                 + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z);
-            _cullDistance = (shape.radius + shape.margin) * Tolerances.OUTER + Tolerances.EXTENTS * size;
-            return timeToPlane(shape, motion) > motion.latest;
+            cullDistance = (shape.radius + shape.margin) * Tolerances.OUTER + Tolerances.EXTENTS * size;
+            return timeOfEntry(shape, motion) > motion.latest;
         }
 
         /**

@@ -173,7 +173,7 @@ package starlogo.geometry
          * Sets position, rotation and size from a matrix. The rotation is not made orthogonal.
          *
          * @param data column by column, as in a Matrix3D
-         * @return whether the matrix only rotates, scales uniformly and moves
+         * @return whether the matrix only rotates, scales uniformly and moves; if not, the placement means nothing. The position may be any numbers
          */
         public function setMatrix(data:Vector.<Number>):Boolean
         {

@@ -6,7 +6,6 @@ package starlogo.ground
     import starlogo.intersection.ray.RayCrossings;
     import starlogo.intersection.ray.RayEntry;
     import starlogo.intersection.ray.ShearedRay;
-    import starlogo.intersection.ray.TriangleCrossing;
 
     use namespace engine;
 
@@ -24,7 +23,6 @@ package starlogo.ground
         private var _triangles:GroundTriangles = new GroundTriangles();
         private var _triangle:GroundTriangle = new GroundTriangle();
         private var _sheared:ShearedRay = new ShearedRay();
-        private var _first:TriangleCrossing = new TriangleCrossing();
 
         // An upper bound of the radius of a triangle between the least and the greatest height.
         private var _largestRadius:Number = 0;
@@ -44,16 +42,15 @@ package starlogo.ground
                 return true;
             }
             begin(grid, ray);
-            _first.slot = -1;
             while (nextTriangle())
             {
-                if (_sheared.findEarlier(_triangle.corners, 0, 3, 6, 0, _first))
+                if (_sheared.findEarlier(_triangle.corners, 0, 3, 6))
                 {
-                    _search.motion.latest = _first.distance;
-                    _sheared.writeEntry(_triangle.corners, _first, -1, out);
+                    _search.motion.latest = _sheared.first.distance;
+                    _sheared.writeEntry(_triangle.corners, _sheared.first, -1, out);
                 }
             }
-            return _first.slot >= 0;
+            return _sheared.first.distance < Infinity;
         }
 
         /**

@@ -29,7 +29,7 @@ package starlogo.intersection
          * @param motion the motion of a; a is where it is at the motion's time
          * @param out receives all of the gap
          */
-        public function find(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:RoundGap):void
+        public function find(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:CoreGap):void
         {
             if (b.kind == BoundingStructure.CAPSULE)
             {
@@ -72,32 +72,27 @@ package starlogo.intersection
         }
 
         // The axis of a sphere is its centre, a segment without length.
-        private function findFromAxis(a:BoundingStructure, b:Capsule, motion:RelativeMotion, out:RoundGap):void
+        private function findFromAxis(a:BoundingStructure, b:Capsule, motion:RelativeMotion, out:CoreGap):void
         {
-            var gap:CoreGap = out.gap;
             var segments:SegmentPair = _segments;
             var isSphere:Boolean = a.kind == BoundingStructure.SPHERE;
             var start:Vector3D = isSphere ? (a as Sphere).center : (a as Capsule).start;
             segments.setTo(start, isSphere ? start : (a as Capsule).end, b);
-            gap.radiusA = isSphere ? (a as Sphere).radius : (a as Capsule).radius;
+            out.radiusA = isSphere ? (a as Sphere).radius : (a as Capsule).radius;
             segments.move(motion);
-            segments.findClosest();
-            gap.x = segments.gapX;
-            gap.y = segments.gapY;
-            gap.z = segments.gapZ;
-            out.squaredLength = gap.x * gap.x + gap.y * gap.y + gap.z * gap.z;
-            out.closing = -(gap.x * motion.x + gap.y * motion.y + gap.z * motion.z);
-            gap.pointX = start.x + segments.fractionOfU * segments.uX;
-            gap.pointY = start.y + segments.fractionOfU * segments.uY;
-            gap.pointZ = start.z + segments.fractionOfU * segments.uZ;
-            gap.radiusB = b.radius;
+            segments.findClosest(out);
+            out.squaredLength = out.x * out.x + out.y * out.y + out.z * out.z;
+            out.closing = -(out.x * motion.x + out.y * motion.y + out.z * motion.z);
+            out.pointX = start.x + segments.fractionOfU * segments.uX;
+            out.pointY = start.y + segments.fractionOfU * segments.uY;
+            out.pointZ = start.z + segments.fractionOfU * segments.uZ;
+            out.radiusB = b.radius;
             out.extent = Math.abs(segments.uX) + Math.abs(segments.uY) + Math.abs(segments.uZ) + (Math.abs(segments.vX) + Math.abs(segments.vY) + Math.abs(segments.vZ))
-                + (gap.radiusA + gap.radiusB);
+                + (out.radiusA + out.radiusB);
         }
 
-        private function findFromSphereToBox(sphere:Sphere, box:Box, motion:RelativeMotion, out:RoundGap):void
+        private function findFromSphereToBox(sphere:Sphere, box:Box, motion:RelativeMotion, out:CoreGap):void
         {
-            var gap:CoreGap = out.gap;
             var place:Vector3D = _place;
             var center:Vector3D = sphere.center;
             var boxCenter:Vector3D = box.center;
@@ -112,16 +107,15 @@ package starlogo.intersection
             axis = box.axisZ;
             place.z = axis.x * x + axis.y * y + axis.z * z + time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
             measureToBox(place, box, motion, out);
-            gap.pointX = center.x;
-            gap.pointY = center.y;
-            gap.pointZ = center.z;
-            gap.radiusA = sphere.radius;
+            out.pointX = center.x;
+            out.pointY = center.y;
+            out.pointZ = center.z;
+            out.radiusA = sphere.radius;
             out.extent = box.halfX + box.halfY + box.halfZ + sphere.radius;
         }
 
-        private function findFromCapsuleToBox(capsule:Capsule, box:Box, motion:RelativeMotion, out:RoundGap):void
+        private function findFromCapsuleToBox(capsule:Capsule, box:Box, motion:RelativeMotion, out:CoreGap):void
         {
-            var gap:CoreGap = out.gap;
             var segment:BoxSegment = _segment;
             var place:Vector3D = _place;
             segment.setTo(capsule, box);
@@ -132,28 +126,27 @@ package starlogo.intersection
             place.y = segment.signY * (segment.y + fraction * segment.alongY);
             place.z = segment.signZ * (segment.z + fraction * segment.alongZ);
             measureToBox(place, box, motion, out);
-            setPoint(capsule, fraction, gap);
-            gap.radiusA = capsule.radius;
+            setPoint(capsule, fraction, out);
+            out.radiusA = capsule.radius;
             out.extent = segment.alongX + segment.alongY + segment.alongZ + box.halfX + box.halfY + box.halfZ + capsule.radius;
         }
 
         // Computes the gap between a place and the nearest point of a box, its squared length, and how a motion of the place closes it.
-        private static function measureToBox(place:Vector3D, box:Box, motion:RelativeMotion, out:RoundGap):void
+        private static function measureToBox(place:Vector3D, box:Box, motion:RelativeMotion, out:CoreGap):void
         {
             var axisX:Vector3D = box.axisX;
             var axisY:Vector3D = box.axisY;
             var axisZ:Vector3D = box.axisZ;
-            var gap:CoreGap = out.gap;
             var x:Number = place.x;
             var y:Number = place.y;
             var z:Number = place.z;
             x = x > box.halfX ? x - box.halfX : (x < -box.halfX ? x + box.halfX : 0);
             y = y > box.halfY ? y - box.halfY : (y < -box.halfY ? y + box.halfY : 0);
             z = z > box.halfZ ? z - box.halfZ : (z < -box.halfZ ? z + box.halfZ : 0);
-            gap.x = x * axisX.x + y * axisY.x + z * axisZ.x;
-            gap.y = x * axisX.y + y * axisY.y + z * axisZ.y;
-            gap.z = x * axisX.z + y * axisY.z + z * axisZ.z;
-            gap.radiusB = 0;
+            out.x = x * axisX.x + y * axisY.x + z * axisZ.x;
+            out.y = x * axisX.y + y * axisY.y + z * axisZ.y;
+            out.z = x * axisX.z + y * axisY.z + z * axisZ.z;
+            out.radiusB = 0;
             out.squaredLength = x * x + y * y + z * z;
             out.closing = -(x * (axisX.x * motion.x + axisX.y * motion.y + axisX.z * motion.z)
                     + y * (axisY.x * motion.x + axisY.y * motion.y + axisY.z * motion.z)

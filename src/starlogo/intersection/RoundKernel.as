@@ -4,6 +4,7 @@ package starlogo.intersection
     import starlogo.convex.AdvancementStep;
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
+    import starlogo.convex.CoreGap;
     import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Tolerances;
 
@@ -20,7 +21,7 @@ package starlogo.intersection
     {
         private var _convex:ConvexPairKernel;
         private var _finder:GapFinder = new GapFinder();
-        private var _found:RoundGap = new RoundGap();
+        private var _gap:CoreGap = new CoreGap();
         private var _step:AdvancementStep = new AdvancementStep();
 
         /** @param convex finds the contact if the cores overlap, and the time of impact if there is hardly any radius */
@@ -32,25 +33,25 @@ package starlogo.intersection
         /** @inheritDoc */
         override internal function findTimeInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion):void
         {
-            var found:RoundGap = _found;
+            var gap:CoreGap = _gap;
             var step:AdvancementStep = _step;
             var margins:Number = motion.margin;
             motion.time = 0;
             step.reset();
             do
             {
-                _finder.find(first, second, motion, found);
-                var radii:Number = found.gap.radiusA + found.gap.radiusB;
+                _finder.find(first, second, motion, gap);
+                var radii:Number = gap.radiusA + gap.radiusB;
                 var touchingDistance:Number = radii * Tolerances.TOUCHING + margins;
-                var length:Number = Math.sqrt(found.squaredLength);
-                step.isTouching = found.squaredLength <= touchingDistance * touchingDistance;
-                if (!step.isTouching && radii < Tolerances.DIRECTION * found.extent)
+                var length:Number = Math.sqrt(gap.squaredLength);
+                step.isTouching = gap.squaredLength <= touchingDistance * touchingDistance;
+                if (!step.isTouching && radii < Tolerances.DIRECTION * gap.extent)
                 {
                     _convex.findTimeInOrder(first, second, motion);
                     return;
                 }
-                step.gap = length - radii;
-                step.speed = found.closing / length;
+                step.separation = length - radii;
+                step.speed = gap.closing / length;
             }
             while (step.advance(motion));
         }
@@ -58,14 +59,14 @@ package starlogo.intersection
         /** @inheritDoc */
         override internal function findContactInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
         {
-            var found:RoundGap = _found;
-            _finder.find(first, second, motion, found);
+            var gap:CoreGap = _gap;
+            _finder.find(first, second, motion, gap);
             // If the gap is longer than this, it has a direction in spite of rounding.
-            var least:Number = Tolerances.DIRECTION * found.extent;
-            if (found.squaredLength > least * least)
+            var least:Number = Tolerances.DIRECTION * gap.extent;
+            if (gap.squaredLength > least * least)
             {
-                _finder.moveToMiddle(first, second, found.gap);
-                out.setFromGap(found.gap, motion);
+                _finder.moveToMiddle(first, second, gap);
+                out.setFromGap(gap, motion);
             }
             else
             {
@@ -76,8 +77,8 @@ package starlogo.intersection
         /** @inheritDoc */
         override internal function findClosestInOrder(first:BoundingStructure, second:BoundingStructure, out:ClosestPoints):void
         {
-            _finder.find(first, second, RelativeMotion.NONE, _found);
-            out.setFromGap(_found.gap);
+            _finder.find(first, second, RelativeMotion.NONE, _gap);
+            out.setFromGap(_gap);
         }
     }
 }

@@ -2,14 +2,16 @@ package starlogo.intersection
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.Capsule;
+    import starlogo.convex.CoreGap;
     import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Tolerances;
 
     /** The axes of two capsules, or the centre of a sphere and the axis of a capsule, and their closest points. */
     internal final class SegmentPair
     {
-        /** The pair that <code>capsuleCapsule()</code> sets, whose capsules stand. */
+        /** The pair that <code>capsuleCapsule()</code> sets, whose capsules stand, and its gap. */
         public static const SCRATCH:SegmentPair = new SegmentPair();
+        public static const SCRATCH_GAP:CoreGap = new CoreGap();
 
         /** u is the axis of a, and v the axis of b, each from its start to its end. All fields are read only. */
         public var uX:Number = 0;
@@ -24,13 +26,8 @@ package starlogo.intersection
         public var y:Number = 0;
         public var z:Number = 0;
 
-        /** Where u's closest point is: from 0 at its start to 1 at its end. <code>findClosest()</code> finds it, and the gap. */
+        /** Where u's closest point is: from 0 at its start to 1 at its end. <code>findClosest()</code> finds it. */
         public var fractionOfU:Number = 0;
-
-        /** The gap: the vector from the closest point of v to the closest point of u. */
-        public var gapX:Number = 0;
-        public var gapY:Number = 0;
-        public var gapZ:Number = 0;
 
         /** Sets the axes: that of a from its start to its end, and that of a capsule. */
         public function setTo(startA:Vector3D, endA:Vector3D, b:Capsule):void
@@ -61,8 +58,10 @@ package starlogo.intersection
          * Finds the closest points and the gap (Ericson, "Real-Time Collision Detection", §5.1.9), at s on u and at t on v. The squared distance is smallest
          * where both its derivatives are 0: uu s - uv t + alongU = 0 and uv s - vv t + alongV = 0. After one of s and t is clamped, the other is
          * computed again.
+         *
+         * @param out receives the vector of the gap, from the closest point of v to the closest point of u
          */
-        public function findClosest():void
+        public function findClosest(out:CoreGap):void
         {
             var uu:Number = uX * uX + uY * uY + uZ * uZ;
             var vv:Number = vX * vX + vY * vY + vZ * vZ;
@@ -98,9 +97,9 @@ package starlogo.intersection
                 t /= vv;
             }
             fractionOfU = s;
-            gapX = x + s * uX - t * vX;
-            gapY = y + s * uY - t * vY;
-            gapZ = z + s * uZ - t * vZ;
+            out.x = x + s * uX - t * vX;
+            out.y = y + s * uY - t * vY;
+            out.z = z + s * uZ - t * vZ;
         }
 
         /**

@@ -1,6 +1,7 @@
 package starlogo.intersection
 {
     import starlogo.bounding.Capsule;
+    import starlogo.convex.CoreGap;
     import starlogo.geometry.compareVectors;
     import starlogo.geometry.Tolerances;
 
@@ -19,11 +20,12 @@ package starlogo.intersection
     public function capsuleCapsule(a:Capsule, b:Capsule):Boolean
     {
         var segments:SegmentPair = SegmentPair.SCRATCH;
+        var gap:CoreGap = SegmentPair.SCRATCH_GAP;
         var areSwapped:Boolean = compareVectors(a.start, b.start) > 0;
         var first:Capsule = areSwapped ? b : a;
         segments.setTo(first.start, first.end, areSwapped ? a : b);
-        segments.findClosest();
+        segments.findClosest(gap);
         var touchingDistance:Number = (a.radius + b.radius) * Tolerances.TOUCHING;
-        return segments.gapX * segments.gapX + segments.gapY * segments.gapY + segments.gapZ * segments.gapZ <= touchingDistance * touchingDistance;
+        return gap.x * gap.x + gap.y * gap.y + gap.z * gap.z <= touchingDistance * touchingDistance;
     }
 }

@@ -7,7 +7,6 @@ package starlogo.search
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
-    import starlogo.intersection.boxes.AxisMotion;
     import starlogo.intersection.boxes.ContactInterval;
     import starlogo.search.pairs.PairTests;
     import starlogo.search.table.AgentTable;
@@ -28,9 +27,6 @@ package starlogo.search
 
         // When the extents of a pair overlap, in all directions so far.
         private var _interval:ContactInterval = new ContactInterval();
-
-        // The motion of the extents along one direction.
-        private var _axisMotion:AxisMotion = new AxisMotion();
 
         /**
          * @param table has the rows
@@ -175,7 +171,7 @@ package starlogo.search
         {
             var standing:Extents = _table.extents;
             _interval.reset(1);
-            _axisMotion.margin = level.slack;
+            _interval.margin = level.slack;
             return narrow(standing.x, standing.halfX, _motions.displacements.x, a, b) && narrow(standing.y, standing.halfY, _motions.displacements.y, a, b)
                 && narrow(standing.z, standing.halfZ, _motions.displacements.z, a, b);
         }
@@ -184,10 +180,10 @@ package starlogo.search
         private function narrow(at:Vector.<Number>, half:Vector.<Number>, motion:Vector.<Number>, a:int, b:int):Boolean
         {
             var speed:Number = motion[a] - motion[b];
-            _axisMotion.offset = at[a] - at[b] - speed;
-            _axisMotion.speed = speed;
-            _axisMotion.halfExtents = half[a] + half[b];
-            return _interval.narrow(_axisMotion);
+            _interval.offset = at[a] - at[b] - speed;
+            _interval.speed = speed;
+            _interval.halfExtents = half[a] + half[b];
+            return _interval.narrow();
         }
     }
 }

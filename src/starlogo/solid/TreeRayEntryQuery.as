@@ -11,7 +11,6 @@ package starlogo.solid
     import starlogo.intersection.ray.RaySpan;
     import starlogo.intersection.ray.ShearedRay;
     import starlogo.intersection.ray.SpanFinder;
-    import starlogo.intersection.ray.TriangleCrossing;
 
     use namespace engine;
 
@@ -35,14 +34,15 @@ package starlogo.solid
         private var _search:BoxSearch = new BoxSearch();
         private var _ray:Ray = null;
 
-        // If triangles decide: the model's triangles, null otherwise; the ray for them; the one that the ray meets first so far.
+        // The slot of the triangle, or the node, that the ray meets first so far, or -1.
+        private var _first:int = -1;
+
+        // If triangles decide: the model's triangles, null otherwise; the ray for them.
         private var _mesh:TriangleMesh = null;
         private var _shearedRay:ShearedRay = new ShearedRay();
-        private var _firstTriangle:TriangleCrossing = new TriangleCrossing();
         private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
 
-        // If nodes decide: the one that the ray meets first so far, or -1; and where it enters the current node.
-        private var _firstNode:int = -1;
+        // If nodes decide: where the ray enters the current one.
         private var _entry:RayEntry = new RayEntry();
         private var _span:RaySpan = new RaySpan();
 
@@ -73,7 +73,7 @@ package starlogo.solid
         {
             var tree:BoxTree = model.boxTree;
             _ray = ray;
-            _firstNode = _firstTriangle.slot = -1;
+            _first = -1;
             limit = ray.to;
             _mesh = depth == BoxTree.EXACT ? model.mesh : null;
             if (_mesh != null)
@@ -81,13 +81,13 @@ package starlogo.solid
                 _shearedRay.setTo(ray, tree.radiusAboutOrigin);
             }
             _search.visitAlong(ray, tree, depth, this);
-            if (_firstTriangle.slot >= 0)
+            if (_first >= 0 && _mesh != null)
             {
-                _mesh.readTriangle(_firstTriangle.slot, _corners);
-                _shearedRay.writeEntry(_corners, _firstTriangle, tree.items[_firstTriangle.slot], out);
+                _mesh.readTriangle(_first, _corners);
+                _shearedRay.writeEntry(_corners, _shearedRay.first, tree.items[_first], out);
                 return true;
             }
-            return _firstNode >= 0 && enters(tree, _firstNode, out);
+            return _first >= 0 && enters(tree, _first, out);
         }
 
         /** @inheritDoc */
@@ -97,9 +97,9 @@ package starlogo.solid
             {
                 visitTriangles(tree.firstSlot[node], tree.endSlot[node]);
             }
-            else if (enters(tree, node, _entry) && (_entry.distance < limit || _firstNode < 0))
+            else if (enters(tree, node, _entry) && (_entry.distance < limit || _first < 0))
             {
-                _firstNode = node;
+                _first = node;
                 limit = _entry.distance;
                 if (!(limit > _ray.from))
                 {
@@ -115,9 +115,10 @@ package starlogo.solid
             var corners:Vector.<int> = _mesh.corners;
             for (var i:int = first; i < end; i++)
             {
-                if (_shearedRay.findEarlier(_mesh.vertices, corners[int(3 * i)], corners[int(3 * i + 1)], corners[int(3 * i + 2)], i, _firstTriangle))
+                if (_shearedRay.findEarlier(_mesh.vertices, corners[int(3 * i)], corners[int(3 * i + 1)], corners[int(3 * i + 2)]))
                 {
-                    limit = _firstTriangle.distance;
+                    _first = i;
+                    limit = _shearedRay.first.distance;
                 }
             }
         }

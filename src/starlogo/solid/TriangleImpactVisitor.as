@@ -96,7 +96,7 @@ package starlogo.solid
                 extents[i] += shape.radius;
                 extents[int(i + 1)] -= shape.radius;
             }
-            _cullDistance = shape.radius + shape.margin + Tolerances.EXTENTS * size;
+            _cullDistance = _plane.cullDistance = shape.radius + shape.margin + Tolerances.EXTENTS * size;
             _search.setExtents(extents, _cullDistance);
             _search.setMotion(motion);
             _separatingAxes.setTo(shape, _cullDistance, motion);
@@ -137,7 +137,7 @@ package starlogo.solid
                     continue;
                 }
                 _plane.setTriangle(_corners, 0);
-                motion.earliest = _plane.timeOfEntry(_kernel.shape, _cullDistance, motion);
+                motion.earliest = _plane.timeOfEntry(_kernel.shape, motion);
                 if (motion.earliest > motion.latest)
                 {
                     continue;

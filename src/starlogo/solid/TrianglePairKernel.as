@@ -80,7 +80,7 @@ package starlogo.solid
             _motion = motion;
             _firstImpact.reset();
             _firstPlaced = NONE;
-            _cullDistance = trees.cullDistance(motion);
+            _cullDistance = _planeOfA.cullDistance = trees.cullDistance(motion);
             return this;
         }
 
@@ -209,7 +209,7 @@ package starlogo.solid
         {
             _meshA.readTriangle(slot, _cornersOfA);
             _planeOfA.setTriangle(_cornersOfA, 0);
-            return _planeOfA.timeOfEntry(_kernel.shape, _cullDistance, _motion) > _motion.latest;
+            return _planeOfA.timeOfEntry(_kernel.shape, _motion) > _motion.latest;
         }
 
         // Finds the closest points of a triangle of a, and of b's triangle by its index in the node, if they are nearer than those so far.

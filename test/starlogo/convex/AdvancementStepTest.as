@@ -12,7 +12,7 @@ package starlogo.convex
         [Before]
         public function beginApart():void
         {
-            _step.gap = 0.5;
+            _step.separation = 0.5;
             _step.speed = 1;
         }
 
@@ -23,8 +23,8 @@ package starlogo.convex
             var steps:int = 1;
             while (_step.advance(_motion))
             {
-                _step.gap /= 2;
-                _step.speed = 1e3 * _step.gap;
+                _step.separation /= 2;
+                _step.speed = 1e3 * _step.separation;
                 steps++;
             }
             assertEquals("steps", 80, steps);
@@ -79,7 +79,7 @@ package starlogo.convex
             _motion.latest = 0.5;
             assertTrue(_step.advance(_motion));
             _step.isTouching = true;
-            _step.gap = 1e-9;
+            _step.separation = 1e-9;
             assertFalse(_step.advance(_motion));
             assertEquals(0.5, _motion.time);
         }
@@ -90,7 +90,7 @@ package starlogo.convex
             assertTrue(_step.advance(_motion));
             assertEquals(0.5, _motion.time);
             _step.isTouching = true;
-            _step.gap = 1e-9;
+            _step.separation = 1e-9;
             assertTrue(_step.advance(_motion));
         }
     }

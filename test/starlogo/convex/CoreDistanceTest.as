@@ -32,7 +32,7 @@ package starlogo.convex
                         needle.y = _random.between(-2, 2);
                         needle.z = _random.between(-0.5, 1.5);
                         _cores.setShapes(disc, needle);
-                        _cores.maxDistance = Infinity;
+                        _cores.searchLimit = Infinity;
                         search.find(_cores, _witness);
                         var most:Number = Math.max(0, _witness.separation) + 1e-14 * (disc.extent + needle.extent);
                         _wrong.addIf(!(_witness.distance <= most), "distance", count + " points, " + thickness + " thick: " + _witness.distance + ", proven "
@@ -69,9 +69,9 @@ package starlogo.convex
         private function findAfterEmpty(search:CoreDistance, a:ConvexShape, b:ConvexShape):String
         {
             _cores.setShapes(a, b);
-            _cores.maxDistance = 1;
+            _cores.searchLimit = 1;
             search.find(_cores, _witness);
-            _cores.maxDistance = Infinity;
+            _cores.searchLimit = Infinity;
             _cores.x *= 0.4;
             search.findAfterMove(_cores, _witness);
             return [_witness.distance, _witness.gap.x, _witness.gap.y, _witness.gap.z, _witness.separation].join();

@@ -59,7 +59,7 @@ package starlogo.convex
                 assertTrue("is flat: " + corners, _plane.isFlat);
                 assertEquals("normal: " + corners, 0, _plane.normal.length);
                 assertTrue("offset: " + corners, isNaN(_plane.offset));
-                assertEquals("the quick test says nothing: " + corners, 0, _plane.timeOfEntry(_shape, 0, _motion));
+                assertEquals("the quick test says nothing: " + corners, 0, _plane.timeOfEntry(_shape, _motion));
             }
         }
 
@@ -94,7 +94,8 @@ package starlogo.convex
         {
             new Sphere(new Vector3D(0, 0, z), 1).setShape(_shape);
             _motion.z = motionZ;
-            assertEquals(message, expected, _plane.timeOfEntry(_shape, margin, _motion));
+            _plane.cullDistance = margin;
+            assertEquals(message, expected, _plane.timeOfEntry(_shape, _motion));
         }
     }
 }

@@ -57,7 +57,7 @@ package starlogo.geometry.hull
         /**
          * Computes the hull.
          *
-         * @param vertices x, y, z of each vertex, in any unit; kept, not copied, and never changed
+         * @param vertices x, y, z of each vertex, in any unit. An extent below 1e-150 counts as none. The list is kept, not copied, and never changed
          * @param atOnce false leaves all work, including the check of the vertices, to <code>step()</code>. Until the last step, only the
          *     vertices may be read
          * @throws ArgumentError if the vertices are null or empty, if the number of coordinates is not a multiple of 3, or if a coordinate
@@ -184,7 +184,7 @@ package starlogo.geometry.hull
                 grid.push(QuickHull.GRID / 2, QuickHull.GRID / 2, QuickHull.GRID);
             }
             // Flat sides along the coordinate axes stay flat on a grid along these axes.
-            if (isPlane || _simplex.isThin)
+            if (isPlane || _simplex.isSlanted)
             {
                 var turning:Placement = new Placement();
                 turning.setRows(axes, 0);

@@ -6,13 +6,12 @@ package starlogo.geometry.hull
      * A triangle of the hull that QuickHull is building: its corners counter-clockwise seen from outside, its neighbours, its plane, and
      * the list of points beyond that plane that QuickHull has not processed yet. Coordinates are those of QuickHull's grid.
      *
-     * <p>QuickHull writes the neighbours and says which faces are buried or visited. OutsidePoints writes the lists. All else is read only.</p>
+     * <p>QuickHull writes the neighbours and says which faces are done. OutsidePoints writes the lists. All else is read only.</p>
      */
     internal final class HullFace
     {
         // The number at which a normal's components are split for exact products.
         private static const SPLIT:Number = 67108864;
-        private static const CERTAIN:Number = Tolerances.HULL_CERTAIN;
 
         /** A corner, as the index of a point. */
         public var a:int;
@@ -49,11 +48,11 @@ package starlogo.geometry.hull
         public var before:HullFace = null;
         public var after:HullFace = null;
 
-        /** Whether a vertex that was added later lies beyond this face. Then the face is no longer part of the hull. */
-        public var isBuried:Boolean;
-
-        /** Whether a walk over the finished hull has visited this face. */
-        public var isVisited:Boolean;
+        /**
+         * Whether QuickHull has done with this face: a vertex that was added later lies beyond it, so it is no longer part of the hull, or the walk over
+         * the finished hull has listed it.
+         */
+        public var isDone:Boolean;
 
         // The outward normal (b - a) x (c - a). It is exact, because its components are whole numbers below 2^53.
         private var _exactX:Number;
@@ -75,7 +74,7 @@ package starlogo.geometry.hull
             this.c = c;
             firstOutside = farthest = -1;
             farthestDistance = 0;
-            isBuried = isVisited = false;
+            isDone = false;
             var i:int = 3 * a;
             var x:Number = points[i];
             var y:Number = points[i + 1];
@@ -125,7 +124,7 @@ package starlogo.geometry.hull
             var y:Number = points[3 * point + 1];
             var z:Number = points[3 * point + 2];
             var distance:Number = normalX * x + normalY * y + normalZ * z - offset;
-            if (distance > CERTAIN || distance < -CERTAIN)
+            if (distance > Tolerances.HULL_CERTAIN || distance < -Tolerances.HULL_CERTAIN)
             {
                 return distance > 0 ? 1 : -1;
             }

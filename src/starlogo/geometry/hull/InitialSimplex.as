@@ -54,7 +54,7 @@ package starlogo.geometry.hull
          * Whether vertices of three dimensions are thin in a direction between the coordinate axes. A grid along the coordinate axes would
          * lose precision then.
          */
-        public function get isThin():Boolean
+        public function get isSlanted():Boolean
         {
             var boxVolume:Number = bounds.extentX * bounds.extentY * bounds.extentZ;
             var spanned:Number = 1;

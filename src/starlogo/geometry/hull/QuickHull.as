@@ -152,7 +152,7 @@ package starlogo.geometry.hull
         // Visits the neighbour across an edge of a face that the eye sees. If the eye does not see the neighbour, the edge gets a new face.
         private function visit(eye:int, neighbor:HullFace, from:int, to:int):void
         {
-            if (neighbor.isBuried)
+            if (neighbor.isDone)
             {
                 return;
             }
@@ -170,7 +170,7 @@ package starlogo.geometry.hull
 
         private function bury(face:HullFace):void
         {
-            face.isBuried = true;
+            face.isDone = true;
             _outside.remove(face);
             _seen.push(face);
         }
@@ -189,7 +189,7 @@ package starlogo.geometry.hull
             var edgeCounts:Vector.<int> = new Vector.<int>(_points.length / 3);
             var next:int = 0;
             _faces = new <HullFace>[_created[0]];
-            _created[0].isVisited = true;
+            _created[0].isDone = true;
             return new StepSequence().repeat(function():Boolean
                 {
                     next = walkFrom(next, edgeCounts);
@@ -221,9 +221,9 @@ package starlogo.geometry.hull
             {
                 edgeCounts[from]++;
             }
-            if (!neighbor.isVisited)
+            if (!neighbor.isDone)
             {
-                neighbor.isVisited = true;
+                neighbor.isDone = true;
                 _faces.push(neighbor);
             }
         }

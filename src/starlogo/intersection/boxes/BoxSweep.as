@@ -25,7 +25,6 @@ package starlogo.intersection.boxes
         private var _halves:Vector.<Number> = new Vector.<Number>(9, true);
 
         private var _times:ContactInterval = new ContactInterval();
-        private var _axis:AxisMotion = new AxisMotion();
 
         // The pair of two boxes that are given as structures.
         private var _boxes:BoxPair = new BoxPair();
@@ -131,12 +130,12 @@ package starlogo.intersection.boxes
         // Narrows the interval by an axis, if it is longer than rounding. Returns whether anything is left. @param size at least the length of the axis
         private function narrow(pair:BoxPair, offset:Number, speed:Number, halfExtents:Number, size:Number):Boolean
         {
-            var axis:AxisMotion = _axis;
-            axis.offset = offset;
-            axis.speed = speed;
-            axis.halfExtents = halfExtents;
-            axis.margin = pair.margin * size;
-            return !(size > SHORTEST) || _times.narrow(axis);
+            var times:ContactInterval = _times;
+            times.offset = offset;
+            times.speed = speed;
+            times.halfExtents = halfExtents;
+            times.margin = pair.margin * size;
+            return !(size > SHORTEST) || times.narrow();
         }
 
         // Narrows the interval by the edges of both. Returns whether anything is left. The boxes are projected in full on the cross product of an edge of

@@ -3,13 +3,26 @@ package starlogo.intersection.boxes
     import starlogo.geometry.Tolerances;
 
     /**
-     * The interval of time in which no axis tried so far separates two moving shapes. The margin is included in the decision whether they
+     * The interval of time in which no axis tried so far separates two moving shapes. Callers write how the shapes move along an axis of any length, and
+     * then narrow the interval by it. The margin is included in the decision whether they
      * touch at all. The time of impact does not include it.
      *
      * @private
      */
     public final class ContactInterval
     {
+        /** Of the axis: the place of the second shape's middle at time 0, seen from the first one's. */
+        public var offset:Number = 0;
+
+        /** How far the second shape moves along the axis until time 1. */
+        public var speed:Number = 0;
+
+        /** The half-extents of both shapes along the axis, added. */
+        public var halfExtents:Number = 0;
+
+        /** The gap along the axis across which the shapes still touch. */
+        public var margin:Number = 0;
+
         /** The end of the interval, with the margin included. Read only. */
         public var latest:Number = 1;
 
@@ -29,47 +42,41 @@ package starlogo.intersection.boxes
             this.latest = latest;
         }
 
-        /**
-         * Narrows the interval to the time in which an axis does not separate the shapes.
-         *
-         * @param axis how the shapes move along it
-         * @return whether anything is left. If not, the shapes do not touch
-         */
-        public function narrow(axis:AxisMotion):Boolean
+        /** Narrows the interval to the time in which the axis does not separate the shapes. Returns whether anything is left. If not, they do not touch. */
+        public function narrow():Boolean
         {
-            var from:Number = axis.offset;
-            var speed:Number = axis.speed;
-            var halfExtents:Number = axis.halfExtents;
+            var from:Number = offset;
+            var rise:Number = speed;
             // mirrored, so that the motion is upwards
-            if (speed < 0)
+            if (rise < 0)
             {
-                speed = -speed;
+                rise = -rise;
                 from = -from;
             }
-            var touchingDistance:Number = halfExtents * Tolerances.TOUCHING + axis.margin;
+            var touchingDistance:Number = halfExtents * Tolerances.TOUCHING + margin;
             var time:Number;
             if (from < -touchingDistance)
             {
-                if (!(speed > 0))
+                if (!(rise > 0))
                 {
                     return false;
                 }
-                time = (-touchingDistance - from) / speed;
+                time = (-touchingDistance - from) / rise;
                 if (time > latest)
                 {
                     return false;
                 }
                 _earliest = time > _earliest ? time : _earliest;
-                time = (-halfExtents - from) / speed;
+                time = (-halfExtents - from) / rise;
                 timeOfImpact = time > timeOfImpact ? time : timeOfImpact;
             }
             else if (from > touchingDistance)
             {
                 return false;
             }
-            if (from + latest * speed > touchingDistance)
+            if (from + latest * rise > touchingDistance)
             {
-                time = (touchingDistance - from) / speed;
+                time = (touchingDistance - from) / rise;
                 if (time < _earliest)
                 {
                     return false;

@@ -12,10 +12,7 @@ package starlogo.intersection.ray
         public var near:Number = 0;
         public var far:Number = 0;
 
-        /**
-         * Where the line enters and leaves the shape itself, from near to far. If the line only touches it, they are the same as near and far, or
-         * entrance is behind exit at an edge.
-         */
+        /** Where the line enters and leaves the shape itself, from near to far. If the line only touches it, they may be the same as near and far. */
         public var entrance:Number = 0;
         public var exit:Number = 0;
 

@@ -51,13 +51,16 @@ package starlogo.intersection.ray
         private var _tolerance:Number = 0;
         private var _areaTolerance:Number = 0;
 
+        /** The first crossing so far: see <code>findEarlier()</code>. Read only. */
+        public var first:TriangleCrossing = new TriangleCrossing();
+
         // The crossing that is tried, and the same with the triangle's normal.
         private var _crossing:TriangleCrossing = new TriangleCrossing();
         private var _entry:RayEntry = new RayEntry();
         private var _plane:TrianglePlane = new TrianglePlane();
 
         /**
-         * Sets the ray.
+         * Sets the ray. There is no first crossing yet.
          *
          * @param ray in the space of the triangles; the object is kept
          * @param radius of a sphere around all triangles
@@ -65,6 +68,7 @@ package starlogo.intersection.ray
         public function setTo(ray:Ray, radius:Number):void
         {
             _ray = ray;
+            first.distance = Infinity;
             var absX:Number = Math.abs(ray.directionX);
             var absY:Number = Math.abs(ray.directionY);
             var absZ:Number = Math.abs(ray.directionZ);
@@ -96,24 +100,23 @@ package starlogo.intersection.ray
         }
 
         /**
-         * Finds where the ray meets a triangle, if it is before the first crossing so far.
+         * Finds where the ray meets a triangle, and makes it the first crossing if it is before the first one so far.
          *
          * @param points coordinates of points
          * @param a index at which the coordinates of a corner begin
          * @param b index at which those of the next corner begin
          * @param c index at which those of the last corner begin
-         * @param slot the triangle's slot
-         * @param first the first crossing so far; receives an earlier one
          * @return whether it is earlier
          */
-        public function findEarlier(points:Vector.<Number>, a:int, b:int, c:int, slot:int, first:TriangleCrossing):Boolean
+        public function findEarlier(points:Vector.<Number>, a:int, b:int, c:int):Boolean
         {
-            if (!findCrossing(points, a, b, c, _crossing) || !isBefore(_crossing, first))
+            if (!findCrossing(points, a, b, c, _crossing) || !isBeforeFirst(_crossing))
             {
                 return false;
             }
-            first.copyFrom(_crossing);
-            first.slot = slot;
+            var later:TriangleCrossing = first;
+            first = _crossing;
+            _crossing = later;
             return true;
         }
 
@@ -154,15 +157,11 @@ package starlogo.intersection.ray
 
         // Whether a crossing comes before the first one so far, and not after the ray's end. A triangle that is seen edge on has to be a rounding
         // error nearer, and another one may be a rounding error behind it.
-        private function isBefore(crossing:TriangleCrossing, first:TriangleCrossing):Boolean
+        private function isBeforeFirst(crossing:TriangleCrossing):Boolean
         {
-            if (first.slot < 0)
-            {
-                return crossing.distance <= _ray.to;
-            }
             var latest:Number = first.side == RayCrossings.EDGE_ON ? first.distance + first.rounding : first.distance;
             var distance:Number = crossing.side == RayCrossings.EDGE_ON ? crossing.distance + crossing.rounding : crossing.distance;
-            return distance < Math.min(_ray.to, latest);
+            return crossing.distance <= _ray.to && distance < latest;
         }
 
         // Finds where the line meets a triangle, where the ray begins or later. It shears the corners as seen from the line, finds the sides on which

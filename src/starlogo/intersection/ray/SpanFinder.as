@@ -272,7 +272,7 @@ package starlogo.intersection.ray
             out.near = near;
             out.far = far;
             out.entrance = entrance > near && entrance <= far ? entrance : near;
-            out.exit = exit < far && exit >= near ? exit : far;
+            out.exit = exit < far && exit >= out.entrance ? exit : far;
         }
     }
 }

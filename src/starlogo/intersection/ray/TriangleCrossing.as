@@ -7,10 +7,7 @@ package starlogo.intersection.ray
      */
     public final class TriangleCrossing
     {
-        /** The triangle's slot; -1 if there is none. */
-        public var slot:int = -1;
-
-        /** The distance of the place, as the ray counts distances. */
+        /** The distance of the place, as the ray counts distances; Infinity if there is none. */
         public var distance:Number = 0;
 
         /** How far the distance may be wrong because of rounding. */
@@ -21,15 +18,5 @@ package starlogo.intersection.ray
 
         /** RayCrossings.FRONT, BACK or EDGE_ON. */
         public var side:int = 0;
-
-        /** Becomes the same as another crossing. */
-        public function copyFrom(other:TriangleCrossing):void
-        {
-            slot = other.slot;
-            distance = other.distance;
-            rounding = other.rounding;
-            end = other.end;
-            side = other.side;
-        }
     }
 }

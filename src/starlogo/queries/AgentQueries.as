@@ -51,13 +51,11 @@ package starlogo.queries
      */
     public class AgentQueries
     {
-        /** @private How far agents can go. Blocks ask more of it than games. */
-        engine var moves:MoveQueries;
-
         private var _seen:SeenAgents;
         private var _places:AgentPlaces;
         private var _touches:TouchQueries;
         private var _rays:AgentRays;
+        private var _moves:MoveQueries;
 
         /**
          * Begins without agents. Call <code>update()</code> before you ask: before the first one, questions that search the list throw an
@@ -80,7 +78,7 @@ package starlogo.queries
             _places = new AgentPlaces(_seen);
             _touches = new TouchQueries(_seen);
             _rays = new AgentRays(_seen);
-            moves = new MoveQueries(_seen);
+            _moves = new MoveQueries(_seen);
         }
 
         /**
@@ -339,45 +337,51 @@ package starlogo.queries
         /** @copy AgentMotions#castShape() */
         public function castShape(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, hit:ShapeHit = null):ShapeHit
         {
-            return moves.castShape(structure, dx, dy, dz, filter, hit);
+            return _moves.castShape(structure, dx, dy, dz, filter, hit);
         }
 
         /** @copy AgentMotions#castShapeAll() */
         public function castShapeAll(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null,
                 out:Vector.<ShapeHit> = null):Vector.<ShapeHit>
         {
-            return moves.castShapeAll(structure, dx, dy, dz, filter, out);
+            return _moves.castShapeAll(structure, dx, dy, dz, filter, out);
         }
 
         /** @copy AgentMotions#castAgent() */
         public function castAgent(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, hit:ShapeHit = null):ShapeHit
         {
-            return moves.castAgent(agent, dx, dy, dz, filter, hit);
+            return _moves.castAgent(agent, dx, dy, dz, filter, hit);
         }
 
         /** @copy AgentMotions#castAgentAll() */
         public function castAgentAll(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null,
                 out:Vector.<ShapeHit> = null):Vector.<ShapeHit>
         {
-            return moves.castAgentAll(agent, dx, dy, dz, filter, out);
+            return _moves.castAgentAll(agent, dx, dy, dz, filter, out);
         }
 
         /** @copy AgentMotions#moveUntilTouch() */
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, contact:Contact = null):Number
         {
-            return moves.moveUntilTouch(agent, dx, dy, dz, filter, contact);
+            return _moves.moveUntilTouch(agent, dx, dy, dz, filter, contact);
         }
 
         /** @copy AgentMotions#slide() */
         public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null):Number
         {
-            return moves.slide(agent, dx, dy, dz, filter);
+            return _moves.slide(agent, dx, dy, dz, filter);
         }
 
         /** @copy AgentMotions#walk() */
         public function walk(agent:Agent, dx:Number, dy:Number, options:WalkOptions = null, out:Footing = null):Footing
         {
-            return moves.walk(agent, dx, dy, options, out);
+            return _moves.walk(agent, dx, dy, options, out);
+        }
+
+        /** @private How far agents can go. Blocks ask more of it than games. */
+        engine function get moves():MoveQueries
+        {
+            return _moves;
         }
     }
 }

@@ -33,9 +33,9 @@ package starlogo.ground
         private var _sweep:RelativeMotion = new RelativeMotion();
         private var _firstImpact:FirstImpact = new FirstImpact();
 
-        // For the upper bound of a distance: the box around the model, and a point of the ground.
-        private var _modelBox:GroundBox = new GroundBox();
+        // For the upper bound of a distance: a point of the ground, and the same point as the corners of a triangle.
         private var _nearest:GroundPoint = new GroundPoint();
+        private var _point:Vector.<Number> = new Vector.<Number>(9, true);
 
         public function GroundModelQuery()
         {
@@ -53,7 +53,11 @@ package starlogo.ground
          */
         public function setTo(grid:HeightGrid, tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int):void
         {
-            _pairs.setTo(grid, tree, structure, placement, depth);
+            _pairs.search.grid = grid;
+            _pairs.search.origin.x = placement.x;
+            _pairs.search.origin.y = placement.y;
+            _pairs.search.origin.z = placement.z;
+            _pairs.pieces.setTo(tree, structure, placement, depth);
         }
 
         /** @inheritDoc */
@@ -182,13 +186,13 @@ package starlogo.ground
             out.placePoints(origin);
         }
 
-        // Sets an upper bound of the distance: from the point of the ground that is nearest to the model's middle as seen from above to the farthest corner of
-        // the box around the model. Without ground it is infinite.
+        // Sets an upper bound of the distance. A structure's is its distance from one point of the ground, the nearest one to its middle as seen from above. A
+        // tree's is the distance from there to the farthest corner of the box around it. Without ground it is infinite.
         private function boundDistance(out:ClosestPoints):void
         {
             var origin:Placement = _pairs.search.origin;
-            var box:GroundBox = _modelBox;
-            _pairs.pieces.findBoxAroundWhole(box);
+            var box:GroundBox = _pairs.pieces.wholeBox;
+            _pairs.pieces.findWholeBox();
             _nearest.x = box.x + origin.x;
             _nearest.y = box.y + origin.y;
             _pairs.search.grid.findNearest(_nearest);
@@ -198,8 +202,25 @@ package starlogo.ground
             var farX:Number = Math.abs(x - box.x) + box.halfX;
             var farY:Number = Math.abs(y - box.y) + box.halfY;
             var farZ:Number = Math.abs(z - box.z) + box.halfZ;
-            var distance:Number = Math.sqrt(farX * farX + farY * farY + farZ * farZ);
-            out.distance = isNaN(z) ? Infinity : distance * Tolerances.OUTER + Tolerances.SURFACES * _pairs.search.grid.cellWidth;
+            if (isNaN(z))
+            {
+                out.distance = Infinity;
+                return;
+            }
+            out.distance = Math.sqrt(farX * farX + farY * farY + farZ * farZ);
+            _pairs.pieces.begin();
+            _pairs.pieces.next();
+            if (_pairs.pieces.kind == ModelPieces.STRUCTURE)
+            {
+                for (var i:int = 0; i < 9; i += 3)
+                {
+                    _point[i] = x;
+                    _point[int(i + 1)] = y;
+                    _point[int(i + 2)] = z;
+                }
+                _pairs.pieces.kernel.findCloser(_point, out);
+            }
+            out.distance = out.distance * Tolerances.OUTER + Tolerances.SURFACES * _pairs.search.grid.cellWidth;
         }
     }
 }

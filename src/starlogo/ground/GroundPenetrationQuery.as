@@ -33,8 +33,7 @@ package starlogo.ground
 
         private var _exits:GroundExits = new GroundExits();
 
-        // The box around the model, and bounds of the heights around it.
-        private var _modelBox:GroundBox = new GroundBox();
+        // Bounds of the heights around the model.
         private var _heightsAround:HeightBounds = new HeightBounds();
 
         /** @param pairs of the model, where it stands */
@@ -62,8 +61,8 @@ package starlogo.ground
         public function findLift(out:ContactPoint):void
         {
             var origin:Placement = _pairs.search.origin;
-            var box:GroundBox = _modelBox;
-            _pairs.pieces.findBoxAroundWhole(box);
+            var box:GroundBox = _pairs.pieces.wholeBox;
+            _pairs.pieces.findWholeBox();
             var low:Number = box.z - box.halfZ;
             _pairs.search.grid.pyramid.findAround(box.x + origin.x, box.y + origin.y, box.halfX, box.halfY, _heightsAround);
             out.setNormal(0, 0, 1);

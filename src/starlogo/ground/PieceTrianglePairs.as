@@ -1,12 +1,9 @@
 package starlogo.ground
 {
     import flash.geom.Vector3D;
-    import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
-    import starlogo.geometry.Placement;
-    import starlogo.solid.ModelTree;
 
     /**
      * Finds the pairs of a placed model's convex pieces and the triangles of the ground's surface near each. The model is a structure or a tree.
@@ -17,12 +14,12 @@ package starlogo.ground
      */
     internal final class PieceTrianglePairs
     {
-        /** The pieces. A query may move the model before it begins. */
+        /** The pieces. A query sets the model, and may move it before it begins. */
         public var pieces:ModelPieces = new ModelPieces();
 
         /**
-         * The search for the triangles near the current piece. Its origin is the place that the model was set to: pieces, triangles and contacts are
-         * relative to it. Read only.
+         * The search for the triangles near the current piece. A query sets the ground, and the origin to the place of the model: pieces, triangles and
+         * contacts are relative to it. It may narrow the limits.
          */
         public var search:GroundSearch = new GroundSearch();
 
@@ -32,16 +29,6 @@ package starlogo.ground
         private var _under:GroundPoint = new GroundPoint();
         private var _normal:Vector3D = new Vector3D();
         private var _point:Vector3D = new Vector3D();
-
-        /** Sets the model and the ground, as <code>GroundModelQuery.setTo()</code> takes them. */
-        public function setTo(grid:HeightGrid, tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int):void
-        {
-            search.grid = grid;
-            search.origin.x = placement.x;
-            search.origin.y = placement.y;
-            search.origin.z = placement.z;
-            pieces.setTo(tree, structure, placement, depth);
-        }
 
         /** The current triangle of the ground. */
         public function get triangle():NearTriangle

@@ -73,7 +73,7 @@ package starlogo.ground
             var high:Number = first > second ? first : second;
             high = high > third ? high : third;
             high = high > fourth ? high : fourth;
-            var hasWalls:Boolean = grid.isBlocky || _path.isAtBorder(0, column, row) || hasHoles && grid.isBesideHole(at);
+            var hasWalls:Boolean = grid.isBlocky || hasHoles || _path.isAtBorder(0, column, row);
             if (passage.minHeight > high || passage.maxHeight < low && !hasWalls)
             {
                 return;

@@ -188,12 +188,6 @@ package starlogo.ground
             return (holes[index >> 5] >> (index & 31) & 1) == 1;
         }
 
-        /** Whether one of the four cells beside the cell of a height is a hole. The cell is not at a border. */
-        public function isBesideHole(index:int):Boolean
-        {
-            return isHole(index - 1) || isHole(index + 1) || isHole(index - columns) || isHole(index + columns);
-        }
-
         /** Whether there is a cell at a column and a row, and it is no hole. */
         public function hasCell(column:int, row:int):Boolean
         {

@@ -25,7 +25,7 @@ package starlogo.ground
 
         private var _triangles:NearTriangles = new NearTriangles(search, pieces);
 
-        // The ground under a point of the current piece, its normal there, and the piece's lowest point along this normal, relative to the origin.
+        // The ground under the last point of the current piece that was asked about, its normal there, and the piece's lowest point along this normal, relative to the origin.
         private var _under:GroundPoint = new GroundPoint();
         private var _normal:Vector3D = new Vector3D();
         private var _point:Vector3D = new Vector3D();
@@ -81,19 +81,13 @@ package starlogo.ground
             return false;
         }
 
-        /** Whether a point of the current piece is at least this deep under the ground. */
-        public function hasPointUnder(depth:Number):Boolean
-        {
-            return isUnder(pieces.point, depth, _under);
-        }
-
         /**
          * Whether a quick test shows that a part of the current piece is under the ground: its point, or a structure's lowest point along the ground's
          * normal. This shows it of nearly all structures whose lowest part is there.
          */
         public function isPartUnder():Boolean
         {
-            if (isUnder(pieces.point, 0, _under))
+            if (isUnder(pieces.point, 0))
             {
                 return true;
             }
@@ -107,16 +101,16 @@ package starlogo.ground
             _point.x = shape.x + shape.points[at] - shape.radius * _normal.x;
             _point.y = shape.y + shape.points[int(at + 1)] - shape.radius * _normal.y;
             _point.z = shape.z + shape.points[int(at + 2)] - shape.radius * _normal.z;
-            return isUnder(_point, 0, _under);
+            return isUnder(_point, 0);
         }
 
-        // Finds the ground under a point. Returns whether the point is at least so deep under it.
-        private function isUnder(point:Vector3D, depth:Number, outGround:GroundPoint):Boolean
+        /** Whether a point of the current piece, relative to the origin, is at least so deep under the ground. */
+        public function isUnder(point:Vector3D, depth:Number):Boolean
         {
-            outGround.x = point.x + search.origin.x;
-            outGround.y = point.y + search.origin.y;
-            search.grid.findHeight(outGround);
-            return outGround.height - depth >= point.z + search.origin.z;
+            _under.x = point.x + search.origin.x;
+            _under.y = point.y + search.origin.y;
+            search.grid.findHeight(_under);
+            return _under.height - depth >= point.z + search.origin.z;
         }
 
         /** Goes on to the next triangle near the piece. Returns false if there is none. */

@@ -316,7 +316,7 @@ package starlogo.terrain
             {
                 assertEquals(terrain.getHeight(corner & 1, corner >> 1), same.getHeight(corner & 1, corner >> 1));
             }
-            for each (var noPicture:Object in [null, {}, {width: 2, height: 2, data: null}, {width: 2, height: 2}])
+            for each (var noPicture:Object in [null, {}, {width:2, height:2, data:null}, {width:2, height:2}])
             {
                 assertThrows(ArgumentError, /a picture is needed/, Terrain.fromPicture, noPicture, 1);
             }

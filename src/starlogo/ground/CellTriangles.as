@@ -16,10 +16,12 @@ package starlogo.ground
 
         private var _path:BoxPath;
 
-        // The cell, and the corners of its top, counter-clockwise from the one with the least x and y on.
+        // The cell, the corners of its top, counter-clockwise from the one with the least x and y on, and the lowest and the highest of them.
         private var _column:int = 0;
         private var _row:int = 0;
         private var _tops:Vector.<Number> = new Vector.<Number>(12, true);
+        private var _lowest:Number = 0;
+        private var _highest:Number = 0;
 
         // The index of the cell's next triangle, and the end of its triangles: 0, TOPS_END or WALLS_END.
         private var _next:int = 0;
@@ -59,42 +61,49 @@ package starlogo.ground
             {
                 return;
             }
-            // The heights of the corners. All corners of a block have one height.
-            var next:int = grid.isBlocky ? 0 : 1;
-            var rowStep:int = next * grid.columns;
-            var first:Number = grid.heights[at] - _path.search.origin.z;
-            var second:Number = grid.heights[int(at + next)] - _path.search.origin.z;
-            var third:Number = grid.heights[int(at + next + rowStep)] - _path.search.origin.z;
-            var fourth:Number = grid.heights[int(at + rowStep)] - _path.search.origin.z;
-            // comparisons take the player less time than Math.min() and Math.max()
-            var low:Number = first < second ? first : second;
-            low = low < third ? low : third;
-            low = low < fourth ? low : fourth;
-            var high:Number = first > second ? first : second;
-            high = high > third ? high : third;
-            high = high > fourth ? high : fourth;
-            var hasWalls:Boolean = grid.isBlocky || hasHoles || _path.isAtBorder(0, column, row);
-            if (passage.minHeight > high || passage.maxHeight < low && !hasWalls)
-            {
-                return;
-            }
             _column = column;
             _row = row;
             _passage = passage;
-            _tops[0] = _tops[9] = _path.alongX.cellsBegin + column * grid.cellWidth;
-            _tops[3] = _tops[6] = _path.alongX.cellsBegin + (column + 1) * grid.cellWidth;
-            _tops[1] = _tops[4] = _path.alongY.cellsBegin + row * grid.cellWidth;
-            _tops[7] = _tops[10] = _path.alongY.cellsBegin + (row + 1) * grid.cellWidth;
-            _tops[2] = first;
-            _tops[5] = second;
-            _tops[8] = third;
-            _tops[11] = fourth;
-            _end = TOPS_END;
-            if (hasWalls)
+            readTops(at);
+            var hasWalls:Boolean = grid.isBlocky || hasHoles || _path.isAtBorder(0, column, row);
+            if (passage.minHeight <= _highest && (hasWalls || passage.maxHeight >= _lowest))
             {
-                _path.findLongestPassage(column, row, _longestPassage);
-                _end = WALLS_END;
+                _end = TOPS_END;
+                if (hasWalls)
+                {
+                    _path.findLongestPassage(column, row, _longestPassage);
+                    _end = WALLS_END;
+                }
             }
+        }
+
+        // Reads the corners of the cell. All corners of a block have one height.
+        private function readTops(at:int):void
+        {
+            var grid:HeightGrid = _path.search.grid;
+            var heights:Vector.<Number> = grid.heights;
+            var next:int = grid.isBlocky ? 0 : 1;
+            var rowStep:int = next * grid.columns;
+            var tops:Vector.<Number> = _tops;
+            tops[0] = tops[9] = _path.alongX.cellsBegin + _column * grid.cellWidth;
+            tops[3] = tops[6] = _path.alongX.cellsBegin + (_column + 1) * grid.cellWidth;
+            tops[1] = tops[4] = _path.alongY.cellsBegin + _row * grid.cellWidth;
+            tops[7] = tops[10] = _path.alongY.cellsBegin + (_row + 1) * grid.cellWidth;
+            var first:Number = heights[at] + _path.zeroHeight;
+            var second:Number = heights[int(at + next)] + _path.zeroHeight;
+            var third:Number = heights[int(at + next + rowStep)] + _path.zeroHeight;
+            var fourth:Number = heights[int(at + rowStep)] + _path.zeroHeight;
+            tops[2] = first;
+            tops[5] = second;
+            tops[8] = third;
+            tops[11] = fourth;
+            // comparisons take the player less time than Math.min() and Math.max()
+            var low:Number = first < second ? first : second;
+            low = low < third ? low : third;
+            _lowest = low < fourth ? low : fourth;
+            var high:Number = first > second ? first : second;
+            high = high > third ? high : third;
+            _highest = high > fourth ? high : fourth;
         }
 
         /** Writes the next triangle near the box. Returns false if there is none. */
@@ -148,7 +157,7 @@ package starlogo.ground
             if (grid.hasCell(column, row))
             {
                 // no wall is between two slopes
-                low = grid.isBlocky ? grid.heights[row * grid.columns + column] - _path.search.origin.z : Infinity;
+                low = grid.isBlocky ? grid.heights[row * grid.columns + column] + _path.zeroHeight : Infinity;
             }
             // with no upper edge, the half is empty
             if (low >= (isUpper ? top : endTop) || low > _passage.maxHeight)

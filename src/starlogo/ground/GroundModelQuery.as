@@ -53,11 +53,7 @@ package starlogo.ground
          */
         public function setTo(grid:HeightGrid, tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int):void
         {
-            _pairs.search.grid = grid;
-            _pairs.search.origin.x = placement.x;
-            _pairs.search.origin.y = placement.y;
-            _pairs.search.origin.z = placement.z;
-            _pairs.pieces.setTo(tree, structure, placement, depth);
+            _pairs.setTo(grid, tree, structure, placement, depth);
         }
 
         /** @inheritDoc */

@@ -96,7 +96,7 @@ package starlogo.ground
                     }
                 }
                 // A structure's middle is inside of it. A tree's piece may be flat, with its middle on the surface. So there it counts only if no triangle touches.
-                if ((isApart || _pairs.pieces.kind == ModelPieces.STRUCTURE) && _pairs.isUnder(_pairs.pieces.point, depth))
+                if ((isApart || _pairs.pieces.kind == ModelPieces.STRUCTURE) && _pairs.hasPointUnder(depth))
                 {
                     return true;
                 }
@@ -153,10 +153,7 @@ package starlogo.ground
                     var overlap:Number = _tried.depth;
                     _pairs.triangle.plane.leadOutside(_kernel.shape, RelativeMotion.NONE, _tried);
                     var wayOut:Number = _tried.depth;
-                    // A clearly shorter way out counts if the overlap is as deep up to rounding. For a clearly longer one it has to be clearly deeper.
-                    var extraWayOut:Number = wayOut - out.depth;
-                    var leastExtra:Number = extraWayOut > rounding ? rounding : extraWayOut < -rounding ? -rounding : 0;
-                    if (!isFound || overlap > mostOverlap + leastExtra)
+                    if (!isFound || isBetter(overlap - mostOverlap, wayOut - out.depth, rounding))
                     {
                         isFound = true;
                         mostOverlap = Math.max(overlap, mostOverlap);
@@ -200,6 +197,17 @@ package starlogo.ground
                 from = to;
             }
             return true;
+        }
+
+        // Whether an overlap counts in place of another one, from how much deeper it is and how much longer its way out is. If the ways out are clearly
+        // different, the overlap with the shorter one counts if the two are equally deep up to rounding.
+        private static function isBetter(extraDepth:Number, extraWayOut:Number, rounding:Number):Boolean
+        {
+            if (Math.abs(extraWayOut) <= rounding)
+            {
+                return extraDepth > 0;
+            }
+            return extraWayOut > 0 ? extraDepth > rounding : extraDepth > -rounding;
         }
 
         // How much a depth behind the current triangle may be off by rounding.

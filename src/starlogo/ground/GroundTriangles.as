@@ -138,8 +138,8 @@ package starlogo.ground
         {
             var grid:HeightGrid = _path.search.grid;
             grid.pyramid.findRange(level, column, row, column, row, _heights);
-            _heights.min -= _path.search.origin.z;
-            _heights.max -= _path.search.origin.z;
+            _heights.min += _path.zeroHeight;
+            _heights.max += _path.zeroHeight;
             if (_path.isAtBorder(level, column, row) || _heights.hasHole)
             {
                 _heights.min = Math.min(_heights.min, _passage.minHeight);

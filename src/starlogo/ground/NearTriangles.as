@@ -7,7 +7,7 @@ package starlogo.ground
      * The triangles of the ground near a piece of a model, one after the other.
      *
      * <p>The triangles near an inner node that comes to few cells are found once, and kept for the pieces inside of it: each box is tested against them.
-     * If the pieces of a leaf are triangles, the triangles of the ground near the leaf's box are chosen once, and each piece is tested with all of these.</p>
+     * If the pieces of a leaf are triangles, those near the leaf's box are chosen first, and only these are tested.</p>
      */
     internal final class NearTriangles
     {
@@ -124,13 +124,16 @@ package starlogo.ground
             {
                 return nextFound();
             }
-            if (_next == _ofLeafCount)
+            while (_next < _ofLeafCount)
             {
-                return false;
+                triangle = _ofLeaf[_next];
+                _next++;
+                if (!isInFront(triangle))
+                {
+                    return true;
+                }
             }
-            triangle = _ofLeaf[_next];
-            _next++;
-            return true;
+            return false;
         }
 
         // Goes on to the next triangle near the box.
@@ -191,6 +194,22 @@ package starlogo.ground
             z = normal.z > 0 ? box.z - box.halfZ : box.z + box.halfZ;
             // a flat triangle has no plane
             return !(normal.x * x + normal.y * y + normal.z * z - triangle.plane.max > maxDistance - _search.minDepth + _source.slack);
+        }
+
+        // Whether the current piece, a triangle of the model, is all in front of a triangle's plane.
+        private function isInFront(triangle:NearTriangle):Boolean
+        {
+            var corners:Vector.<Number> = _pieces.corners;
+            var normal:Vector3D = triangle.plane.normal;
+            var motion:RelativeMotion = _search.motion;
+            var least:Number = normal.x * corners[0] + normal.y * corners[1] + normal.z * corners[2];
+            var other:Number = normal.x * corners[3] + normal.y * corners[4] + normal.z * corners[5];
+            least = other < least ? other : least;
+            other = normal.x * corners[6] + normal.y * corners[7] + normal.z * corners[8];
+            least = other < least ? other : least;
+            var travel:Number = (normal.x * motion.x + normal.y * motion.y + normal.z * motion.z) * motion.latest;
+            least = travel < 0 ? least + travel : least;
+            return least - triangle.plane.max > _search.maxDistance - _search.minDepth + _pieces.shapeMargin + _source.slack;
         }
     }
 }

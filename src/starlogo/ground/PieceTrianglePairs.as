@@ -1,9 +1,12 @@
 package starlogo.ground
 {
     import flash.geom.Vector3D;
+    import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
+    import starlogo.geometry.Placement;
+    import starlogo.solid.ModelTree;
 
     /**
      * Finds the pairs of a placed model's convex pieces and the triangles of the ground's surface near each. The model is a structure or a tree.
@@ -14,21 +17,31 @@ package starlogo.ground
      */
     internal final class PieceTrianglePairs
     {
-        /** The pieces. A query sets the model, and may move it before it begins. */
+        /** The pieces. A query may move the model before it begins. */
         public var pieces:ModelPieces = new ModelPieces();
 
         /**
-         * The search for the triangles near the current piece. A query sets the ground, and the origin to the place of the model: pieces, triangles and
-         * contacts are relative to it. It may narrow the limits.
+         * The search for the triangles near the current piece. Its origin is the place that the model was set to: pieces, triangles and contacts are
+         * relative to it. Read only.
          */
         public var search:GroundSearch = new GroundSearch();
 
         private var _triangles:NearTriangles = new NearTriangles(search, pieces);
 
-        // The ground under the last point of the current piece that was asked about, its normal there, and the piece's lowest point along this normal, relative to the origin.
+        // The ground under a point of the current piece, its normal there, and the piece's lowest point along this normal, relative to the origin.
         private var _under:GroundPoint = new GroundPoint();
         private var _normal:Vector3D = new Vector3D();
         private var _point:Vector3D = new Vector3D();
+
+        /** Sets the model and the ground, as <code>GroundModelQuery.setTo()</code> takes them. */
+        public function setTo(grid:HeightGrid, tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int):void
+        {
+            search.grid = grid;
+            search.origin.x = placement.x;
+            search.origin.y = placement.y;
+            search.origin.z = placement.z;
+            pieces.setTo(tree, structure, placement, depth);
+        }
 
         /** The current triangle of the ground. */
         public function get triangle():NearTriangle
@@ -81,13 +94,19 @@ package starlogo.ground
             return false;
         }
 
+        /** Whether a point of the current piece is at least this deep under the ground. */
+        public function hasPointUnder(depth:Number):Boolean
+        {
+            return isUnder(pieces.point, depth, _under);
+        }
+
         /**
          * Whether a quick test shows that a part of the current piece is under the ground: its point, or a structure's lowest point along the ground's
          * normal. This shows it of nearly all structures whose lowest part is there.
          */
         public function isPartUnder():Boolean
         {
-            if (isUnder(pieces.point, 0))
+            if (isUnder(pieces.point, 0, _under))
             {
                 return true;
             }
@@ -101,16 +120,16 @@ package starlogo.ground
             _point.x = shape.x + shape.points[at] - shape.radius * _normal.x;
             _point.y = shape.y + shape.points[int(at + 1)] - shape.radius * _normal.y;
             _point.z = shape.z + shape.points[int(at + 2)] - shape.radius * _normal.z;
-            return isUnder(_point, 0);
+            return isUnder(_point, 0, _under);
         }
 
-        /** Whether a point of the current piece, relative to the origin, is at least so deep under the ground. */
-        public function isUnder(point:Vector3D, depth:Number):Boolean
+        // Finds the ground under a point. Returns whether the point is at least so deep under it.
+        private function isUnder(point:Vector3D, depth:Number, outGround:GroundPoint):Boolean
         {
-            _under.x = point.x + search.origin.x;
-            _under.y = point.y + search.origin.y;
-            search.grid.findHeight(_under);
-            return _under.height - depth >= point.z + search.origin.z;
+            outGround.x = point.x + search.origin.x;
+            outGround.y = point.y + search.origin.y;
+            search.grid.findHeight(outGround);
+            return outGround.height - depth >= point.z + search.origin.z;
         }
 
         /** Goes on to the next triangle near the piece. Returns false if there is none. */

@@ -6,8 +6,8 @@ package starlogo.ground
         /** The box's middle at time 0. */
         public var middle:Number = 0;
 
-        /** Half of the box's length, with slack for rounding. */
-        public var half:Number = 0;
+        /** How far the box reaches on both sides of its middle, and the slack. */
+        public var reach:Number = 0;
 
         /** How far the box moves from time 0 to time 1. */
         public var speed:Number = 0;

@@ -14,9 +14,9 @@ package starlogo.ground
         // boxes begin with squares that are larger than needed. Larger: long boxes begin with many squares.
         private static const MAX_FIRST_SQUARES:int = 3;
 
-        // How many rounded terms are compared with one another: of each axis the box's middle, half its length, and how far it has moved; and a limit.
+        // How many rounded terms a place of the box and a limit are: of each axis the box's middle, half its length, and how far it has moved; and a limit.
         // Each may be off by Tolerances.ROUNDING of the lengths.
-        private static const ROUNDED_TERMS:Number = 10;
+        private static const TERMS_OF_PLACE:Number = 10;
 
         /** The height 0 of the ground, relative to the search's origin. Read only. */
         public var zeroHeight:Number = 0;
@@ -34,8 +34,8 @@ package starlogo.ground
         // The latest time of the motion when the search began. It may have become earlier since.
         private var _latest:Number = 0;
 
-        // Half the box's height, with slack for rounding.
-        private var _halfZ:Number = 0;
+        // How far the box reaches above and below its middle, and the slack.
+        private var _reachZ:Number = 0;
 
         private var _separation:SquareSeparation = new SquareSeparation();
         private var _square:GroundBox = new GroundBox();
@@ -53,23 +53,23 @@ package starlogo.ground
             zeroHeight = -search.origin.z;
             // the margins are fractions of the triangles' sizes, and so of the cell's width and the heights
             var whole:HeightBounds = grid.pyramid.whole;
-            slack = ROUNDED_TERMS * Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(box.y) + Math.abs(box.z) + box.halfX + box.halfY + box.halfZ
+            slack = TERMS_OF_PLACE * Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(box.y) + Math.abs(box.z) + box.halfX + box.halfY + box.halfZ
                     + Math.abs(alongX.cellsBegin) + Math.abs(alongY.cellsBegin) + Math.abs(zeroHeight) + grid.cellWidth + whole.max - whole.min
                     + _latest * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z)));
             alongX.middle = box.x;
-            alongX.half = box.halfX * Tolerances.OUTER + slack;
+            alongX.reach = box.halfX * Tolerances.OUTER + slack;
             alongX.speed = motion.x;
             alongY.middle = box.y;
-            alongY.half = box.halfY * Tolerances.OUTER + slack;
+            alongY.reach = box.halfY * Tolerances.OUTER + slack;
             alongY.speed = motion.y;
-            _halfZ = box.halfZ * Tolerances.OUTER + slack;
+            _reachZ = box.halfZ * Tolerances.OUTER + slack;
         }
 
         /** The level with whose squares the search begins. */
         public function firstLevel():int
         {
             // the longer side of the rectangle over which the box passes
-            var length:Number = Math.max(2 * alongX.half + _latest * Math.abs(alongX.speed), 2 * alongY.half + _latest * Math.abs(alongY.speed))
+            var length:Number = Math.max(2 * alongX.reach + _latest * Math.abs(alongX.speed), 2 * alongY.reach + _latest * Math.abs(alongY.speed))
                 + 2 * search.maxDistance;
             var level:int = 0;
             while (level < search.grid.pyramid.lastLevel && length > MAX_FIRST_SQUARES * widthAt(level))
@@ -89,14 +89,14 @@ package starlogo.ground
         public function firstOf(axis:AxisPath, passage:SquarePassage, level:int):int
         {
             var least:Number = axis.middle - axis.cellsBegin + Math.min(passage.earliest * axis.speed, passage.latest * axis.speed);
-            return squareAt(least - (axis.half + search.maxDistance), level);
+            return squareAt(least - (axis.reach + search.maxDistance), level);
         }
 
         /** The last column or row of a level that the box may pass over in a passage. It may be outside of the grid. */
         public function lastOf(axis:AxisPath, passage:SquarePassage, level:int):int
         {
             var greatest:Number = axis.middle - axis.cellsBegin + Math.max(passage.earliest * axis.speed, passage.latest * axis.speed);
-            return squareAt(greatest + (axis.half + search.maxDistance), level);
+            return squareAt(greatest + (axis.reach + search.maxDistance), level);
         }
 
         // The column or row of a level that is so far from the first one; -1 for all before that one.
@@ -117,48 +117,50 @@ package starlogo.ground
         public function findPassage(level:int, column:int, row:int, out:SquarePassage):Boolean
         {
             out.reset(search.motion.latest);
-            narrowToSquare(level, column, row, out);
-            return out.earliest <= out.latest;
+            return narrowToSquare(level, column, row, out);
         }
 
-        /** Finds the passage over a cell until the time that was the latest when the search began. */
+        /** Finds the passage over a cell until the time that was the latest when the search began. The box passes over the cell. */
         public function findLongestPassage(column:int, row:int, out:SquarePassage):void
         {
             out.reset(_latest);
             narrowToSquare(0, column, row, out);
         }
 
-        // Narrows a passage to the part in which the box is over a square, and finds its heights.
-        private function narrowToSquare(level:int, column:int, row:int, passage:SquarePassage):void
+        // Narrows a passage to the part in which the box is over a square, and finds its heights. Returns whether there is such a part.
+        private function narrowToSquare(level:int, column:int, row:int, passage:SquarePassage):Boolean
         {
-            narrowAlong(alongX, column, level, passage);
-            narrowAlong(alongY, row, level, passage);
+            if (!narrowAlong(alongX, column, level, passage) || !narrowAlong(alongY, row, level, passage))
+            {
+                return false;
+            }
             var start:Number = search.box.z + passage.earliest * search.motion.z;
             var end:Number = search.box.z + passage.latest * search.motion.z;
-            var far:Number = search.maxDistance;
+            var maxDistance:Number = search.maxDistance;
             // a triangle beside the box must be nearer in height to be near enough
-            var up:Number = far > 0 ? Math.sqrt(Math.max(0, far * far - passage.besideSquared)) : 0;
-            passage.min = Math.min(start, end) - _halfZ - up;
-            passage.max = Math.max(start, end) + _halfZ + up;
+            var up:Number = maxDistance > 0 ? Math.sqrt(Math.max(0, maxDistance * maxDistance - passage.besideSquared)) : 0;
+            passage.minHeight = Math.min(start, end) - _reachZ - up;
+            passage.maxHeight = Math.max(start, end) + _reachZ + up;
+            return true;
         }
 
         // Narrows a passage to the part in which the box is over a column or a row. If the box does not move along this axis, it is near enough to the
-        // column or row all the time or never.
-        private function narrowAlong(axis:AxisPath, square:int, level:int, passage:SquarePassage):void
+        // column or row all the time or never. Returns whether there is such a part.
+        private function narrowAlong(axis:AxisPath, square:int, level:int, passage:SquarePassage):Boolean
         {
             var speed:Number = axis.speed;
             var width:Number = widthAt(level);
             if (speed == 0)
             {
-                var beside:Number = Math.max(0, Math.abs(axis.middle - axis.cellsBegin - (square + 0.5) * width) - width / 2 - axis.half);
+                var beside:Number = Math.max(0, Math.abs(axis.middle - axis.cellsBegin - (square + 0.5) * width) - width / 2 - axis.reach);
                 passage.besideSquared += beside * beside;
-                passage.latest = beside > search.maxDistance ? -1 : passage.latest;
-                return;
+                return beside <= search.maxDistance;
             }
-            var low:Number = (axis.cellsBegin + square * width - (axis.middle + axis.half)) / speed;
-            var high:Number = (axis.cellsBegin + (square + 1) * width - (axis.middle - axis.half)) / speed;
+            var low:Number = (axis.cellsBegin + square * width - (axis.middle + axis.reach)) / speed;
+            var high:Number = (axis.cellsBegin + (square + 1) * width - (axis.middle - axis.reach)) / speed;
             passage.earliest = Math.max(passage.earliest, Math.min(low, high));
             passage.latest = Math.min(passage.latest, Math.max(low, high));
+            return passage.earliest <= passage.latest;
         }
 
         /** Whether the shape in the box stays farther away from a square than a triangle may be. The square is between two heights. */

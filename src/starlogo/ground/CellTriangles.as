@@ -30,8 +30,8 @@ package starlogo.ground
         // How the box passes over the cell within the limits that the search had when it came to the cell. Triangles above and below it are left out.
         private var _passage:SquarePassage;
 
-        // How the box passes over the cell until the latest time at the beginning of the search. Tall walls are cut above and below it, so no corner
-        // depends on what the latest time has become.
+        // How the box passes over the cell until the latest time at the beginning of the GroundTriangles' search. Tall walls are cut above and below it, so
+        // no corner depends on what the latest time has become since.
         private var _longestPassage:SquarePassage = new SquarePassage();
 
         /** @param path of the boxes over the ground */
@@ -40,23 +40,23 @@ package starlogo.ground
             _path = path;
         }
 
-        /** Leaves the cell, if there is one: there are no more triangles. */
-        public function leave():void
+        /** Ends: there is no next triangle. */
+        public function stop():void
         {
             _next = _end = 0;
         }
 
         /**
-         * Goes on to a cell.
+         * Begins with a cell.
          *
          * @param passage how the box passes over the cell; kept until the next cell
          */
-        public function enter(column:int, row:int, passage:SquarePassage):void
+        public function begin(column:int, row:int, passage:SquarePassage):void
         {
             var grid:HeightGrid = _path.search.grid;
             var at:int = row * grid.columns + column;
             var hasHoles:Boolean = grid.pyramid.whole.hasHole;
-            leave();
+            stop();
             if (hasHoles && grid.isHole(at))
             {
                 return;
@@ -65,8 +65,8 @@ package starlogo.ground
             _row = row;
             _passage = passage;
             readTops(at);
-            var hasWalls:Boolean = grid.isBlocky || _path.isAtBorder(0, column, row) || hasHoles && grid.isBesideHole(at);
-            if (passage.min <= _highest && (hasWalls || passage.max >= _lowest))
+            var hasWalls:Boolean = grid.isBlocky || hasHoles || _path.isAtBorder(0, column, row);
+            if (passage.minHeight <= _highest && (hasWalls || passage.maxHeight >= _lowest))
             {
                 _end = TOPS_END;
                 if (hasWalls)
@@ -83,7 +83,7 @@ package starlogo.ground
             var grid:HeightGrid = _path.search.grid;
             var heights:Vector.<Number> = grid.heights;
             var next:int = grid.isBlocky ? 0 : 1;
-            var far:int = next * grid.columns;
+            var rowStep:int = next * grid.columns;
             var tops:Vector.<Number> = _tops;
             tops[0] = tops[9] = _path.alongX.cellsBegin + _column * grid.cellWidth;
             tops[3] = tops[6] = _path.alongX.cellsBegin + (_column + 1) * grid.cellWidth;
@@ -91,8 +91,8 @@ package starlogo.ground
             tops[7] = tops[10] = _path.alongY.cellsBegin + (_row + 1) * grid.cellWidth;
             var first:Number = heights[at] + _path.zeroHeight;
             var second:Number = heights[int(at + next)] + _path.zeroHeight;
-            var third:Number = heights[int(at + next + far)] + _path.zeroHeight;
-            var fourth:Number = heights[int(at + far)] + _path.zeroHeight;
+            var third:Number = heights[int(at + next + rowStep)] + _path.zeroHeight;
+            var fourth:Number = heights[int(at + rowStep)] + _path.zeroHeight;
             tops[2] = first;
             tops[5] = second;
             tops[8] = third;
@@ -138,7 +138,7 @@ package starlogo.ground
             var high:Number = corners[2] > corners[5] ? corners[2] : corners[5];
             high = high > corners[8] ? high : corners[8];
             out.radius = _path.search.grid.cellWidth + high - low;
-            return _passage.min <= high && _passage.max >= low;
+            return _passage.minHeight <= high && _passage.maxHeight >= low;
         }
 
         // Writes half of the wall on a side, from one corner to the next. The half with the upper edge comes second. Returns false if there is
@@ -159,18 +159,19 @@ package starlogo.ground
                 // no wall is between two slopes
                 low = grid.isBlocky ? grid.heights[row * grid.columns + column] + _path.zeroHeight : Infinity;
             }
-            if (low >= top && low >= endTop || low > _passage.max)
+            // with no upper edge, the half is empty
+            if (low >= (isUpper ? top : endTop) || low > _passage.maxHeight)
             {
                 return false;
             }
             var width:Number = grid.cellWidth;
             if (floor == -Infinity)
             {
-                low = Math.max(low, Math.min(_longestPassage.min, Math.min(top, endTop)) - width);
+                low = Math.max(low, Math.min(_longestPassage.minHeight, Math.min(top, endTop)) - width);
             }
-            if (Math.min(top, endTop) > _longestPassage.max + width)
+            if (Math.min(top, endTop) > _longestPassage.maxHeight + width)
             {
-                top = endTop = _longestPassage.max + width;
+                top = endTop = _longestPassage.maxHeight + width;
             }
             copyTops(side, end, isUpper ? side : end, corners);
             corners[2] = low;

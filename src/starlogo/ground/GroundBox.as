@@ -34,9 +34,9 @@ package starlogo.ground
          * Becomes the box around a triangle.
          *
          * @param corners nine numbers
-         * @param slack by how much the box is larger, on all sides
+         * @param growth by how much the box is larger, on all sides
          */
-        public function setToTriangle(corners:Vector.<Number>, slack:Number):void
+        public function setToTriangle(corners:Vector.<Number>, growth:Number):void
         {
             var minX:Number = corners[0] < corners[3] ? corners[0] : corners[3];
             var minY:Number = corners[1] < corners[4] ? corners[1] : corners[4];
@@ -53,9 +53,9 @@ package starlogo.ground
             x = (minX + maxX) / 2;
             y = (minY + maxY) / 2;
             z = (minZ + maxZ) / 2;
-            halfX = (maxX - minX) / 2 + slack;
-            halfY = (maxY - minY) / 2 + slack;
-            halfZ = (maxZ - minZ) / 2 + slack;
+            halfX = (maxX - minX) / 2 + growth;
+            halfY = (maxY - minY) / 2 + growth;
+            halfZ = (maxZ - minZ) / 2 + growth;
         }
 
         /** Becomes the box around a motion of the box until its latest time. */

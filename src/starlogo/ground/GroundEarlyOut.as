@@ -63,22 +63,22 @@ package starlogo.ground
             }
             var whole:HeightBounds = grid.pyramid.whole;
             // agents that are this close may touch, because of rounding
-            var slack:Number = Tolerances.ROUNDING * (Math.abs(grid.x) + Math.abs(grid.y) + (grid.columns + grid.rows) * grid.cellWidth
+            var touchMargin:Number = Tolerances.ROUNDING * (Math.abs(grid.x) + Math.abs(grid.y) + (grid.columns + grid.rows) * grid.cellWidth
                     + Math.abs(whole.min) + Math.abs(whole.max));
             var slope:Number = grid.isBlocky ? Infinity : Math.max(whole.riseX, whole.riseY) / grid.cellWidth;
             // The height that the steepest slope of all reaches. For a sphere it is its radius times the root of 1 + 2 s², at most 1 + s².
             var height:Number = isSphere ? inner + inner * slope * slope : extents.halfZ + slope * (extents.halfX + extents.halfY);
             // an agent whose lowest height is in the ground under its middle is not far
-            var isApart:Boolean = above > height * Tolerances.OUTER + slack || above > extents.halfZ && isFar(grid, extents, isSphere, above, slack);
+            var isApart:Boolean = above > height * Tolerances.OUTER + touchMargin || above > extents.halfZ && isFar(grid, extents, isSphere, above, touchMargin);
             return isApart ? APART : UNKNOWN;
         }
 
         // Whether the agent is above all heights near it, or higher above its place than the slopes between them reach.
-        private function isFar(grid:HeightGrid, extents:GroundBox, isSphere:Boolean, above:Number, slack:Number):Boolean
+        private function isFar(grid:HeightGrid, extents:GroundBox, isSphere:Boolean, above:Number, touchMargin:Number):Boolean
         {
-            var halfX:Number = extents.halfX * Tolerances.OUTER + slack;
-            var halfY:Number = extents.halfY * Tolerances.OUTER + slack;
-            var halfZ:Number = extents.halfZ * Tolerances.OUTER + slack;
+            var halfX:Number = extents.halfX * Tolerances.OUTER + touchMargin;
+            var halfY:Number = extents.halfY * Tolerances.OUTER + touchMargin;
+            var halfZ:Number = extents.halfZ * Tolerances.OUTER + touchMargin;
             grid.pyramid.findAround(extents.x, extents.y, halfX, halfY, _heightsAround);
             if (extents.z - halfZ > _heightsAround.max)
             {

@@ -24,17 +24,23 @@ package starlogo.ground
      */
     public final class GroundModelQuery extends ImpactQuery
     {
+        /** Asks how deep the model is in the ground where it stands. Read only. */
+        public var penetration:GroundPenetrationQuery;
+
         private var _pairs:PieceTrianglePairs = new PieceTrianglePairs();
-        private var _penetration:GroundPenetrationQuery = new GroundPenetrationQuery(_pairs);
 
         // The motion until the first touch so far. It begins where the model is, because the model is moved to the beginning.
         private var _sweep:RelativeMotion = new RelativeMotion();
         private var _firstImpact:FirstImpact = new FirstImpact();
 
-        // For the upper bound of a distance: the box around the model, a point of the ground, and the same point as the corners of a triangle.
-        private var _modelBox:GroundBox = new GroundBox();
+        // For the upper bound of a distance: a point of the ground, and the same point as the corners of a triangle.
         private var _nearest:GroundPoint = new GroundPoint();
         private var _point:Vector.<Number> = new Vector.<Number>(9, true);
+
+        public function GroundModelQuery()
+        {
+            penetration = new GroundPenetrationQuery(_pairs);
+        }
 
         /**
          * Sets the model and the ground. Call it before each question, because a question may leave the model where its motion has brought it.
@@ -143,19 +149,7 @@ package starlogo.ground
                 }
             }
             _pairs.pieces.moveTo(motion, time);
-            _penetration.findContact(out);
-        }
-
-        /** Whether a piece of the model overlaps the surface by more than a depth, or a point of it is as deep under the ground. */
-        public function isDeeper(depth:Number):Boolean
-        {
-            return _penetration.isDeeper(depth);
-        }
-
-        /** Finds the contact that lifts the model from its lowest place above all ground under it. */
-        public function findLift(out:ContactPoint):void
-        {
-            _penetration.findLift(out);
+            penetration.findContact(out);
         }
 
         /**
@@ -174,7 +168,7 @@ package starlogo.ground
             {
                 if (kernel.findCloser(_pairs.triangle.corners, out))
                 {
-                    _pairs.narrowToDistance(out.distance);
+                    _pairs.search.maxDistance = out.distance;
                 }
             }
             if (areTouching)
@@ -188,12 +182,12 @@ package starlogo.ground
         }
 
         // Sets an upper bound of the distance. A structure's is its distance from one point of the ground, the nearest one to its middle as seen from above. A
-        // tree's is the distance from there to the farthest corner of the box around it.
+        // tree's is the distance from there to the farthest corner of the box around it. Without ground it is infinite.
         private function boundDistance(out:ClosestPoints):void
         {
             var origin:Placement = _pairs.search.origin;
-            var box:GroundBox = _modelBox;
-            _pairs.pieces.findBoxAroundWhole(box);
+            var box:GroundBox = _pairs.pieces.wholeBox;
+            _pairs.pieces.findWholeBox();
             _nearest.x = box.x + origin.x;
             _nearest.y = box.y + origin.y;
             _pairs.search.grid.findNearest(_nearest);
@@ -203,26 +197,25 @@ package starlogo.ground
             var farX:Number = Math.abs(x - box.x) + box.halfX;
             var farY:Number = Math.abs(y - box.y) + box.halfY;
             var farZ:Number = Math.abs(z - box.z) + box.halfZ;
+            if (isNaN(z))
+            {
+                out.distance = Infinity;
+                return;
+            }
             out.distance = Math.sqrt(farX * farX + farY * farY + farZ * farZ);
             _pairs.pieces.begin();
             _pairs.pieces.next();
-            // without ground it is infinite
-            if (_pairs.pieces.kind == ModelPieces.STRUCTURE && out.distance < Infinity)
+            if (_pairs.pieces.kind == ModelPieces.STRUCTURE)
             {
-                _pairs.pieces.kernel.findCloser(pointAsTriangle(x, y, z), out);
+                for (var i:int = 0; i < 9; i += 3)
+                {
+                    _point[i] = x;
+                    _point[int(i + 1)] = y;
+                    _point[int(i + 2)] = z;
+                }
+                _pairs.pieces.kernel.findCloser(_point, out);
             }
             out.distance = out.distance * Tolerances.OUTER + Tolerances.SURFACES * _pairs.search.grid.cellWidth;
-        }
-
-        private function pointAsTriangle(x:Number, y:Number, z:Number):Vector.<Number>
-        {
-            for (var i:int = 0; i < 9; i += 3)
-            {
-                _point[i] = x;
-                _point[int(i + 1)] = y;
-                _point[int(i + 2)] = z;
-            }
-            return _point;
         }
     }
 }

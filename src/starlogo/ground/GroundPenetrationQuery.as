@@ -13,15 +13,17 @@ package starlogo.ground
      * <p>What is behind the plane of a triangle may be outside of the ground, because the plane goes on where the ground is lower. So the depth behind a
      * triangle counts if bounds of the heights around prove that no exit is much shorter. If no depth is proven, the triangle counts that a piece
      * overlaps most.</p>
+     *
+     * @private
      */
-    internal final class GroundPenetrationQuery
+    public final class GroundPenetrationQuery
     {
         // A depth is proven if no exit is shorter than this fraction of it. The fraction is larger than the one that PenetrationSearch requires, so a proven depth
         // needs no search for other ways out. Larger: more contacts need one.
         private static const MIN_RATIO_PROVEN:Number = 0.8;
 
         // How many rounded terms a depth behind a plane is a sum of, of the shape and of the plane. Each may be off by the triangle's margin.
-        private static const ROUNDED_TERMS:Number = 10;
+        private static const TERMS_OF_DEPTH:Number = 10;
 
         private var _pairs:PieceTrianglePairs;
         private var _kernel:TriangleKernel;
@@ -31,8 +33,7 @@ package starlogo.ground
 
         private var _exits:GroundExits = new GroundExits();
 
-        // The box around the model, and bounds of the heights around it.
-        private var _modelBox:GroundBox = new GroundBox();
+        // Bounds of the heights around the model.
         private var _heightsAround:HeightBounds = new HeightBounds();
 
         /** @param pairs of the model, where it stands */
@@ -50,7 +51,7 @@ package starlogo.ground
          */
         public function findContact(out:ContactPoint):void
         {
-            if (!(findDeepestBehind(out) || findDeepestOverlap(out)))
+            if (!(findProvenDepth(out) || findLargestOverlap(out)))
             {
                 findLift(out);
             }
@@ -60,8 +61,8 @@ package starlogo.ground
         public function findLift(out:ContactPoint):void
         {
             var origin:Placement = _pairs.search.origin;
-            var box:GroundBox = _modelBox;
-            _pairs.pieces.findBoxAroundWhole(box);
+            var box:GroundBox = _pairs.pieces.wholeBox;
+            _pairs.pieces.findWholeBox();
             var low:Number = box.z - box.halfZ;
             _pairs.search.grid.pyramid.findAround(box.x + origin.x, box.y + origin.y, box.halfX, box.halfY, _heightsAround);
             out.setNormal(0, 0, 1);
@@ -105,7 +106,7 @@ package starlogo.ground
 
         // Finds the contact with the triangle that the model is deepest behind. Only triangles count that the exit from a piece's deepest point passes
         // through, and only depths that are proven. Returns whether there is one.
-        private function findDeepestBehind(out:ContactPoint):Boolean
+        private function findProvenDepth(out:ContactPoint):Boolean
         {
             var isFound:Boolean = false;
             // less than any depth, so that rounding hides no piece that just touches
@@ -125,7 +126,7 @@ package starlogo.ground
                         out.copyFrom(_tried);
                         out.isDeepestOfA = true;
                         out.exitBound = MIN_RATIO_PROVEN * out.depth;
-                        _pairs.narrowToDepth(out.depth);
+                        _pairs.search.minDepth = out.depth;
                     }
                 }
             }
@@ -135,7 +136,7 @@ package starlogo.ground
         // Finds the contact with the triangle that the model overlaps most. Of overlaps that are equally deep, up to rounding, the one with the shorter
         // way out counts: beside a hole, the way past its side, and not the way to the front of the slope at the top of this side. Returns whether
         // there is one.
-        private function findDeepestOverlap(out:ContactPoint):Boolean
+        private function findLargestOverlap(out:ContactPoint):Boolean
         {
             var isFound:Boolean = false;
             var mostOverlap:Number = 0;
@@ -152,7 +153,7 @@ package starlogo.ground
                     var overlap:Number = _tried.depth;
                     _pairs.triangle.plane.leadOutside(_kernel.shape, RelativeMotion.NONE, _tried);
                     var wayOut:Number = _tried.depth;
-                    if (!isFound || overlap > mostOverlap + roundingFor(wayOut - out.depth, rounding))
+                    if (!isFound || isBetter(overlap - mostOverlap, wayOut - out.depth, rounding))
                     {
                         isFound = true;
                         mostOverlap = Math.max(overlap, mostOverlap);
@@ -198,22 +199,22 @@ package starlogo.ground
             return true;
         }
 
-        // How much deeper an overlap has to be than another one. With a clearly shorter way out it may be as deep up to rounding. With a clearly longer one
-        // it has to be clearly deeper.
-        private static function roundingFor(extraWayOut:Number, rounding:Number):Number
+        // Whether an overlap counts in place of another one, from how much deeper it is and how much longer its way out is. If the ways out are clearly
+        // different, the overlap with the shorter one counts if the two are equally deep up to rounding.
+        private static function isBetter(extraDepth:Number, extraWayOut:Number, rounding:Number):Boolean
         {
-            if (extraWayOut > rounding)
+            if (Math.abs(extraWayOut) <= rounding)
             {
-                return rounding;
+                return extraDepth > 0;
             }
-            return extraWayOut < -rounding ? -rounding : 0;
+            return extraWayOut > 0 ? extraDepth > rounding : extraDepth > -rounding;
         }
 
         // How much a depth behind the current triangle may be off by rounding.
         private function roundingHere():Number
         {
             var origin:Placement = _pairs.search.origin;
-            return ROUNDED_TERMS * _pairs.triangle.margin + 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
+            return TERMS_OF_DEPTH * _pairs.triangle.margin + 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
         }
 
         // Whether each exit from the ground is at least about as long as a contact in the world is deep, because the piece's deepest point has to get out.

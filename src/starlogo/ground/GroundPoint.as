@@ -1,7 +1,7 @@
 package starlogo.ground
 {
     /**
-     * A place of the ground, as a record: where it is, how high the ground is there, and of which triangle that height is.
+     * A place of the ground, as a record: where it is, in which cell, how high the ground is there, and of which triangle that height is.
      *
      * @private
      */
@@ -11,14 +11,14 @@ package starlogo.ground
         public var x:Number = NaN;
         public var y:Number = NaN;
 
-        /** The height there; NaN outside of the ground and over a hole; Infinity if <code>findNearest()</code> found no ground. */
+        /** The column and the row of its cell. */
+        public var column:int = 0;
+        public var row:int = 0;
+
+        /** The height there; NaN outside of the ground and over a hole. */
         public var height:Number = NaN;
 
-        /**
-         * The triangle of a slope: indices of the height of its cell with the least x and y, and of the height beside the diagonal. The third
-         * is opposite to the first.
-         */
-        public var corner:int = 0;
-        public var side:int = 0;
+        /** On slopes, which of the cell's two triangles it is: whether it has the cell's side with the greatest x, or else the one with the greatest y. */
+        public var isBesideX:Boolean = false;
     }
 }

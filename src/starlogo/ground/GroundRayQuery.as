@@ -98,15 +98,27 @@ package starlogo.ground
             _search.motion.x = ray.directionX;
             _search.motion.y = ray.directionY;
             _search.motion.z = ray.directionZ;
-            _search.motion.latest = FARTHEST;
+            _search.motion.latest = endOf(grid, ray);
             _search.grid = grid;
             _triangles.begin(_search);
             // only now, so that the distance does not depend on where the ray ends
-            _search.motion.latest = Math.min(ray.to, FARTHEST);
+            _search.motion.latest = Math.min(ray.to, _search.motion.latest);
             var whole:HeightBounds = grid.pyramid.whole;
             // the cell's width, and twice as much because walls are cut a cell's width above and below
             _largestRadius = 3 * grid.cellWidth + whole.max - whole.min;
             _sheared.setTo(ray, _largestRadius);
+        }
+
+        // A distance at which a ray is beyond all of the ground: it leaves the grid along x or y. An upright ray leaves the heights.
+        private static function endOf(grid:HeightGrid, ray:Ray):Number
+        {
+            if (ray.directionX == 0 && ray.directionY == 0)
+            {
+                return Math.abs(ray.z) + Math.max(Math.abs(grid.pyramid.whole.min), Math.abs(grid.pyramid.whole.max));
+            }
+            var endX:Number = (Math.abs(ray.x - grid.x) + grid.columns * grid.cellWidth) / Math.abs(ray.directionX);
+            var endY:Number = (Math.abs(ray.y - grid.y) + grid.rows * grid.cellWidth) / Math.abs(ray.directionY);
+            return Math.min(FARTHEST, Math.min(endX, endY));
         }
     }
 }

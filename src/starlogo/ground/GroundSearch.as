@@ -13,7 +13,7 @@ package starlogo.ground
         /** The ground. */
         public var grid:HeightGrid = null;
 
-        /** The place in the world to which the box and the triangles are relative. It has no rotation and no scale. */
+        /** The place in the world to which the box and the triangles are relative. Only its x, y and z count. */
         public var origin:Placement = new Placement();
 
         /** The box at time 0. */
@@ -34,5 +34,8 @@ package starlogo.ground
 
         /** A limit: how far from the standing box a triangle still counts. Tall walls are cut beyond it. */
         public var maxDistance:Number = 0;
+
+        /** A limit: how deep a piece of a model must be behind a triangle's plane. NearTriangles leaves out the triangles of which it clearly is not. */
+        public var minDepth:Number = 0;
     }
 }

@@ -16,8 +16,8 @@ package starlogo.ground
      */
     public final class GroundTriangles
     {
-        /** Whether the box of the search comes to few cells. Read only. */
-        internal var comesToFewCells:Boolean = false;
+        /** Whether the search began with cells and not with larger squares, because its box comes to few cells. Read only. */
+        internal var startsAtCells:Boolean = false;
 
         private var _path:BoxPath = new BoxPath();
 
@@ -30,38 +30,37 @@ package starlogo.ground
         private var _squares:Vector.<int> = new Vector.<int>();
         private var _squaresEnd:int = 0;
 
-        /**
-         * Begins with all triangles of the cells that a rectangle passes over. All walls go down to the lowest height.
-         *
-         * @param rectangle a box of any height
-         */
-        public function beginOver(grid:HeightGrid, rectangle:GroundBox):void
+        /** Begins with all triangles of the cells in some columns and rows. All walls go down to the lowest height. */
+        public function beginOver(grid:HeightGrid, firstColumn:int, firstRow:int, lastColumn:int, lastRow:int):void
         {
             var search:GroundSearch = new GroundSearch();
-            var whole:HeightBounds = grid.pyramid.whole;
             search.grid = grid;
-            search.floor = whole.min;
-            search.box.copyFrom(rectangle);
-            search.box.z = (whole.min + whole.max) / 2;
-            search.box.halfZ = (whole.max - whole.min) / 2;
-            begin(search);
+            search.floor = grid.pyramid.whole.min;
+            search.box.halfX = search.box.halfY = search.box.halfZ = Infinity;
+            beginOn(search);
+            addSquares(0, firstColumn, firstRow, lastColumn, lastRow);
         }
 
         /** Begins a search, which is kept until it ends. */
         internal function begin(search:GroundSearch):void
         {
+            beginOn(search);
+            var firstLevel:int = _path.firstLevel();
+            startsAtCells = firstLevel == 0;
+            addSquares(firstLevel, 0, 0, int.MAX_VALUE, int.MAX_VALUE);
+        }
+
+        private function beginOn(search:GroundSearch):void
+        {
             stop();
             _path.begin(search);
             _passage.reset(search.motion.latest);
-            var firstLevel:int = _path.firstLevel();
-            comesToFewCells = firstLevel == 0;
-            addSquares(firstLevel, 0, 0, int.MAX_VALUE);
         }
 
         /** Ends: there is no next triangle. */
         internal function stop():void
         {
-            _cell.leave();
+            _cell.stop();
             _squaresEnd = 0;
         }
 
@@ -85,14 +84,14 @@ package starlogo.ground
             return true;
         }
 
-        // Puts squares of a level on the stack if the box may pass over them in the current passage. Only a rectangle counts, with a first column and row
-        // and so many columns and rows. The nearest square is put last, and visited first.
-        private function addSquares(level:int, firstColumn:int, firstRow:int, most:int):void
+        // Puts the squares of a level in some columns and rows on the stack if the box may pass over them in the current passage. The nearest square is put
+        // last, and visited first.
+        private function addSquares(level:int, firstColumn:int, firstRow:int, lastColumn:int, lastRow:int):void
         {
             var motion:RelativeMotion = _path.search.motion;
             var grid:HeightGrid = _path.search.grid;
-            var lastColumn:int = Math.min(firstColumn + most - 1, HeightPyramid.squareOf(grid.lastCellColumn, level));
-            var lastRow:int = Math.min(firstRow + most - 1, HeightPyramid.squareOf(grid.lastCellRow, level));
+            lastColumn = Math.min(lastColumn, HeightPyramid.squareOf(grid.lastCellColumn, level));
+            lastRow = Math.min(lastRow, HeightPyramid.squareOf(grid.lastCellRow, level));
             var left:int = Math.max(firstColumn, _path.firstOf(_path.alongX, _passage, level));
             var right:int = Math.min(lastColumn, _path.lastOf(_path.alongX, _passage, level));
             var bottom:int = Math.max(firstRow, _path.firstOf(_path.alongY, _passage, level));
@@ -122,13 +121,15 @@ package starlogo.ground
             }
             if (level == 0)
             {
-                _cell.enter(column, row, _passage);
+                _cell.begin(column, row, _passage);
                 return;
             }
             readHeights(level, column, row);
-            if (_passage.min <= _heights.max && _passage.max >= _heights.min && !_path.isFarther(level, column, row, _heights))
+            if (_passage.minHeight <= _heights.max && _passage.maxHeight >= _heights.min && !_path.isFarther(level, column, row, _heights))
             {
-                addSquares(level - 1, column << HeightPyramid.SHIFT, row << HeightPyramid.SHIFT, 1 << HeightPyramid.SHIFT);
+                column <<= HeightPyramid.SHIFT;
+                row <<= HeightPyramid.SHIFT;
+                addSquares(level - 1, column, row, column + HeightPyramid.SQUARES - 1, row + HeightPyramid.SQUARES - 1);
             }
         }
 
@@ -141,7 +142,7 @@ package starlogo.ground
             _heights.max += _path.zeroHeight;
             if (_path.isAtBorder(level, column, row) || _heights.hasHole)
             {
-                _heights.min = Math.min(_heights.min, _passage.min);
+                _heights.min = Math.min(_heights.min, _passage.minHeight);
             }
         }
     }

@@ -9,6 +9,7 @@ package starlogo.ground
 {
     import flash.geom.Vector3D;
     import flash.utils.ByteArray;
+    import starlogo.geometry.Tolerances;
 
     /**
      * The heights of a terrain, and its holes: how high the ground is at a place.
@@ -47,13 +48,16 @@ package starlogo.ground
         /** Bounds of the heights. Read only. */
         public var pyramid:HeightPyramid;
 
+        // How much a place may be off by rounding, in cells. A place at a wall is on both of its sides, so no ray begins behind a wall and beside the ground.
+        private var _rounding:Number;
+
         // The number of frames that need the ground as it is.
         private var _holders:int = 0;
 
         private var _point:GroundPoint = new GroundPoint();
 
         // A grid that has been a copy of this one, or of which this one is a copy; or null.
-        private var _spare:HeightGrid = null;
+        private var _other:HeightGrid = null;
 
         public function HeightGrid(columns:int, rows:int, cellWidth:Number, x:Number, y:Number)
         {
@@ -62,6 +66,7 @@ package starlogo.ground
             this.cellWidth = cellWidth;
             this.x = x;
             this.y = y;
+            _rounding = Math.min(0.5, Tolerances.ROUNDING * (Math.max(Math.abs(x), Math.abs(y)) / cellWidth + Math.max(columns, rows)));
             heights = new Vector.<Number>(columns * rows, true);
             holes = new Vector.<int>((columns * rows + 31) >> 5, true);
             pyramid = new HeightPyramid(this);
@@ -117,19 +122,19 @@ package starlogo.ground
             {
                 return this;
             }
-            if (_spare == null || _spare._holders > 0)
+            if (_other == null || _other._holders > 0)
             {
-                _spare = new HeightGrid(columns, rows, cellWidth, x, y);
-                _spare._spare = this;
+                _other = new HeightGrid(columns, rows, cellWidth, x, y);
+                _other._other = this;
             }
-            _spare.isBlocky = isBlocky;
+            _other.isBlocky = isBlocky;
             for (var i:int = 0; i < heights.length; i++)
             {
-                _spare.heights[i] = heights[i];
+                _other.heights[i] = heights[i];
             }
-            _spare.holes = holes.concat();
-            _spare.pyramid.copyFrom(pyramid);
-            return _spare;
+            _other.holes = holes.concat();
+            _other.pyramid.copyFrom(pyramid);
+            return _other;
         }
 
         /** Writes the surface for a snapshot: a method, so that a game without ground does not load HeightBytes. */
@@ -151,13 +156,24 @@ package starlogo.ground
         }
 
         /**
-         * Whether a point is between the sides of the outermost blocks, or else between those of the outermost cells of slopes, as seen from above;
-         * over a hole too.
+         * Finds the cell at a point: the block there, or else the cell of slopes, which may be a hole. At a border between cells it may be any of them.
+         * Returns false if the point is outside of the outermost cells by more than rounding.
          */
-        public function isWithin(point:GroundPoint, areBlocks:Boolean):Boolean
+        public function findCell(point:GroundPoint, areBlocks:Boolean):Boolean
         {
-            var beyond:Number = areBlocks ? cellWidth / 2 : 0;
-            return point.x >= x - beyond && point.y >= y - beyond && point.x <= x + (columns - 1) * cellWidth + beyond && point.y <= y + (rows - 1) * cellWidth + beyond;
+            var before:Number = areBlocks ? 0.5 : 0;
+            var toX:Number = (point.x - x) / cellWidth + before;
+            var toY:Number = (point.y - y) / cellWidth + before;
+            var cellsX:int = areBlocks ? columns : columns - 1;
+            var cellsY:int = areBlocks ? rows : rows - 1;
+            if (!(toX >= -_rounding && toY >= -_rounding && toX <= cellsX + _rounding && toY <= cellsY + _rounding))
+            {
+                return false;
+            }
+            // the conversion to int rounds towards 0
+            point.column = Math.min(toX, cellsX - 1);
+            point.row = Math.min(toY, cellsY - 1);
+            return true;
         }
 
         /** How far beyond the outermost heights the ground goes on: half a cell of blocks. Slopes end at these heights. */
@@ -170,12 +186,6 @@ package starlogo.ground
         public function isHole(index:int):Boolean
         {
             return (holes[index >> 5] >> (index & 31) & 1) == 1;
-        }
-
-        /** Whether one of the four cells beside the cell of a height is a hole. The cell is not at a border. */
-        public function isBesideHole(index:int):Boolean
-        {
-            return isHole(index - 1) || isHole(index + 1) || isHole(index - columns) || isHole(index + columns);
         }
 
         /** Whether there is a cell at a column and a row, and it is no hole. */
@@ -214,87 +224,61 @@ package starlogo.ground
             return _point.height;
         }
 
-        /** Finds the height at a point's x and y, and on slopes its triangle. */
+        /** Finds the height at a point's x and y, its cell, and on slopes its triangle. */
         public function findHeight(point:GroundPoint):void
         {
-            if (!isWithin(point, isBlocky))
+            if (!findCell(point, isBlocky))
             {
                 point.height = NaN;
+                return;
             }
-            else if (isBlocky)
+            var at:int = point.row * columns + point.column;
+            point.height = heights[at];
+            if (isBlocky || pyramid.whole.hasHole && isHole(at))
             {
-                findHeightOfBlocks(point);
+                goToHighestCell(point);
             }
-            else
+            if (!isBlocky && !isNaN(point.height))
             {
-                findHeightOfSlopes(point);
+                findHeightOfSlope(point);
             }
         }
 
-        // Finds the height of the highest block at a point; NaN if all are holes. At most four blocks meet there.
-        private function findHeightOfBlocks(point:GroundPoint):void
+        // Chooses the cell with the highest first height of those at a point, up to rounding. The height becomes NaN if all are holes.
+        private function goToHighestCell(point:GroundPoint):void
         {
-            // rounding can lead beyond the last block
-            var toX:Number = Math.min((point.x - x) / cellWidth + 0.5, columns);
-            var toY:Number = Math.min((point.y - y) / cellWidth + 0.5, rows);
-            var firstColumn:int = Math.max(0, Math.ceil(toX) - 1);
-            var lastColumn:int = Math.min(toX, columns - 1);
-            var lastRow:int = Math.min(toY, rows - 1);
+            var toX:Number = (point.x - x + border) / cellWidth;
+            var toY:Number = (point.y - y + border) / cellWidth;
+            var firstColumn:int = Math.floor(toX - _rounding);
+            var firstRow:int = Math.floor(toY - _rounding);
+            var lastColumn:int = Math.floor(toX + _rounding);
+            var lastRow:int = Math.floor(toY + _rounding);
             point.height = NaN;
-            for (var row:int = Math.max(0, Math.ceil(toY) - 1); row <= lastRow; row++)
+            for (var row:int = firstRow; row <= lastRow; row++)
             {
-                for (var index:int = row * columns + firstColumn; index <= row * columns + lastColumn; index++)
+                for (var column:int = firstColumn; column <= lastColumn; column++)
                 {
-                    if (!isHole(index) && !(heights[index] <= point.height))
+                    if (hasCell(column, row) && !(heights[int(row * columns + column)] <= point.height))
                     {
-                        point.height = heights[index];
+                        point.column = column;
+                        point.row = row;
+                        point.height = heights[int(row * columns + column)];
                     }
                 }
             }
         }
 
-        // Finds the height of the slope at a point, and its triangle.
-        private function findHeightOfSlopes(point:GroundPoint):void
+        // Finds the height of the slope at a point of a cell, and its triangle.
+        private function findHeightOfSlope(point:GroundPoint):void
         {
-            var toX:Number = (point.x - x) / cellWidth;
-            var toY:Number = (point.y - y) / cellWidth;
-            // The conversion to int rounds down, because the numbers are not negative.
-            var column:int = Math.min(toX, columns - 2);
-            var row:int = Math.min(toY, rows - 2);
-            var corner:int = row * columns + column;
-            if (pyramid.whole.hasHole && isHole(corner))
-            {
-                corner = cellBeside(corner, toX == column && column > 0, toY == row && row > 0);
-                if (corner < 0)
-                {
-                    point.height = NaN;
-                    return;
-                }
-                column = corner % columns;
-                row = corner / columns;
-            }
-            toX -= column;
-            toY -= row;
-            point.corner = corner;
-            point.side = toX >= toY ? corner + 1 : corner + columns;
-            var more:Number = toX >= toY ? toX : toY;
-            var less:Number = toX >= toY ? toY : toX;
-            point.height = (1 - more) * heights[corner] + (more - less) * heights[point.side] + less * heights[int(corner + columns + 1)];
-        }
-
-        // The cell beside a hole to which a place at the hole's border belongs, or -1. The place is at the border to the cell before the hole
-        // along x, or along y, or at both.
-        private function cellBeside(hole:int, isAtX:Boolean, isAtY:Boolean):int
-        {
-            if (isAtX && !isHole(hole - 1))
-            {
-                return hole - 1;
-            }
-            if (isAtY && !isHole(hole - columns))
-            {
-                return hole - columns;
-            }
-            return isAtX && isAtY && !isHole(hole - columns - 1) ? hole - columns - 1 : -1;
+            var toX:Number = (point.x - x) / cellWidth - point.column;
+            var toY:Number = (point.y - y) / cellWidth - point.row;
+            var corner:int = point.row * columns + point.column;
+            point.isBesideX = toX >= toY;
+            var side:int = point.isBesideX ? corner + 1 : corner + columns;
+            var more:Number = point.isBesideX ? toX : toY;
+            var less:Number = point.isBesideX ? toY : toX;
+            point.height = (1 - more) * heights[corner] + (more - less) * heights[side] + less * heights[int(corner + columns + 1)];
         }
 
         /** Finds the normal at a point whose height is known: a unit vector out of the ground. It is up from blocks, and where there is no ground. */
@@ -305,12 +289,13 @@ package starlogo.ground
             out.z = 1;
             if (!isBlocky && !isNaN(point.height))
             {
-                var toSide:Number = heights[point.corner] - heights[point.side];
-                var fromSide:Number = heights[point.side] - heights[int(point.corner + columns + 1)];
-                var isSideAlongX:Boolean = point.side == point.corner + 1;
+                var corner:int = point.row * columns + point.column;
+                var side:int = point.isBesideX ? corner + 1 : corner + columns;
+                var toSide:Number = heights[corner] - heights[side];
+                var fromSide:Number = heights[side] - heights[int(corner + columns + 1)];
                 // how far the triangle falls from a height to the next one along x, and along y
-                var fallX:Number = isSideAlongX ? toSide : fromSide;
-                var fallY:Number = isSideAlongX ? fromSide : toSide;
+                var fallX:Number = point.isBesideX ? toSide : fromSide;
+                var fallY:Number = point.isBesideX ? fromSide : toSide;
                 var length:Number = Math.sqrt(fallX * fallX + fallY * fallY + cellWidth * cellWidth);
                 out.x = fallX / length;
                 out.y = fallY / length;
@@ -320,14 +305,14 @@ package starlogo.ground
 
         /**
          * Moves a point to a point of the grid that belongs to the ground, and finds the height there. It is the nearest one as seen from above,
-         * or one around it if that is in a hole. If all of the ground is holes, the height becomes Infinity.
+         * or one around it if that is in a hole. If all of the ground is holes, the height becomes NaN.
          */
         public function findNearest(point:GroundPoint):void
         {
             var column:int = Math.max(0, Math.min(columns - 1, Math.round((point.x - x) / cellWidth)));
             var row:int = Math.max(0, Math.min(rows - 1, Math.round((point.y - y) / cellWidth)));
-            point.height = Infinity;
-            for (var ring:int = 0; point.height == Infinity && ring < columns + rows; ring++)
+            point.height = NaN;
+            for (var ring:int = 0; isNaN(point.height) && ring < columns + rows; ring++)
             {
                 findOnRing(column, row, ring, point);
             }

@@ -47,6 +47,9 @@ package starlogo.ground
         /** The box around the current piece, relative to the origin. If the piece is a triangle, it is around the node of the triangle. Read only. */
         public var box:GroundBox = new GroundBox();
 
+        /** The box around the whole model when <code>findWholeBox()</code> was called, relative to the origin. Read only. */
+        public var wholeBox:GroundBox = new GroundBox();
+
         /** The corners of the current piece if it is a triangle, relative to the origin. Read only. */
         public var corners:Vector.<Number> = new Vector.<Number>(9, true);
 
@@ -176,10 +179,10 @@ package starlogo.ground
             }
         }
 
-        /** Finds the box around the whole model, relative to the origin. */
-        public function findBoxAroundWhole(out:GroundBox):void
+        /** Finds <code>wholeBox</code>, where the model stands now. */
+        public function findWholeBox():void
         {
-            findBoxAround(_structure, out);
+            findBoxAround(_structure, wholeBox);
         }
 
         // Makes the next triangle the current piece.

@@ -13,10 +13,10 @@ package starlogo.ground
         public var plane:TrianglePlane = new TrianglePlane();
         public var margin:Number = 0;
 
-        /** Sets all this to the corners. The box is larger by a slack. */
-        public function update(slack:Number):void
+        /** Sets all this to the corners. The box is larger by a growth on all sides. */
+        public function update(growth:Number):void
         {
-            box.setToTriangle(corners, slack);
+            box.setToTriangle(corners, growth);
             plane.setTriangle(corners, 0);
             margin = Touching.marginOfSurface(radius);
         }

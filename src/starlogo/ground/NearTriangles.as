@@ -14,9 +14,6 @@ package starlogo.ground
         /** The triangle that <code>next()</code> has found. Read only. */
         public var triangle:NearTriangle = null;
 
-        /** A limit: triangles count behind whose planes the piece is at least this deep. */
-        public var minDepth:Number = 0;
-
         private var _search:GroundSearch;
         private var _pieces:ModelPieces;
         private var _source:GroundTriangles = new GroundTriangles();
@@ -62,19 +59,23 @@ package starlogo.ground
         /** Begins with the current piece. */
         public function begin():void
         {
-            var isTriangle:Boolean = _pieces.kind == ModelPieces.TRIANGLE;
-            var wasInLeaf:Boolean = _isInLeaf;
+            var isLeafTriangle:Boolean = _pieces.kind == ModelPieces.TRIANGLE && _areKept;
             _next = 0;
-            _isInLeaf = isTriangle && _areKept;
-            if (_isInLeaf)
+            if (!isLeafTriangle)
             {
-                if (!wasInLeaf)
-                {
-                    chooseForLeaf();
-                }
-                return;
+                beginWithBox();
             }
-            if (isTriangle)
+            else if (!_isInLeaf)
+            {
+                chooseForLeaf();
+            }
+            _isInLeaf = isLeafTriangle;
+        }
+
+        // Begins to go through the triangles near the box of the current piece.
+        private function beginWithBox():void
+        {
+            if (_pieces.kind == ModelPieces.TRIANGLE)
             {
                 _box.setToTriangle(_pieces.corners, _pieces.shapeMargin);
             }
@@ -82,7 +83,8 @@ package starlogo.ground
             {
                 _box.copyFrom(_pieces.box);
             }
-            if (!_areKept || _pieces.nodesLeft < _nodesLeft)
+            var usesKept:Boolean = _areKept && _pieces.nodesLeft >= _nodesLeft;
+            if (!usesKept)
             {
                 find();
             }
@@ -98,7 +100,7 @@ package starlogo.ground
             _search.box.copyFrom(_box);
             _search.shape = _pieces.hasShapeInBox ? _pieces.kernel.shape : null;
             _source.begin(_search);
-            _areKept = _pieces.kind == ModelPieces.INNER_NODE && _source.comesToFewCells;
+            _areKept = _pieces.kind == ModelPieces.INNER_NODE && _source.startsAtCells;
             _nodesLeft = _pieces.nodesLeft;
             _count = 0;
         }
@@ -174,13 +176,13 @@ package starlogo.ground
         {
             var box:GroundBox = _box;
             var other:GroundBox = triangle.box;
-            var far:Number = _search.maxDistance;
+            var maxDistance:Number = _search.maxDistance;
             var x:Number = box.x - other.x;
             var y:Number = box.y - other.y;
             var z:Number = box.z - other.z;
-            var farX:Number = box.halfX + other.halfX + far;
-            var farY:Number = box.halfY + other.halfY + far;
-            var farZ:Number = box.halfZ + other.halfZ + far;
+            var farX:Number = box.halfX + other.halfX + maxDistance;
+            var farY:Number = box.halfY + other.halfY + maxDistance;
+            var farZ:Number = box.halfZ + other.halfZ + maxDistance;
             if (z > farZ || z < -farZ || x > farX || x < -farX || y > farY || y < -farY)
             {
                 return false;
@@ -191,7 +193,7 @@ package starlogo.ground
             y = normal.y > 0 ? box.y - box.halfY : box.y + box.halfY;
             z = normal.z > 0 ? box.z - box.halfZ : box.z + box.halfZ;
             // a flat triangle has no plane
-            return !(normal.x * x + normal.y * y + normal.z * z - triangle.plane.max > far - minDepth + _source.slack);
+            return !(normal.x * x + normal.y * y + normal.z * z - triangle.plane.max > maxDistance - _search.minDepth + _source.slack);
         }
 
         // Whether the current piece, a triangle of the model, is all in front of a triangle's plane.
@@ -207,7 +209,7 @@ package starlogo.ground
             least = other < least ? other : least;
             var travel:Number = (normal.x * motion.x + normal.y * motion.y + normal.z * motion.z) * motion.latest;
             least = travel < 0 ? least + travel : least;
-            return least - triangle.plane.max > _search.maxDistance - minDepth + _pieces.shapeMargin + _source.slack;
+            return least - triangle.plane.max > _search.maxDistance - _search.minDepth + _pieces.shapeMargin + _source.slack;
         }
     }
 }

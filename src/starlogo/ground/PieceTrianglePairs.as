@@ -61,20 +61,8 @@ package starlogo.ground
             _triangles.stop();
             pieces.begin();
             search.motion = motion;
-            narrowToDistance(maxDistance);
-            narrowToDepth(0);
-        }
-
-        /** From now on, triangles count that are at most this far away. */
-        public function narrowToDistance(distance:Number):void
-        {
-            search.maxDistance = distance;
-        }
-
-        /** From now on, triangles count behind whose planes a piece reaches at least this deep. */
-        public function narrowToDepth(depth:Number):void
-        {
-            _triangles.minDepth = depth;
+            search.maxDistance = maxDistance;
+            search.minDepth = 0;
         }
 
         /** Goes on to the next triangle near the piece, or near the next piece that has one. Returns false if there is none. */
@@ -96,7 +84,8 @@ package starlogo.ground
             while (pieces.next())
             {
                 _triangles.begin();
-                if (pieces.kind != ModelPieces.INNER_NODE || !_triangles.next())
+                var isDivided:Boolean = pieces.kind == ModelPieces.INNER_NODE && _triangles.next();
+                if (!isDivided)
                 {
                     return true;
                 }

@@ -14,8 +14,8 @@ package starlogo.ground
         public var besideSquared:Number = 0;
 
         /** Triangles between these heights count: where the box is then, or as near as the limits of the search say. */
-        public var min:Number = 0;
-        public var max:Number = 0;
+        public var minHeight:Number = 0;
+        public var maxHeight:Number = 0;
 
         /** Becomes the whole motion until its latest time. The heights are left. */
         public function reset(latest:Number):void

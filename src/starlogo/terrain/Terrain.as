@@ -64,7 +64,6 @@ package starlogo.terrain
             worldAgent.surface = ModelShape.ofWorld(new HeightGrid(columns, rows, cellWidth, x, y), null, GroundPairTests.addTo);
             // only the edges' agents have negative ids: see Agent.id
             worldAgent.idNumber = Agent.takeId();
-            worldAgent.moveTo(x, y, 0);
         }
 
         /**
@@ -77,7 +76,7 @@ package starlogo.terrain
          */
         public static function fromPicture(picture:Object, height:Number, cellWidth:Number = 1, x:Number = 0, y:Number = 0):Terrain
         {
-            if (picture == null || !(picture.width > 0))
+            if (picture == null || !(picture.width > 0) || !("data" in picture ? picture.data : "getPixel" in picture))
             {
                 throw new ArgumentError("a picture is needed, not " + picture);
             }
@@ -224,8 +223,8 @@ package starlogo.terrain
          */
         public function setHoleAt(x:Number, y:Number, becomesHole:Boolean):void
         {
-            var at:int = indexAt("a hole", x, y, isBlocky);
-            setHole(at % columns, at / columns, becomesHole);
+            var cell:GroundPoint = requireCell("a hole", x, y, isBlocky);
+            setHole(cell.column, cell.row, becomesHole);
         }
 
         /**
@@ -245,13 +244,17 @@ package starlogo.terrain
          * narrow that no height is inside its border changes nothing.
          *
          * @param width from border to border, more than 0
-         * @throws RangeError if a number is not finite, the hill is wholly outside of the blocks that the heights have with isBlocky, or a height
-         *     would be too large
+         * @throws RangeError if a number is not finite, the width is not more than 0, the hill is wholly outside of the blocks that the heights
+         *     have with isBlocky, or a height would be too large
          */
         public function raiseMound(x:Number, y:Number, width:Number, height:Number):void
         {
             requireInWorld("a mound's place and height", x, y, height);
             requireInWorld("a mound's width", width, 0, 0);
+            if (!(width > 0))
+            {
+                throw new RangeError("a mound's width must be more than 0: " + width);
+            }
             var ground:HeightGrid = grid;
             // rounding must not make it 0
             var radius:Number = Math.max(Number.MIN_VALUE, width / 2 / ground.cellWidth);
@@ -260,7 +263,7 @@ package starlogo.terrain
             // how far the middle is outside of the blocks
             var outsideX:Number = Math.max(0, Math.abs(middleColumn - (columns - 1) / 2) - columns / 2);
             var outsideY:Number = Math.max(0, Math.abs(middleRow - (rows - 1) / 2) - rows / 2);
-            if (!(width > 0 && outsideX * outsideX + outsideY * outsideY <= radius * radius))
+            if (!(outsideX * outsideX + outsideY * outsideY <= radius * radius))
             {
                 throw new RangeError("a mound of width " + width + " at (" + x + ", " + y + ") is not within the terrain");
             }
@@ -287,7 +290,7 @@ package starlogo.terrain
         }
 
         /**
-         * Raises the height that is nearest to a place. The place may be up to half a cell beyond the outermost heights, because with isBlocky their
+         * Raises the height that is nearest to a place: a block, or on slopes a peak whose foot is one cell around it. The place may be up to half a cell beyond the outermost heights, because with isBlocky their
          * blocks reach as far.
          *
          * @param height by how much; may be negative
@@ -295,10 +298,8 @@ package starlogo.terrain
          */
         public function raiseWall(x:Number, y:Number, height:Number):void
         {
-            var at:int = indexAt("a wall", x, y, true);
-            var column:int = at % columns;
-            var row:int = at / columns;
-            setHeight(column, row, getHeight(column, row) + height);
+            var block:GroundPoint = requireCell("a wall", x, y, true);
+            setHeight(block.column, block.row, getHeight(block.column, block.row) + height);
         }
 
         /** Makes the ground flat again, of height 0, without holes. */
@@ -309,7 +310,7 @@ package starlogo.terrain
 
         /**
          * How high the ground is at a place. At a border between blocks it is the height of the higher block. The border of a hole belongs to
-         * the ground beside it.
+         * the ground beside it. A place is at a border up to rounding.
          *
          * @return NaN outside of the terrain and over a hole
          * @throws RangeError if the place is not in the world
@@ -355,22 +356,17 @@ package starlogo.terrain
             return heightAt(agent.x, agent.y) > agent.z;
         }
 
-        // The height whose block is at a place, or whose cell of slopes is, by its index in heights. Blocks begin half a cell before their heights, and the
-        // last height has a block, but no cell.
-        private function indexAt(what:String, x:Number, y:Number, areBlocks:Boolean):int
+        // The place's cell, as HeightGrid.findCell() finds it.
+        private function requireCell(what:String, x:Number, y:Number, areBlocks:Boolean):GroundPoint
         {
             requireInWorld(what + "'s place", x, y, 0);
-            var before:Number = areBlocks ? 0.5 : 0;
             _point.x = x;
             _point.y = y;
-            if (!grid.isWithin(_point, areBlocks))
+            if (!grid.findCell(_point, areBlocks))
             {
                 throw new RangeError(what + " at (" + x + ", " + y + ") is outside of the terrain");
             }
-            var fromEnd:int = areBlocks ? 1 : 2;
-            var column:int = Math.min((x - grid.x) / cellWidth + before, columns - fromEnd);
-            var row:int = Math.min((y - grid.y) / cellWidth + before, rows - fromEnd);
-            return row * columns + column;
+            return _point;
         }
 
         private function requireRegion(column:int, row:int, columns:int, rows:int):void

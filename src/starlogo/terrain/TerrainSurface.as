@@ -2,7 +2,7 @@ package starlogo.terrain
 {
     import starlogo.data.requireGiven;
     import starlogo.engine;
-    import starlogo.ground.GroundBox;
+    import starlogo.ground.GroundPoint;
     import starlogo.ground.GroundTriangle;
     import starlogo.ground.GroundTriangles;
     import starlogo.ground.HeightGrid;
@@ -29,8 +29,9 @@ package starlogo.terrain
         private var _revision:int = -1;
         private var _terrain:Terrain;
 
-        // The rectangle, as a box that passes over its cells.
-        private var _box:GroundBox = new GroundBox();
+        // The columns and rows of the first and the last height in the rectangle.
+        private var _first:GroundPoint = new GroundPoint();
+        private var _last:GroundPoint = new GroundPoint();
 
         /**
          * Begins without triangles. <code>update()</code> makes them. With a rectangle, the surface has only the cells of slopes that are
@@ -54,25 +55,16 @@ package starlogo.terrain
             }
             var grid:HeightGrid = terrain.grid;
             _terrain = terrain;
-            var firstColumn:int = clamp(Math.ceil((minX - grid.x) / grid.cellWidth), 0, grid.columns);
-            var firstRow:int = clamp(Math.ceil((minY - grid.y) / grid.cellWidth), 0, grid.rows);
-            var lastColumn:int = clamp(Math.floor((maxX - grid.x) / grid.cellWidth), -1, grid.columns - 1);
-            var lastRow:int = clamp(Math.floor((maxY - grid.y) / grid.cellWidth), -1, grid.rows - 1);
-            // A box from a quarter of a cell behind the first height to a quarter before the last one. So it passes over the blocks of these
-            // heights and over the cells between them, and over no other.
-            // With one column its half length is -0.25 cells. So it passes over exactly this column of blocks, and over no slopes. With none it is
-            // -0.75, and it passes over nothing.
-            var box:GroundBox = _box;
-            box.x = grid.x + (firstColumn + lastColumn) / 2 * grid.cellWidth;
-            box.y = grid.y + (firstRow + lastRow) / 2 * grid.cellWidth;
-            box.halfX = ((lastColumn - firstColumn) / 2 - 0.25) * grid.cellWidth;
-            box.halfY = ((lastRow - firstRow) / 2 - 0.25) * grid.cellWidth;
+            _first.column = clamp(Math.ceil((minX - grid.x) / grid.cellWidth), 0, grid.columns);
+            _first.row = clamp(Math.ceil((minY - grid.y) / grid.cellWidth), 0, grid.rows);
+            _last.column = clamp(Math.floor((maxX - grid.x) / grid.cellWidth), -1, grid.columns - 1);
+            _last.row = clamp(Math.floor((maxY - grid.y) / grid.cellWidth), -1, grid.rows - 1);
         }
 
         /**
-         * Makes the triangles of the present heights, if the terrain has changed since the last call.
+         * Makes the triangles of the present heights, if heights or holes of the terrain have been set since the last call, or its agent has.
          *
-         * @return whether it has changed
+         * @return whether it has made them
          */
         public function update():Boolean
         {
@@ -83,7 +75,9 @@ package starlogo.terrain
             vertices.length = normals.length = triangles.length = 0;
             var source:GroundTriangles = new GroundTriangles();
             var triangle:GroundTriangle = new GroundTriangle();
-            source.beginOver(_terrain.grid, _box);
+            // a cell of slopes ends at the next heights
+            var next:int = _terrain.isBlocky ? 0 : 1;
+            source.beginOver(_terrain.grid, _first.column, _first.row, _last.column - next, _last.row - next);
             while (source.next(triangle))
             {
                 addTriangle(triangle);

@@ -2,6 +2,7 @@ package starlogo.ground
 {
     import evaluation.pairs.SeededRandom;
     import flash.geom.Vector3D;
+    import flash.utils.getTimer;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.agents.Agent;
@@ -62,6 +63,51 @@ package starlogo.ground
             }
             wrong.assertNone();
             assertTrue(met + " met, " + walls + " walls", met > 3 * count && walls > met / 8 && walls < met / 1.2);
+        }
+
+        // The last border of 22 blocks of 0.37 is not at the same place by (columns - 1) * width + width / 2 as by -width / 2 + columns * width.
+        [Test]
+        public function aRayThatBeginsOnABorderDoesNotPassTheGround():void
+        {
+            var random:SeededRandom = new SeededRandom(771);
+            var query:GroundRayQuery = new GroundRayQuery();
+            for each (var first:Number in [0, -20.5, 13.7])
+            {
+                for each (var width:Number in [0.1, 0.37, 0.7])
+                {
+                    for (var count:int = 5; count < 40; count++)
+                    {
+                        var terrain:Terrain = new Terrain(count, count, width, first, first);
+                        terrain.isBlocky = count % 3 > 0;
+                        terrain.raiseMound(first, first, 1000 * count * width, 1);
+                        var half:Number = terrain.isBlocky ? width / 2 : 0;
+                        for each (var side:int in [-1, 1])
+                        {
+                            var from:Vector3D = new Vector3D(side < 0 ? first - half : first + (count - 1) * width + half, first + 2.2 * width, 0.5);
+                            var ray:Ray = new Ray();
+                            var out:RayEntry = new RayEntry();
+                            ray.aim(from, new Vector3D(-side, random.between(-0.5, 0.5), random.between(0, 0.2)));
+                            assertTrue(terrain + " from " + from, query.find(terrain.grid, ray, out) && out.distance < 1e-9);
+                        }
+                    }
+                }
+            }
+        }
+
+        // What is far from a short ray does not count, and no rounding of distances that it cannot reach.
+        [Test(timeout="60000")]
+        public function aShortRayOverTinyCellsIsQuick():void
+        {
+            var terrain:Terrain = new Terrain(501, 501, 1e-6);
+            var query:GroundRayQuery = new GroundRayQuery();
+            var ray:Ray = new Ray();
+            var start:int = getTimer();
+            for (var i:int = 0; i < 30; i++)
+            {
+                ray.aim(new Vector3D(2.5e-4, 2.5e-4, 3e-6), new Vector3D(0.1 * (i % 3), 0.2 * (i % 3), -1));
+                assertTrue(query.find(terrain.grid, ray, new RayEntry()));
+            }
+            assertTrue(getTimer() - start < 1000);
         }
 
         // A ray may begin far from its point.

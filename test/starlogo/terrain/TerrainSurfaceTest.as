@@ -110,6 +110,31 @@ package starlogo.terrain
         }
 
         [Test]
+        public function aMountainFarFromTheRectangleChangesNothing():void
+        {
+            var terrain:Terrain = new Terrain(201, 201, 1e-6);
+            terrain.isBlocky = true;
+            terrain.setHeight(0, 0, 1e9);
+            var surface:TerrainSurface = new TerrainSurface(terrain, 49.5e-6, 49.5e-6, 60.5e-6, 60.5e-6);
+            surface.update();
+            assertEquals("11 by 11 blocks", 3 * 2 * 121, surface.triangles.length);
+        }
+
+        [Test]
+        public function eachTriangleHasAnArea():void
+        {
+            var terrain:Terrain = new Terrain(5, 5);
+            terrain.setHeight(0, 0, 1);
+            terrain.setHeight(2, 0, 1);
+            var surface:TerrainSurface = surfaceOf(terrain);
+            assertEquals("32 on top; a side of the first peak on two borders, and both of the second one", 3 * (32 + 4), surface.triangles.length);
+            for (var i:int = 0; i < surface.triangles.length; i += 3)
+            {
+                assertTrue(areaOf(surface, i, 0) != 0 || areaOf(surface, i, 1) != 0 || areaOf(surface, i, 2) != 0);
+            }
+        }
+
+        [Test]
         public function itFollowsTheTerrain():void
         {
             var terrain:Terrain = new Terrain(5, 4);

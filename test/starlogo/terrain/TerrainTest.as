@@ -160,6 +160,24 @@ package starlogo.terrain
         }
 
         [Test]
+        public function theBorderOfAHoleBelongsToTheGroundAlsoIfItIsRounded():void
+        {
+            var terrain:Terrain = new Terrain(60, 60, 0.1);
+            terrain.setHeight(4, 3, 2);
+            for each (terrain.isBlocky in [false, true])
+            {
+                var before:Number = terrain.isBlocky ? 0.05 : 0;
+                for (var i:int = 3; i < 57; i++)
+                {
+                    terrain.setHole(i, 3, true);
+                    assertFalse("before " + i, isNaN(terrain.heightAt(-before + i * 0.1, 0.35 - before)));
+                    assertFalse("after " + i, isNaN(terrain.heightAt(-before + (i + 1) * 0.1, 0.35 - before)));
+                    terrain.setHole(i, 3, false);
+                }
+            }
+        }
+
+        [Test]
         public function aHoleIsMadeAtAPlace():void
         {
             var random:SeededRandom = new SeededRandom(74);
@@ -298,7 +316,10 @@ package starlogo.terrain
             {
                 assertEquals(terrain.getHeight(corner & 1, corner >> 1), same.getHeight(corner & 1, corner >> 1));
             }
-            assertThrows(ArgumentError, /./, Terrain.fromPicture, null, 1);
+            for each (var noPicture:Object in [null, {}, {width:2, height:2, data:null}, {width:2, height:2}])
+            {
+                assertThrows(ArgumentError, /a picture is needed/, Terrain.fromPicture, noPicture, 1);
+            }
             assertThrows(ArgumentError, /too little data: 15/, Terrain.fromPicture, {width: 2, height: 2, data: picture.data.slice(1)}, 1);
             for each (var height:Number in [NaN, Infinity, -Infinity, 1.1e9])
             {

@@ -77,7 +77,7 @@ package starlogo.search.pairs
         /** Whether a piece of a body is deeper in the ground than this, in patches. */
         public function isDeeper(a:Body, b:Body, depth:Number):Boolean
         {
-            return queryOf(a, b).isDeeper(depth);
+            return queryOf(a, b).penetration.isDeeper(depth);
         }
 
         /** @inheritDoc */
@@ -117,7 +117,7 @@ package starlogo.search.pairs
          */
         override public function findContactOfCovers(a:Body, b:Body, out:ContactPoint):void
         {
-            queryOf(a, b).findLift(out);
+            queryOf(a, b).penetration.findLift(out);
         }
 
         /** A point of the body that is under the ground shows a touch. @inheritDoc */

@@ -14,6 +14,7 @@ package starlogo.queries
     import starlogo.collision.Collision;
     import starlogo.collision.QuerySource;
     import starlogo.data.requireGiven;
+    import starlogo.data.IntList;
     import starlogo.engine;
     import starlogo.queries.trees.Collector;
     import starlogo.queries.trees.RowTree;
@@ -63,6 +64,10 @@ package starlogo.queries
         private var _placeTree:RowTree = new RowTree();
         private var _extentTree:RowTree = new RowTree();
         private var _isUpdated:Boolean = false;
+
+        // By row: how far up a one-way agent has moved since the update before the last one, without a jump. That of all rows but _oneWayRows is 0.
+        private var _rises:Vector.<Number> = new Vector.<Number>();
+        private var _oneWayRows:IntList = new IntList();
 
         // The body of an agent that has changed since the last update.
         private var _spare:Body = new Body();
@@ -122,7 +127,9 @@ package starlogo.queries
             var newPhase:NarrowPhase = _source.findNarrowPhase();
             var isOther:Boolean = newPhase !== narrowPhase;
             var next:AgentTable = isOther ? new AgentTable(newPhase.choice) : table;
-            next.read(agents);
+            next.setList(agents);
+            findRises(next);
+            next.readChanges();
             next.readWorld(terrain == null ? null : terrain.worldAgent, null);
             table = next;
             narrowPhase = newPhase;
@@ -153,9 +160,42 @@ package starlogo.queries
             {
                 throw new ArgumentError(agent + " is not in the list of the last update");
             }
+            addRise(table, row);
             table.readRow(row);
             _placeTree.refresh(row);
             _extentTree.refresh(row);
+        }
+
+        /** @private How far up a one-way row has moved since the update before the last one. Less than 0 if down; 0 of other rows, and after a jump. */
+        engine function riseOf(row:int):Number
+        {
+            return _rises[row];
+        }
+
+        // Finds the rises of the rows that a table reads next.
+        private function findRises(next:AgentTable):void
+        {
+            for (var i:int = 0; i < _oneWayRows.count; i++)
+            {
+                _rises[_oneWayRows.values[i]] = 0;
+            }
+            _oneWayRows.count = 0;
+            _rises.length = Math.max(_rises.length, next.list.rowCapacity);
+            for (i = 0; i < next.changed.count; i++)
+            {
+                addRise(next, next.changed.values[i]);
+            }
+        }
+
+        // Adds the way up of a row from where it was read last to where its agent is now.
+        private function addRise(from:AgentTable, row:int):void
+        {
+            var agent:Agent = from.list.agentsByRow[row];
+            if (agent.isOneWay && from.isMotionStart(row))
+            {
+                _rises[row] += agent.z - from.places.z[row];
+                _oneWayRows.add(row);
+            }
         }
 
         /**

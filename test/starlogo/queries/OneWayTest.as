@@ -158,6 +158,77 @@ package starlogo.queries
         }
 
         [Test]
+        public function whatRisesIntoItsWalkerTakesItAlong():void
+        {
+            for each (var name:String in SYSTEMS)
+            {
+                for each (var speed:Number in [0.01, 0.03, 0.1, 0.6])
+                {
+                    for (var from:Number = 4; from < 4.2; from += 0.02)
+                    {
+                        var text:String = name + ", from " + from + " at " + speed;
+                        begin(name, 0.3, 0, from);
+                        assertTrue(text, fallOntoLift(speed));
+                        assertClose(_plank.z + 0.5, _hero.z, NEAR, text);
+                    }
+                }
+            }
+        }
+
+        // Falls faster and faster towards the plank, which rises. Returns whether the hero stands on it in the end.
+        private function fallOntoLift(speed:Number):Boolean
+        {
+            var footing:Footing = new Footing();
+            _options.fall = 0;
+            for (var i:int = 0; i < 40; i++)
+            {
+                _plank.z += speed;
+                _queries.update(new <Agent>[_hero, _plank]);
+                _options.fall = footing.stands ? 0 : _options.fall + 0.008;
+                _queries.walk(_hero, 0, 0, _options, footing);
+            }
+            return footing.on == _plank;
+        }
+
+        [Test]
+        public function whatRisesFromBelowOrComesByAJumpPasses():void
+        {
+            for each (var name:String in SYSTEMS)
+            {
+                begin(name, 0, 0, 2.2);
+                _plank.z += 0.1;
+                assertPasses(name + ": within it before");
+                begin(name, 0, 0, 3);
+                _plank.jumpTo(0, 0, 2.8);
+                assertPasses(name + ": a jump");
+                begin(name, 0, 0, 3);
+                _plank.z += 0.8;
+                _queries.update(new <Agent>[_hero, _plank]);
+                _queries.update(new <Agent>[_hero, _plank]);
+                assertClose(0, _queries.walk(_hero, 0, 0, _options).pushed, 0, name + ": it rose before the last update");
+                begin(name, 0, 0, 3);
+                _plank.z += 0.8;
+                _queries.refresh(_plank);
+                assertClose(0.8, _queries.walk(_hero, 0, 0, _options).pushed, NEAR, name + ": it rose before a refresh");
+                begin(name, 0, 0, 3);
+                _plank.z += 0.8;
+                var roof:Agent = agentAt("plank", 0, 0, 4.1);
+                _queries.update(new <Agent>[_hero, _plank, roof]);
+                assertClose(0.1, _queries.walk(_hero, 0, 0, _options).pushed, NEAR, name + ": as far as there is room");
+            }
+        }
+
+        private function assertPasses(text:String):void
+        {
+            _options.fall = 0.01;
+            _queries.update(new <Agent>[_hero, _plank]);
+            var z:Number = _hero.z;
+            var footing:Footing = _queries.walk(_hero, 0, 0, _options);
+            assertEquals(text, null, footing.on);
+            assertClose(z - 0.01, _hero.z, NEAR, text);
+        }
+
+        [Test]
         public function itsSlopesStopUpTo45Degrees():void
         {
             for each (var name:String in SYSTEMS)

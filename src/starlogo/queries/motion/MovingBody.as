@@ -247,6 +247,12 @@ package starlogo.queries.motion
             return isOneWay(row) && contact.normalZ < ONE_WAY_Z;
         }
 
+        /** How far up a row has moved since the body was moved last, if the row is one-way. See <code>SeenAgents.riseOf()</code>. */
+        public function riseOf(row:int):Number
+        {
+            return isOneWay(row) ? _seen.riseOf(row) : 0;
+        }
+
         /** The larger extent of the body and another. That of the ground is 0. */
         public function extentWith(other:Body):Number
         {

@@ -47,6 +47,9 @@ package starlogo.queries.motion
         // The contact of an overlap, or of this push.
         private var _contact:ContactPoint = new ContactPoint();
 
+        // Where the body was above a row, as the row sees it, before the row rose.
+        private var _above:Vector3D = new Vector3D();
+
         // A place where the body touches a row.
         private var _touching:Vector3D = new Vector3D();
 
@@ -106,6 +109,34 @@ package starlogo.queries.motion
                 }
             }
             return sum;
+        }
+
+        /**
+         * Measures how far one-way rows have risen into a body that was above them.
+         *
+         * @param carrier the row that carries the body already; -1 for none
+         * @return how far up the body was, as these rows see it: the longest of their rises; 0 if none has risen into the body
+         */
+        public function measureRise(body:MovingBody, place:Vector3D, carrier:int):Number
+        {
+            var longest:Number = 0;
+            for (var i:int = 0; i < body.rows.count; i++)
+            {
+                var row:int = body.rows.values[i];
+                if (row != carrier && body.riseOf(row) > longest && hasRisenInto(row, body, place))
+                {
+                    longest = body.riseOf(row);
+                }
+            }
+            return longest;
+        }
+
+        // Whether a one-way row has risen into a body at a place.
+        private function hasRisenInto(row:int, body:MovingBody, place:Vector3D):Boolean
+        {
+            _shrunk.begin(body, body.rows, place, NO_MOTION);
+            _above.setTo(place.x, place.y, place.z + body.riseOf(row));
+            return _shrunk.shrunkTouches(row, place) && !_shrunk.shrunkTouches(row, _above);
         }
 
         // Pushes a body out of the rows that the shrunk body overlaps. Returns whether it is free then. It is not if an overlap is not shallow. Then

@@ -77,14 +77,14 @@ package starlogo.queries.motion
          */
         public function go(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:Walk):void
         {
-            begin(agent, dx, dy, options, out);
-            var stands:Boolean = walkLegs(out, standOrPushOut(out)) || fall(out);
+            var carrier:int = begin(agent, dx, dy, options, out);
+            var stands:Boolean = walkLegs(out, standOrPushOut(out, carrier)) || fall(out);
             _recovery.restoreClearance(out.body, out.place);
             writeFooting(out, stands, out.footing);
         }
 
-        // Begins a walk where the agent is, or where its platform carries it.
-        private function begin(agent:Agent, dx:Number, dy:Number, options:WalkOptions, walk:Walk):void
+        // Begins a walk where the agent is, or where its platform carries it. Returns the platform's row; -1 if none carries it.
+        private function begin(agent:Agent, dx:Number, dy:Number, options:WalkOptions, walk:Walk):int
         {
             _seen.requirePlaced(agent);
             requireMotion(dx, dy, 0, agent);
@@ -103,6 +103,7 @@ package starlogo.queries.motion
             {
                 _platforms.carry(walk, platform);
             }
+            return platform;
         }
 
         // Writes how the agent stands where the walk has ended. The push and the part of the way are written already.
@@ -125,22 +126,33 @@ package starlogo.queries.motion
         }
 
         // Pushes the agent out of what it overlaps. Returns whether it stands then.
-        private function standOrPushOut(walk:Walk):Boolean
+        private function standOrPushOut(walk:Walk, carrier:int):Boolean
         {
             walk.legStart.copyFrom(walk.place);
-            walk.footing.pushed = 0;
+            rise(walk, carrier);
             var down:MotionResult = moveVertically(walk, walk.place, -walk.closeDepth);
-            if (!down.hasPlanes)
+            var isOverlapping:Boolean = down.hasPlanes;
+            if (isOverlapping)
             {
-                return tryStandAtEnd(walk, down);
+                pushOut(walk);
             }
-            pushOut(walk);
             var x:Number = walk.place.x - walk.legStart.x;
             var y:Number = walk.place.y - walk.legStart.y;
             var z:Number = walk.place.z - walk.legStart.z;
             walk.footing.pushed = Math.sqrt(x * x + y * y + z * z);
             walk.legStart.copyFrom(walk.place);
-            return tryStandBelow(walk, walk.place, walk.closeDepth);
+            return isOverlapping ? tryStandBelow(walk, walk.place, walk.closeDepth) : tryStandAtEnd(walk, down);
+        }
+
+        // Leads the agent up with one-way rows that have risen into it since it was moved, if there is room.
+        private function rise(walk:Walk, carrier:int):void
+        {
+            var height:Number = _recovery.measureRise(walk.body, walk.place, carrier);
+            if (height > 0)
+            {
+                collectRows(walk, height);
+                walk.place.copyFrom(moveVertically(walk, walk.place, height).place);
+            }
         }
 
         // Pushes the agent out of what it overlaps deeply. The deepest overlap comes first. A push is a slide, so it leads through nothing else. All pushes

@@ -6,8 +6,8 @@ package starlogo
     import starlogo.libraries.BoundingStructuresLibrary;
     import starlogo.libraries.FitStore;
     import starlogo.libraries.HierarchiesLibrary;
-    import starlogo.libraries.ResultsBuilder;
     import starlogo.libraries.ModelTable;
+    import starlogo.libraries.ResultsBuilder;
     import starlogo.models.Model;
     import starlogo.models.ModelReceiver;
     import starlogo.models.building.ModelData;
@@ -48,14 +48,13 @@ package starlogo
         /** @private The data of all models, which both libraries share. Read only. */
         engine var models:ModelTable = new ModelTable();
 
-        private var _boundingStructures:BoundingStructuresLibrary;
-        private var _hierarchies:HierarchiesLibrary;
+        private var _boundingStructures:BoundingStructuresLibrary = new BoundingStructuresLibrary();
+        private var _hierarchies:HierarchiesLibrary = new HierarchiesLibrary();
 
         /** Creates a GreatLand without models. */
         public function GreatLand()
         {
-            _boundingStructures = BoundingStructuresLibrary.sharing(models);
-            _hierarchies = HierarchiesLibrary.sharing(models);
+            _boundingStructures.models = _hierarchies.models = models;
         }
 
         /** The tightest bounding structure of each model. */

@@ -37,7 +37,9 @@ package starlogo.libraries
          */
         public var keepHulls:Boolean = false;
 
-        private var _models:ModelTable = new ModelTable();
+        /** @private What was computed for each shape. The libraries of a GreatLand share its table. */
+        engine var models:ModelTable = new ModelTable();
+
         private var _orientedBoxFitter:OrientedBoxFitter;
         private var _fitters:Vector.<Fitter>;
         private var _hullFitter:HullFitter = new HullFitter();
@@ -52,14 +54,6 @@ package starlogo.libraries
         {
             _orientedBoxFitter = new OrientedBoxFitter(orientedBoxDegIncrement);
             _fitters = new <Fitter>[new NaiveSphereFitter(), _orientedBoxFitter, new CapsuleFitter(_orientedBoxFitter)];
-        }
-
-        /** @private A library of a GreatLand, whose libraries share a table. */
-        engine static function sharing(models:ModelTable):BoundingStructuresLibrary
-        {
-            var library:BoundingStructuresLibrary = new BoundingStructuresLibrary();
-            library._models = models;
-            return library;
         }
 
         /**
@@ -118,8 +112,8 @@ package starlogo.libraries
          * Finds and stores the structures of a model. They replace those stored under the same name. If it throws, nothing has changed.
          *
          * @param name the shape's name
-         * @param vertices x, y, z of each vertex, in the model's space; copied for a hull that is found later, unless they are the list
-         * <code>vertices</code> of the GreatLand's model of this name
+         * @param vertices x, y, z of each vertex, in the model's space; copied for a hull that is found later, unless it is found now, or
+         * they are the list <code>vertices</code> of the GreatLand's model of this name
          * @throws ArgumentError if the name is null or empty; if the vertices are null or empty, if the number of coordinates is not a
          *     multiple of 3, or if a coordinate is not finite or beyond 1e60; if the list of fitters is empty, or one of them finds a structure
          *     that cannot be collided or does not enclose the vertices
@@ -128,17 +122,17 @@ package starlogo.libraries
          */
         public function add(name:String, vertices:Vector.<Number>):void
         {
-            var model:Model = _models.entryOf(name).model;
-            var isOwn:Boolean = vertices == null || model != null && vertices == model.vertices;
-            var structures:ModelStructures = newStructures(isOwn ? vertices : vertices.concat());
+            var model:Model = models.entryOf(name).model;
+            var needsCopy:Boolean = vertices != null && !keepHulls && (model == null || vertices != model.vertices);
+            var structures:ModelStructures = newStructures(needsCopy ? vertices.concat() : vertices);
             finish(newBuilder(name, structures));
-            _models.entryToWrite(name).setStructures(structures);
+            models.entryToWrite(name).setStructures(structures);
         }
 
         /** Whether the library has structures for a shape. */
         public function has(name:String):Boolean
         {
-            return _models.entryOf(name).structures != null;
+            return models.entryOf(name).structures != null;
         }
 
         /**
@@ -200,14 +194,14 @@ package starlogo.libraries
         /** Whether a sphere, a box and a capsule are kept for a shape. */
         public function hasAll(name:String):Boolean
         {
-            var structures:ModelStructures = _models.entryOf(name).structures;
+            var structures:ModelStructures = models.entryOf(name).structures;
             return structures != null && structures.showsAll && structures.smallest.indexOf(null) < 0;
         }
 
         /** Whether there is a hull for a shape by now, or a sphere in its place. */
         public function hasHull(name:String):Boolean
         {
-            var structures:ModelStructures = _models.entryOf(name).structures;
+            var structures:ModelStructures = models.entryOf(name).structures;
             return structures != null && structures.hullOrSphere != null;
         }
 
@@ -251,10 +245,10 @@ package starlogo.libraries
 
         private function find(name:String):ModelStructures
         {
-            var structures:ModelStructures = _models.entryOf(name).structures;
+            var structures:ModelStructures = models.entryOf(name).structures;
             if (structures == null)
             {
-                throw _models.missing("bounding structure", name, "loadTightestFit");
+                throw models.missing("bounding structure", name, "loadTightestFit");
             }
             return structures;
         }

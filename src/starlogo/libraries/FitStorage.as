@@ -13,7 +13,7 @@ package starlogo.libraries
 
         /**
          * Stores bytes under a name and replaces the bytes stored there before. A FitStore takes a refusal for a lack of room: it removes other
-         * entries with as many bytes, and asks once more. Never throws.
+         * entries with as many bytes, asks once more, and stores no more bytes until it is cleared. Never throws.
          *
          * @return whether the bytes are stored; if not, nothing is stored under the name
          */

@@ -37,6 +37,9 @@ package starlogo.libraries
         private var _storage:FitStorage;
         private var _capacity:Number;
 
+        // The most bytes that are tried: the capacity, or less after the storage has refused some.
+        private var _room:Number;
+
         /**
          * Creates a store of a given size.
          *
@@ -50,7 +53,7 @@ package starlogo.libraries
             {
                 throw new RangeError("the capacity must be 0 bytes or more, not " + capacity);
             }
-            _capacity = capacity;
+            _capacity = _room = capacity;
             _storage = storage || new SharedFitStorage();
         }
 
@@ -109,6 +112,7 @@ package starlogo.libraries
                 _storage.remove(nameIn(line));
             }
             _storage.remove(LIST);
+            _room = _capacity;
         }
 
         /**
@@ -131,12 +135,14 @@ package starlogo.libraries
         engine function hasRoomFor(model:Model, hasTree:Boolean):Boolean
         {
             var itemCount:int = (model.triangles == null ? model.vertices.length : model.triangles.length) / 3;
-            return (hasTree ? itemCount * CookedTree.widthFor(itemCount) : 0) < _capacity;
+            return (hasTree ? itemCount * CookedTree.widthFor(itemCount) : 0) < _room;
         }
 
         /**
          * Saves the file of a geometry key. It removes the least recently used entries until there is room. A storage that refuses the file has
-         * less room than the store was told. Then entries with as many bytes are removed, if there are so many, and it is asked once more.
+         * less room than the store was told: for the entries that are there, and perhaps for smaller ones than this. The file is tried once more in
+         * the place of other entries, if they have as many bytes. Later files are not tried beyond this room, because the player asks the user at
+         * each refusal.
          *
          * @param geometryKey the fingerprint of the model's vertices and triangles
          * @return whether it is stored
@@ -147,8 +153,13 @@ package starlogo.libraries
         {
             var name:String = nameOf(geometryKey, settings);
             var others:Array = linesWithout(name);
-            return makeRoom(others, _capacity - bytes.length) && tryToStore(name, bytes, others)
-                || makeRoom(others, Math.min(_capacity, lengthOf(others)) - bytes.length) && tryToStore(name, bytes, others);
+            var isStored:Boolean = makeRoom(others, _room - bytes.length) && tryToStore(name, bytes, others);
+            if (!isStored && bytes.length <= _room)
+            {
+                _room = Math.max(lengthOf(others), bytes.length - 1);
+                isStored = makeRoom(others, _room - bytes.length) && tryToStore(name, bytes, others);
+            }
+            return isStored;
         }
 
         // Removes the first entries of a list until they have at most so many bytes. Returns false, and removes nothing, if there is no such list.

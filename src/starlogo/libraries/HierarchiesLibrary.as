@@ -36,7 +36,8 @@ package starlogo.libraries
          */
         public var prepareExact:Boolean = false;
 
-        private var _models:ModelTable = new ModelTable();
+        /** @private What was computed for each shape. The libraries of a GreatLand share its table. */
+        engine var models:ModelTable = new ModelTable();
 
         private var _minVerticesToSplit:int = BoxTreeBuilder.DEFAULT_VERTICES_OF_LEAF;
         private var _maxDepth:int = BoxTreeBuilder.DEFAULT_DEPTH;
@@ -44,14 +45,6 @@ package starlogo.libraries
         /** Creates a library without models. */
         public function HierarchiesLibrary()
         {
-        }
-
-        /** @private A library of a GreatLand, whose libraries share a table. */
-        engine static function sharing(models:ModelTable):HierarchiesLibrary
-        {
-            var library:HierarchiesLibrary = new HierarchiesLibrary();
-            library._models = models;
-            return library;
         }
 
         /**
@@ -111,18 +104,18 @@ package starlogo.libraries
                 throw ModelTable.errorOf(name, problem);
             }
             ModelTable.requireSize(name, vertices);
-            var model:Model = _models.entryOf(name).model;
+            var model:Model = models.entryOf(name).model;
             var keptVertices:Vector.<Number> = model != null && vertices == model.vertices ? vertices : vertices.concat();
             var keptTriangles:Vector.<uint> = model != null && triangles == model.triangles ? triangles : (hasTriangles ? triangles.concat() : null);
             var tree:ModelTree = newTree(keptVertices, keptTriangles);
             tree.finishBuilding();
-            _models.entryToWrite(name).setTree(tree);
+            models.entryToWrite(name).setTree(tree);
         }
 
         /** Whether the library has a hierarchy for a shape. */
         public function has(name:String):Boolean
         {
-            return _models.entryOf(name).tree != null;
+            return models.entryOf(name).tree != null;
         }
 
         /**
@@ -146,9 +139,9 @@ package starlogo.libraries
         {
             if (!has(name))
             {
-                throw _models.missing("hierarchy", name, "loadHierarchies");
+                throw models.missing("hierarchy", name, "loadHierarchies");
             }
-            return _models.entryOf(name).builtTree();
+            return models.entryOf(name).builtTree();
         }
 
         /** @private A tree whose nodes are not made yet. The work that makes them is begun, by the settings as they are now. Both lists are kept. */

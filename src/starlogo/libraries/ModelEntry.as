@@ -36,7 +36,7 @@ package starlogo.libraries
         private var _table:ModelTable;
         private var _loadingCount:int = 0;
 
-        /** @param table counts replaced and removed data of all shapes */
+        /** @param table counts the changes of all shapes */
         public function ModelEntry(table:ModelTable)
         {
             _table = table;

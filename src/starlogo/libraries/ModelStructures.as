@@ -35,7 +35,7 @@ package starlogo.libraries
         /** Whether the client may read the smallest structure of each kind: the library's <code>keepAll</code>. */
         public var showsAll:Boolean;
 
-        /** The vertices that are enclosed. If they are a model's own, a pose may have moved them since. */
+        /** The vertices that are enclosed; null once there is a hull. If they are a model's own, a pose may have moved them since. */
         public var vertices:Vector.<Number>;
 
         /** Finds the hull of the vertices, if there is none yet. */
@@ -92,6 +92,7 @@ package starlogo.libraries
         public function setHull(found:BoundingStructure, sphere:BoundingStructure):void
         {
             hullOrSphere = found != null && sphere != null && sphere.volume <= found.volume ? sphere : found;
+            vertices = found == null ? vertices : null;
         }
     }
 }

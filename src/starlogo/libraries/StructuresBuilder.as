@@ -25,7 +25,6 @@ package starlogo.libraries
 
         private var _name:String;
         private var _fitters:Vector.<Fitter>;
-        private var _session:FitSession;
         private var _fits:Vector.<Fit> = new Vector.<Fit>();
 
         /**
@@ -47,19 +46,23 @@ package starlogo.libraries
                 throw ModelTable.errorOf(name, "a fitter must not be null");
             }
             _fitters = fitters.concat();
-            _session = new FitSession(structures.vertices);
+            var vertices:Vector.<Number> = structures.vertices;
+            var session:FitSession = new FitSession(vertices);
             for each (var fitter:Fitter in _fitters)
             {
-                var fit:Fit = _session.fitOf(fitter);
+                var fit:Fit = session.fitOf(fitter);
                 _fits.push(fit);
                 add(fit);
             }
-            var hullFit:Fit = keepsHull ? _session.fitOf(structures.hullFitter) : null;
+            var hullFit:Fit = keepsHull ? session.fitOf(structures.hullFitter) : null;
             if (hullFit != null)
             {
                 add(hullFit);
             }
-            begin(checking).call(function():void
+            begin(function():Steps
+                {
+                    return checking(vertices);
+                }).call(function():void
                 {
                     choose(structures, hullFit);
                 });
@@ -124,24 +127,22 @@ package starlogo.libraries
         }
 
         // The steps that check whether what the fitters have found can be used.
-        private function checking():Steps
+        private function checking(vertices:Vector.<Number>):Steps
         {
-            var vertices:Vector.<Number> = _session.vertices;
             var tolerance:Number = toleranceFor(vertices);
             return new StepSequence().beginEach(_fits.length, function(index:int):Steps
                 {
-                    return checkingOf(_fitters[index], _fits[index].structure, tolerance);
+                    return checkingOf(_fitters[index], _fits[index].structure, vertices, tolerance);
                 });
         }
 
-        private function checkingOf(fitter:Fitter, structure:BoundingStructure, tolerance:Number):Steps
+        private function checkingOf(fitter:Fitter, structure:BoundingStructure, vertices:Vector.<Number>, tolerance:Number):Steps
         {
             // In JavaScript, a fitter may return anything.
             if (!(structure is BoundingStructure) || structure.kind > BoundingStructure.BOX)
             {
                 throw new ArgumentError("the library needs fitters of spheres, capsules or boxes, but " + fitter + " found " + structure);
             }
-            var vertices:Vector.<Number> = _session.vertices;
             return new StepSequence().slices(vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
                     var outside:int = firstOutside(structure, tolerance, vertices, first, end);

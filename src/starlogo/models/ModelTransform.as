@@ -44,10 +44,10 @@ package starlogo.models
 
         /**
          * Reads the text of a transform file. The words of a line are separated by single spaces: <code>rotate x y z</code>, <code>scale
-         * x y z</code>, <code>scale s</code> and <code>translate x y z</code>. Of two factors the first counts for all. If a kind of line appears more than once, the last one
-         * counts. All other lines are ignored, as the client does: unknown words, too few words, and <code>invert</code>, which changes
-         * only the light. If a word should be a number and is not, its line is ignored too. Factors of 0 are ignored too, because the
-         * client can't draw such a model.
+         * x y z</code>, <code>scale s</code> and <code>translate x y z</code>. Of two factors the first counts for all. If a kind of line appears
+         * more than once, the last one counts. All other lines are ignored, as the client does: unknown words, too few words, and
+         * <code>invert</code>, which changes only the light. If a word should be a number and is not, its line is ignored too. Factors of 0
+         * are ignored too, because the client can't draw such a model.
          *
          * @param text the file's text; null counts as empty
          */

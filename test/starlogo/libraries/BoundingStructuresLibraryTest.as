@@ -123,6 +123,18 @@ package starlogo.libraries
         }
 
         [Test]
+        public function theVerticesAreKeptOnlyWhileThereIsNoHull():void
+        {
+            _library.add("later", _cube);
+            assertEquals(_cube.length, _library.models.entryOf("later").structures.vertices.length);
+            _library.findOrFit("later", BoundingStructure.HULL);
+            assertEquals(null, _library.models.entryOf("later").structures.vertices);
+            _library.keepHulls = true;
+            _library.add("now", _cube);
+            assertEquals(null, _library.models.entryOf("now").structures.vertices);
+        }
+
+        [Test]
         public function aHullThatIsFoundLaterIsThatOfTheSettingsBefore():void
         {
             var early:BoundingStructuresLibrary = new BoundingStructuresLibrary();

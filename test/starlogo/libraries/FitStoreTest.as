@@ -169,6 +169,32 @@ package starlogo.libraries
             assertTrue("it is not tried for each", _storage.refusalCount < 8);
         }
 
+        /** The player asks the user at each refusal. */
+        [Test]
+        public function aFullStorageRefusesOnce():void
+        {
+            var models:Vector.<Model> = someModels(12);
+            newGame(_store).addModel(models[0]);
+            _storage.room = 4.5 * _store.length;
+            for (var i:int = 1; i < models.length; i++)
+            {
+                newGame(_store).addModel(models[i]);
+            }
+            assertTrue("it is full", _storage.names.length > 2);
+            assertEquals(1, _storage.refusalCount);
+        }
+
+        [Test]
+        public function whatIsTooLargeIsRefusedOnce():void
+        {
+            _storage = new StorageOfSmallEntries();
+            _store = new FitStore(1e6, _storage);
+            var large:Model = new Model("large", PointSets.cloud(new SeededRandom(21), 1000, 1, 1, 1));
+            newGame(_store).addModel(large);
+            newGame(_store).addModel(large);
+            assertEquals(1, _storage.refusalCount);
+        }
+
         [Test]
         public function anEntryThatTheStorageRefusesCostsNoOther():void
         {

@@ -2,7 +2,6 @@ package starlogo.models.gltf
 {
     import starlogo.models.animation.AnimationChannel;
     import starlogo.models.animation.FileAnimation;
-    import starlogo.models.animation.AnimationChannel;
     import starlogo.models.animation.Pose;
     import starlogo.models.building.ModelReader;
     import starlogo.steps.finish;

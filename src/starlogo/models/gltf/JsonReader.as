@@ -14,6 +14,8 @@ package starlogo.models.gltf
     {
         internal static const MAX_DEPTH:int = 100;
 
+        private static const UNREADABLE:String = "its JSON can't be read: ";
+
         // a value takes a quarter of the memory of an element
         private static const ELEMENTS_PER_VALUE:Number = 0.25;
 
@@ -72,7 +74,7 @@ package starlogo.models.gltf
                     readMark(_text.charAt(_at - 1));
                 }
             }
-            refuseFileIf(_at == _text.length && _allowed != "", _budget.modelName, "its JSON can't be read: it is cut off", this);
+            refuseFileIf(_at == _text.length && _allowed != "", _budget.modelName, UNREADABLE + "it is cut off", this);
             return _at < _text.length;
         }
 
@@ -88,7 +90,7 @@ package starlogo.models.gltf
             var mark:String = MARKS.indexOf(character) < 0 ? WORD : character;
             if (_allowed.indexOf(mark) < 0)
             {
-                throw new ModelError(_budget.modelName, String(this), "its JSON can't be read: unexpected " + GltfJson.shown(character));
+                throw new ModelError(_budget.modelName, String(this), UNREADABLE + "unexpected " + GltfJson.shown(character));
             }
             switch (mark)
             {
@@ -121,13 +123,13 @@ package starlogo.models.gltf
             put(value);
             _open.push(value);
             _allowed = allowed;
-            refuseFileIf(_open.length > MAX_DEPTH, _budget.modelName, "its JSON can't be read: it is nested deeper than " + MAX_DEPTH, this);
+            refuseFileIf(_open.length > MAX_DEPTH, _budget.modelName, UNREADABLE + "it is nested deeper than " + MAX_DEPTH, this);
         }
 
         private function readString():void
         {
             var end:int = endOfString();
-            refuseFileIf(end < 0, _budget.modelName, "its JSON can't be read: a string has no end", this);
+            refuseFileIf(end < 0, _budget.modelName, UNREADABLE + "a string has no end", this);
             var text:String = decoded(_text.substring(_at - 1, end + 1));
             if (_allowed.indexOf(WORD) >= 0)
             {
@@ -153,7 +155,7 @@ package starlogo.models.gltf
             {
                 // the text stays null
             }
-            refuseFileIf(text == null, _budget.modelName, "its JSON can't be read: a string has a wrong character or escape", this);
+            refuseFileIf(text == null, _budget.modelName, UNREADABLE + "a string has a wrong character or escape", this);
             return text;
         }
 
@@ -186,7 +188,7 @@ package starlogo.models.gltf
             // NaN for a word that is too long for the pattern
             var number:Number = Decimal.of(word);
             var isNumber:Boolean = number == number && NUMBER.test(word);
-            refuseFileIf(!isNumber && !WORDS.hasOwnProperty(word), _budget.modelName, "its JSON can't be read: a word is no number, true, false or null", this);
+            refuseFileIf(!isNumber && !WORDS.hasOwnProperty(word), _budget.modelName, UNREADABLE + "a word is no number, true, false or null", this);
             put(isNumber ? number : WORDS[word]);
             _at = end;
         }

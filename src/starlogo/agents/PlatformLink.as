@@ -23,7 +23,7 @@ package starlogo.agents
         /** Where the platform was. */
         public var platformPlacement:Placement = new Placement();
 
-        /** Whether its rotation did not count there: see ModelShape.ignoresRotation. A snapshot does not keep this. */
+        /** Whether its rotation did not count there: see ModelShape.ignoresRotation. A snapshot does not keep this: false is as good. */
         public var ignoresRotation:Boolean = false;
 
         /** The revision that the platform had. */

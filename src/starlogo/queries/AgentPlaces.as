@@ -4,7 +4,7 @@ package starlogo.queries
     import starlogo.agents.Agent;
     import starlogo.data.requireGiven;
     import starlogo.engine;
-    import starlogo.geometry.Placement;
+    import starlogo.geometry.requireInWorld;
     import starlogo.queries.trees.Collector;
     import starlogo.queries.trees.Cone;
     import starlogo.queries.trees.NearSearch;
@@ -165,13 +165,13 @@ package starlogo.queries
         private function aroundAgent(agent:Agent, radius:Number, maxCount:int, filter:AgentFilter):NearSearch
         {
             _seen.requirePlaced(agent);
-            var at:Placement = agent.placement;
-            return begin(agent, at.x, at.y, at.z, radius, maxCount, filter);
+            return begin(agent, agent.x, agent.y, agent.z, radius, maxCount, filter);
         }
 
         private function aroundPoint(point:Vector3D, radius:Number, maxCount:int, filter:AgentFilter):NearSearch
         {
-            requirePoint(point);
+            requireGiven("point", point);
+            requireInWorld("a point", point.x, point.y, point.z);
             return begin(null, point.x, point.y, point.z, radius, maxCount, filter);
         }
 

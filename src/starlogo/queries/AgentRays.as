@@ -169,7 +169,7 @@ package starlogo.queries
                 if (row != rowA && row != rowB && _rowRays.findRayEntry(row, _ray, _entry))
                 {
                     collector.add(row, _entry.distance);
-                    if (collector.hasEnoughOfAny)
+                    if (collector.hasEnough)
                     {
                         break;
                     }

@@ -109,7 +109,8 @@ package starlogo.queries
         /** The distance between an agent and a point. See AgentQueries.distanceToPoint. */
         public function distanceToPoint(agent:Agent, point:Vector3D, out:Vector3D):Number
         {
-            requirePoint(point);
+            requireGiven("point", point);
+            requireInWorld("a point", point.x, point.y, point.z);
             _point.center.setTo(point.x, point.y, point.z);
             var distance:Number = measure(_seen.bodyOf(agent), _structureBody.setTo(_point), out, null);
             if (distance == 0)
@@ -165,7 +166,7 @@ package starlogo.queries
                     var toZ:Number = table.places.z[row] - body.placement.z;
                     // the ground has no place, so it comes last
                     collector.add(row, row == ListedAgents.GROUND_ROW ? Infinity : toX * toX + toY * toY + toZ * toZ);
-                    if (collector.hasEnoughOfAny)
+                    if (collector.hasEnough)
                     {
                         break;
                     }

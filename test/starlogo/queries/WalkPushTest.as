@@ -390,6 +390,38 @@ package starlogo.queries
             }
         }
 
+        /** What grows takes along who stands on it, also after a snapshot, which does not say whether rotations count. */
+        [Test]
+        public function whatGrowsTakesAlongAfterASnapshotToo():void
+        {
+            var places:Array = [];
+            for each (var isRestored:Boolean in [false, true])
+            {
+                var collision:Collision = new Collision(new BinCollider());
+                var floor:Agent = agentAt("cube", 0, 0, 0);
+                floor.size = 4;
+                floor.heading = 90;
+                _walker = agentAt("cube", 0.3, 0.2, 6);
+                _walker.size = 0.5;
+                var agents:Vector.<Agent> = new <Agent>[floor, _walker];
+                _queries = new AgentQueries(collision);
+                _options.fall = Infinity;
+                _queries.update(agents);
+                _queries.walk(_walker, 0, 0, _options, _footing);
+                collision.update(agents);
+                if (isRestored)
+                {
+                    collision.restore(collision.snapshot(), agents);
+                }
+                floor.size = 5;
+                _queries.update(agents);
+                _queries.walk(_walker, 0, 0, _options, _footing);
+                places.push([_walker.x, _walker.y, _walker.z, _walker.heading].join());
+            }
+            assertEquals(places[0], places[1]);
+            assertTrue(places[0], Math.abs(_walker.x - 0.3 * 5 / 4) < NEAR);
+        }
+
         [Test]
         public function aRefusedWalkMovesNothing():void
         {

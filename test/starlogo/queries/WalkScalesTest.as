@@ -91,6 +91,23 @@ package starlogo.queries
             _wrong.assertNone();
         }
 
+        /** Ground is close to an agent by what is near, and not by something large that is far away. */
+        [Test]
+        public function aLargeAgentFarAwayBringsNoGroundNearer():void
+        {
+            for each (var name:String in NAMES)
+            {
+                var walker:Agent = agentAt("box", 0, 0, 1 + 5e-7);
+                var large:Agent = agentAt("box", 0, 3e6, 0);
+                var queries:AgentQueries = new AgentQueries(EachCollider.make(name, _land));
+                walker.size = 0.01;
+                large.size = 1e6;
+                _options.snap = _options.fall = 0;
+                queries.update(new <Agent>[agentAt("box", 0, 0, 0), large, walker]);
+                assertTrue(name, !queries.walk(walker, 0, 0, _options, _footing).stands);
+            }
+        }
+
         // Sizes and places that differ by orders of magnitude. Coordinates keep eight digits of the walker.
         private function chooseSizes():void
         {

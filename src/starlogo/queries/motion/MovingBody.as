@@ -13,9 +13,9 @@ package starlogo.queries.motion
     import starlogo.convex.RelativeMotion;
     import starlogo.data.IntList;
     import starlogo.engine;
+    import starlogo.geometry.requireInWorld;
     import starlogo.queries.AgentFilter;
     import starlogo.queries.SeenAgents;
-    import starlogo.queries.requireMotion;
     import starlogo.queries.trees.Collector;
     import starlogo.queries.trees.SweptBoxSearch;
     import starlogo.search.Body;
@@ -120,7 +120,9 @@ package starlogo.queries.motion
         /** Sets the motion that is wanted. Returns this body. Throws a RangeError that names the first of the three that is not in the world. */
         public function aim(dx:Number, dy:Number, dz:Number):MovingBody
         {
-            requireMotion(dx, dy, dz, agent);
+            requireInWorld("dx of a motion", dx, 0, 0, agent);
+            requireInWorld("dy of a motion", 0, dy, 0, agent);
+            requireInWorld("dz of a motion", 0, 0, dz, agent);
             motion.setTo(dx, dy, dz);
             return this;
         }
@@ -163,26 +165,44 @@ package starlogo.queries.motion
         {
             if (searchAround())
             {
-                var longestPush:Number = ShrunkBody.SHALLOW * maxExtent + maxSlop(range);
-                _search.widen(range + longestPush, up, down);
+                var largest:Number = boundOfExtents;
+                var reach:Number = range + maxSlop(range, largest);
+                if (ShrunkBody.SHALLOW * largest > extent)
+                {
+                    // such long pushes come only from what is near the way, and that may be small
+                    _search.widen(reach, up, down);
+                    collectRows(null);
+                    largest = largestExtent;
+                    searchAround();
+                }
+                _search.widen(reach + ShrunkBody.SHALLOW * largest, up, down);
                 collectRows(filter);
             }
         }
 
-        /** The slop of a motion of at most this length is no larger, whatever rows are near its way. */
-        public function maxSlop(length:Number):Number
+        /** The slop of a motion of at most this length is no larger, if the body and the rows near its way have no larger extents than this. */
+        public function maxSlop(length:Number, largest:Number):Number
         {
-            // reads the ground too
-            var largest:Number = maxExtent;
             var ground:ModelShape = _seen.table.shapes[ListedAgents.GROUND_ROW];
             var cell:Number = ground == null ? 0 : ground.grid.cellWidth;
             return ShrunkBody.slopOf(extent, largest, from, 2 * length + cell);
         }
 
-        // No row has a larger extent, nor the body.
-        private function get maxExtent():Number
+        /** No row of the table has a larger extent, nor the body. It reads the ground too. */
+        public function get boundOfExtents():Number
         {
             return Math.max(extent, _seen.treeOfExtents().maxExtent);
+        }
+
+        /** The largest extent of the body and its rows. */
+        public function get largestExtent():Number
+        {
+            var largest:Number = extent;
+            for (var i:int = 0; i < rows.count; i++)
+            {
+                largest = Math.max(largest, extentWith(bodyOf(rows.values[i])));
+            }
+            return largest;
         }
 
         // Begins a search around the body where it begins, without rows. Returns whether the body has a shape.

@@ -81,29 +81,30 @@ package starlogo.queries.motion
         }
 
         // Finds how a platform carries an agent to where the platform is now: the motion, which it writes, and the turn about the z axis, which it returns.
-        // Its rotation may count only now or only before, if the collision system is another one.
+        // Its rotation may count only now or only before, if the collision system is another one. Then it has not turned.
         private static function findMotion(link:PlatformLink, platform:Body, motion:Vector3D):Number
         {
             var from:Placement = link.platformPlacement;
             var now:Placement = platform.placement;
+            var turned:Placement = platform.shape.ignoresRotation == link.ignoresRotation ? from : now;
             var offsetX:Number = link.walkerPlace.x - from.x;
             var offsetY:Number = link.walkerPlace.y - from.y;
             var offsetZ:Number = link.walkerPlace.z - from.z;
             motion.setTo(now.x - from.x, now.y - from.y, now.z - from.z);
-            if (platform.shape.ignoresRotation != link.ignoresRotation || (from.size == now.size && from.hasRotationOf(now)))
+            if (from.size == now.size && turned.hasRotationOf(now))
             {
                 return 0;
             }
             var scale:Number = now.size / from.size;
-            var alongX:Number = scale * (from.r00 * offsetX + from.r10 * offsetY + from.r20 * offsetZ);
-            var alongY:Number = scale * (from.r01 * offsetX + from.r11 * offsetY + from.r21 * offsetZ);
-            var alongZ:Number = scale * (from.r02 * offsetX + from.r12 * offsetY + from.r22 * offsetZ);
+            var alongX:Number = scale * (turned.r00 * offsetX + turned.r10 * offsetY + turned.r20 * offsetZ);
+            var alongY:Number = scale * (turned.r01 * offsetX + turned.r11 * offsetY + turned.r21 * offsetZ);
+            var alongZ:Number = scale * (turned.r02 * offsetX + turned.r12 * offsetY + turned.r22 * offsetZ);
             motion.x += now.r00 * alongX + now.r01 * alongY + now.r02 * alongZ - offsetX;
             motion.y += now.r10 * alongX + now.r11 * alongY + now.r12 * alongZ - offsetY;
             motion.z += now.r20 * alongX + now.r21 * alongY + now.r22 * alongZ - offsetZ;
-            return Trigonometry.arctangent(now.r10 * from.r00 + now.r11 * from.r01 + now.r12 * from.r02
-                    - now.r00 * from.r10 - now.r01 * from.r11 - now.r02 * from.r12,
-                    now.r00 * from.r00 + now.r01 * from.r01 + now.r02 * from.r02 + now.r10 * from.r10 + now.r11 * from.r11 + now.r12 * from.r12);
+            return Trigonometry.arctangent(now.r10 * turned.r00 + now.r11 * turned.r01 + now.r12 * turned.r02
+                    - now.r00 * turned.r10 - now.r01 * turned.r11 - now.r02 * turned.r12,
+                    now.r00 * turned.r00 + now.r01 * turned.r01 + now.r02 * turned.r02 + now.r10 * turned.r10 + now.r11 * turned.r11 + now.r12 * turned.r12);
         }
 
         /**

@@ -8,7 +8,6 @@ package starlogo.queries.motion
     import starlogo.queries.Footing;
     import starlogo.queries.SeenAgents;
     import starlogo.queries.WalkOptions;
-    import starlogo.queries.requireMotion;
 
     use namespace engine;
 
@@ -87,7 +86,6 @@ package starlogo.queries.motion
         private function begin(agent:Agent, dx:Number, dy:Number, options:WalkOptions, walk:Walk):int
         {
             _seen.requirePlaced(agent);
-            requireMotion(dx, dy, 0, agent);
             walk.options.copyFrom(options);
             walk.walkableZ = (1 - SLOPE_ROUNDING) * Trigonometry.cosine(options.slopeDegrees);
             var length:Number = Math.sqrt(dx * dx + dy * dy);
@@ -95,9 +93,8 @@ package starlogo.queries.motion
             walk.legMotion.setTo(dx / walk.legCount, dy / walk.legCount, 0);
             walk.legLength = length / walk.legCount;
             var platform:int = _platforms.find(agent, walk);
-            walk.body.setToAgent(agent, walk.carryTurn);
+            walk.body.setToAgent(agent, walk.carryTurn).aim(dx, dy, 0);
             walk.place.copyFrom(walk.body.from);
-            walk.closeDepth = Math.max(CLOSE_DEPTH * walk.body.extent, CLOSE_SLOPS * walk.body.maxSlop(walk.legLength));
             collectRows(walk, 0);
             if (platform >= 0)
             {
@@ -116,13 +113,22 @@ package starlogo.queries.motion
             copyVector(stands ? walk.floorNormal : UP, out.normal);
         }
 
-        // Finds the rows near a walk, and up to a distance from it.
+        // Finds the rows near a walk, and up to a distance from it, and how close to them it stands.
         private function collectRows(walk:Walk, distance:Number):void
         {
             var options:WalkOptions = walk.options;
+            var body:MovingBody = walk.body;
             // the way on the steepest slope, how far a slide after a fall goes sideways, and the way of the platform, whatever their directions
-            var range:Number = walk.legCount * walk.legLength / walk.walkableZ + depthAfterFall(walk) / 2 + walk.carry.length + walk.closeDepth + distance;
-            walk.body.collectRowsWithin(range, walk.legCount * options.stepHeight, walk.legCount * options.snap + options.fall, options.filter);
+            var range:Number = walk.legCount * walk.legLength / walk.walkableZ + depthAfterFall(walk) / 2 + walk.carry.length + distance;
+            range += closeDepthAmong(walk, body.boundOfExtents);
+            body.collectRowsWithin(range, walk.legCount * options.stepHeight, walk.legCount * options.snap + options.fall, options.filter);
+            walk.closeDepth = closeDepthAmong(walk, body.largestExtent);
+        }
+
+        // How close a walk stands to rows of at most this extent.
+        private static function closeDepthAmong(walk:Walk, largest:Number):Number
+        {
+            return Math.max(CLOSE_DEPTH * walk.body.extent, CLOSE_SLOPS * walk.body.maxSlop(walk.legLength, largest));
         }
 
         // Pushes the agent out of what it overlaps. Returns whether it stands then.

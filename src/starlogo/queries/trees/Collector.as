@@ -93,10 +93,10 @@ package starlogo.queries.trees
             }
         }
 
-        /** Whether a question that wants any one row has it. */
-        public function get hasEnoughOfAny():Boolean
+        /** Whether as many rows are found as are wanted: enough for a question for which their keys do not matter. */
+        public function get hasEnough():Boolean
         {
-            return maxCount == 1 && filter.accepts == null && _rows.count > 0;
+            return filter.accepts == null && _rows.count >= maxCount;
         }
 
         /**

@@ -35,6 +35,25 @@ package starlogo.queries.motion
             assertEquals(-1, result.wallRow);
         }
 
+        /** A push out of what is very large may be long, but not where nothing large is near. */
+        [Test]
+        public function whatIsLargeAndFarAwayBringsNoRowsNearer():void
+        {
+            var seen:SeenAgents = new SeenAgents(new TightestFitCollider(landOf(BuiltInModel.cube())));
+            var body:MovingBody = new MovingBody(seen);
+            var agent:Agent = agentAt("cube", 0, 0, 0);
+            var large:Agent = agentAt("cube", 0, 0, -2e6);
+            large.size = 1e6;
+            seen.update(new <Agent>[agent, large, agentAt("cube", 1.5, 0, 0), agentAt("cube", 2.5, 0, 0)]);
+            body.setToAgent(agent);
+            body.collectRowsWithin(1, 0, 0, null);
+            assertEquals(1, body.rows.count);
+            large.moveTo(0, 0, -1e6 - 0.5);
+            seen.update(new <Agent>[agent, large, agentAt("cube", 1.5, 0, 0), agentAt("cube", 2.5, 0, 0)]);
+            body.collectRowsWithin(1, 0, 0, null);
+            assertEquals(3, body.rows.count);
+        }
+
         [Test]
         public function aLevelSlideStaysLevelInADeepOverlap():void
         {

@@ -114,6 +114,6 @@ export function endingBooleans(type, member) {
 }
 
 /** Whether users of a class, or classes that extend it, see a member. */
-export function isShown(member) {
+export function isVisible(member) {
 	return (member.isPublic || member.isProtected) && !member.isPrivate;
 }

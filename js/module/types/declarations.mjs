@@ -3,7 +3,7 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { ONLY_IN_JAVASCRIPT, RETURNS_UINT8ARRAY } from "../differences.mjs";
 import { PLATFORM_NAMES, ROOT } from "../names.mjs";
-import { TAKES_LITERAL, docOf, docOfParameter, endingBooleans, isShown, isWritten, mayHaveNull } from "../signatures.mjs";
+import { TAKES_LITERAL, docOf, docOfParameter, endingBooleans, isVisible, isWritten, mayHaveNull } from "../signatures.mjs";
 import { PRIMITIVES, docComment } from "./tsdoc.mjs";
 
 /** The types that no class of ActionScript has. */
@@ -170,7 +170,7 @@ class Writer {
 	#membersOf(type) {
 		// constants of a class that cannot be imported are out of reach
 		const isReached = (member) => !(PLATFORM_NAMES.has(type.name) && member.isStatic);
-		const isSeen = (member) => isReached(member) && isShown(member) && !(member.isOverride && /^(@inheritDoc\s*)?$/.test(member.doc));
+		const isSeen = (member) => isReached(member) && isVisible(member) && !(member.isOverride && /^(@inheritDoc\s*)?$/.test(member.doc));
 		return type.members.filter(isSeen);
 	}
 

@@ -283,15 +283,10 @@ export class Stage {
 		context.save();
 		context.translate(x, y);
 		context.scale(1, -1);
-		context.fillStyle = this.#colours.text;
+		context.fillStyle = getComputedStyle(document.documentElement).getPropertyValue("--text");
 		context.font = `600 ${size}px system-ui, sans-serif`;
 		context.fillText(words, 0, 0);
 		context.restore();
-	}
-
-	get #colours() {
-		const style = getComputedStyle(document.documentElement);
-		return { ground: style.getPropertyValue("--ground"), text: style.getPropertyValue("--text"), line: style.getPropertyValue("--line") };
 	}
 
 	#up(place) {

@@ -18,7 +18,7 @@ const DIGITS = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
 export function manglingOf(program, users) {
 	const names = namesToMangle(program, users);
 	// $stateOf shows no names with a _, and a game's own class that extends one of these hardly has one with _$
-	const mangleCache = Object.fromEntries(byUse(users, names.filter((name) => program.isOfPublicClass(name))).map((name, i) => [name, `_$${shortName(i)}`]));
+	const mangleCache = Object.fromEntries(byUse(users, names.filter((name) => program.isInPublicClass(name))).map((name, i) => [name, `_$${shortName(i)}`]));
 	return { mangleCache, mangleProps: new RegExp(`^(?:${names.map((name) => name.replaceAll("$", "\\$")).join("|")})$`) };
 }
 

@@ -97,13 +97,13 @@ export function docOfParameter(name, doc) {
 }
 
 /** Whether a list of names may have null among them: the documentation of the parameter says "null for" what has no name. */
-export function mayHaveNull(said) {
-	return /\bnull for a/.test(said);
+export function mayHaveNull(docs) {
+	return /\bnull for a/.test(docs);
 }
 
 /** Whether a parameter takes a point or a vector that a member finds, as the documentation of the parameter says. */
-export function isWritten(said) {
-	return /^(?:takes|receives)\b/.test(said);
+export function isWritten(docs) {
+	return /^(?:takes|receives)\b/.test(docs);
 }
 
 /** The Booleans that a method of the engine ends with, if they may be left out. A literal with their names may stand in the place of the first. */
@@ -114,6 +114,6 @@ export function endingBooleans(type, member) {
 }
 
 /** Whether users of a class, or classes that extend it, see a member. */
-export function isShown(member) {
+export function isVisible(member) {
 	return (member.isPublic || member.isProtected) && !member.isPrivate;
 }

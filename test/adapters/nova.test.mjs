@@ -256,6 +256,12 @@ test("traits of breeds and agents: what sweeps is not missed, what was set elsew
 	game.installation.setTraits(fast, { sweeps: true });
 	move(-5, 5);
 	assert.equal(game.pairs(), 1);
+	// a question before a move does not end its way
+	move(-5, -5);
+	game.pairs();
+	assert.equal(game.installation.areColliding(fast, game.agents[1]), false);
+	move(5, -5);
+	assert.equal(game.pairs(), 1);
 });
 
 test("models and structures may be given: a cube is as wide as a box, and its corners as far as a sphere", () => {

@@ -598,7 +598,15 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 
 	test(`three ${version}: an object with a pivot, and an instance with a model of all, are refused`, () => {
 		const object = Object.assign(box(), { pivot: new THREE.Vector3(1, 0, 0) });
-		assert.throws(() => new ThreeAgentBinding(new Agent("box"), object), /^ArgumentError: ThreeAgentBinding: the object of agent .* must have no pivot: put it into a Group/);
+		assert.throws(() => new ThreeAgentBinding(new Agent("box"), object), /^ArgumentError: ThreeAgentBinding: object "" must have no pivot: put it into a Group/);
+		const [moved, later] = [new Agent("box"), box()];
+		const binding = new ThreeAgentBinding(moved, later);
+		later.pivot = object.pivot;
+		moved.moveTo(3, 0, 0);
+		for (const call of ["updateObject", "updateAgent"]) assert.throws(() => binding[call](), /^ArgumentError: ThreeAgentBinding: object "" must have no pivot/);
+		later.pivot = null;
+		binding.updateObject();
+		assert.equal(later.position.x, 3);
 		const crowd = new THREE.InstancedMesh(new THREE.BoxGeometry(), new THREE.MeshBasicMaterial(), 2);
 		[0, 5].forEach((x, i) => crowd.setMatrixAt(i, new THREE.Matrix4().makeTranslation(x, 0, 0)));
 		assert.throws(() => bindInstance(new Agent("all"), crowd, 0, modelFromObject("all", crowd)), /^ArgumentError: model "all" was made of all instances: an instance has a model of the mesh's geometry$/);

@@ -879,7 +879,12 @@ test("JSON and tools see what an object is like, and nothing of what is inside",
 	const [one, other] = [new Hero("cube"), new Hero("cube")];
 	Object.assign(one, { friend: other });
 	Object.assign(other, { friend: one });
-	assert.match(util.inspect(one, { depth: null }), /friend: Hero \{[^]*friend: \[Hero\]/);
+	assert.match(util.inspect(one, { depth: null }), /^<ref \*1> Hero \{[^]*friend: Hero \{[^]*friend: \[Circular \*1\]/);
+	assert.ok(util.inspect(agent, { depth: null }).length < 100000);
+	assert.throws(() => JSON.stringify(one), /circular structure/);
+	delete other.friend;
+	assert.equal(JSON.parse(JSON.stringify([one, other]))[0].friend.friend, undefined);
+	assert.notEqual(one.toJSON(), one.toJSON());
 });
 
 test("an error event that nothing hears says so", () => {

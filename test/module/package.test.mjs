@@ -240,7 +240,7 @@ test("the minified module has a map to the readable one, in a folder of its own"
 	const map = new SourceMap(JSON.parse(readFileSync(path.join(folder, name), "utf8")));
 	const [small, readable] = [minified, path.join(folder, "starlogo-collision.js")].map((file) => readFileSync(file, "utf8").split("\n"));
 	assert.deepEqual(readdirSync(path.join(folder, "maps")), [path.basename(name)]);
-	for (const said of ["is listed twice: agents[", "there is no model ", " is no option; ", "greatLand must not be null", "must not be called from a filter's accepts"]) {
+	for (const said of ["is listed twice: agents[", "there is no model ", " is no option; ", "the receiver of the models must not be null", "must not be called from a filter's accepts"]) {
 		const line = small.findIndex((text) => text.includes(said));
 		const { originalSource, originalLine } = map.findEntry(line, small[line].indexOf(said));
 		assert.equal(originalSource, "../starlogo-collision.js");
@@ -892,7 +892,7 @@ test("while a game is developed, snapshots that put nobody back are warned of, o
 });
 
 test("while a game is developed, walks that stop before what has a handler with the walker are warned of, once, unless the two meet otherwise", () => {
-	const program = (module) => `import { Agent, AgentQueries, BuiltInModel, Collision, GreatLand, TightestFitCollider } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
+	const program = (module) => `import { Agent, AgentQueries, BuiltInModel, Collision, Footing, GreatLand, TightestFitCollider } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
 		const said = [];
 		console.warn = (text) => said.push(text);
 		const land = new GreatLand();
@@ -932,6 +932,15 @@ test("while a game is developed, walks that stop before what has a handler with 
 			const before = asked;
 			game.update([blocked, wall]);
 			if (asked !== before || asked === 0) throw new Error("a game's accepts was called in an update");
+		}
+		// a walk after one that was refused
+		const footing = new Footing();
+		for (const agent of [blocked, null, blocked]) {
+			try {
+				queries.walk(agent, 0.1, 0, null, footing);
+			} catch ({ constructor: { name } }) {
+				if (agent || name !== "ArgumentError") throw new Error(name);
+			}
 		}
 		console.log(JSON.stringify({ said, steps }));`;
 	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));

@@ -91,11 +91,10 @@ export class NovaCollisions {
 			if (entry === null) continue;
 			const { agent, body } = entry;
 			const state = part < 1 && agent.prevState ? between(agent.prevState, agent.state, part) : agent.state;
-			if (!this.#dress(ghost, state)) continue;
+			if (!this.#pose(ghost, state)) continue;
 			ghost.hierarchical = body.hierarchical;
 			ghost.traversalDepth = body.traversalDepth;
 			ghost.collideAs = body.collideAs;
-			ghost.moveTo(state.x, state.y, this.#isBins ? state.z - ghost.size / 2 : state.z);
 			call(ghost, hit.has(agent));
 		}
 	}
@@ -180,7 +179,7 @@ export class NovaCollisions {
 	areColliding(a, b) {
 		const first = this.#currentEntryOf(a);
 		const second = this.#currentEntryOf(b);
-		if (first === null || second === null || first === second || !this.#follow(first) || !this.#follow(second)) return false;
+		if (first === null || second === null || first === second || !this.#pose(first.body, a.state) || !this.#pose(second.body, b.state)) return false;
 		return this.#collider.areColliding(first.body, second.body) && (!this.#isBins || doSpheresMeet(a.state, b.state));
 	}
 
@@ -225,7 +224,8 @@ export class NovaCollisions {
 		let isSwept = false;
 		for (let i = 1; i < numAgents; i++) {
 			const entry = this.#participant(data[i]);
-			if (entry === null || !this.#follow(entry)) continue;
+			if (entry === null || !this.#pose(entry.body, data[i].state)) continue;
+			if (entry.body.sweeps && wasSet(data[i])) entry.body.jumpTo(entry.body.x, entry.body.y, entry.body.z);
 			entry.index = i;
 			// setting a length takes time
 			if (entry.keys.length > 0) entry.keys.length = entry.others.length = 0;
@@ -263,26 +263,20 @@ export class NovaCollisions {
 		return entry;
 	}
 
-	/** Moves a body to its agent. Returns whether the agent can take part. */
-	#follow({ agent, body }) {
-		const { state } = agent;
-		if (!this.#dress(body, state)) return false;
-		moveBody(body, agent, state.x, state.y, this.#isBins ? state.z - body.size / 2 : state.z);
-		return true;
-	}
-
-	/** Gives a body everything of a state but the place. Returns whether an agent with this state can take part. */
-	#dress(body, { x, y, z, size, heading, shape }) {
+	/** Gives a body everything of a state. Returns whether an agent with this state can take part. */
+	#pose(body, { x, y, z, size, heading, shape }) {
 		if (!(Math.max(Math.abs(x), Math.abs(y), Math.abs(z)) <= FARTHEST && size >= 0 && size < Agent.LARGEST_SIZE)) return false;
 		if (this.#isBins) {
 			body.shape = SPHERE;
 			body.size = Math.min(Math.max(size + size * MARGIN + MARGIN, Agent.SMALLEST_SIZE), Agent.LARGEST_SIZE);
+			body.moveTo(x, y, z - body.size / 2);
 			return true;
 		}
 		if (!(size > Agent.SMALLEST_SIZE)) return false;
 		body.shape = this.#shapes.modelOf(shape);
 		body.size = size;
 		body.heading = Number.isFinite(heading) ? heading : 0;
+		body.moveTo(x, y, z);
 		return true;
 	}
 
@@ -340,11 +334,9 @@ function doSpheresMeet(a, b) {
 	return dx * dx + dy * dy + dz * dz < reach * reach / 4;
 }
 
-/** Moves a body. If the agent was set elsewhere instead of moved, its last place is the new one too. */
-function moveBody(body, agent, x, y, z) {
-	const before = agent.prevState;
-	if (body.sweeps && before && before.x === x && before.y === y && before.z === agent.state.z) body.jumpTo(x, y, z);
-	else body.moveTo(x, y, z);
+/** Whether an agent was set where it is, instead of moved: its last place is then the new one too. */
+function wasSet({ state, prevState: before }) {
+	return before && before.x === state.x && before.y === state.y && before.z === state.z;
 }
 
 function pairOf(a, b) {

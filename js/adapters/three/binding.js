@@ -171,14 +171,15 @@ export function bindInstance(agent, mesh, index, model = null, options = {}) {
 /** The position, quaternion and scale of an object. If three.js does not use these for it, its matrix is read. */
 class DrawnObject {
 	constructor(agent, object) {
-		if (object.pivot) throw new ArgumentError(`ThreeAgentBinding: the object of ${agent} must have no pivot: put it into a Group, and bind the group`);
-		warnings?.ofScale(agent, object);
 		this.object = object;
+		this.fill(scratch.numbers);
+		warnings?.ofScale(agent, object);
 	}
 
-	/** Writes the object's place into an array. Returns how many numbers it has. */
+	/** Writes the object's place into an array. Returns how many numbers it has. Throws if three.js would turn the object around a pivot. */
 	fill(numbers) {
 		const { object } = this;
+		if (object.pivot) throw new ArgumentError(`ThreeAgentBinding: object "${object.name}" must have no pivot: put it into a Group, and bind the group`);
 		if (!object.matrixAutoUpdate) {
 			object.matrix.toArray(numbers);
 			return 16;

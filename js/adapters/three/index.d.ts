@@ -135,8 +135,8 @@ export function faceOf(model: Model, triangle: number): DrawnFace | null;
  * model. It gives the object's origin and size. Without a model, the object must be drawn normalised, like the agent's model.
  *
  * Call `updateObject()` each frame if the agent leads, or `updateAgent()` if the object leads. Both compare the two sides, and do nothing
- * if nothing has changed. If an object's `matrixAutoUpdate` is false, its matrix is read. The object has no `pivot`, which three.js would turn it
- * around.
+ * if nothing has changed. If an object's `matrixAutoUpdate` is false, its matrix is read. An object with a `pivot`, which three.js would turn it
+ * around, is refused.
  */
 export class ThreeAgentBinding<A extends Agent = Agent> {
     /**

@@ -14,7 +14,7 @@ import { Bodies } from "./bodies.mjs";
 import { Checks, isWrapped } from "./checks.mjs";
 import { MemberNames } from "./members.mjs";
 import { Scopes } from "./scopes.mjs";
-import { isShown } from "../signatures.mjs";
+import { isVisible } from "../signatures.mjs";
 import { isConstant, staticsText } from "./statics.mjs";
 import { LANGUAGE, indent, isAbstract, isBaseCall, isFieldAssignment, pathOf, plainComment } from "./syntax.mjs";
 import { unitsOf } from "./unit.mjs";
@@ -50,7 +50,7 @@ export class Program {
 			}
 		}
 		const taken = new Set(Object.values(externals));
-		for (const unit of [...this.#units.values()].sort((a, b) => rank(a) - rank(b))) {
+		for (const unit of [...this.#units.values()].sort((a, b) => isOfEngine(b) - isOfEngine(a))) {
 			const words = unit.qname.split(".");
 			const own = unit.isInner && unit.kind !== "class" ? words.slice(-2).join("_") : unit.name;
 			const name = taken.has(own) ? words.join("_") : isWrapped(signatures.get(unit.qname)) ? `${own}$` : own;
@@ -102,7 +102,7 @@ export class Program {
 	 * known after text().
 	 */
 	get hiddenNames() {
-		const shown = [...this.signatures.values()].flatMap((type) => type.members).filter(isShown).map((member) => member.name);
+		const shown = [...this.signatures.values()].flatMap((type) => type.members).filter(isVisible).map((member) => member.name);
 		const kept = new Set([...shown, ...this.#bodies.openNames]);
 		const found = new Set();
 		for (const unit of this.#units.values()) {
@@ -117,7 +117,7 @@ export class Program {
 	}
 
 	/** Whether objects of public classes have a member of a name. A game's own class may extend these. */
-	isOfPublicClass(name) {
+	isInPublicClass(name) {
 		const withBases = (unit) => (unit ? [unit, ...withBases(this.#units.get(unit.base))] : []);
 		this.#openNames ??= new Set([...this.signatures.keys()].flatMap((qname) => withBases(this.#units.get(qname))).flatMap((unit) => this.#memberNames(unit)));
 		return this.#openNames.has(name);
@@ -141,7 +141,7 @@ export class Program {
 		if (unit.kind === "interface") return this.#interfaceText(unit);
 		if (unit.kind === "function") return `${doc}function ${this.shortName(unit.qname)}${this.#bodies.functionText(unit.main, unit.doc)}${this.#wrapperText(unit)}`;
 		const text = unit.base === "Error" ? withPrivateFields(this.#classText(unit)) : this.#classText(unit);
-		return `${this.#isShown(unit) ? `const ${this.shortName(unit.qname)} = /* @__PURE__ */ $shown(${text});` : doc + text}${this.#functionsText(unit)}`;
+		return `${this.#showsState(unit) ? `const ${this.shortName(unit.qname)} = /* @__PURE__ */ $shown(${text});` : doc + text}${this.#functionsText(unit)}`;
 	}
 
 	// index.d.ts has the documentation of what is exported.
@@ -160,7 +160,7 @@ export class Program {
 	}
 
 	// Tools show only the public state of public classes.
-	#isShown(unit) {
+	#showsState(unit) {
 		const type = this.signatures.get(unit.qname);
 		return type?.kind === "class" && !this.#hasShownBase(unit) && !SHOWN_AS_THEY_ARE.has(unit.qname);
 	}
@@ -191,7 +191,7 @@ export class Program {
 		const lines = [];
 		for (const field of unit.staticValues) {
 			const name = this.#members.nameOf(field.name);
-			if (!this.#isSeen(unit, field.name)) continue;
+			if (!this.isForTests && !this.#isVisibleStatic(unit, field.name)) continue;
 			lines.push(`static get ${name}() {\n\treturn ${this.staticName(unit, field.name)};\n}`);
 			if (!isConstant(field)) lines.push(`static set ${name}(value) {\n\t${this.staticName(unit, field.name)} = value;\n}`);
 		}
@@ -200,7 +200,7 @@ export class Program {
 		if (this.signatures.has(unit.qname)) lines.push(`static get name() {\n\treturn ${JSON.stringify(unit.name)};\n}`);
 		lines.push(this.#constructorText(unit));
 		// $shown does this for public classes. Users never see the text of others.
-		if (!unit.base && !this.#isShown(unit) && (this.isForTests || this.signatures.has(unit.qname))) lines.push(`get [Symbol.toStringTag]() {\n\treturn this.constructor.name;\n}`);
+		if (!unit.base && !this.#showsState(unit) && (this.isForTests || this.signatures.has(unit.qname))) lines.push(`get [Symbol.toStringTag]() {\n\treturn this.constructor.name;\n}`);
 		if (this.#checks.isMarked(unit.qname)) lines.push(`get $is${unit.name}() {\n\treturn $copy;\n}`);
 		for (const setting of this.#checks.settings(unit.qname)) {
 			const check = this.#checks.ofSetting(unit.qname, setting).map((line) => `${indent(line)}\n`).join("");
@@ -211,7 +211,7 @@ export class Program {
 			const name = this.#members.nameOf(member.name);
 			// nothing calls these, and only the engine could extend the class
 			if (member.node !== null && !this.isForTests && !this.signatures.has(unit.qname) && isAbstract(member.node, unit.source)) continue;
-			if (this.#isLoose(unit, member)) {
+			if (this.#isFunction(unit, member)) {
 				if (this.isForTests) lines.push(`static get ${name}() {\n\treturn ${this.staticName(unit, member.name)};\n}`);
 			} else if (member.node === null) {
 				lines.push(member.kind === "get" ? `get ${name}() {\n\treturn super.${name};\n}` : `set ${name}(value) {\n\tsuper.${name} = value;\n}`);
@@ -226,12 +226,12 @@ export class Program {
 	}
 
 	// A static method that is not for users becomes a function of the module, like statics: a bundle then has it only if it calls it.
-	#isLoose(unit, member) {
-		return member.isStatic && member.kind === "method" && !this.#isShownStatic(unit, member.name);
+	#isFunction(unit, member) {
+		return member.isStatic && member.kind === "method" && !this.#isVisibleStatic(unit, member.name);
 	}
 
 	#functionsText(unit) {
-		return unit.members.filter((member) => this.#isLoose(unit, member))
+		return unit.members.filter((member) => this.#isFunction(unit, member))
 			.map((member) => `\n\n${this.#docOf(unit, member.doc)}function ${this.staticName(unit, member.name)}${this.#bodies.functionText(member.node, member.doc)}`).join("");
 	}
 
@@ -266,7 +266,7 @@ export class Program {
 	/** The definition of the class that declares a static which is a variable or function of the module: the named class, or one that it extends; or null. */
 	ownerOf(qname, name) {
 		for (let unit = this.#units.get(qname); unit; unit = this.#units.get(unit.base)) {
-			if (unit.staticValues.some((field) => field.name === name) || unit.members.some((member) => member.name === name && this.#isLoose(unit, member))) return unit;
+			if (unit.staticValues.some((field) => field.name === name) || unit.members.some((member) => member.name === name && this.#isFunction(unit, member))) return unit;
 		}
 		return null;
 	}
@@ -279,18 +279,15 @@ export class Program {
 		return `${this.shortName(unit.qname)}$${this.#members.nameOf(name)}`;
 	}
 
-	#isSeen(unit, name) {
-		return this.isForTests || this.#isShownStatic(unit, name);
-	}
-
 	// Whether the types show it: to users, or to classes that extend this one.
-	#isShownStatic(unit, name) {
-		return Boolean(this.signatures.get(unit.qname)?.members.some((member) => member.isStatic && isShown(member) && member.name === name));
+	#isVisibleStatic(unit, name) {
+		return Boolean(this.signatures.get(unit.qname)?.members.some((member) => member.isStatic && isVisible(member) && member.name === name));
 	}
 }
 
-function rank(unit) {
-	return unit.qname.startsWith("starlogo.") ? 0 : 1;
+/** Whether a definition is the engine's own. These get their short names first. */
+function isOfEngine(unit) {
+	return unit.qname.startsWith("starlogo.");
 }
 
 /** Makes the fields of an error's class private, because Node prints all others below the message. Its getters have what users read. */

@@ -3,7 +3,7 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { ONLY_IN_JAVASCRIPT, RETURNS_UINT8ARRAY } from "../differences.mjs";
 import { PLATFORM_NAMES, ROOT } from "../names.mjs";
-import { TAKES_LITERAL, docOf, docOfParameter, endingBooleans, isShown, isWritten, mayHaveNull } from "../signatures.mjs";
+import { TAKES_LITERAL, docOf, docOfParameter, endingBooleans, isVisible, isWritten, mayHaveNull } from "../signatures.mjs";
 import { PRIMITIVES, docComment } from "./tsdoc.mjs";
 
 /** The types that no class of ActionScript has. */
@@ -105,13 +105,13 @@ function isAbstract(type) {
 }
 
 /** A member's documentation with the values that only ActionScript shows in its signature: of arguments that are left out, of a switch at first. */
-function withValues(said, { kind, parameters, result, initial }) {
-	if (kind === "var" && result === "Boolean" && initial && !/@default\b/.test(said)) return `${said}\n\n@default ${initial}`;
+function withValues(docs, { kind, parameters, result, initial }) {
+	if (kind === "var" && result === "Boolean" && initial && !/@default\b/.test(docs)) return `${docs}\n\n@default ${initial}`;
 	return parameters.filter(({ value }) => value !== null && value !== "null").reduce((text, { name, value }) => {
 		const about = docOfParameter(name, text);
 		if (about === "" || /\bwithout it\b/.test(about)) return text;
 		return text.replace(`@param ${name} ${about}`, () => `@param ${name} ${about.replace(/\.?\s*$/, "")}. Default: ${value.replace("Number.NEGATIVE_INFINITY", "-Infinity")}`);
-	}, said);
+	}, docs);
 }
 
 /** A word and the names after it, if there are any. */
@@ -170,7 +170,7 @@ class Writer {
 	#membersOf(type) {
 		// constants of a class that cannot be imported are out of reach
 		const isReached = (member) => !(PLATFORM_NAMES.has(type.name) && member.isStatic);
-		const isSeen = (member) => isReached(member) && isShown(member) && !(member.isOverride && /^(@inheritDoc\s*)?$/.test(member.doc));
+		const isSeen = (member) => isReached(member) && isVisible(member) && !(member.isOverride && /^(@inheritDoc\s*)?$/.test(member.doc));
 		return type.members.filter(isSeen);
 	}
 
@@ -178,17 +178,17 @@ class Writer {
 		const isStatic = member.isStatic ? "static " : "";
 		const visible = member.isProtected ? "protected " : "";
 		this.#agent = this.#isGeneric(type) && !member.isStatic ? (this.#mayFindGround(member) ? OR_GROUND : "A") : "Agent";
-		const said = docOf(type, member, this.#exported);
+		const docs = docOf(type, member, this.#exported);
 		const takesLiteral = member.kind === "constructor" && TAKES_LITERAL.has(type.qname);
-		const text = docComment(takesLiteral ? `${said}\n\n@param settings a literal with some of its properties` : withValues(said, member), "\t");
+		const text = docComment(takesLiteral ? `${docs}\n\n@param settings a literal with some of its properties` : withValues(docs, member), "\t");
 		if (/^(add|remove)EventListener$/.test(member.name)) {
 			const priority = member.name === "addEventListener" ? ", priority?: number" : "";
 			return `${text}\t${member.name}(type: string, listener: Listener, options?: boolean | ListenerOptions${priority}): void;`;
 		}
-		const generic = this.#genericOf(member, said);
+		const generic = this.#genericOf(member, docs);
 		// agents from a list of a client's agents have the client's class
 		if (generic === PICKING) this.#agent = "A";
-		const result = this.#resultOf(type, member, said, generic === findingOf(this.#agent));
+		const result = this.#resultOf(type, member, docs, generic === findingOf(this.#agent));
 		switch (member.kind) {
 			case "constructor":
 				return `${text}\tconstructor(${takesLiteral ? `settings?: ${type.name}Init | null` : this.#parameters(member, type)});`;
@@ -196,7 +196,7 @@ class Writer {
 				return `${text}\t${visible}${isStatic}${member.name}${generic}(${this.#parameters(member, type, generic)}): ${result};`;
 			case "get": {
 				const isReadOnly = !type.members.some((other) => other.kind === "set" && other.name === member.name);
-				if (OF_ENGINE.test(said) && result.includes("[]")) return `${text}\t${isStatic}get ${member.name}(): readonly ${result};`;
+				if (OF_ENGINE.test(docs) && result.includes("[]")) return `${text}\t${isStatic}get ${member.name}(): readonly ${result};`;
 				if (type.kind === "interface") return `${text}\t${isReadOnly ? "readonly " : ""}${member.name}: ${result};`;
 				return `${text}\t${visible}${isStatic}get ${member.name}(): ${result};`;
 			}
@@ -212,7 +212,7 @@ class Writer {
 					// what is set may be a list that its owner does not change
 					return `${text}\tget ${member.name}(): ${result};\n\tset ${member.name}(value: readonly ${result});`;
 				}
-				return `${text}\t${visible}${isStatic}${member.kind === "const" || /\bRead only\./.test(said) ? "readonly " : ""}${member.name}: ${result};`;
+				return `${text}\t${visible}${isStatic}${member.kind === "const" || /\bRead only\./.test(docs) ? "readonly " : ""}${member.name}: ${result};`;
 		}
 	}
 
@@ -221,11 +221,11 @@ class Writer {
 	}
 
 	/** The type parameters of a method itself. */
-	#genericOf({ kind, parameters, result }, said) {
+	#genericOf({ kind, parameters, result }, docs) {
 		if (kind !== "method") return "";
 		const hasList = parameters.some(({ name, type }) => type === "Vector.<Agent>" && name !== "out");
 		if (this.#agent === "Agent") return result === "Vector.<Agent>" && hasList ? PICKING : "";
-		if (HANDLER.test(said)) return HANDLING;
+		if (HANDLER.test(docs)) return HANDLING;
 		if (parameters.some(({ name }) => name === "otherBreed")) return `<${NAMING}`;
 		const takes = (wanted) => parameters.some(({ type }) => type === wanted);
 		if (takes("Footing")) return FILLING;
@@ -234,12 +234,12 @@ class Writer {
 	}
 
 	/** The type of what a member has or returns. */
-	#resultOf(type, member, said, isFinding) {
+	#resultOf(type, member, docs, isFinding) {
 		if (RETURNS_UINT8ARRAY.has(`${type.qname}.${member.name}`)) return "OwnBytes";
-		const known = BY_NAME.get(member.name) ?? this.#literalOf(member) ?? this.#unionOf(type, member.result, said);
+		const known = BY_NAME.get(member.name) ?? this.#literalOf(member) ?? this.#unionOf(type, member.result, docs);
 		if (known) return known;
-		const orNull = this.#mayBeNull({ ...member, doc: said }) ? " | null" : "";
-		return (isFinding ? this.#foundType(member.result) : this.#resultType(member, said)) + orNull;
+		const orNull = this.#mayBeNull({ ...member, doc: docs }) ? " | null" : "";
+		return (isFinding ? this.#foundType(member.result) : this.#resultType(member, docs)) + orNull;
 	}
 
 	/** What a question finds. The agents' class is not inferred from where they are stored: that would be a cast that nobody sees. */
@@ -249,17 +249,17 @@ class Writer {
 	}
 
 	// "null for a mesh without a name" makes null an element
-	#resultType({ kind, result }, said) {
+	#resultType({ kind, result }, docs) {
 		// what takes a filter takes a literal too
 		if (kind === "var" && result === "AgentFilter") return "AgentFilterInit";
-		return result === "Vector.<String>" && /\bnull for a\b/.test(said) ? "(string | null)[]" : this.#type(result);
+		return result === "Vector.<String>" && /\bnull for a\b/.test(docs) ? "(string | null)[]" : this.#type(result);
 	}
 
 	#mayBeNull(member) {
 		if (member.initial === "null") return !NULL_IF_EMPTY.test(member.doc);
 		if (member.kind === "const" || /^(Number|int|uint|Boolean|void|\*|Object)$/.test(member.result)) return false;
-		const said = member.kind === "method" ? /@return([\s\S]*?)(?:\n@|$)/.exec(member.doc)?.[1] ?? member.doc.split("\n@")[0] : member.doc.split("\n@")[0];
-		return /\bnull\b/i.test(said);
+		const docs = member.kind === "method" ? /@return([\s\S]*?)(?:\n@|$)/.exec(member.doc)?.[1] ?? member.doc.split("\n@")[0] : member.doc.split("\n@")[0];
+		return /\bnull\b/i.test(docs);
 	}
 
 	// The type of a constant is its value, which identifies an event or a kind of structure.
@@ -268,11 +268,11 @@ class Writer {
 	}
 
 	// The values that a text lists, for example "x", "y" or "z", or the class's own constants.
-	#unionOf(type, result, said) {
+	#unionOf(type, result, docs) {
 		if (result !== "String") return null;
-		const listed = LISTED.exec(said)?.[0].match(/"\w+"/g);
+		const listed = LISTED.exec(docs)?.[0].match(/"\w+"/g);
 		if (listed) return listed.join(" | ");
-		const constants = type.members.filter((each) => this.#literalOf(each) && new RegExp(`\\b${each.name}\\b`).test(said));
+		const constants = type.members.filter((each) => this.#literalOf(each) && new RegExp(`\\b${each.name}\\b`).test(docs));
 		return constants.length > 1 ? constants.map((each) => each.initial).join(" | ") : null;
 	}
 
@@ -286,47 +286,47 @@ class Writer {
 			const isFinding = generic.startsWith("<F ");
 			if (isFinding && type === "Vector.<Agent>") return `${name}?: Filled<${FOUND}> | null`;
 			if (generic.endsWith(FILTERING) && type === "AgentFilter") return `${name}?: ${filterOf(this.#agent, isFinding ? "F" : this.#agent)} | null`;
-			const text = this.#parameterType(parameter, this.#said(member, parameter, owner));
+			const text = this.#parameterType(parameter, this.#docsOf(member, parameter, owner));
 			return `${name}${value === null ? "" : "?"}: ${text}${parameter === booleans[0] ? literal : ""}`;
 		}).join(", ");
 	}
 
 	/** The documentation of a parameter. "as in moveTo" is replaced by the documentation of that parameter in moveTo. */
-	#said({ doc: text }, { name }, owner) {
+	#docsOf({ doc: text }, { name }, owner) {
 		const own = docOfParameter(name, text);
 		const other = /^as in (?:the )?(\w+)/.exec(own)?.[1];
 		const member = owner?.members.find((each) => each.name === other || other === "constructor" && each.kind === other);
-		return member ? this.#said(member, { name }, owner) : own;
+		return member ? this.#docsOf(member, { name }, owner) : own;
 	}
 
-	#parameterType(parameter, said = "") {
+	#parameterType(parameter, docs = "") {
 		// what is filled has to take the ground, too
 		if (parameter.type === "Footing" && this.#agent !== "Agent") return '(Footing<O> & ([Agent] extends [O] ? unknown : "a Footing of Agent, because a walker may stand on all agents and on the ground")) | null';
 		// who asks a question need not be in the list, and what it fills may have been made for any class of agents before
 		const agent = this.#agent;
 		const isForAny = parameter.type !== "SeenAgents" && this.#isGeneric(this.#exported.get(/^(?:Vector\.<)?(\w+)>?$/.exec(parameter.type)?.[1]));
 		if (parameter.type === "Agent" || isForAny) this.#agent = "Agent";
-		const text = this.#parameterText(parameter, said);
+		const text = this.#parameterText(parameter, docs);
 		this.#agent = agent;
 		return text;
 	}
 
-	#parameterText({ name, type, value }, said) {
-		const orNull = value === "null" || /(?<!\bnot )\bnull\b/.test(said) ? " | null" : "";
+	#parameterText({ name, type, value }, docs) {
+		const orNull = value === "null" || /(?<!\bnot )\bnull\b/.test(docs) ? " | null" : "";
 		if (BY_NAME.has(name)) return BY_NAME.get(name) + orNull;
 		const element = /^Vector\.<(.*)>$/.exec(type)?.[1];
-		if (element && name !== "out" && !/^(Number|int|uint)$/.test(element)) return `readonly ${mayHaveNull(said) ? `(${this.#type(element)} | null)` : this.#type(element)}[]${orNull}`;
+		if (element && name !== "out" && !/^(Number|int|uint)$/.test(element)) return `readonly ${mayHaveNull(docs) ? `(${this.#type(element)} | null)` : this.#type(element)}[]${orNull}`;
 		if (/^Vector\.<(Number|int|uint)>$/.test(type) && name !== "out") return `Numbers${orNull}`;
 		if (type === "ByteArray") return `Bytes${orNull}`;
-		if (type === "String" && LISTED.test(said)) return LISTED.exec(said)[0].match(/"\w+"/g).join(" | ") + orNull;
+		if (type === "String" && LISTED.test(docs)) return LISTED.exec(docs)[0].match(/"\w+"/g).join(" | ") + orNull;
 		if (/^(?:AgentFilter|WalkOptions)$/.test(type)) return `${type}Init${this.#agent === "Agent" ? "" : `<${this.#agent}>`}${orNull}`;
-		if (type === "Vector3D") return `${isWritten(said) ? "PointTaker" : "Point"}${orNull}`;
+		if (type === "Vector3D") return `${isWritten(docs) ? "PointTaker" : "Point"}${orNull}`;
 		if (type === "Function") {
-			const written = /<code>(?:function)?(\([^<]*)<\/code>/.exec(said)?.[1];
+			const written = /<code>(?:function)?(\([^<]*)<\/code>/.exec(docs)?.[1];
 			if (!written) return PRIMITIVES.Function + orNull;
-			const more = /<code>(contact:Contact)<\/code>/.exec(said)?.[1] ?? (/third argument would be null/.test(said) ? "contact:null" : undefined);
+			const more = /<code>(contact:Contact)<\/code>/.exec(docs)?.[1] ?? (/third argument would be null/.test(docs) ? "contact:null" : undefined);
 			// "null for none" is of what a function returns, if the function itself has to be there
-			const orNone = value === null && /\bnull for none\b/.test(said) ? " | null" : "";
+			const orNone = value === null && /\bnull for none\b/.test(docs) ? " | null" : "";
 			return this.#functionType(more ? written.replace(")", `, ${more})`) : written) + orNone;
 		}
 		return `${this.#type(type)}${orNull}`;

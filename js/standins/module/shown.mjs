@@ -21,26 +21,25 @@ export function $stateOf(object) {
 	return state;
 }
 
-/** The objects that are being shown: one that names another names itself by way of that one. */
-const showing = new Set();
+/** What is shown of each object: always the same, so that tools see that an object names itself. */
+const shown = new WeakMap();
 
 /** Makes JSON.stringify and Node's console.log show a class's objects as $stateOf describes them. */
 export function $shown(type) {
 	Object.defineProperties(type.prototype, {
 		[Symbol.toStringTag]: { configurable: true, get() { return this.constructor.name; } },
-		toJSON: { configurable: true, writable: true, value() { return $stateOf(this); } },
-		[Symbol.for("nodejs.util.inspect.custom")]: { configurable: true, writable: true, value: inspected },
+		toJSON: { configurable: true, writable: true, value(key) { return key === undefined ? $stateOf(this) : shownOf(this); } },
+		[Symbol.for("nodejs.util.inspect.custom")]: { configurable: true, writable: true, value() { return shownOf(this); } },
 	});
 	return type;
 }
 
-function inspected(depth, options, inspect) {
-	const { name } = this.constructor;
-	if (depth < 0 || !inspect || showing.has(this)) return `[${name}]`;
-	showing.add(this);
-	try {
-		return `${name} ${inspect($stateOf(this), { ...options, depth })}`;
-	} finally {
-		showing.delete(this);
-	}
+/** The state of an object, in one of a class of the same name. */
+function shownOf(object) {
+	const Shown = class {};
+	Object.defineProperty(Shown, "name", { value: object.constructor.name });
+	const state = shown.get(object) ?? new Shown();
+	shown.set(object, state);
+	for (const key of Object.keys(state)) delete state[key];
+	return Object.assign(state, $stateOf(object));
 }

@@ -90,7 +90,7 @@ package starlogo.queries.motion
             var offsetY:Number = link.walkerPlace.y - from.y;
             var offsetZ:Number = link.walkerPlace.z - from.z;
             motion.setTo(now.x - from.x, now.y - from.y, now.z - from.z);
-            if (platform.shape.ignoresRotation != link.ignoresRotation || (from.size == now.size && from.hasRotationOf(now)))
+            if (from.hasRotationOf(now) ? from.size == now.size : platform.shape.ignoresRotation || link.ignoresRotation)
             {
                 return 0;
             }

@@ -187,10 +187,14 @@ package starlogo.collision
                 callRest(pair, first, second, CollisionHandler.COLLISION, end);
                 return;
             }
-            var touch:Touch = touchOf(pair);
+            var touch:Touch = _tracker.touchAt(pair);
             if (touch == null)
             {
-                return;
+                if (!_gameList.hasBoth(_pairs, pair))
+                {
+                    return;
+                }
+                touch = _tracker.startAt(pair);
             }
             // a touch that was not complete has ended
             var isStarting:Boolean = !touch.isComplete;
@@ -203,17 +207,6 @@ package starlogo.collision
                     _tracker.dropAt(pair);
                 }
             }
-        }
-
-        // The touch of a pair, which begins if there is none; null if there is none, and one of the agents has left the list.
-        private function touchOf(pair:int):Touch
-        {
-            var touch:Touch = _tracker.touchAt(pair);
-            if (touch == null && _gameList.hasBoth(_pairs, pair))
-            {
-                touch = _tracker.startAt(pair);
-            }
-            return touch;
         }
 
         // Calls the handlers of the moments from _next on, up to an index. In the first frame of a touch, those for starts come before those for every

@@ -118,7 +118,6 @@ package starlogo.collision
             var pairCount:int = chosen == null ? _pairs.count : chosen.count;
             var step:int = -endedCount;
             _handlersOfPair = null;
-            _running = null;
             while (step < pairCount)
             {
                 try

@@ -22,7 +22,7 @@ package starlogo.broadphase
      * members. Cells are hashed into buckets. The number of buckets depends on the number of members, not on the size of the world. Cells
      * far from each other may share a bucket, which only costs time. Cells that one pair can reach never share one.</p>
      *
-     * <p>The bins do not know how the pairs are used. Each search begins anew. CellLists takes over the cells of the last one. The time of a search is
+     * <p>The bins do not know how the pairs are used. Each search starts anew. CellLists takes over the cells of the last one. The time of a search is
      * proportional to the number of members and overlapping pairs, the memory to the number of members. After the first search nothing is
      * allocated.</p>
      *
@@ -176,14 +176,14 @@ package starlogo.broadphase
         private function findStarts(bucketCount:int):int
         {
             var counts:Vector.<int> = _counts;
-            var begins:Vector.<int> = _starts;
+            var starts:Vector.<int> = _starts;
             var sum:int = 0;
-            begins[0] = 0;
+            starts[0] = 0;
             for (var i:int = 0; i < bucketCount; i++)
             {
                 var inBucket:int = counts[i];
                 counts[i] = 0;
-                begins[i + 1] = sum;
+                starts[i + 1] = sum;
                 sum += inBucket;
             }
             return sum;
@@ -194,14 +194,14 @@ package starlogo.broadphase
             var fromRow:Vector.<int> = members.values;
             var toRow:Vector.<int> = _rows;
             var buckets:Vector.<int> = _buckets;
-            var begins:Vector.<int> = _starts;
+            var starts:Vector.<int> = _starts;
             var end:int = members.count;
             for (var i:int = 0; i < end; i++)
             {
                 var next:int = buckets[i] + 1;
-                var slot:int = begins[next];
+                var slot:int = starts[next];
                 toRow[slot] = fromRow[i];
-                begins[next] = slot + 1;
+                starts[next] = slot + 1;
             }
         }
 

@@ -44,11 +44,14 @@ package starlogo.collision
             var index:int = _isUnchanged ? list.ranks[row] : _indices[row];
             if (index >= 0 && (index >= _agents.length || _agents[index] !== agent))
             {
-                for (var other:int = 0; _isUnchanged && other < list.ranks.length; other++)
+                if (_isUnchanged)
                 {
-                    _indices[other] = list.ranks[other];
+                    _isUnchanged = false;
+                    for (var other:int = 0; other < list.ranks.length; other++)
+                    {
+                        _indices[other] = list.ranks[other];
+                    }
                 }
-                _isUnchanged = false;
                 index = _agents.lastIndexOf(agent, index);
                 if (index < 0)
                 {

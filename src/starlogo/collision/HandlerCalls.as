@@ -109,30 +109,28 @@ package starlogo.collision
             }
         }
 
-        // Makes all calls, a step for each touch that has ended, and then for each chosen pair. Null stands for all pairs. After an error the same step goes
-        // on with the next handler. The try is here and not around each
-        // call, because a method with a try makes an object for each of its calls in Adobe's VM, and takes longer than most handlers.
+        // Makes all calls: a step less than 0 is a touch that has ended, another one a chosen pair. Null stands for all pairs. After an error the same step
+        // goes on with the next handler. The try is around the steps and not around each call, because a method with a try makes an object for each of its
+        // calls in Adobe's VM, and takes longer than most handlers.
         private function callAll(chosen:IntList, errors:Vector.<Error>):void
         {
             var endedCount:int = _tracker == null ? 0 : _tracker.endedCount;
             var pairCount:int = chosen == null ? _pairs.count : chosen.count;
-            var stepCount:int = endedCount + pairCount;
-            var step:int = 0;
+            var step:int = -endedCount;
             _handlersOfPair = null;
-            _running = null;
-            while (step < stepCount)
+            while (step < pairCount)
             {
                 try
                 {
-                    for (; step < stepCount; step++)
+                    for (; step < pairCount; step++)
                     {
-                        if (step < endedCount)
+                        if (step < 0)
                         {
-                            callForEnded(_tracker.endedAt(step));
+                            callForEnded(_tracker.endedAt(endedCount + step));
                         }
                         else
                         {
-                            callForPair(chosen == null ? step - endedCount : chosen.values[step - endedCount]);
+                            callForPair(chosen == null ? step : chosen.values[step]);
                         }
                         _handlersOfPair = null;
                     }
@@ -188,10 +186,14 @@ package starlogo.collision
                 callRest(pair, first, second, CollisionHandler.COLLISION, end);
                 return;
             }
-            var touch:Touch = touchOf(pair);
+            var touch:Touch = _tracker.touchAt(pair);
             if (touch == null)
             {
-                return;
+                if (!_gameList.hasBoth(_pairs, pair))
+                {
+                    return;
+                }
+                touch = _tracker.startAt(pair);
             }
             // a touch that was not complete has ended
             var isStarting:Boolean = !touch.isComplete;
@@ -204,17 +206,6 @@ package starlogo.collision
                     _tracker.dropAt(pair);
                 }
             }
-        }
-
-        // The touch of a pair, which begins if there is none; null if there is none, and one of the agents has left the list.
-        private function touchOf(pair:int):Touch
-        {
-            var touch:Touch = _tracker.touchAt(pair);
-            if (touch == null && _gameList.hasBoth(_pairs, pair))
-            {
-                touch = _tracker.startAt(pair);
-            }
-            return touch;
         }
 
         // Calls the handlers of the moments from _next on, up to an index. In the first frame of a touch, those for starts come before those for every

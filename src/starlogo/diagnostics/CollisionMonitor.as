@@ -29,7 +29,7 @@ package starlogo.diagnostics
      * </listing>
      *
      * <p>It shows the frames per second. It shows the milliseconds of collision detection with its handlers: the mean, the median and the
-     * maximum of the last 180 frames, and a graph of them. The height of the graph is 40 ms, a frame at 25 frames per second. For the last
+     * longest of the last 180 frames, and a graph of them. The height of the graph is 40 ms, a frame at 25 frames per second. For the last
      * update it shows the agents, the candidate pairs, the tests by kind, the node visits, the collisions and the memory. The last line is
      * the cost of the monitor itself, in milliseconds and as a share of 40 ms.</p>
      *

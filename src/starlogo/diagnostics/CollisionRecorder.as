@@ -217,7 +217,7 @@ final class Tally
 
     private var _most:int = 0;
 
-    // The number of frames for each number of collisions: exact up to 16, then in classes whose widths double.
+    // The number of frames for each class of numbers of collisions: see leastOf().
     private var _histogram:Vector.<int> = new Vector.<int>();
 
     /** Creates a tally without collisions. */
@@ -235,7 +235,7 @@ final class Tally
             return;
         }
         var index:int = Math.min(inFrame, EXACT);
-        for (var number:int = inFrame; number > EXACT; number >>= 1)
+        while (leastOf(index + 1) <= inFrame)
         {
             index++;
         }
@@ -261,8 +261,7 @@ final class Tally
         {
             if (_histogram[i] > 0)
             {
-                // the classes are 17 to 33, 34 to 67, and so on
-                record.histogram.push({collisions: i <= EXACT ? i : ((EXACT + 1) << (i - EXACT)) >> 1, frames: _histogram[i]});
+                record.histogram.push({collisions: leastOf(i), frames: _histogram[i]});
                 without -= _histogram[i];
             }
         }
@@ -271,5 +270,11 @@ final class Tally
             record.histogram.unshift({collisions: 0, frames: without});
         }
         return record;
+    }
+
+    // The least number of a class. Up to 16 each number is a class. Then the widths of the classes double: 17 to 33, 34 to 67, and so on.
+    private static function leastOf(index:int):int
+    {
+        return index <= EXACT ? index : ((EXACT + 1) << (index - EXACT)) >> 1;
     }
 }

@@ -1,8 +1,8 @@
 package starlogo.diagnostics
 {
     /**
-     * The mean, the median and the maximum of many frames' times. A Flash player measures whole milliseconds, so its median and maximum
-     * are whole numbers. Only the mean over many frames is more precise.
+     * The mean, the median and the longest of many frames' times. A Flash player measures whole milliseconds, so its median and longest
+     * times are whole numbers. Only the mean over many frames is more precise.
      */
     public final class FrameTimes
     {

@@ -39,7 +39,7 @@ package starlogo.handlers
         /** Whether it takes a contact, or may read one: see mayTakeContact. */
         public var takesContact:Boolean;
 
-        /** How often the Collision's handlers had changed before it came. */
+        /** When it was added, by the clock of the HandlerTable. */
         public var serial:int;
 
         /** Whether it was removed, perhaps by another handler. A removed handler is not called. */

@@ -42,11 +42,11 @@ package starlogo.handlers
         // By the numbers of the first agent's breed and of the second's: the index of what the frame calls for them.
         private var _pairIndices:HashTable = new HashTable();
 
-        // How often the handlers have changed. It is the serial number of the next handler.
-        private var _changes:int = 0;
+        // A clock: each change of the handlers advances it. A handler's serial number is the time at which it was added.
+        private var _clock:int = 0;
 
-        // How often they had changed when the frame began. The frame calls handlers with lower serial numbers than this.
-        private var _changesBefore:int = 0;
+        // The time at which the frame began. It calls the handlers that were there before.
+        private var _frameTime:int = 0;
 
         /** Whether a handler is for starts or ends, so that touches have to be tracked. */
         public function get tracksTouches():Boolean
@@ -63,13 +63,13 @@ package starlogo.handlers
         {
             requireArguments(breed, otherBreed, callback);
             requireParameters(breed, otherBreed, callback, moment);
-            var handler:CollisionHandler = new CollisionHandler(breed, otherBreed, callback, moment, _changes);
+            var handler:CollisionHandler = new CollisionHandler(breed, otherBreed, callback, moment, _clock);
             if (Breeds.isOfWorld(handler.colliderBreed) && Breeds.isOfWorld(handler.collideeBreed))
             {
                 throw new ArgumentError("TERRAIN and EDGE do not collide with each other");
             }
             addToList(handler);
-            _changes++;
+            _clock++;
         }
 
         /** Removes a handler for one of some moments, a sum: see Collision.removeHandler. */
@@ -78,7 +78,7 @@ package starlogo.handlers
             requireArguments(breed, otherBreed, callback);
             var list:HandlerList = listFor(Breeds.NAMES.knownNumberOf(breed), Breeds.NAMES.knownNumberOf(otherBreed));
             var isRemoved:Boolean = list != null && list.remove(callback, moments);
-            _changes += isRemoved ? 1 : 0;
+            _clock += isRemoved ? 1 : 0;
             return isRemoved;
         }
 
@@ -91,7 +91,7 @@ package starlogo.handlers
             }
             interests = new BreedInterests();
             moments = contactMoments = 0;
-            _changes++;
+            _clock++;
         }
 
         /**
@@ -101,14 +101,14 @@ package starlogo.handlers
          */
         public function begin(agents:Vector.<Agent>):void
         {
-            if (_changes == _changesBefore)
+            if (_clock == _frameTime)
             {
                 return;
             }
             var all:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
             for each (var list:HandlerList in _lists)
             {
-                list.appendTo(all, _changes);
+                list.appendTo(all, _clock);
             }
             _lists.length = _pairs.length = 0;
             _listIndices.clear();
@@ -122,13 +122,13 @@ package starlogo.handlers
                 interests.addNumbers(handler.colliderBreed, handler.collideeBreed);
                 moments |= handler.moment;
                 contactMoments |= handler.needsContact ? handler.moment : 0;
-                if (handler.serial >= _changesBefore)
+                if (handler.serial >= _frameTime)
                 {
                     newNames.push(Breeds.NAMES.nameOf(handler.colliderBreed), Breeds.NAMES.nameOf(handler.collideeBreed));
                 }
             }
             warnOfMissingBreeds(newNames, agents);
-            _changesBefore = _changes;
+            _frameTime = _clock;
         }
 
         /**
@@ -191,7 +191,7 @@ package starlogo.handlers
                     var list:HandlerList = listFor(collider, collidee);
                     if (list != null)
                     {
-                        list.appendTo(found, _changesBefore);
+                        list.appendTo(found, _frameTime);
                     }
                 }
             }

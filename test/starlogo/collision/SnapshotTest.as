@@ -13,6 +13,7 @@ package starlogo.collision
     import starlogo.models.BuiltInModel;
     import starlogo.queries.AgentFilter;
     import starlogo.queries.AgentQueries;
+    import starlogo.queries.WalkOptions;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
     import support.EachCollider;
@@ -474,6 +475,37 @@ package starlogo.collision
                     assertEquals("a wall that sweeps: " + isSweeping, isSweeping ? 2 : 0, hits.length);
                     hits.length = 0;
                 }
+            }
+        }
+
+        [Test]
+        public function aGrowingPlatformCarriesAsItWouldHave():void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var collision:Collision = new Collision(EachCollider.make(name, _greatLand));
+                var platform:Agent = new Agent("sphere");
+                var walker:Agent = agentAt("sphere", 0.3, 0, 2.6);
+                var agents:Vector.<Agent> = new <Agent>[platform, walker];
+                var options:WalkOptions = new WalkOptions();
+                var queries:AgentQueries = new AgentQueries(collision);
+                platform.size = 4;
+                options.fall = Infinity;
+                options.slopeDegrees = 80;
+                collision.update(agents);
+                queries.update(agents);
+                queries.walk(walker, 0, 0, options);
+                var bytes:ByteArray = collision.snapshot(true);
+                var places:Array = [];
+                for (var i:int = 0; i < 2; i++)
+                {
+                    platform.size = 4.4;
+                    queries.update(agents);
+                    queries.walk(walker, 0, 0, options);
+                    places.push(walker.x + " " + walker.z);
+                    collision.restore(bytes, agents);
+                }
+                assertEquals(name, places[0], places[1]);
             }
         }
 

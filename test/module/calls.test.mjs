@@ -2,15 +2,18 @@
 import assert from "node:assert/strict";
 import { readFileSync, readdirSync } from "node:fs";
 import { test } from "node:test";
-import { fileURLToPath } from "node:url";
-import {
-	Agent, AgentFilter, AgentQueries, BuiltInModel, ColladaModel, Collision, CombinationCollider, CookedModel, GltfModel, GreatLand, ObjModel, Terrain,
-	TightestFitCollider,
-} from "../../bin/module/starlogo-collision.js";
+import path from "node:path";
+import { fileURLToPath, pathToFileURL } from "node:url";
 import { beginCoverage } from "../runner/coverage.mjs";
 
 const at = (file) => fileURLToPath(new URL(`../../${file}`, import.meta.url));
-const code = readFileSync(at("bin/module/starlogo-collision.js"), "utf8");
+// readable; see engine.mjs
+const engine = path.resolve(process.env.ENGINE || at("bin/module/starlogo-collision.js"));
+const {
+	Agent, AgentFilter, AgentQueries, BuiltInModel, ColladaModel, Collision, CombinationCollider, CookedModel, GltfModel, GreatLand, ObjModel, Terrain,
+	TightestFitCollider,
+} = await import(pathToFileURL(engine));
+const code = readFileSync(engine, "utf8");
 const sections = readFileSync(at("docs/calls.md"), "utf8").split("\n## ");
 const section = (title) => sections.find((text) => text.startsWith(title + "\n"));
 const namesIn = (text) => [...new Set([...text.matchAll(/`([A-Z]\w+)/g)].map(([, name]) => name))];
@@ -30,7 +33,7 @@ function classesThatRun(among, call) {
 	const take = beginCoverage(false);
 	take();
 	call();
-	const { functions } = take().find(({ url }) => url.endsWith("starlogo-collision.js"));
+	const { functions } = take().find(({ url }) => url === pathToFileURL(engine).href);
 	const starts = functions.map(({ ranges }) => ranges[0]).filter(({ count }) => count > 0).map(({ startOffset }) => startOffset);
 	const ran = parts.filter(({ name, start, end }) => among.has(name) && starts.some((each) => each >= start && each < end));
 	return [...new Set(ran.map(({ name }) => name))];

@@ -3,6 +3,7 @@ package starlogo.agents
     import flash.geom.Vector3D;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
 
     use namespace engine;
 
@@ -51,8 +52,15 @@ package starlogo.agents
         /** Whether the agent is still where it was, and the platform has not jumped. */
         public function get isValid():Boolean
         {
+            var place:Placement = agent.placement;
             return platform != null && platform.jumpRevision <= platformRevision
-                && agent.placement.x == walkerPlace.x && agent.placement.y == walkerPlace.y && agent.placement.z == walkerPlace.z;
+                && isSame(place.x, walkerPlace.x) && isSame(place.y, walkerPlace.y) && isSame(place.z, walkerPlace.z);
+        }
+
+        // Whether two coordinates of the agent are the same, up to the rounding of a game that keeps them from another point of the agent.
+        private function isSame(a:Number, b:Number):Boolean
+        {
+            return Math.abs(a - b) <= Tolerances.UNIT_ROUNDING * (Math.abs(b) + agent.size);
         }
     }
 }

@@ -5,7 +5,6 @@ package starlogo.ground
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
-    import starlogo.intersection.TriangleKernel;
 
     /**
      * Finds how deep a standing model is in the ground, and how far up it has to be lifted. GroundModelQuery sets the model.
@@ -168,13 +167,12 @@ package starlogo.ground
         // Finds the shortest way of the current piece away from the current triangle, into the ground or out of it. Returns whether the two touch.
         private function findOverlap(out:ContactPoint):Boolean
         {
-            var kernel:TriangleKernel = _pairs.pieces.kernel;
-            if (_pairs.triangle.plane.areApart(kernel.shape, RelativeMotion.NONE))
+            if (_pairs.triangle.plane.areApart(_pairs.pieces.kernel.shape, RelativeMotion.NONE))
             {
                 return false;
             }
-            kernel.findContact(_pairs.triangle.corners, RelativeMotion.NONE, out);
-            return out.depth > 0 || kernel.areTouching(_pairs.triangle.corners);
+            _pairs.pieces.kernel.findContact(_pairs.triangle.corners, RelativeMotion.NONE, out);
+            return out.depth > 0 || _pairs.pieces.kernel.areTouching(_pairs.triangle.corners);
         }
 
         // Whether the exit of a contact behind a triangle's plane passes through the triangle, seen along its normal. False if the triangle is flat.

@@ -296,7 +296,6 @@ package starlogo.ground
             if (!isBlocky && !isNaN(point.height))
             {
                 var corner:int = point.row * columns + point.column;
-                // the same triangle as for its height
                 var isBesideX:Boolean = (point.x - x) / cellWidth - point.column >= (point.y - y) / cellWidth - point.row;
                 var side:int = isBesideX ? corner + 1 : corner + columns;
                 var toSide:Number = heights[corner] - heights[side];

@@ -83,8 +83,7 @@ package starlogo.ground
             {
                 _box.copyFrom(_pieces.box);
             }
-            var usesKept:Boolean = _areKept && _pieces.nodesLeft >= _nodesLeft;
-            if (!usesKept)
+            if (!_areKept || _pieces.nodesLeft < _nodesLeft)
             {
                 find();
             }

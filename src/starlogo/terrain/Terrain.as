@@ -76,7 +76,7 @@ package starlogo.terrain
          */
         public static function fromPicture(picture:Object, height:Number, cellWidth:Number = 1, x:Number = 0, y:Number = 0):Terrain
         {
-            if (picture == null || !(picture.width > 0) || !("data" in picture && picture.data != null || "getPixel" in picture))
+            if (picture == null || !(picture.width > 0) || !("data" in picture ? picture.data != null : "getPixel" in picture))
             {
                 throw new ArgumentError("a picture is needed, not " + picture);
             }

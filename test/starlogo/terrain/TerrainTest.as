@@ -311,8 +311,6 @@ package starlogo.terrain
                     return [[0xffffff, 0x333333], [0, 0xff0000]][y][x];
                 }
             };
-            // its pixels count if it has no data
-            bitmap.data = null;
             var same:Terrain = Terrain.fromPicture(bitmap, 3, 2, -1, -1);
             for (var corner:int = 0; corner < 4; corner++)
             {

@@ -18,9 +18,6 @@ package starlogo.ground
         // Each may be off by Tolerances.ROUNDING of the lengths.
         private static const TERMS_OF_PLACE:Number = 10;
 
-        /** The height 0 of the ground, relative to the search's origin. Read only. */
-        public var zeroHeight:Number = 0;
-
         /** The search. Read only. */
         public var search:GroundSearch;
 
@@ -50,11 +47,10 @@ package starlogo.ground
             _latest = motion.latest;
             alongX.cellsBegin = grid.x - search.origin.x - grid.border;
             alongY.cellsBegin = grid.y - search.origin.y - grid.border;
-            zeroHeight = -search.origin.z;
             // the margins are fractions of the triangles' sizes, and so of the cell's width and the heights
             var whole:HeightBounds = grid.pyramid.whole;
             slack = TERMS_OF_PLACE * Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(box.y) + Math.abs(box.z) + box.halfX + box.halfY + box.halfZ
-                    + Math.abs(alongX.cellsBegin) + Math.abs(alongY.cellsBegin) + Math.abs(zeroHeight) + grid.cellWidth + whole.max - whole.min
+                    + Math.abs(alongX.cellsBegin) + Math.abs(alongY.cellsBegin) + Math.abs(search.origin.z) + grid.cellWidth + whole.max - whole.min
                     + _latest * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z)));
             alongX.middle = box.x;
             alongX.reach = box.halfX * Tolerances.OUTER + slack;

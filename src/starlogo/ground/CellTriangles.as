@@ -65,7 +65,7 @@ package starlogo.ground
             _row = row;
             _passage = passage;
             readTops(at);
-            var hasWalls:Boolean = grid.isBlocky || hasHoles || _path.isAtBorder(0, column, row);
+            var hasWalls:Boolean = grid.isBlocky || _path.isAtBorder(0, column, row) || hasHoles && grid.isBesideHole(at);
             if (passage.minHeight <= _highest && (hasWalls || passage.maxHeight >= _lowest))
             {
                 _end = TOPS_END;
@@ -89,10 +89,10 @@ package starlogo.ground
             tops[3] = tops[6] = _path.alongX.cellsBegin + (_column + 1) * grid.cellWidth;
             tops[1] = tops[4] = _path.alongY.cellsBegin + _row * grid.cellWidth;
             tops[7] = tops[10] = _path.alongY.cellsBegin + (_row + 1) * grid.cellWidth;
-            var first:Number = heights[at] + _path.zeroHeight;
-            var second:Number = heights[int(at + next)] + _path.zeroHeight;
-            var third:Number = heights[int(at + next + rowStep)] + _path.zeroHeight;
-            var fourth:Number = heights[int(at + rowStep)] + _path.zeroHeight;
+            var first:Number = heights[at] - _path.search.origin.z;
+            var second:Number = heights[int(at + next)] - _path.search.origin.z;
+            var third:Number = heights[int(at + next + rowStep)] - _path.search.origin.z;
+            var fourth:Number = heights[int(at + rowStep)] - _path.search.origin.z;
             tops[2] = first;
             tops[5] = second;
             tops[8] = third;
@@ -157,10 +157,11 @@ package starlogo.ground
             if (grid.hasCell(column, row))
             {
                 // no wall is between two slopes
-                low = grid.isBlocky ? grid.heights[row * grid.columns + column] + _path.zeroHeight : Infinity;
+                low = grid.isBlocky ? grid.heights[row * grid.columns + column] - _path.search.origin.z : Infinity;
             }
+            var upper:Number = isUpper ? top : endTop;
             // with no upper edge, the half is empty
-            if (low >= (isUpper ? top : endTop) || low > _passage.maxHeight)
+            if (low >= upper || low > _passage.maxHeight)
             {
                 return false;
             }

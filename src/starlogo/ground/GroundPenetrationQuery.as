@@ -5,7 +5,6 @@ package starlogo.ground
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
-    import starlogo.intersection.TriangleKernel;
 
     /**
      * Finds how deep a standing model is in the ground, and how far up it has to be lifted. GroundModelQuery sets the model.
@@ -26,7 +25,6 @@ package starlogo.ground
         private static const TERMS_OF_DEPTH:Number = 10;
 
         private var _pairs:PieceTrianglePairs;
-        private var _kernel:TriangleKernel;
 
         // A contact of the current piece and the current triangle.
         private var _tried:ContactPoint = new ContactPoint();
@@ -40,7 +38,6 @@ package starlogo.ground
         public function GroundPenetrationQuery(pairs:PieceTrianglePairs)
         {
             _pairs = pairs;
-            _kernel = pairs.pieces.kernel;
         }
 
         /**
@@ -115,7 +112,7 @@ package starlogo.ground
             while (_pairs.next())
             {
                 var near:NearTriangle = _pairs.triangle;
-                near.plane.findBehind(_kernel.shape, RelativeMotion.NONE, _tried);
+                near.plane.findBehind(_pairs.pieces.kernel.shape, RelativeMotion.NONE, _tried);
                 // deeper by more than rounding
                 if (_tried.depth >= out.depth + near.margin && isThrough(near.corners, _tried))
                 {
@@ -144,14 +141,14 @@ package starlogo.ground
             while (_pairs.next())
             {
                 var rounding:Number = roundingHere();
-                _pairs.triangle.plane.findBehind(_kernel.shape, RelativeMotion.NONE, _tried);
+                _pairs.triangle.plane.findBehind(_pairs.pieces.kernel.shape, RelativeMotion.NONE, _tried);
                 var behind:Number = _tried.depth;
                 // no overlap is deeper than the piece is behind the plane
                 var isLess:Boolean = mostOverlap > 0 && behind < mostOverlap - rounding;
                 if (!isLess && findOverlap(_tried))
                 {
                     var overlap:Number = _tried.depth;
-                    _pairs.triangle.plane.leadOutside(_kernel.shape, RelativeMotion.NONE, _tried);
+                    _pairs.triangle.plane.leadOutside(_pairs.pieces.kernel.shape, RelativeMotion.NONE, _tried);
                     var wayOut:Number = _tried.depth;
                     if (!isFound || isBetter(overlap - mostOverlap, wayOut - out.depth, rounding))
                     {
@@ -170,12 +167,12 @@ package starlogo.ground
         // Finds the shortest way of the current piece away from the current triangle, into the ground or out of it. Returns whether the two touch.
         private function findOverlap(out:ContactPoint):Boolean
         {
-            if (_pairs.triangle.plane.areApart(_kernel.shape, RelativeMotion.NONE))
+            if (_pairs.triangle.plane.areApart(_pairs.pieces.kernel.shape, RelativeMotion.NONE))
             {
                 return false;
             }
-            _kernel.findContact(_pairs.triangle.corners, RelativeMotion.NONE, out);
-            return out.depth > 0 || _kernel.areTouching(_pairs.triangle.corners);
+            _pairs.pieces.kernel.findContact(_pairs.triangle.corners, RelativeMotion.NONE, out);
+            return out.depth > 0 || _pairs.pieces.kernel.areTouching(_pairs.triangle.corners);
         }
 
         // Whether the exit of a contact behind a triangle's plane passes through the triangle, seen along its normal. False if the triangle is flat.

@@ -1,7 +1,7 @@
 package starlogo.ground
 {
     /**
-     * A place of the ground, as a record: where it is, in which cell, how high the ground is there, and of which triangle that height is.
+     * A place of the ground, as a record: where it is, in which cell, and how high the ground is there.
      *
      * @private
      */
@@ -17,8 +17,5 @@ package starlogo.ground
 
         /** The height there; NaN outside of the ground and over a hole. */
         public var height:Number = NaN;
-
-        /** On slopes, which of the cell's two triangles it is: whether it has the cell's side with the greatest x, or else the one with the greatest y. */
-        public var isBesideX:Boolean = false;
     }
 }

@@ -16,9 +16,6 @@ package starlogo.ground
      */
     public final class GroundTriangles
     {
-        /** Whether the search began with cells and not with larger squares, because its box comes to few cells. Read only. */
-        internal var startsAtCells:Boolean = false;
-
         private var _path:BoxPath = new BoxPath();
 
         // Of the current square: how the box passes over it, its heights, and if it is a cell, its triangles.
@@ -45,9 +42,7 @@ package starlogo.ground
         internal function begin(search:GroundSearch):void
         {
             beginOn(search);
-            var firstLevel:int = _path.firstLevel();
-            startsAtCells = firstLevel == 0;
-            addSquares(firstLevel, 0, 0, int.MAX_VALUE, int.MAX_VALUE);
+            addSquares(_path.firstLevel(), 0, 0, int.MAX_VALUE, int.MAX_VALUE);
         }
 
         private function beginOn(search:GroundSearch):void
@@ -62,6 +57,12 @@ package starlogo.ground
         {
             _cell.stop();
             _squaresEnd = 0;
+        }
+
+        /** Whether the search, which has just begun, begins with cells and not with larger squares, because its box comes to few cells. */
+        internal function startsAtCells():Boolean
+        {
+            return _path.firstLevel() == 0;
         }
 
         /** How much nearer to the box a triangle of the search may be than its numbers say, because of rounding and its margin. */
@@ -138,8 +139,8 @@ package starlogo.ground
         {
             var grid:HeightGrid = _path.search.grid;
             grid.pyramid.findRange(level, column, row, column, row, _heights);
-            _heights.min += _path.zeroHeight;
-            _heights.max += _path.zeroHeight;
+            _heights.min -= _path.search.origin.z;
+            _heights.max -= _path.search.origin.z;
             if (_path.isAtBorder(level, column, row) || _heights.hasHole)
             {
                 _heights.min = Math.min(_heights.min, _passage.minHeight);

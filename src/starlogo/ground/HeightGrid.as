@@ -188,6 +188,12 @@ package starlogo.ground
             return (holes[index >> 5] >> (index & 31) & 1) == 1;
         }
 
+        /** Whether one of the four cells beside the cell of a height is a hole. The cell is not at a border. */
+        public function isBesideHole(index:int):Boolean
+        {
+            return isHole(index - 1) || isHole(index + 1) || isHole(index - columns) || isHole(index + columns);
+        }
+
         /** Whether there is a cell at a column and a row, and it is no hole. */
         public function hasCell(column:int, row:int):Boolean
         {
@@ -224,7 +230,7 @@ package starlogo.ground
             return _point.height;
         }
 
-        /** Finds the height at a point's x and y, its cell, and on slopes its triangle. */
+        /** Finds the height at a point's x and y, and its cell. */
         public function findHeight(point:GroundPoint):void
         {
             if (!findCell(point, isBlocky))
@@ -268,16 +274,16 @@ package starlogo.ground
             }
         }
 
-        // Finds the height of the slope at a point of a cell, and its triangle.
+        // Finds the height of the slope at a point of a cell: of the triangle at the side with the greatest x, or of the one at the side with the greatest y.
         private function findHeightOfSlope(point:GroundPoint):void
         {
             var toX:Number = (point.x - x) / cellWidth - point.column;
             var toY:Number = (point.y - y) / cellWidth - point.row;
             var corner:int = point.row * columns + point.column;
-            point.isBesideX = toX >= toY;
-            var side:int = point.isBesideX ? corner + 1 : corner + columns;
-            var more:Number = point.isBesideX ? toX : toY;
-            var less:Number = point.isBesideX ? toY : toX;
+            var isBesideX:Boolean = toX >= toY;
+            var side:int = isBesideX ? corner + 1 : corner + columns;
+            var more:Number = isBesideX ? toX : toY;
+            var less:Number = isBesideX ? toY : toX;
             point.height = (1 - more) * heights[corner] + (more - less) * heights[side] + less * heights[int(corner + columns + 1)];
         }
 
@@ -290,12 +296,13 @@ package starlogo.ground
             if (!isBlocky && !isNaN(point.height))
             {
                 var corner:int = point.row * columns + point.column;
-                var side:int = point.isBesideX ? corner + 1 : corner + columns;
+                var isBesideX:Boolean = (point.x - x) / cellWidth - point.column >= (point.y - y) / cellWidth - point.row;
+                var side:int = isBesideX ? corner + 1 : corner + columns;
                 var toSide:Number = heights[corner] - heights[side];
                 var fromSide:Number = heights[side] - heights[int(corner + columns + 1)];
                 // how far the triangle falls from a height to the next one along x, and along y
-                var fallX:Number = point.isBesideX ? toSide : fromSide;
-                var fallY:Number = point.isBesideX ? fromSide : toSide;
+                var fallX:Number = isBesideX ? toSide : fromSide;
+                var fallY:Number = isBesideX ? fromSide : toSide;
                 var length:Number = Math.sqrt(fallX * fallX + fallY * fallY + cellWidth * cellWidth);
                 out.x = fallX / length;
                 out.y = fallY / length;

@@ -83,8 +83,7 @@ package starlogo.ground
             {
                 _box.copyFrom(_pieces.box);
             }
-            var usesKept:Boolean = _areKept && _pieces.nodesLeft >= _nodesLeft;
-            if (!usesKept)
+            if (!_areKept || _pieces.nodesLeft < _nodesLeft)
             {
                 find();
             }
@@ -100,7 +99,7 @@ package starlogo.ground
             _search.box.copyFrom(_box);
             _search.shape = _pieces.hasShapeInBox ? _pieces.kernel.shape : null;
             _source.begin(_search);
-            _areKept = _pieces.kind == ModelPieces.INNER_NODE && _source.startsAtCells;
+            _areKept = _pieces.kind == ModelPieces.INNER_NODE && _source.startsAtCells();
             _nodesLeft = _pieces.nodesLeft;
             _count = 0;
         }

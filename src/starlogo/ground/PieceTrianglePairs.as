@@ -84,8 +84,7 @@ package starlogo.ground
             while (pieces.next())
             {
                 _triangles.begin();
-                var isDivided:Boolean = pieces.kind == ModelPieces.INNER_NODE && _triangles.next();
-                if (!isDivided)
+                if (pieces.kind != ModelPieces.INNER_NODE || !_triangles.next())
                 {
                     return true;
                 }

@@ -76,13 +76,13 @@ package starlogo.terrain
          */
         public static function fromPicture(picture:Object, height:Number, cellWidth:Number = 1, x:Number = 0, y:Number = 0):Terrain
         {
-            if (picture == null || !(picture.width > 0) || !("data" in picture ? picture.data : "getPixel" in picture))
+            if (picture == null || !(picture.width > 0) || !("data" in picture && picture.data != null || "getPixel" in picture))
             {
                 throw new ArgumentError("a picture is needed, not " + picture);
             }
             requireInWorld("the height of white", height, 0, 0);
             var terrain:Terrain = new Terrain(picture.width, picture.height, cellWidth, x, y);
-            if ("data" in picture && picture.data.length < 4 * terrain.columns * terrain.rows)
+            if ("data" in picture && picture.data != null && picture.data.length < 4 * terrain.columns * terrain.rows)
             {
                 throw new ArgumentError("a picture of " + terrain.columns + " by " + terrain.rows + " pixels has too little data: " + picture.data.length);
             }
@@ -290,8 +290,8 @@ package starlogo.terrain
         }
 
         /**
-         * Raises the height that is nearest to a place: a block, or on slopes a peak whose foot is one cell around it. The place may be up to half a cell beyond the outermost heights, because with isBlocky their
-         * blocks reach as far.
+         * Raises the height that is nearest to a place: a block, or on slopes a peak whose foot is one cell around it. The place may be up to half
+         * a cell beyond the outermost heights, because with isBlocky their blocks reach as far.
          *
          * @param height by how much; may be negative
          * @throws RangeError if the place is farther outside, or the height would be too large

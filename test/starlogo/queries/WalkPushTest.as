@@ -351,6 +351,10 @@ package starlogo.queries
             _options.carried = true;
             carryOnce(2);
             assertTrue(String(_walker.x), Math.abs(_walker.x - 1) < NEAR);
+            // the game has computed its place back and forth
+            _walker.moveTo(_walker.x + 2e-15, _walker.y, _walker.z);
+            carryOnce(1.5);
+            assertTrue(String(_walker.x), Math.abs(_walker.x - 0.5) < NEAR);
             // the game has moved it, or the platform has jumped
             _walker.moveTo(1, 0.5, 0);
             carryOnce(1);

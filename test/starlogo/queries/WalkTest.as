@@ -245,6 +245,7 @@ package starlogo.queries
                         queries.walk(walker, 0.1, 0, _options, _footing);
                         // it may meet the fence in one walk and step over it in the next
                         _wrong.addIf(_footing.against != null && _footing.against !== fence, message, "on the way: " + _footing.against);
+                        _wrong.addIf(_footing.against != null && _footing.part > 1 - 1e-9, message, "it has stepped over what it tells");
                     }
                     assertTrue(message, walker.x >= 2.1);
                     queries.walk(walker, 0, 0.1, _options, _footing);

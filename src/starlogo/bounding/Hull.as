@@ -38,7 +38,7 @@ package starlogo.bounding
          *
          * @private
          */
-        engine var points:Vector.<Number> = new Vector.<Number>();
+        engine var relativeCorners:Vector.<Number> = new Vector.<Number>();
 
         /**
          * Which corners make the faces and edges.
@@ -98,18 +98,18 @@ package starlogo.bounding
         /** @inheritDoc */
         override public function toString():String
         {
-            return "a Hull of " + points.length / 3 + " corners around " + center;
+            return "a Hull of " + relativeCorners.length / 3 + " corners around " + center;
         }
 
         /** The corners, x, y, z of each, in a list of their own. */
         public function get corners():Vector.<Number>
         {
-            var result:Vector.<Number> = new Vector.<Number>(points.length);
-            for (var i:int = 0; i < points.length; i += 3)
+            var result:Vector.<Number> = new Vector.<Number>(relativeCorners.length);
+            for (var i:int = 0; i < relativeCorners.length; i += 3)
             {
-                result[i] = center.x + points[i];
-                result[i + 1] = center.y + points[i + 1];
-                result[i + 2] = center.z + points[i + 2];
+                result[i] = center.x + relativeCorners[i];
+                result[i + 1] = center.y + relativeCorners[i + 1];
+                result[i + 2] = center.z + relativeCorners[i + 2];
             }
             return result;
         }
@@ -131,7 +131,7 @@ package starlogo.bounding
         /** @inheritDoc */
         override public function get volume():Number
         {
-            return topology.dimension == 3 ? ConvexHull.volumeInside(points, faces, 0, 0, 0) : 0;
+            return topology.dimension == 3 ? ConvexHull.volumeInside(relativeCorners, faces, 0, 0, 0) : 0;
         }
 
         /** @inheritDoc */
@@ -140,7 +140,7 @@ package starlogo.bounding
             super.rotate(rotation);
             if (rotation.determinant < 0)
             {
-                setCorners(points);
+                setCorners(relativeCorners);
             }
             return this;
         }
@@ -151,7 +151,7 @@ package starlogo.bounding
             var x:Number = point.x - center.x;
             var y:Number = point.y - center.y;
             var z:Number = point.z - center.z;
-            var limit:Number = radius + slack(farthestCorner(points), center);
+            var limit:Number = radius + slack(farthestCorner(relativeCorners), center);
             var planes:Vector.<Number> = halfSpaces;
             for (var i:int = 0; i < planes.length; i += 4)
             {
@@ -167,7 +167,7 @@ package starlogo.bounding
         /** @inheritDoc */
         override public function clone():BoundingStructure
         {
-            check(points);
+            check(relativeCorners);
             checkLength(radius, "the radius around a hull's corners");
             return place(Placement.IDENTITY, new Hull(POINT));
         }
@@ -176,11 +176,11 @@ package starlogo.bounding
         override public function place(placement:Placement, out:BoundingStructure = null):BoundingStructure
         {
             var placed:Hull = out as Hull || newFor(out) as Hull;
-            if (placed.points.length != points.length)
+            if (placed.relativeCorners.length != relativeCorners.length)
             {
-                placed.points.length = points.length;
+                placed.relativeCorners.length = relativeCorners.length;
             }
-            Placement.scaleAndTurnPoints(placement, points, placed.points);
+            Placement.scaleAndTurnPoints(placement, relativeCorners, placed.relativeCorners);
             placement.place(center, placed.center);
             placed.radius = radius * placement.size;
             placed.topology = topology;
@@ -200,7 +200,7 @@ package starlogo.bounding
         {
             if (_halfSpaces.length == 0)
             {
-                HalfSpaces.find(points, topology, _halfSpaces);
+                HalfSpaces.find(relativeCorners, topology, _halfSpaces);
             }
             return _halfSpaces;
         }
@@ -220,7 +220,7 @@ package starlogo.bounding
         {
             // The tolerance depends on the model's radius about the middle of its extents. That radius is at most the square root of 3 times
             // the radius about any other point.
-            widen(4 * Tolerances.SURFACES * farthestCorner(points));
+            widen(4 * Tolerances.SURFACES * farthestCorner(relativeCorners));
         }
 
         /** @private */
@@ -228,9 +228,9 @@ package starlogo.bounding
         {
             var turned:Vector.<Number> = sTurned;
             var bounds:VertexBounds = sBounds;
-            Placement.scaleAndTurnPoints(placement, points, turned);
+            Placement.scaleAndTurnPoints(placement, relativeCorners, turned);
             bounds.clear();
-            bounds.add(turned, 0, points.length / 3);
+            bounds.add(turned, 0, relativeCorners.length / 3);
             var size:Number = placement.size;
             var x:Number = center.x * size;
             var y:Number = center.y * size;
@@ -250,7 +250,7 @@ package starlogo.bounding
         {
             // a field, because V8 would make an object for an argument
             out.extent = _extent;
-            out.setHull(center, points, topology.faces, topology.edges, _extent >= 0);
+            out.setHull(center, relativeCorners, topology.faces, topology.edges, _extent >= 0);
             _extent = out.extent;
             out.radius = radius;
         }
@@ -258,7 +258,7 @@ package starlogo.bounding
         /** @private The centre, the radius, then the corners relative to the centre. */
         override engine function toNumbers():Vector.<Number>
         {
-            return new <Number>[center.x, center.y, center.z, radius].concat(points);
+            return new <Number>[center.x, center.y, center.z, radius].concat(relativeCorners);
         }
 
         /**
@@ -275,7 +275,7 @@ package starlogo.bounding
         /** @private Scales the corners about the centre. The radius stays. */
         engine function scaleCorners(factor:Number):void
         {
-            setCorners(scaled(points, factor));
+            setCorners(scaled(relativeCorners, factor));
         }
 
         // Checks the centre and corners relative to it.
@@ -317,7 +317,7 @@ package starlogo.bounding
             {
                 hull = new ConvexHull(hull.points);
             }
-            points = scaled(hull.points, HULL_SCALE);
+            relativeCorners = scaled(hull.points, HULL_SCALE);
             topology = HullTopology.of(hull);
             forgetShape();
         }

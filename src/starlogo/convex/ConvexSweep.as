@@ -64,14 +64,15 @@ package starlogo.convex
             motion.time = motion.earliest > motion.time ? motion.earliest : motion.time;
         }
 
-        // Returns the step, from the distance at the motion's time. Where the cores are apart, but no axis proves it, the step is as long as the gap in the
-        // motion's direction: no shape comes nearer faster than that.
+        // Returns the step, from the distance at the motion's time. Where the cores are hardly apart along any axis, the step may be as long as the gap in
+        // the motion's direction, because no shape comes nearer faster than that. Of the two the longer step counts: neither leads past a touch.
         private function measure(cores:CorePair):AdvancementStep
         {
             var witness:CoreWitness = _witness;
             var step:AdvancementStep = _step;
             step.isTouching = witness.isWithinLimit(cores);
-            if (!step.isTouching && !(witness.separation > cores.searchLimit))
+            var isProven:Boolean = step.isTouching || witness.separation > cores.searchLimit;
+            if (!isProven)
             {
                 // A short line between two points is too imprecise a direction where an edge or a face is nearly perpendicular to it. The normals of
                 // faces and pairs of edges are precise.
@@ -83,10 +84,11 @@ package starlogo.convex
             var radii:Number = cores.first.radius + cores.second.radius;
             step.separation = witness.separation - radii;
             step.speed = -(witness.normalX * x + witness.normalY * y + witness.normalZ * z);
-            if (!step.isTouching && !(witness.separation > cores.searchLimit))
+            var fullSpeed:Number = Math.sqrt(x * x + y * y + z * z);
+            if (!isProven && !(step.separation > 0 && step.separation * fullSpeed >= (witness.distance - radii) * step.speed))
             {
                 step.separation = witness.distance - radii;
-                step.speed = Math.sqrt(x * x + y * y + z * z);
+                step.speed = fullSpeed;
             }
             return step;
         }

@@ -137,19 +137,18 @@ package starlogo.convex
             var x:Number = v[k];
             var y:Number = v[int(k + 1)];
             var z:Number = v[int(k + 2)];
-            var left:Number = x * u[3] + y * u[4] + z * u[5];
-            var right:Number = x * u[6] + y * u[7] + z * u[8];
-            if (left * right < 0)
+            var leftAtU:Number = x * u[3] + y * u[4] + z * u[5];
+            var rightAtU:Number = x * u[6] + y * u[7] + z * u[8];
+            if (leftAtU * rightAtU < 0)
             {
                 return false;
             }
-            var sideOfFirst:Number = left + right;
             x = u[0];
             y = u[1];
             z = u[2];
-            left = x * v[int(k + 3)] + y * v[int(k + 4)] + z * v[int(k + 5)];
-            right = x * v[int(k + 6)] + y * v[int(k + 7)] + z * v[int(k + 8)];
-            return left * right >= 0 && sideOfFirst * (left + right) >= 0;
+            var leftAtV:Number = x * v[int(k + 3)] + y * v[int(k + 4)] + z * v[int(k + 5)];
+            var rightAtV:Number = x * v[int(k + 6)] + y * v[int(k + 7)] + z * v[int(k + 8)];
+            return leftAtV * rightAtV >= 0 && (leftAtU + rightAtU) * (leftAtV + rightAtV) >= 0;
         }
 
         // Reads all edges of the second core. Returns how many numbers they are.

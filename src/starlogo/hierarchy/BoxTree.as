@@ -40,7 +40,7 @@ package starlogo.hierarchy
 
         /**
          * The items, so that those of a node stand side by side. An index into this list is a slot. An entry is an item's index in the model: that of a
-         * triangle or a vertex.
+         * triangle or a vertex. Set before the nodes are made.
          */
         public var items:Vector.<int> = null;
 
@@ -261,12 +261,6 @@ package starlogo.hierarchy
             }
         }
 
-        /** Sets the items, before the nodes are made. @param items each once, kept */
-        public function setItems(items:Vector.<int>):void
-        {
-            this.items = items;
-        }
-
         /**
          * Makes the root, without children. Until <code>completeNodes()</code>, the columns are longer than the number of nodes. They begin with room for
          * the nodes of most models, because longer columns are copies.
@@ -307,6 +301,16 @@ package starlogo.hierarchy
         /** Ends the making of nodes. */
         public function completeNodes():void
         {
+            // V8 keeps all of a list that is shortened by less than half
+            if (4 * _count < 3 * left.length)
+            {
+                boxes = boxes.slice(0, 6 * _count);
+                left = left.slice(0, _count);
+                firstSlot = firstSlot.slice(0, _count);
+                endSlot = endSlot.slice(0, _count);
+                endsUpToDepth = endsUpToDepth.slice(0, _count);
+                levelAndAxis = levelAndAxis.slice(0, _count);
+            }
             setRoom(_count);
             _count = 0;
         }

@@ -46,7 +46,7 @@ package starlogo.hierarchy
             {
                 items[i] = i;
             }
-            tree.setItems(items);
+            tree.items = items;
         }
 
         /** Measures a range of items. Must be called for all items before other methods. */

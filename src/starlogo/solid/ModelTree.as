@@ -146,8 +146,7 @@ package starlogo.solid
         /** @private The triangles, for models that have some. If they are not prepared, prepares them alone. */
         engine function get mesh():TriangleMesh
         {
-            _mesh ||= new TriangleMesh(boxTree);
-            return _mesh;
+            return _mesh ||= new TriangleMesh(boxTree);
         }
 
         /** What is inside of the triangles, for models that have some. The first call prepares it, which is slow. */
@@ -173,7 +172,7 @@ package starlogo.solid
             {
                 return false;
             }
-            return preparedInterior().isInside(center);
+            return preparedInterior().hasClosedShell && _interior.isInside(center);
         }
 
         /**

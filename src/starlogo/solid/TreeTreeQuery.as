@@ -144,7 +144,8 @@ package starlogo.solid
         private function findPartIn(outer:ModelTree, inner:ModelTree, pose:Placement, placement:Placement, out:ClosestPoints):Boolean
         {
             var points:Vector.<Number> = inner.preparedInterior().partPoints;
-            for (var at:int = 0; at < points.length; at += 3)
+            var end:int = outer.preparedInterior().hasClosedShell ? points.length : 0;
+            for (var at:int = 0; at < end; at += 3)
             {
                 _point.x = points[at];
                 _point.y = points[int(at + 1)];

@@ -70,7 +70,7 @@ package starlogo.solid
             var end:int = tree.endSlot[node];
             for (var i:int = tree.firstSlot[node]; i < end && limit > 0; i++)
             {
-                if (squaredDistanceToExtents(_extents, _mesh, i) < limit * limit)
+                if (areExtentsWithin(limit, _extents, _mesh, i))
                 {
                     _counts.triangleTests++;
                     _mesh.readTriangle(i, _corners);

@@ -39,13 +39,10 @@ package starlogo.solid
         private var _coreExtents:Vector.<Number> = new Vector.<Number>(6, true);
         private var _sweptExtents:Vector.<Number> = new Vector.<Number>(6, true);
 
-        // How far the structure's core may be from a triangle that it touches, with all that is rounded.
-        private var _cullDistance:Number = 0;
-
         // Separates most triangles from the moving structure.
         private var _separatingAxes:SweptAxes = new SweptAxes();
 
-        // The corners of a triangle and its plane.
+        // The corners of a triangle, and its plane with the distance of quick tests.
         private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
         private var _plane:TrianglePlane = new TrianglePlane();
 
@@ -96,10 +93,10 @@ package starlogo.solid
                 extents[i] += shape.radius;
                 extents[int(i + 1)] -= shape.radius;
             }
-            _cullDistance = _plane.cullDistance = shape.radius + shape.margin + Tolerances.EXTENTS * size;
-            _search.setExtents(extents, _cullDistance);
+            _plane.cullDistance = shape.radius + shape.margin + Tolerances.EXTENTS * size;
+            _search.setExtents(extents, _plane.cullDistance);
             _search.setMotion(motion);
-            _separatingAxes.setTo(shape, _cullDistance, motion);
+            _separatingAxes.setTo(shape, _plane.cullDistance, motion);
             sweepExtents();
         }
 
@@ -127,7 +124,7 @@ package starlogo.solid
             var end:int = tree.endSlot[node];
             for (var i:int = tree.firstSlot[node]; i < end && limit >= 0; i++)
             {
-                if (squaredDistanceToExtents(_sweptExtents, _mesh, i) > _cullDistance * _cullDistance)
+                if (!areExtentsWithin(_plane.cullDistance, _sweptExtents, _mesh, i))
                 {
                     continue;
                 }

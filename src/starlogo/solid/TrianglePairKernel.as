@@ -21,12 +21,10 @@ package starlogo.solid
      */
     internal final class TrianglePairKernel extends NodePairKernel
     {
-        private static const NONE:int = -1;
-
         private var _meshA:TriangleMesh = null;
         private var _meshB:TriangleMesh = null;
 
-        // The corners of a's current triangle and its plane.
+        // The corners of a's current triangle, and its plane with the distance of quick tests: see PosedTrees.
         private var _cornersOfA:Vector.<Number> = new Vector.<Number>(9, true);
         private var _planeOfA:TrianglePlane = new TrianglePlane();
 
@@ -34,8 +32,8 @@ package starlogo.solid
         private var _trees:PosedTrees = null;
         private var _motion:RelativeMotion = null;
 
-        // The slot of the first triangle that is placed, or NONE.
-        private var _firstPlaced:int = NONE;
+        // The slot of the first triangle that is placed, or -1.
+        private var _firstPlaced:int = -1;
 
         // The corners of the triangles of b's node in a's space, by their index in the node: nine numbers each.
         private var _placed:Vector.<Number> = new Vector.<Number>();
@@ -47,9 +45,6 @@ package starlogo.solid
         private var _kernel:TriangleKernel = new TriangleKernel();
 
         private var _counts:TreeCounts;
-
-        // The largest distance at which quick tests let triangles pass: see PosedTrees.
-        private var _cullDistance:Number = 0;
 
         // The plane of b's current triangle.
         private var _planeOfB:TrianglePlane = new TrianglePlane();
@@ -79,8 +74,8 @@ package starlogo.solid
             _meshB = b;
             _motion = motion;
             _firstImpact.reset();
-            _firstPlaced = NONE;
-            _cullDistance = _planeOfA.cullDistance = trees.cullDistance(motion);
+            _firstPlaced = -1;
+            _planeOfA.cullDistance = trees.cullDistance(motion);
             return this;
         }
 
@@ -94,7 +89,7 @@ package starlogo.solid
                 setTriangleOfB(i);
                 for (var slot:int = _meshA.tree.firstSlot[a]; slot < end; slot++)
                 {
-                    if (squaredDistanceToExtents(_extents, _meshA, slot) == 0)
+                    if (areExtentsWithin(0, _extents, _meshA, slot))
                     {
                         _counts.triangleTests++;
                         if (!staysOnOneSide(slot) && _kernel.areTouching(_cornersOfA))
@@ -119,7 +114,7 @@ package starlogo.solid
                 _planeOfB.setTriangle(_placed, 9 * i);
                 for (var slot:int = end - 1; slot >= first && _firstImpact.time > 0; slot--)
                 {
-                    if (squaredDistanceToExtents(_extents, _meshA, slot) > 0)
+                    if (!areExtentsWithin(0, _extents, _meshA, slot))
                     {
                         continue;
                     }
@@ -154,7 +149,21 @@ package starlogo.solid
                 setTriangleOfB(i);
                 for (var slot:int = _meshA.tree.firstSlot[a]; slot < end; slot++)
                 {
-                    findCloserPoints(slot, i, points);
+                    if (!areExtentsWithin(points.distance, _extents, _meshA, slot))
+                    {
+                        continue;
+                    }
+                    _meshA.readTriangle(slot, _cornersOfA);
+                    if (isFartherAlongGap(i, points))
+                    {
+                        continue;
+                    }
+                    _counts.triangleTests++;
+                    if (_kernel.findCloser(_cornersOfA, points))
+                    {
+                        // a's point first
+                        points.swap();
+                    }
                 }
             }
             best.limit = points.distance;
@@ -198,8 +207,8 @@ package starlogo.solid
             var high:Number = second < first ? first : second;
             low = third < low ? third : low;
             high = third > high ? third : high;
-            low -= _cullDistance;
-            high += _cullDistance;
+            low -= _planeOfA.cullDistance;
+            high += _planeOfA.cullDistance;
             _extents[to] = travel < 0 ? low + travel : low;
             _extents[int(to + 1)] = travel > 0 ? high + travel : high;
         }
@@ -210,25 +219,6 @@ package starlogo.solid
             _meshA.readTriangle(slot, _cornersOfA);
             _planeOfA.setTriangle(_cornersOfA, 0);
             return _planeOfA.timeOfEntry(_kernel.shape, _motion) > _motion.latest;
-        }
-
-        // Finds the closest points of a triangle of a, and of b's triangle by its index in the node, if they are nearer than those so far.
-        private function findCloserPoints(slot:int, index:int, points:ClosestPoints):void
-        {
-            if (!(squaredDistanceToExtents(_extents, _meshA, slot) < points.distance * points.distance))
-            {
-                return;
-            }
-            _meshA.readTriangle(slot, _cornersOfA);
-            if (!isFartherAlongGap(index, points))
-            {
-                _counts.triangleTests++;
-                if (_kernel.findCloser(_cornersOfA, points))
-                {
-                    // a's point first
-                    points.swap();
-                }
-            }
         }
 
         // Whether a's current triangle is so far before b's triangle, along the vector from the closest point so far of a to that of b, that the two

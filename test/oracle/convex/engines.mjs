@@ -64,7 +64,7 @@ export class Core {
 	asMade(each) {
 		if (each.kind !== "hull") return each;
 		const hull = structureOf(this.engine, each);
-		const made = body("hull", [hull.center.x, hull.center.y, hull.center.z, ...hull.$points]);
+		const made = body("hull", [hull.center.x, hull.center.y, hull.center.z, ...hull.$relativeCorners]);
 		if (made.points.length !== each.points.length) throw new Error(`a hull lost corners: ${each.numbers}`);
 		this.hulls.set(made, hull);
 		return made;

@@ -98,7 +98,7 @@ package starlogo.bounding
 
         private static function checkTopology(hull:Hull, name:String):void
         {
-            var points:Vector.<Number> = hull.points;
+            var points:Vector.<Number> = hull.relativeCorners;
             var faces:Vector.<int> = hull.topology.faces;
             var edges:Vector.<int> = hull.topology.edges;
             var solid:Boolean = hull.topology.dimension == 3;

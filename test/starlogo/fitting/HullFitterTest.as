@@ -62,7 +62,7 @@ package starlogo.fitting
                 var hull:Hull = Hull(session.structureOf(new HullFitter(8 + random.integer(0, 20))));
                 assertHolds("set " + i, hull, points);
                 assertTrue("set " + i + ": " + hull.volume / session.hull.volume, session.hull.dimension < 3 || hull.volume < 2.5 * session.hull.volume);
-                counts += hull.points.length;
+                counts += hull.relativeCorners.length;
             }
             assertTrue(counts + "", counts > 120 * 3 * 12);
         }
@@ -170,12 +170,12 @@ package starlogo.fitting
                 var points:Vector.<Number> = PointSets.turned(PointSets.cylinder(1, 0, 48, 2), random);
                 var hull:Hull = Hull(new HullFitter().fit(points));
                 assertEquals(2, hull.topology.dimension);
-                assertTrue(hull + "", hull.points.length <= 48);
+                assertTrue(hull + "", hull.relativeCorners.length <= 48);
                 assertHolds(i + "", hull, points);
                 var reach:Number = 0;
-                for (var k:int = 0; k < hull.points.length; k += 3)
+                for (var k:int = 0; k < hull.relativeCorners.length; k += 3)
                 {
-                    reach = Math.max(reach, hull.points[k] * hull.points[k] + hull.points[k + 1] * hull.points[k + 1] + hull.points[k + 2] * hull.points[k + 2]);
+                    reach = Math.max(reach, hull.relativeCorners[k] * hull.relativeCorners[k] + hull.relativeCorners[k + 1] * hull.relativeCorners[k + 1] + hull.relativeCorners[k + 2] * hull.relativeCorners[k + 2]);
                 }
                 assertTrue(reach + "", reach < 1.35);
             }
@@ -206,7 +206,7 @@ package starlogo.fitting
                     var hull:Hull = Hull(session.structureOf(new HullFitter()));
                     assertHolds(count + "", hull, points);
                     assertTrue(hull.volume / session.hull.volume + "", hull.volume < 1.15 * session.hull.volume);
-                    assertTrue(hull + "", hull.points.length <= 48);
+                    assertTrue(hull + "", hull.relativeCorners.length <= 48);
                 }
             }
         }

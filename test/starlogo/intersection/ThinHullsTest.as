@@ -58,6 +58,18 @@ package starlogo.intersection
             }
         }
 
+        // The gap is a little longer than that of a touch, and hidden by rounding along each axis. The mover slides along the plate, which it does not touch.
+        [Test]
+        public function aPlateIsPassedAtAGapAsShortAsRounding():void
+        {
+            var mover:Hull = new Hull(new <Number>[0, -0.5, -8.6e-14, 2, 0.5, -8.8e-14, 0, 0.5, -8.8e-14, 2, 0, -8.4e-14]);
+            var plate:Hull = new Hull(new <Number>[1, 1, 0, -0.25, 0.5, 4e-15, -0.5, -0.25, -1e-15, 0.5, 0, -2e-15, 0.5, 1, 0]);
+            _motion.x = 1;
+            _motion.z = 1e-14;
+            StructurePairs.findTime(mover, plate, _motion);
+            assertEquals(RelativeMotion.NEVER, _motion.time);
+        }
+
         // The middle of a border sticks out by as little as rounding. The edges on its two sides are nearly in line, but not in a flat side.
         [Test]
         public function theBorderOfAPlateIsAsNearAsItIs():void

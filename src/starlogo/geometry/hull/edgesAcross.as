@@ -30,7 +30,7 @@ package starlogo.geometry.hull
         {
             var start:int = triangles[i];
             var end:int = triangles[i % 3 == 2 ? i - 2 : i + 1];
-            // The end with fewer edges is searched for the other one, because a corner may have edges to all others.
+            // The end with fewer edges is searched for the other one, because a corner may have edges to all others. The surface is closed, so it is there.
             if (degrees[end] > degrees[start])
             {
                 continue;

@@ -7,6 +7,7 @@ package starlogo.geometry.hull
      */
     public function outlineOf(hull:ConvexHull):Vector.<int>
     {
+        // Each corner has two neighbours. So the walk goes on to the one that it does not come from, until it is back at the first corner.
         var outline:Vector.<int> = new <int>[0];
         var next:int = hull.neighbors[0];
         while (next != 0)

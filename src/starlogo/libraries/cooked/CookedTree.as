@@ -113,7 +113,7 @@ package starlogo.libraries.cooked
                     }
                 }).call(function():void
                 {
-                    _tree.setItems(items);
+                    _tree.items = items;
                     _tree.beginNodes();
                     _waiting.push(0);
                 }).repeat(readNodes).begin(measuring);

@@ -12,7 +12,7 @@ package starlogo.solid.interior
         /** 1 if its triangles face outwards as the model has them, -1 if they face inwards, 0 without a volume. */
         public var orientation:int = 0;
 
-        /** The larger shells that enclose all of its points tested so far. Null before the first point. */
+        /** The shells that enclose all of its points tested so far, and are larger or may be copied by it. Null before the first point. */
         public var enclosing:Vector.<int> = null;
 
         /** @param origin where the coordinates of one of its vertices begin */

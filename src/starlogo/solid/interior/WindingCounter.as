@@ -119,10 +119,6 @@ package starlogo.solid.interior
          */
         public function isInside(point:Vector3D):Boolean
         {
-            if (!hasClosedShell)
-            {
-                return false;
-            }
             countWindings(point.x, point.y, point.z);
             for (var i:int = 0; i < _crossedCount; i++)
             {

@@ -30,9 +30,10 @@ package starlogo.queries
          * last, after all other properties.
          *
          * <p>A question calls it for as few agents as the answer needs. If the answer is sorted by distance, it begins with the nearest agent. Motions
-         * and casts of shapes call it for every agent whose extents are near the way, in the order of the list. A walk that has to push its agent out
-         * of something calls it twice. A walk calls it once more for a platform that has moved, if the platform would carry the agent. A Collision
-         * calls it once a frame for each agent that the other properties do not exclude.</p>
+         * and casts of shapes call it for every agent whose extents are near the way, in the order of the list. A walk calls it
+         * again if it pushes its agent out of something, and again if a one-way platform has risen into the agent. It calls it once more for a
+         * platform that has moved, if the platform would carry the agent. A Collision calls it once a frame for each agent that the other
+         * properties do not exclude.</p>
          *
          * <p>The function may ask questions itself. It must not change what the AgentQueries sees. So it must not call <code>update()</code> or
          * <code>refresh()</code>. It must not call <code>moveUntilTouch()</code>, <code>slide()</code> or <code>walk()</code> for an agent in the

@@ -160,8 +160,9 @@ package starlogo.queries
             {
                 throw new ArgumentError(agent + " is not in the list of the last update");
             }
-            addRise(table, row);
+            var rise:Number = riseNow(table, row);
             table.readRow(row);
+            addRise(row, rise);
             _placeTree.refresh(row);
             _extentTree.refresh(row);
         }
@@ -183,17 +184,26 @@ package starlogo.queries
             _rises.length = Math.max(_rises.length, next.list.rowCapacity);
             for (i = 0; i < next.changed.count; i++)
             {
-                addRise(next, next.changed.values[i]);
+                addRise(next.changed.values[i], riseNow(next, next.changed.values[i]));
             }
         }
 
-        // Adds the way up of a row from where it was read last to where its agent is now.
-        private function addRise(from:AgentTable, row:int):void
+        // How far up a row has moved from where it was read last to where its agent is now; 0 if it is not one-way or has jumped.
+        private static function riseNow(from:AgentTable, row:int):Number
         {
             var agent:Agent = from.list.agentsByRow[row];
             if (agent.isOneWay && from.isMotionStart(row))
             {
-                _rises[row] += agent.z - from.places.z[row];
+                return agent.z - from.places.z[row];
+            }
+            return 0;
+        }
+
+        private function addRise(row:int, rise:Number):void
+        {
+            if (rise != 0)
+            {
+                _rises[row] += rise;
                 _oneWayRows.add(row);
             }
         }

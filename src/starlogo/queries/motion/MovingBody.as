@@ -267,7 +267,7 @@ package starlogo.queries.motion
             return isOneWay(row) && contact.normalZ < ONE_WAY_Z;
         }
 
-        /** How far up a row has moved since the body was moved last, if the row is one-way. See <code>SeenAgents.riseOf()</code>. */
+        /** How far up a one-way row has moved: see <code>SeenAgents.riseOf()</code>. That of other rows is 0. */
         public function riseOf(row:int):Number
         {
             return isOneWay(row) ? _seen.riseOf(row) : 0;

@@ -135,12 +135,12 @@ package starlogo.queries.motion
         private function standOrPushOut(walk:Walk, carrier:int):Boolean
         {
             walk.legStart.copyFrom(walk.place);
-            rise(walk, carrier);
+            var risen:Number = rise(walk, carrier);
             var down:MotionResult = moveVertically(walk, walk.place, -walk.closeDepth);
             var isOverlapping:Boolean = down.hasPlanes;
             if (isOverlapping)
             {
-                pushOut(walk);
+                pushOut(walk, risen);
             }
             var x:Number = walk.place.x - walk.legStart.x;
             var y:Number = walk.place.y - walk.legStart.y;
@@ -150,8 +150,8 @@ package starlogo.queries.motion
             return isOverlapping ? tryStandBelow(walk, walk.place, walk.closeDepth) : tryStandAtEnd(walk, down);
         }
 
-        // Leads the agent up with one-way rows that have risen into it since it was moved, if there is room.
-        private function rise(walk:Walk, carrier:int):void
+        // Leads the agent up with one-way rows that have risen into it since it was moved, if there is room. Returns how far they have.
+        private function rise(walk:Walk, carrier:int):Number
         {
             var height:Number = _recovery.measureRise(walk.body, walk.place, carrier);
             if (height > 0)
@@ -159,18 +159,20 @@ package starlogo.queries.motion
                 collectRows(walk, height);
                 walk.place.copyFrom(moveVertically(walk, walk.place, height).place);
             }
+            return height;
         }
 
         // Pushes the agent out of what it overlaps deeply. The deepest overlap comes first. A push is a slide, so it leads through nothing else. All pushes
         // together are as long as the depths of all overlaps at the beginning.
-        private function pushOut(walk:Walk):void
+        // The agent has risen so far before.
+        private function pushOut(walk:Walk, risen:Number):void
         {
             var left:Number = _recovery.measureOverlaps(walk.body, walk.place, walk.deepestOverlap);
             if (!(left > 0))
             {
                 return;
             }
-            collectRows(walk, left);
+            collectRows(walk, risen + left);
             var pushes:int = 0;
             do
             {

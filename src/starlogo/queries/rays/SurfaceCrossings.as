@@ -32,9 +32,14 @@ package starlogo.queries.rays
             _all.count = indices.count = 0;
             for (var i:int = 0; i < crossings.count; i++)
             {
-                // nodes that touch up to rounding overlap
-                var isEntry:Boolean = !areTriangles && crossings.sides[i] == RayCrossings.ENTERS;
-                _all.add(i, isEntry ? crossings.distances[i] - crossings.roundings[i] : crossings.distances[i]);
+                if (areTriangles)
+                {
+                    _all.add(i, crossings.distances[i]);
+                }
+                else
+                {
+                    _all.add(i, endKeyOf(crossings, i));
+                }
             }
             _all.sortFirst(_all.count);
             if (areTriangles)
@@ -47,12 +52,26 @@ package starlogo.queries.rays
             }
         }
 
+        // By what an entry and a way out are sorted. Where the ray begins inside comes first; nodes that touch up to rounding overlap.
+        private static function endKeyOf(crossings:RayCrossings, index:int):Number
+        {
+            switch (crossings.sides[index])
+            {
+                case RayCrossings.INSIDE:
+                    return -Infinity;
+                case RayCrossings.ENTERS:
+                    return crossings.distances[index] - crossings.roundings[index];
+                default:
+                    return crossings.distances[index];
+            }
+        }
+
         // Keeps where the ray enters the first of parts that overlap, and where it leaves the last.
         private function keepEnds(crossings:RayCrossings):void
         {
             var depth:int = 0;
-            // where the ray begins, if that is inside of a part. No distance is equal to NaN
-            var insideFrom:Number = NaN;
+            // where the ray begins, if that is inside of a part
+            var insideFrom:Number = -Infinity;
             for (var i:int = 0; i < crossings.count; i++)
             {
                 var index:int = _all.values[i];
@@ -63,7 +82,7 @@ package starlogo.queries.rays
                         insideFrom = crossings.distances[index];
                         break;
                     case RayCrossings.ENTERS:
-                        isKept = depth == 0 && crossings.distances[index] != insideFrom;
+                        isKept = depth == 0 && endKeyOf(crossings, index) > insideFrom;
                         depth++;
                         break;
                     default:

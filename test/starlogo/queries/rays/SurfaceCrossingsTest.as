@@ -1,6 +1,7 @@
 package starlogo.queries.rays
 {
     import evaluation.pairs.SeededRandom;
+    import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.intersection.ray.RayCrossings;
     import starlogo.intersection.ray.RayEntry;
@@ -42,6 +43,23 @@ package starlogo.queries.rays
             }
             wrong.assertNone();
             assertTrue(joined + " joined", joined > count / 2);
+        }
+
+        /** A node that the ray enters within rounding after it has begun inside of another is no second surface there. */
+        [Test]
+        public function whereTheRayBeginsInsideIsOneSurface():void
+        {
+            var crossings:RayCrossings = new RayCrossings();
+            var entry:RayEntry = new RayEntry();
+            var sides:Array = [RayCrossings.INSIDE, RayCrossings.ENTERS, RayCrossings.ENTERS, RayCrossings.LEAVES, RayCrossings.LEAVES, RayCrossings.ENTERS];
+            var distances:Array = [0, 0, 0.5, 5, 6, 8];
+            for (var i:int = 0; i < sides.length; i++)
+            {
+                entry.distance = distances[i];
+                crossings.add(entry, i < 2 ? 0 : 1, entry.distance, sides[i]);
+            }
+            _surfaces.find(crossings, false);
+            assertEquals("0,4,5", _surfaces.indices.values.slice(0, _surfaces.indices.count).join());
         }
 
         private function areInOrder(crossings:RayCrossings):Boolean

@@ -82,14 +82,14 @@ package starlogo.ground
         }
 
         /** The first column or row of a level that the box may pass over in a passage. It may be outside of the grid. */
-        public function firstOf(axis:AxisPath, passage:SquarePassage, level:int):int
+        public function firstSquareAlong(axis:AxisPath, passage:SquarePassage, level:int):int
         {
             var least:Number = axis.middle - axis.cellsBegin + Math.min(passage.earliest * axis.speed, passage.latest * axis.speed);
             return squareAt(least - (axis.reach + search.maxDistance), level);
         }
 
         /** The last column or row of a level that the box may pass over in a passage. It may be outside of the grid. */
-        public function lastOf(axis:AxisPath, passage:SquarePassage, level:int):int
+        public function lastSquareAlong(axis:AxisPath, passage:SquarePassage, level:int):int
         {
             var greatest:Number = axis.middle - axis.cellsBegin + Math.max(passage.earliest * axis.speed, passage.latest * axis.speed);
             return squareAt(greatest + (axis.reach + search.maxDistance), level);

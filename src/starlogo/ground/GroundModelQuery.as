@@ -191,17 +191,17 @@ package starlogo.ground
             _nearest.x = box.x + origin.x;
             _nearest.y = box.y + origin.y;
             _pairs.search.grid.findNearest(_nearest);
+            if (isNaN(_nearest.height))
+            {
+                out.distance = Infinity;
+                return;
+            }
             var x:Number = _nearest.x - origin.x;
             var y:Number = _nearest.y - origin.y;
             var z:Number = _nearest.height - origin.z;
             var farX:Number = Math.abs(x - box.x) + box.halfX;
             var farY:Number = Math.abs(y - box.y) + box.halfY;
             var farZ:Number = Math.abs(z - box.z) + box.halfZ;
-            if (isNaN(z))
-            {
-                out.distance = Infinity;
-                return;
-            }
             out.distance = Math.sqrt(farX * farX + farY * farY + farZ * farZ);
             _pairs.pieces.begin();
             _pairs.pieces.next();

@@ -93,10 +93,10 @@ package starlogo.ground
             var grid:HeightGrid = _path.search.grid;
             lastColumn = Math.min(lastColumn, HeightPyramid.squareOf(grid.lastCellColumn, level));
             lastRow = Math.min(lastRow, HeightPyramid.squareOf(grid.lastCellRow, level));
-            var left:int = Math.max(firstColumn, _path.firstOf(_path.alongX, _passage, level));
-            var right:int = Math.min(lastColumn, _path.lastOf(_path.alongX, _passage, level));
-            var bottom:int = Math.max(firstRow, _path.firstOf(_path.alongY, _passage, level));
-            var top:int = Math.min(lastRow, _path.lastOf(_path.alongY, _passage, level));
+            var left:int = Math.max(firstColumn, _path.firstSquareAlong(_path.alongX, _passage, level));
+            var right:int = Math.min(lastColumn, _path.lastSquareAlong(_path.alongX, _passage, level));
+            var bottom:int = Math.max(firstRow, _path.firstSquareAlong(_path.alongY, _passage, level));
+            var top:int = Math.min(lastRow, _path.lastSquareAlong(_path.alongY, _passage, level));
             for (var row:int = bottom; row <= top; row++)
             {
                 for (var column:int = left; column <= right; column++)
@@ -130,7 +130,7 @@ package starlogo.ground
             {
                 column <<= HeightPyramid.SHIFT;
                 row <<= HeightPyramid.SHIFT;
-                addSquares(level - 1, column, row, column + HeightPyramid.SQUARES - 1, row + HeightPyramid.SQUARES - 1);
+                addSquares(level - 1, column, row, column + HeightPyramid.SQUARES_PER_SIDE - 1, row + HeightPyramid.SQUARES_PER_SIDE - 1);
             }
         }
 

@@ -12,7 +12,7 @@ package starlogo.ground
     {
         /** How many squares of a level a square of the next level is wide, as a shift. */
         public static const SHIFT:int = 3;
-        public static const SQUARES:int = 1 << SHIFT;
+        public static const SQUARES_PER_SIDE:int = 1 << SHIFT;
 
         // A range is not read square by square if it is longer than this, along x or along y. Smaller: bounds are wider, and decide about fewer agents.
         // Larger: finding them takes longer.

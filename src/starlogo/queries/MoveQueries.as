@@ -5,7 +5,7 @@ package starlogo.queries
     import starlogo.bounding.BoundingStructure;
     import starlogo.collision.Contact;
     import starlogo.engine;
-    import starlogo.queries.motion.CastResult;
+    import starlogo.queries.motion.TouchResult;
     import starlogo.queries.motion.MotionResult;
     import starlogo.queries.motion.MovingBody;
     import starlogo.queries.motion.OverlapRecovery;
@@ -86,7 +86,7 @@ package starlogo.queries
         {
             _seen.requireMovable(agent, "moveUntilTouch");
             var body:MovingBody = currentBody().setToAgent(agent).aim(dx, dy, dz);
-            var first:CastResult = findTouches(body, filter);
+            var first:TouchResult = findTouches(body, filter);
             if (first.isStopped)
             {
                 _sweep.moveIntoTouch(body, first);
@@ -168,7 +168,7 @@ package starlogo.queries
 
         private function cast(body:MovingBody, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            var first:CastResult = findTouches(body, filter);
+            var first:TouchResult = findTouches(body, filter);
             return first.isStopped ? writeHit(first, hit || new ShapeHit()) : null;
         }
 
@@ -186,13 +186,13 @@ package starlogo.queries
 
         // Finds how a body touches rows on a straight way. Returns the first of these results. The filter's accepts is called before, because it may ask
         // other questions, which use the same results.
-        private function findTouches(body:MovingBody, filter:AgentFilter):CastResult
+        private function findTouches(body:MovingBody, filter:AgentFilter):TouchResult
         {
             body.collectRowsAlong(filter);
             return _sweep.findTouches(body);
         }
 
-        private function writeHit(touch:CastResult, hit:ShapeHit):ShapeHit
+        private function writeHit(touch:TouchResult, hit:ShapeHit):ShapeHit
         {
             var body:Body = _seen.table.bodyOf(touch.row);
             if (body.form != ModelShape.TREE)

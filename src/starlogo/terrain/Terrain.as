@@ -239,12 +239,12 @@ package starlogo.terrain
         }
 
         /**
-         * Raises a round hill about (x, y). With a negative height it digs a hollow. The middle rises by the height, and the border does not
-         * rise. At the share d of the way from the middle to the border, the ground rises by (1 - dd)(1 - dd) times the height. A hill that is so
+         * Raises a round mound about (x, y). With a negative height it digs a hollow. The middle rises by the height, and the border does not
+         * rise. At the share d of the way from the middle to the border, the ground rises by (1 - dd)(1 - dd) times the height. A mound that is so
          * narrow that no height is inside its border changes nothing.
          *
          * @param width from border to border, more than 0
-         * @throws RangeError if a number is not finite, the width is not more than 0, the hill is wholly outside of the blocks that the heights
+         * @throws RangeError if a number is not finite, the width is not more than 0, the mound is wholly outside of the blocks that the heights
          *     have with isBlocky, or a height would be too large
          */
         public function raiseMound(x:Number, y:Number, width:Number, height:Number):void
@@ -261,8 +261,8 @@ package starlogo.terrain
             var middleColumn:Number = (x - ground.x) / ground.cellWidth;
             var middleRow:Number = (y - ground.y) / ground.cellWidth;
             // how far the middle is outside of the blocks
-            var outsideX:Number = Math.max(0, Math.abs(middleColumn - (columns - 1) / 2) - columns / 2);
-            var outsideY:Number = Math.max(0, Math.abs(middleRow - (rows - 1) / 2) - rows / 2);
+            var outsideX:Number = Math.max(0, Math.abs(middleColumn - (ground.columns - 1) / 2) - ground.columns / 2);
+            var outsideY:Number = Math.max(0, Math.abs(middleRow - (ground.rows - 1) / 2) - ground.rows / 2);
             if (!(outsideX * outsideX + outsideY * outsideY <= radius * radius))
             {
                 throw new RangeError("a mound of width " + width + " at (" + x + ", " + y + ") is not within the terrain");
@@ -282,7 +282,7 @@ package starlogo.terrain
                     raised.push(ground.heights[int(row * ground.columns + column)] + height * share * share);
                 }
             }
-            // There are none if the hill is between heights.
+            // There are none if the mound is between heights.
             if (raised.length > 0)
             {
                 setHeights(firstColumn, firstRow, lastColumn - firstColumn + 1, lastRow - firstRow + 1, raised);

@@ -3,7 +3,7 @@ import {
 	CanvasTexture, CircleGeometry, Color, DoubleSide, Fog, Group, InstancedMesh, LinearMipmapLinearFilter, Mesh, MeshBasicMaterial, NearestFilter, PlaneGeometry, Points, PointsMaterial, RepeatWrapping,
 	RingGeometry, SphereGeometry, BackSide, BufferAttribute, BufferGeometry, SRGBColorSpace,
 } from "three";
-import { TerrainGeometry } from "starlogo-collision/three";
+import { TerrainSurface } from "starlogo-collision";
 import { GROUNDS } from "../../shared/drawing/colours.js";
 
 const FAR = 360;
@@ -91,13 +91,16 @@ export class Land {
 	/** Draws upright walls where the terrain ends. */
 	#closeBorder() {
 		this.walls.geometry.dispose();
+		this.walls.geometry = new BufferGeometry();
 		this.walls.visible = Boolean(this.terrain);
 		if (!this.terrain) return;
-		const geometry = new TerrainGeometry(this.terrain, { up: "z" });
-		const normal = geometry.getAttribute("normal");
-		geometry.setIndex([...geometry.index.array].filter((vertex) => normal.getZ(vertex) === 0));
-		this.walls.geometry = geometry;
-		light(geometry);
+		const surface = new TerrainSurface(this.terrain);
+		surface.update();
+		const { vertices, normals, triangles } = surface;
+		const ofVertices = (numbers) => new BufferAttribute(Float32Array.from(numbers), 3);
+		this.walls.geometry.setAttribute("position", ofVertices(vertices)).setAttribute("normal", ofVertices(normals));
+		this.walls.geometry.setIndex(triangles.filter((vertex) => normals[3 * vertex + 2] === 0));
+		light(this.walls.geometry);
 	}
 
 	#ground(geometry, colours, height, renderOrder) {

@@ -61,7 +61,7 @@ package starlogo.queries.motion
          */
         public function leaveOverlaps(state:MotionState):void
         {
-            if (replaceByPlanes(state, false) && !pushOutOfOverlaps(state.shrunk, state.obstacles, state.start, state.pushes))
+            if (replaceByPlanes(state, false) && !pushInRounds(state.shrunk, state.obstacles, state.start, false, state.pushes))
             {
                 replaceByPlanes(state, true);
             }
@@ -139,21 +139,16 @@ package starlogo.queries.motion
             return _shrunk.shrunkTouches(row, place) && !_shrunk.shrunkTouches(row, _above);
         }
 
-        // Pushes a body out of the rows that the shrunk body overlaps. Returns whether it is free then. It is not if an overlap is not shallow. Then
-        // the body is where it was, and there are no pushes.
-        private function pushOutOfOverlaps(shrunk:ShrunkBody, rows:IntList, place:Vector3D, pushes:ContactList):Boolean
-        {
-            return pushInRounds(shrunk, rows, place, false, pushes);
-        }
-
         // Pushes a body off the rows that it touches. If it does not get free, it is where it was.
         private function pushOffTouches(shrunk:ShrunkBody, rows:IntList, place:Vector3D):void
         {
             pushInRounds(shrunk, rows, place, true, _pushesOff);
         }
 
-        // Pushes a body from one row after the other, in rounds, until a round needs no push. Returns whether this succeeds.
-        private function pushInRounds(shrunk:ShrunkBody, rows:IntList, place:Vector3D, isOff:Boolean, pushes:ContactList):Boolean
+        // Pushes a body from one row after the other, in rounds, until a round needs no push: off the rows that it touches, or out of those that the
+        // shrunk body overlaps. Returns whether it is free then. It is not if an overlap is not shallow. Then the body is where it was, and there are
+        // no pushes.
+        private function pushInRounds(shrunk:ShrunkBody, rows:IntList, place:Vector3D, isOffTouches:Boolean, pushes:ContactList):Boolean
         {
             var last:ContactPoint = null;
             var isFree:Boolean = false;
@@ -165,7 +160,7 @@ package starlogo.queries.motion
                 for (var i:int = 0; i < rows.count; i++)
                 {
                     var row:int = rows.values[i];
-                    var length:Number = isOff ? findPushOff(shrunk, row, place, round, last, _contact) : findPushOut(shrunk, row, place, round, last, _contact);
+                    var length:Number = isOffTouches ? findPushOff(shrunk, row, place, round, last, _contact) : findPushOut(shrunk, row, place, round, last, _contact);
                     if (length > 0)
                     {
                         if (round == MAX_ROUNDS || length == Infinity || leadsBack(_contact, last))

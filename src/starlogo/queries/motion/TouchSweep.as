@@ -42,11 +42,11 @@ package starlogo.queries.motion
         private var _toShrunk:Vector3D = new Vector3D();
 
         // The results, whose memory is used again, and the indices of those that count, with the times as keys.
-        private var _results:Vector.<CastResult> = new Vector.<CastResult>();
+        private var _results:Vector.<TouchResult> = new Vector.<TouchResult>();
         private var _touches:SortableIntList = new SortableIntList();
 
         // The result of a free motion.
-        private var _free:CastResult = new CastResult();
+        private var _free:TouchResult = new TouchResult();
 
         /**
          * Finds the rows of a body that stop its motion, each as if the others were not there. Those with the same time keep their order.
@@ -54,7 +54,7 @@ package starlogo.queries.motion
          * @param body has begun, and has the motion and the rows near its way
          * @return the first of these touches, or if there are none, the result of the free motion
          */
-        public function findTouches(body:MovingBody):CastResult
+        public function findTouches(body:MovingBody):TouchResult
         {
             _start.start.copyFrom(body.from);
             _start.pushes.clear();
@@ -83,7 +83,7 @@ package starlogo.queries.motion
         }
 
         /** A touch that was found. They are sorted by time. */
-        public function touchAt(index:int):CastResult
+        public function touchAt(index:int):TouchResult
         {
             return _results[_touches.values[index]];
         }
@@ -98,9 +98,9 @@ package starlogo.queries.motion
             {
                 if (count == _results.length)
                 {
-                    _results.push(new CastResult());
+                    _results.push(new TouchResult());
                 }
-                var touch:CastResult = _results[count];
+                var touch:TouchResult = _results[count];
                 findTouch(body, body.rows.values[i], start, _alone, touch);
                 // the row alone pushes the body, or stops it at once in a shallow overlap
                 mayPush ||= !_alone.start.equals(start.start) || (touch.time == 0 && !touch.hasPlane);
@@ -114,7 +114,7 @@ package starlogo.queries.motion
 
         // Finds whether and when a row stops the body from a start, as if there were no others. Another state receives how the motion starts there with the
         // row alone, which may push the body farther. Rounding may hide the touch at its place: see moveIntoTouch.
-        private function findTouch(body:MovingBody, row:int, start:MotionState, alone:MotionState, out:CastResult):void
+        private function findTouch(body:MovingBody, row:int, start:MotionState, alone:MotionState, out:TouchResult):void
         {
             _rowAlone.count = 0;
             _rowAlone.add(row);
@@ -143,7 +143,7 @@ package starlogo.queries.motion
          *
          * @param touch a result for this body, which a row stops. Its place changes
          */
-        public function moveIntoTouch(body:MovingBody, touch:CastResult):void
+        public function moveIntoTouch(body:MovingBody, touch:TouchResult):void
         {
             if (touch.time == 0)
             {
@@ -182,7 +182,7 @@ package starlogo.queries.motion
         }
 
         // Takes the push out of a time of touch: without it the body would have touched earlier.
-        private static function leaveOutPush(body:MovingBody, state:MotionState, out:CastResult):void
+        private static function leaveOutPush(body:MovingBody, state:MotionState, out:TouchResult):void
         {
             var from:Vector3D = body.from;
             var contact:ContactPoint = out.contact;

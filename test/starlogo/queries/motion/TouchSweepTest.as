@@ -39,7 +39,7 @@ package starlogo.queries.motion
         private var _seen:SeenAgents = new SeenAgents(EachCollider.make("triangles", landOf(_model)));
         private var _body:MovingBody = new MovingBody(_seen);
         private var _sweep:TouchSweep = new TouchSweep();
-        private var _result:CastResult;
+        private var _result:TouchResult;
         private var _corners:Vector.<Number> = new Vector.<Number>();
         private var _wrong:Complaints = new Complaints();
         private var _met:int = 0;

@@ -8,7 +8,7 @@ package starlogo.queries.motion
      *
      * @private
      */
-    public final class CastResult
+    public final class TouchResult
     {
         /** The row that stops the body; -1 for none. */
         public var row:int = -1;

@@ -125,7 +125,9 @@ package starlogo.hierarchy
             return levelAndAxis[node] >> 2;
         }
 
-        /** The box of a node as a structure. The next call overwrites it. */
+        /**
+         * The box of a node as a structure. The next call overwrites it. Two models a and b may share one tree: place b's box before asking for a's.
+         */
         public function boxOf(node:int):Box
         {
             var at:int = 6 * node;

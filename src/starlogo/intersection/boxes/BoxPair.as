@@ -45,14 +45,14 @@ package starlogo.intersection.boxes
         public var offsetZ:Number = 0;
 
         /** The half-extents of a. */
-        public var halfXA:Number = 0;
-        public var halfYA:Number = 0;
-        public var halfZA:Number = 0;
+        public var aHalfX:Number = 0;
+        public var aHalfY:Number = 0;
+        public var aHalfZ:Number = 0;
 
         /** The half-extents of b. */
-        public var halfXB:Number = 0;
-        public var halfYB:Number = 0;
-        public var halfZB:Number = 0;
+        public var bHalfX:Number = 0;
+        public var bHalfY:Number = 0;
+        public var bHalfZ:Number = 0;
 
         /** The latest time that counts: see RelativeMotion. */
         public var latest:Number = 1;
@@ -63,12 +63,12 @@ package starlogo.intersection.boxes
         /** Sets the half-extents. */
         public function setHalves(a:Box, b:Box):void
         {
-            halfXA = a.halfX;
-            halfYA = a.halfY;
-            halfZA = a.halfZ;
-            halfXB = b.halfX;
-            halfYB = b.halfY;
-            halfZB = b.halfZ;
+            aHalfX = a.halfX;
+            aHalfY = a.halfY;
+            aHalfZ = a.halfZ;
+            bHalfX = b.halfX;
+            bHalfY = b.halfY;
+            bHalfZ = b.halfZ;
         }
     }
 }

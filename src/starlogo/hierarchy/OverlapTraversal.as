@@ -54,7 +54,7 @@ package starlogo.hierarchy
         public function find(trees:PosedTrees, kernel:NodePairKernel):int
         {
             var pair:BoxPair = _pair;
-            var tolerance:Number = trees.pose.margin;
+            var margin:Number = trees.pose.margin;
             var endsA:Vector.<int> = trees.a.endsUpToDepth;
             var endsB:Vector.<int> = trees.b.endsUpToDepth;
             var depthA:int = trees.depthA;
@@ -73,9 +73,9 @@ package starlogo.hierarchy
                 var b:int = stack[top + 1];
                 visits++;
                 trees.writePair(a, b, pair);
-                pair.aHalfX += tolerance;
-                pair.aHalfY += tolerance;
-                pair.aHalfZ += tolerance;
+                pair.aHalfX += margin;
+                pair.aHalfY += margin;
+                pair.aHalfZ += margin;
                 var aEnds:Boolean = endsA[a] >= depthA;
                 var bEnds:Boolean = endsB[b] >= depthB;
                 var doBoxesDecide:Boolean = aEnds && bEnds && kernel == null;

@@ -1,3 +1,7 @@
+// The package intersection says how two bounding structures meet, for each pair of their kinds, or a structure and a ray. It is made of functions that
+// test whether two touch, of kernels that find the rest, of a TriangleKernel for a shape and triangles, and of the tests of two boxes (boxes) and of
+// rays (ray). Read StructurePairs first, then StructurePairKernel, which explains the questions, then RoundKernel and GapFinder.
+
 package starlogo.intersection
 {
     import starlogo.bounding.BoundingStructure;
@@ -10,9 +14,7 @@ package starlogo.intersection
 
     /**
      * Says how two structures meet: whether they touch, when a moving one first touches the other, how they overlap, and how far apart they are.
-     * This class alone chooses what answers for two kinds: a function tests whether they touch, and a kernel finds the rest. The package is made of
-     * these, a TriangleKernel for a shape and triangles, and the tests of two boxes (<code>boxes</code>) and of rays (<code>ray</code>). Read
-     * StructurePairKernel next, which explains the questions, then RoundKernel and GapFinder.
+     * This class alone chooses what answers for two kinds: a function tests whether they touch, and a kernel finds the rest.
      *
      * <p>Spheres, capsules and boxes have kernels of their own, because the package convex takes two to eleven times as long. That package decides
      * about hulls. It also finds the distance of two boxes and their contact, and what RoundKernel leaves to it: the contact if cores overlap, and the

@@ -1,3 +1,14 @@
+// The package intersection.boxes decides about two boxes by separating axes: the three of a, the three of b, and the nine across an edge of each
+// (Gottschalk, Lin and Manocha, "OBBTree", SIGGRAPH 1996). Boxes are apart if one of these axes separates them. Two classes project the boxes on them,
+// because they need different arithmetic. KernelsAgreeTest checks that both agree.
+//
+// - BoxSeparation is for boxes that stand. An axis across edges takes a few products, which cancel if the edges are nearly parallel. Then boxBox asks
+//   BoxSweep.
+// - BoxSweep is for boxes that move. Each axis gives an interval of time. It projects the boxes in full on the axes across edges, so nothing cancels,
+//   but that takes longer.
+//
+// The depth of two boxes comes from CoreOverlap, which knows the faces and edges of all convex shapes. Read BoxPair first.
+
 package starlogo.intersection.boxes
 {
     import starlogo.bounding.Box;
@@ -7,19 +18,6 @@ package starlogo.intersection.boxes
      * Two boxes, as a record: where box b is at time 0 as seen from box a, how it moves until time 1, and the time of impact that BoxSweep writes. All
      * numbers are in the axes of a. Many pairs of boxes may have the same axes and motion. Then these are set once for all of them. Tests of boxes
      * that stand use no more than the axes, the vector and the half-extents.
-     *
-     * <p>This package decides about two boxes by separating axes: the three of a, the three of b, and the nine across an edge of each (Gottschalk, Lin
-     * and Manocha, "OBBTree", SIGGRAPH 1996). Boxes are apart if one of these axes separates them. Two classes project the boxes on them, because
-     * they need different arithmetic. KernelsAgreeTest checks that both agree.</p>
-     *
-     * <ul>
-     * <li>BoxSeparation is for boxes that stand. An axis across edges takes a few products, which cancel if the edges are nearly parallel. Then
-     *     boxBox asks BoxSweep</li>
-     * <li>BoxSweep is for boxes that move. Each axis gives an interval of time. It projects the boxes in full on the axes across edges, so nothing
-     *     cancels, but that takes longer</li>
-     * </ul>
-     *
-     * <p>The depth of two boxes comes from CoreOverlap, which knows the faces and edges of all convex shapes.</p>
      *
      * @private
      */

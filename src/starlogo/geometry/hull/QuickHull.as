@@ -86,7 +86,7 @@ package starlogo.geometry.hull
             var seesFront:Boolean = front.side(_points, d) > 0;
             addVertex(d, seesFront ? front : back);
             _created.push(seesFront ? back : front);
-            // The order decides which face takes a point that is beyond several, and so which hull is made of points that are equally far.
+            // The order decides which face takes a point that is beyond several, and so which points HULL_COPLANAR leaves out.
             _created.reverse();
             slices(among == null ? count : among.length, POINTS_PER_STEP, function(first:int, end:int):void
                 {

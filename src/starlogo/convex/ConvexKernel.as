@@ -2,7 +2,7 @@
 // finds the distance of two cores with the help of Simplex, ConvexSweep the time of impact, CoreOverlap the shortest displacement out of an overlap,
 // ContactPointFinder the point of a contact. Read ConvexShape first, then ConvexKernel from the top, then CorePair, CoreDistance, Simplex and
 // SimplexPart.
-//
+// 
 // In all packages a kernel decides about two shapes or structures, and a pair is two of them. The records of questions and answers (RelativeMotion,
 // ClosestPoints, ContactPoint) stand here for all packages, because the others that fill them may use this one.
 

@@ -1,12 +1,12 @@
 // The package intersection.boxes decides about two boxes by separating axes: the three of a, the three of b, and the nine across an edge of each
 // (Gottschalk, Lin and Manocha, "OBBTree", SIGGRAPH 1996). Boxes are apart if one of these axes separates them. Two classes project the boxes on them,
 // because they need different arithmetic. KernelsAgreeTest checks that both agree.
-//
+// 
 // - BoxSeparation is for boxes that stand. An axis across edges takes a few products, which cancel if the edges are nearly parallel. Then boxBox asks
-//   BoxSweep.
+// BoxSweep.
 // - BoxSweep is for boxes that move. Each axis gives an interval of time. It projects the boxes in full on the axes across edges, so nothing cancels,
-//   but that takes longer.
-//
+// but that takes longer.
+// 
 // The depth of two boxes comes from CoreOverlap, which knows the faces and edges of all convex shapes. Read BoxPair first.
 
 package starlogo.intersection.boxes

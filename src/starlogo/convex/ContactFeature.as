@@ -116,15 +116,19 @@ package starlogo.convex
             // rounding is relative to the face's extent, which two of its sides tell
             _sideRounding = Tolerances.ROUNDING * (Math.abs(sides[3] - sides[0]) + Math.abs(sides[4] - sides[1]) + Math.abs(sides[5] - sides[2])
                     + Math.abs(sides[6] - sides[3]) + Math.abs(sides[7] - sides[4]) + Math.abs(sides[8] - sides[5]));
-            var areAllCut:Boolean = true;
+            var hasCommonPart:Boolean = true;
             var last:int = face.length - 3;
             for (var at:int = 0; at < face.length; at += 3)
             {
-                areAllCut = cut(sides, last, at, contact, false) && areAllCut;
+                hasCommonPart = cut(sides, last, at, contact, false) && hasCommonPart;
                 last = at;
             }
+            if (hasCommonPart)
+            {
+                return;
+            }
             // what is nearest to a side may be beside the face, so these sides come last
-            for (at = 0; at < face.length && !areAllCut; at += 3)
+            for (at = 0; at < face.length; at += 3)
             {
                 cut(sides, last, at, contact, true);
                 last = at;
@@ -220,7 +224,8 @@ package starlogo.convex
             return best;
         }
 
-        // Keeps the part on the inner side of a side of a face. If there is none, keeps all or only what is nearest to the side, and returns false.
+        // Keeps the part on the inner side of a side of a face. If there is none, keeps all or only what is nearest to the side. Returns whether something
+        // is inside.
         private function cut(sides:Vector.<Number>, sideFrom:int, sideTo:int, contact:ContactPoint, keepsNearest:Boolean):Boolean
         {
             var sideX:Number = sides[sideTo] - sides[sideFrom];

@@ -1,16 +1,18 @@
+// The package convex decides about two convex shapes. A shape is a core of points with a radius (ConvexShape). A ConvexKernel answers: CoreDistance
+// finds the distance of two cores with the help of Simplex, ConvexSweep the time of impact, CoreOverlap the shortest displacement out of an overlap,
+// ContactPointFinder the point of a contact. Read ConvexShape first, then ConvexKernel from the top, then CorePair, CoreDistance, Simplex and
+// SimplexPart.
+// 
+// In all packages a kernel decides about two shapes or structures, and a pair is two of them. The records of questions and answers (RelativeMotion,
+// ClosestPoints, ContactPoint) stand here for all packages, because the others that fill them may use this one.
+
 package starlogo.convex
 {
     import starlogo.geometry.Tolerances;
 
     /**
      * Answers four questions about any two convex shapes: whether they touch, where they are closest, when a moving one first touches the other,
-     * and how far they overlap. A shape is a core of points with a radius (ConvexShape). CoreDistance finds the distance of two cores with the help
-     * of Simplex, ConvexSweep the time of impact, CoreOverlap the shortest displacement out of an overlap, ContactPointFinder the point of a contact.
-     * Read ConvexShape first, then this class from the top, then CorePair, CoreDistance, Simplex and SimplexPart.
-     *
-     * <p>In all packages a kernel decides about two shapes or structures, and a pair is two of them. a and b are the two of a question, in the order
-     * of the call; a is the one that moves. The records of questions and answers (RelativeMotion, ClosestPoints, ContactPoint) stand
-     * here for all packages, because the others that fill them may use this one.</p>
+     * and how far they overlap. a and b are the two of a question, in the order of the call; a is the one that moves.
      *
      * <p>areTouching and findTime agree about what touches (see Touching), except that findTime may miss a touch across the margins alone: see
      * AdvancementStep. findTime adds the margin of the motion. The distance and the depth leave

@@ -107,7 +107,7 @@ package starlogo.convex
 
         /**
          * Whether a moving shape stays apart from the triangle until the motion's latest time, as far as the plane knows: timeOfEntry() with a distance
-         * that covers all that is rounded.
+         * that covers all that is rounded. Overwrites cullDistance. Of one plane, use either this or timeOfEntry().
          *
          * @param motion its vector and its latest time; nothing else of it counts
          */

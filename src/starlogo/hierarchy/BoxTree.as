@@ -1,3 +1,7 @@
+// The package hierarchy keeps, builds and visits trees of boxes. A BoxTreeBuilder makes the nodes. A Search visits the nodes of one tree, and a Traversal
+// pairs of nodes of two trees (PosedTrees). Where they end, a Visitor decides about a node, and a Kernel about a pair. Read BoxTree first, then BoxSearch
+// and NodeVisitor, then OverlapTraversal and NodePairKernel. A TriangleMesh lists the corners of a tree's triangles in the order of the tree.
+
 package starlogo.hierarchy
 {
     import flash.geom.Vector3D;
@@ -6,11 +10,6 @@ package starlogo.hierarchy
 
     /**
      * A model's tree of boxes (thesis §4.3). Its items are the model's triangles, or its vertices if it has no triangles.
-     *
-     * <p>The package hierarchy keeps, builds and visits such trees. A BoxTreeBuilder makes the nodes. A
-     * <i>Search</i> visits the nodes of one tree, and a <i>Traversal</i> pairs of nodes of two trees (PosedTrees). Where they end, a <i>Visitor</i>
-     * decides about a node, and a <i>Kernel</i> about a pair. Read this class first, then BoxSearch and NodeVisitor, then OverlapTraversal and
-     * NodePairKernel. A TriangleMesh lists the corners of a tree's triangles in the order of the tree.</p>
      *
      * <p>A node is an index into the columns. The root is 0. The two children of a node stand side by side, after their parent. Once the
      * tree is made, only a BoxRefit changes it: it gives all nodes new boxes. Clients see a node as a HierarchyNode.</p>
@@ -125,7 +124,9 @@ package starlogo.hierarchy
             return levelAndAxis[node] >> 2;
         }
 
-        /** The box of a node as a structure. The next call overwrites it. */
+        /**
+         * The box of a node as a structure. The next call overwrites it. Two models a and b may share one tree: place b's box before asking for a's.
+         */
         public function boxOf(node:int):Box
         {
             var at:int = 6 * node;

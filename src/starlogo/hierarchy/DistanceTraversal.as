@@ -62,21 +62,21 @@ package starlogo.hierarchy
         {
             var pair:BoxPair = _pair;
             var axes:BoxAxes = pair.axes;
-            trees.setPair(a, b, pair);
+            trees.writePair(a, b, pair);
             // measure() widens b's boxes as well
-            pair.halfXB += trees.pose.margin;
-            pair.halfYB += trees.pose.margin;
-            pair.halfZB += trees.pose.margin;
+            pair.bHalfX += trees.pose.margin;
+            pair.bHalfY += trees.pose.margin;
+            pair.bHalfZ += trees.pose.margin;
             var distance:Number = pair.offsetX < 0 ? -pair.offsetX : pair.offsetX;
-            distance -= pair.halfXA + axes.abs00 * pair.halfXB + axes.abs01 * pair.halfYB + axes.abs02 * pair.halfZB;
+            distance -= pair.aHalfX + axes.abs00 * pair.bHalfX + axes.abs01 * pair.bHalfY + axes.abs02 * pair.bHalfZ;
             distance = distance > 0 ? distance : 0;
             var squared:Number = distance * distance;
             distance = pair.offsetY < 0 ? -pair.offsetY : pair.offsetY;
-            distance -= pair.halfYA + axes.abs10 * pair.halfXB + axes.abs11 * pair.halfYB + axes.abs12 * pair.halfZB;
+            distance -= pair.aHalfY + axes.abs10 * pair.bHalfX + axes.abs11 * pair.bHalfY + axes.abs12 * pair.bHalfZ;
             distance = distance > 0 ? distance : 0;
             squared += distance * distance;
             distance = pair.offsetZ < 0 ? -pair.offsetZ : pair.offsetZ;
-            distance -= pair.halfZA + axes.abs20 * pair.halfXB + axes.abs21 * pair.halfYB + axes.abs22 * pair.halfZB;
+            distance -= pair.aHalfZ + axes.abs20 * pair.bHalfX + axes.abs21 * pair.bHalfY + axes.abs22 * pair.bHalfZ;
             distance = distance > 0 ? distance : 0;
             squared += distance * distance;
             var far:Number = out.limit + 2 * SLACK * (out.limit + _radii);
@@ -99,17 +99,17 @@ package starlogo.hierarchy
             var axes:BoxAxes = pair.axes;
             var distance:Number = axes.m00 * pair.offsetX + axes.m10 * pair.offsetY + axes.m20 * pair.offsetZ;
             distance = distance < 0 ? -distance : distance;
-            distance -= axes.abs00 * pair.halfXA + axes.abs10 * pair.halfYA + axes.abs20 * pair.halfZA + pair.halfXB;
+            distance -= axes.abs00 * pair.aHalfX + axes.abs10 * pair.aHalfY + axes.abs20 * pair.aHalfZ + pair.bHalfX;
             distance = distance > 0 ? distance : 0;
             var squared:Number = distance * distance;
             distance = axes.m01 * pair.offsetX + axes.m11 * pair.offsetY + axes.m21 * pair.offsetZ;
             distance = distance < 0 ? -distance : distance;
-            distance -= axes.abs01 * pair.halfXA + axes.abs11 * pair.halfYA + axes.abs21 * pair.halfZA + pair.halfYB;
+            distance -= axes.abs01 * pair.aHalfX + axes.abs11 * pair.aHalfY + axes.abs21 * pair.aHalfZ + pair.bHalfY;
             distance = distance > 0 ? distance : 0;
             squared += distance * distance;
             distance = axes.m02 * pair.offsetX + axes.m12 * pair.offsetY + axes.m22 * pair.offsetZ;
             distance = distance < 0 ? -distance : distance;
-            distance -= axes.abs02 * pair.halfXA + axes.abs12 * pair.halfYA + axes.abs22 * pair.halfZA + pair.halfZB;
+            distance -= axes.abs02 * pair.aHalfX + axes.abs12 * pair.aHalfY + axes.abs22 * pair.aHalfZ + pair.bHalfZ;
             distance = distance > 0 ? distance : 0;
             squared += distance * distance;
             raise(Math.sqrt(squared), out);
@@ -136,11 +136,11 @@ package starlogo.hierarchy
             alongY = alongY < 0 ? -alongY : alongY;
             alongZ = alongZ < 0 ? -alongZ : alongZ;
             var distance:Number = pair.offsetX * toX + pair.offsetY * toY + pair.offsetZ * toZ
-                - alongX * pair.halfXB - alongY * pair.halfYB - alongZ * pair.halfZB;
+                - alongX * pair.bHalfX - alongY * pair.bHalfY - alongZ * pair.bHalfZ;
             toX = toX < 0 ? -toX : toX;
             toY = toY < 0 ? -toY : toY;
             toZ = toZ < 0 ? -toZ : toZ;
-            raise((distance - pair.halfXA * toX - pair.halfYA * toY - pair.halfZA * toZ) / length, out);
+            raise((distance - pair.aHalfX * toX - pair.aHalfY * toY - pair.aHalfZ * toZ) / length, out);
         }
 
         // Raises the bound to a computed distance, less its rounding error.

@@ -76,7 +76,7 @@ package starlogo.hierarchy
         // Reads the boxes of two nodes. Times after the best one so far do not count.
         private function readPair(trees:PosedTrees, a:int, b:int, best:BestPair):void
         {
-            trees.setPair(a, b, _pair);
+            trees.writePair(a, b, _pair);
             if (best.limit < _pair.latest)
             {
                 _pair.latest = best.limit;

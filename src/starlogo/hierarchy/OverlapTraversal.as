@@ -54,7 +54,7 @@ package starlogo.hierarchy
         public function find(trees:PosedTrees, kernel:NodePairKernel):int
         {
             var pair:BoxPair = _pair;
-            var tolerance:Number = trees.pose.margin;
+            var margin:Number = trees.pose.margin;
             var endsA:Vector.<int> = trees.a.endsUpToDepth;
             var endsB:Vector.<int> = trees.b.endsUpToDepth;
             var depthA:int = trees.depthA;
@@ -72,10 +72,10 @@ package starlogo.hierarchy
                 var a:int = stack[top];
                 var b:int = stack[top + 1];
                 visits++;
-                trees.setPair(a, b, pair);
-                pair.halfXA += tolerance;
-                pair.halfYA += tolerance;
-                pair.halfZA += tolerance;
+                trees.writePair(a, b, pair);
+                pair.aHalfX += margin;
+                pair.aHalfY += margin;
+                pair.aHalfZ += margin;
                 var aEnds:Boolean = endsA[a] >= depthA;
                 var bEnds:Boolean = endsB[b] >= depthB;
                 var doBoxesDecide:Boolean = aEnds && bEnds && kernel == null;
@@ -137,12 +137,12 @@ package starlogo.hierarchy
             var x:Number = pair.offsetX;
             var y:Number = pair.offsetY;
             var z:Number = pair.offsetZ;
-            var halfX:Number = pair.halfXA;
-            var halfY:Number = pair.halfYA;
-            var halfZ:Number = pair.halfZA;
-            include "../intersection/squaredToBox.inc";
-            var least:Number = pair.halfXB < pair.halfYB ? pair.halfXB : pair.halfYB;
-            least = pair.halfZB < least ? pair.halfZB : least;
+            var halfX:Number = pair.aHalfX;
+            var halfY:Number = pair.aHalfY;
+            var halfZ:Number = pair.aHalfZ;
+            include "../geometry/squaredToBox.inc";
+            var least:Number = pair.bHalfX < pair.bHalfY ? pair.bHalfX : pair.bHalfY;
+            least = pair.bHalfZ < least ? pair.bHalfZ : least;
             return squaredDistance <= least * least;
         }
 

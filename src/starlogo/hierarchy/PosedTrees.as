@@ -30,7 +30,7 @@ package starlogo.hierarchy
          *
          * @param out receives the half-extents of both, and the vector from the middle of a's node to that of b's
          */
-        public function setPair(nodeA:int, nodeB:int, out:BoxPair):void
+        public function writePair(nodeA:int, nodeB:int, out:BoxPair):void
         {
             var relative:Placement = pose.placement;
             var boxes:Vector.<Number> = b.boxes;
@@ -39,17 +39,17 @@ package starlogo.hierarchy
             var x:Number = boxes[at] * scale;
             var y:Number = boxes[int(at + 1)] * scale;
             var z:Number = boxes[int(at + 2)] * scale;
-            out.halfXB = boxes[int(at + 3)] * scale;
-            out.halfYB = boxes[int(at + 4)] * scale;
-            out.halfZB = boxes[int(at + 5)] * scale;
+            out.bHalfX = boxes[int(at + 3)] * scale;
+            out.bHalfY = boxes[int(at + 4)] * scale;
+            out.bHalfZ = boxes[int(at + 5)] * scale;
             boxes = a.boxes;
             at = 6 * nodeA;
             out.offsetX = relative.r00 * x + relative.r01 * y + relative.r02 * z + relative.x - boxes[at];
             out.offsetY = relative.r10 * x + relative.r11 * y + relative.r12 * z + relative.y - boxes[int(at + 1)];
             out.offsetZ = relative.r20 * x + relative.r21 * y + relative.r22 * z + relative.z - boxes[int(at + 2)];
-            out.halfXA = boxes[int(at + 3)];
-            out.halfYA = boxes[int(at + 4)];
-            out.halfZA = boxes[int(at + 5)];
+            out.aHalfX = boxes[int(at + 3)];
+            out.aHalfY = boxes[int(at + 4)];
+            out.aHalfZ = boxes[int(at + 5)];
         }
 
         /** The largest distance at which triangles of the two touch: the pose's margin, and the margins of both surfaces. */

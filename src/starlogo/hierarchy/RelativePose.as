@@ -33,7 +33,7 @@ package starlogo.hierarchy
          */
         public function setBetween(a:Placement, b:Placement):void
         {
-            relateAt(a, RelativeMotion.NONE, 0, b);
+            setBetweenAt(a, RelativeMotion.NONE, 0, b);
         }
 
         /**
@@ -41,7 +41,7 @@ package starlogo.hierarchy
          *
          * @param time of the motion
          */
-        public function relateAt(a:Placement, motion:RelativeMotion, time:Number, b:Placement):void
+        public function setBetweenAt(a:Placement, motion:RelativeMotion, time:Number, b:Placement):void
         {
             var relative:Placement = placement;
             var aX:Number = a.x + (motion.startX + time * motion.x);
@@ -65,7 +65,7 @@ package starlogo.hierarchy
          * @param worldMotion the motion of a relative to b, in the world
          * @param out receives the motion, from b's pose on, but no time: its start must be 0
          */
-        public static function relateMotion(a:Placement, worldMotion:RelativeMotion, out:RelativeMotion):void
+        public static function writeMotion(a:Placement, worldMotion:RelativeMotion, out:RelativeMotion):void
         {
             var x:Number = -worldMotion.x / a.size;
             var y:Number = -worldMotion.y / a.size;

@@ -19,7 +19,7 @@ package starlogo.intersection
      *
      * @private
      */
-    public final class ConvexPairKernel extends PairKernel
+    public final class ConvexPairKernel extends StructurePairKernel
     {
         private var _kernel:ConvexKernel = new ConvexKernel();
         private var _boxSweep:BoxSweep = new BoxSweep();
@@ -48,6 +48,7 @@ package starlogo.intersection
         /** @inheritDoc */
         override internal function findContactInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
         {
+            // Boxes that touch across a margin too: StructurePairKernel promises a normal of a face or across two edges.
             if (areBoxes(first, second))
             {
                 findOverlapInOrder(first, second, motion, out);

@@ -17,7 +17,7 @@ package starlogo.intersection
      *
      * @private
      */
-    public final class RoundKernel extends PairKernel
+    public final class RoundKernel extends StructurePairKernel
     {
         private var _convex:ConvexPairKernel;
         private var _finder:GapFinder = new GapFinder();

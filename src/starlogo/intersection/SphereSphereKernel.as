@@ -14,7 +14,7 @@ package starlogo.intersection
      *
      * @private
      */
-    public final class SphereSphereKernel extends PairKernel
+    public final class SphereSphereKernel extends StructurePairKernel
     {
         private var _gap:CoreGap = new CoreGap();
 

@@ -1,3 +1,7 @@
+// The package intersection says how two bounding structures meet, for each pair of their kinds, or a structure and a ray. It is made of functions that
+// test whether two touch, of kernels that find the rest, of a TriangleKernel for a shape and triangles, and of the tests of two boxes (boxes) and of
+// rays (ray). Read StructurePairs first, then StructurePairKernel, which explains the questions, then RoundKernel and GapFinder.
+
 package starlogo.intersection
 {
     import starlogo.bounding.BoundingStructure;
@@ -10,9 +14,7 @@ package starlogo.intersection
 
     /**
      * Says how two structures meet: whether they touch, when a moving one first touches the other, how they overlap, and how far apart they are.
-     * This class alone chooses what answers for two kinds: a function tests whether they touch, and a kernel finds the rest. The package is made of
-     * these, a TriangleKernel for a shape and triangles, and the tests of two boxes (<code>boxes</code>) and of rays (<code>ray</code>). Read
-     * PairKernel next, which explains the questions, then RoundKernel and GapFinder.
+     * This class alone chooses what answers for two kinds: a function tests whether they touch, and a kernel finds the rest.
      *
      * <p>Spheres, capsules and boxes have kernels of their own, because the package convex takes two to eleven times as long. That package decides
      * about hulls. It also finds the distance of two boxes and their contact, and what RoundKernel leaves to it: the contact if cores overlap, and the
@@ -24,11 +26,11 @@ package starlogo.intersection
     {
         private static const CONVEX:ConvexPairKernel = new ConvexPairKernel();
 
-        private static const ROUND:PairKernel = new RoundKernel(CONVEX);
+        private static const ROUND:StructurePairKernel = new RoundKernel(CONVEX);
 
-        private static const SPHERES:PairKernel = new SphereSphereKernel();
+        private static const SPHERES:StructurePairKernel = new SphereSphereKernel();
 
-        private static const MISSING:PairKernel = new PairKernel();
+        private static const MISSING:StructurePairKernel = new StructurePairKernel();
 
         /**
          * Whether two structures touch or overlap. Touching counts: see Touching. Games call it as <code>intersects()</code>.
@@ -55,34 +57,45 @@ package starlogo.intersection
                 case BoundingStructure.HULL:
                     return CONVEX.areTouching(a, b);
                 default:
-                    throw PairKernel.missing("intersection test", a, b);
+                    throw StructurePairKernel.missing("intersection test", a, b);
             }
         }
 
-        /** Finds when a moving structure first touches another one. See PairKernel. */
+        /** Finds when a moving structure first touches another one. See StructurePairKernel. */
         public static function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
             kernelOf(a, b).findTime(a, b, motion);
         }
 
-        /** Finds where two structures touch, or how they overlap. See PairKernel. */
+        /** Finds where two structures touch, or how they overlap. See StructurePairKernel. */
         public static function findContact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
         {
             kernelOf(a, b).findContact(a, b, motion, out);
         }
 
-        /** Finds the distance of two structures and their closest points. See PairKernel. */
+        /** Finds the distance of two structures and their closest points. See StructurePairKernel. */
         public static function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPoints):void
         {
             kernelOf(a, b).findClosest(a, b, out);
         }
 
         // The numbers of the kinds are in this order: SPHERE, CAPSULE, BOX, HULL, OTHER. The later one of two kinds chooses the kernel.
-        private static function kernelOf(a:BoundingStructure, b:BoundingStructure):PairKernel
+        private static function kernelOf(a:BoundingStructure, b:BoundingStructure):StructurePairKernel
         {
             var later:int = a.kind > b.kind ? a.kind : b.kind;
-            var isRound:Boolean = later == BoundingStructure.CAPSULE || later == BoundingStructure.BOX && a.kind != b.kind;
-            return isRound ? ROUND : later == BoundingStructure.SPHERE ? SPHERES : later == BoundingStructure.OTHER ? MISSING : CONVEX;
+            switch (later)
+            {
+                case BoundingStructure.SPHERE:
+                    return SPHERES;
+                case BoundingStructure.CAPSULE:
+                    return ROUND;
+                case BoundingStructure.BOX:
+                    return a.kind == b.kind ? CONVEX : ROUND;
+                case BoundingStructure.HULL:
+                    return CONVEX;
+                default:
+                    return MISSING;
+            }
         }
     }
 }

@@ -51,7 +51,7 @@ package starlogo.intersection
         var bHalfY:Number = b.halfY;
         var bHalfZ:Number = b.halfZ;
         // the squared distance of b's centre from a, to compare with the two spheres of b
-        include "squaredToBox.inc";
+        include "../geometry/squaredToBox.inc";
         if (squaredDistance > bHalfX * bHalfX + bHalfY * bHalfY + bHalfZ * bHalfZ)
         {
             return false;
@@ -74,7 +74,7 @@ package starlogo.intersection
         }
         if (pair.axes.areNearlyParallel)
         {
-            return pair.axes.areUpright || BoxSweep.areTouching(a, b);
+            return pair.axes.areZAxesParallel || BoxSweep.areTouching(a, b);
         }
         return BoxSeparation.overlapAcrossEdges(pair);
     }

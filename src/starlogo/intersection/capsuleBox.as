@@ -36,7 +36,7 @@ package starlogo.intersection
         var x:Number = segment.isInside && segment.alongX > 0 ? 0 : segment.x + fraction * segment.alongX;
         var y:Number = segment.isInside && segment.alongY > 0 ? 0 : segment.y + fraction * segment.alongY;
         var z:Number = segment.isInside && segment.alongZ > 0 ? 0 : segment.z + fraction * segment.alongZ;
-        include "squaredToBox.inc";
+        include "../geometry/squaredToBox.inc";
         return squaredDistance <= radius * radius;
     }
 }

@@ -21,6 +21,7 @@ package starlogo.intersection
     {
         var segments:SegmentPair = SegmentPair.SCRATCH;
         var gap:CoreGap = SegmentPair.SCRATCH_GAP;
+        // Capsules with the same start touch, so their order does not matter.
         var areSwapped:Boolean = compareVectors(a.start, b.start) > 0;
         var first:Capsule = areSwapped ? b : a;
         segments.setTo(first.start, first.end, areSwapped ? a : b);

@@ -35,7 +35,7 @@ package starlogo.intersection
         var halfX:Number = box.halfX;
         var halfY:Number = box.halfY;
         var halfZ:Number = box.halfZ;
-        include "squaredToBox.inc";
+        include "../geometry/squaredToBox.inc";
         var touchingDistance:Number = sphere.radius * Tolerances.TOUCHING;
         return squaredDistance <= touchingDistance * touchingDistance;
     }

@@ -178,6 +178,7 @@ package starlogo.solid
         /**
          * @private Follows the vertices of the tree to their new places. The tree keeps its division. The triangles follow at once if they
          *     are prepared. Their inside has to be prepared again, because it depends on which surfaces are closed and around which others.
+         *     No building may be half done: ResultsBuilder refuses poses meanwhile.
          */
         engine function refit():void
         {

@@ -18,7 +18,7 @@ package starlogo.solid
      * <p>The thesis transforms both structures into the world for each pair of nodes (§4.5). Here one RelativePose for each pair of models transforms
      * b into a's space, where all is decided.</p>
      *
-     * <p>The answers are nested. Nodes and triangles cover only the surface. So if the surfaces do not touch, <code>findInside()</code> decides.</p>
+     * <p>What a greater depth or the triangles find, a smaller depth finds too, no later and no farther. Nodes and triangles cover only the surface. So if the surfaces do not touch, <code>findInside()</code> decides.</p>
      *
      * @private
      */
@@ -45,15 +45,15 @@ package starlogo.solid
         /** @inheritDoc */
         override public final function areTouchingAt(motion:RelativeMotion, time:Number):Boolean
         {
-            pose.relateAt(placementA, motion, time, placementB);
+            pose.setBetweenAt(placementA, motion, time, placementB);
             return areTouchingInPose();
         }
 
         /** @inheritDoc */
         override public final function findImpactOfSurfaces(motion:RelativeMotion, out:ContactPoint):void
         {
-            pose.relateAt(placementA, motion, 0, placementB);
-            RelativePose.relateMotion(placementA, motion, _motion);
+            pose.setBetweenAt(placementA, motion, 0, placementB);
+            RelativePose.writeMotion(placementA, motion, _motion);
             findImpactInPose(_motion, out);
             motion.time = _motion.time;
             if (out != null && motion.time != RelativeMotion.NEVER)
@@ -65,7 +65,7 @@ package starlogo.solid
         /** Whether one of the two is inside of the other where the motion begins. Their surfaces must not touch there. */
         public final function beginsInside(motion:RelativeMotion):Boolean
         {
-            pose.relateAt(placementA, motion, 0, placementB);
+            pose.setBetweenAt(placementA, motion, 0, placementB);
             return findInside(null);
         }
 
@@ -77,8 +77,8 @@ package starlogo.solid
          */
         override public final function findContact(motion:RelativeMotion, out:ContactPoint):void
         {
-            pose.relateAt(placementA, motion, motion.time, placementB);
-            RelativePose.relateMotion(placementA, motion, _motion);
+            pose.setBetweenAt(placementA, motion, motion.time, placementB);
+            RelativePose.writeMotion(placementA, motion, _motion);
             // Only what touches at once counts. The motion turns the contact to a plane that it comes against.
             _motion.latest = 0;
             findImpactInPose(_motion, out);

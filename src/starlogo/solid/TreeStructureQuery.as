@@ -34,7 +34,7 @@ package starlogo.solid
         private var _nodeDistance:NodeDistanceVisitor;
         private var _triangleDistance:TriangleDistanceVisitor;
 
-        // The motion of a structure that stands; it receives times.
+        // The motion of a structure that stands; a search overwrites its times.
         private var _still:RelativeMotion = new RelativeMotion();
 
         // A point that is inside of the structure, and the structure as a shape.
@@ -80,6 +80,7 @@ package starlogo.solid
         /** @inheritDoc */
         override internal function areTouchingInPose():Boolean
         {
+            _still.latest = 1;
             return findFirstTouched(_still) >= 0 || findInside(null);
         }
 

@@ -122,7 +122,6 @@ package starlogo.solid
         /** Neither is inside if the boxes of the roots do not touch. Then the insides are not prepared. @inheritDoc */
         override internal function findInside(out:ClosestPoints):Boolean
         {
-            // b first: the two may have one tree, whose boxOf() overwrites its result
             var placedB:BoundingStructure = pose.placeWidened(_trees.b.boxOf(0));
             return StructurePairs.areTouching(_trees.a.boxOf(0), placedB) && findPartInside(out);
         }

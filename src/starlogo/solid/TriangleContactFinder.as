@@ -42,11 +42,13 @@ package starlogo.solid
         // The motion of a, as seen from b.
         private var _reversed:RelativeMotion = new RelativeMotion();
 
-        // The probe in a's space, the poses of that space in the spaces of both models, and what finds a model's triangles at the probe, which stands.
+        // The probe in a's space, the poses of that space in the spaces of both models, and what finds a model's triangles at the probe.
         private var _probe:Sphere = new Sphere(new Vector3D(), 0);
         private var _triangleImpact:TriangleImpactVisitor = new TriangleImpactVisitor(new TreeCounts());
         private var _inA:RelativePose = new RelativePose();
         private var _inB:RelativePose = new RelativePose();
+
+        // The motion of the probe, which stands; a search overwrites its times.
         private var _still:RelativeMotion = new RelativeMotion();
 
         /**
@@ -96,6 +98,7 @@ package starlogo.solid
             _probe.center.x = contact.x - motion.time * motion.x - back * normal.x;
             _probe.center.y = contact.y - motion.time * motion.y - back * normal.y;
             _probe.center.z = contact.z - motion.time * motion.z - back * normal.z;
+            _still.latest = 1;
             return _triangleImpact.findFirstSlot(model, _probe, pose, _still) >= 0;
         }
     }

@@ -81,9 +81,12 @@ package starlogo.geometry.hull
             var back:HullFace = newFace(a, c, b);
             front.acrossAB = front.acrossBC = front.acrossCA = back;
             back.acrossAB = back.acrossBC = back.acrossCA = front;
+            // The tetrahedron: three new faces and the side that d does not see. Its points come by assign(). The redistribution that addVertex() has
+            // begun moves none, but its end lists these faces as pending.
             var seesFront:Boolean = front.side(_points, d) > 0;
             addVertex(d, seesFront ? front : back);
             _created.push(seesFront ? back : front);
+            // The order decides which face takes a point that is beyond several, and so which points HULL_COPLANAR leaves out.
             _created.reverse();
             slices(among == null ? count : among.length, POINTS_PER_STEP, function(first:int, end:int):void
                 {

@@ -86,7 +86,7 @@ package starlogo.intersection.boxes
         }
 
         /** Whether the z axes of the two boxes are parallel. Then their faces are enough: the cross products of other edges are along z or across it. */
-        public function get areUpright():Boolean
+        public function get areZAxesParallel():Boolean
         {
             return m02 * m02 + m12 * m12 <= Tolerances.PARALLEL;
         }

@@ -1,3 +1,14 @@
+// The package intersection.boxes decides about two boxes by separating axes: the three of a, the three of b, and the nine across an edge of each
+// (Gottschalk, Lin and Manocha, "OBBTree", SIGGRAPH 1996). Boxes are apart if one of these axes separates them. Two classes project the boxes on them,
+// because they need different arithmetic. KernelsAgreeTest checks that both agree.
+// 
+// - BoxSeparation is for boxes that stand. An axis across edges takes a few products, which cancel if the edges are nearly parallel. Then boxBox asks
+// BoxSweep.
+// - BoxSweep is for boxes that move. Each axis gives an interval of time. It projects the boxes in full on the axes across edges, so nothing cancels,
+// but that takes longer.
+// 
+// The depth of two boxes comes from CoreOverlap, which knows the faces and edges of all convex shapes. Read BoxPair first.
+
 package starlogo.intersection.boxes
 {
     import starlogo.bounding.Box;
@@ -7,19 +18,6 @@ package starlogo.intersection.boxes
      * Two boxes, as a record: where box b is at time 0 as seen from box a, how it moves until time 1, and the time of impact that BoxSweep writes. All
      * numbers are in the axes of a. Many pairs of boxes may have the same axes and motion. Then these are set once for all of them. Tests of boxes
      * that stand use no more than the axes, the vector and the half-extents.
-     *
-     * <p>This package decides about two boxes by separating axes: the three of a, the three of b, and the nine across an edge of each (Gottschalk, Lin
-     * and Manocha, "OBBTree", SIGGRAPH 1996). Boxes are apart if one of these axes separates them. Two classes project the boxes on them, because
-     * they need different arithmetic. KernelsAgreeTest checks that both agree.</p>
-     *
-     * <ul>
-     * <li>BoxSeparation is for boxes that stand. An axis across edges takes a few products, which cancel if the edges are nearly parallel. Then
-     *     boxBox asks BoxSweep</li>
-     * <li>BoxSweep is for boxes that move. Each axis gives an interval of time. It projects the boxes in full on the axes across edges, so nothing
-     *     cancels, but that takes longer</li>
-     * </ul>
-     *
-     * <p>The depth of two boxes comes from CoreOverlap, which knows the faces and edges of all convex shapes.</p>
      *
      * @private
      */
@@ -45,14 +43,14 @@ package starlogo.intersection.boxes
         public var offsetZ:Number = 0;
 
         /** The half-extents of a. */
-        public var halfXA:Number = 0;
-        public var halfYA:Number = 0;
-        public var halfZA:Number = 0;
+        public var aHalfX:Number = 0;
+        public var aHalfY:Number = 0;
+        public var aHalfZ:Number = 0;
 
         /** The half-extents of b. */
-        public var halfXB:Number = 0;
-        public var halfYB:Number = 0;
-        public var halfZB:Number = 0;
+        public var bHalfX:Number = 0;
+        public var bHalfY:Number = 0;
+        public var bHalfZ:Number = 0;
 
         /** The latest time that counts: see RelativeMotion. */
         public var latest:Number = 1;
@@ -63,12 +61,12 @@ package starlogo.intersection.boxes
         /** Sets the half-extents. */
         public function setHalves(a:Box, b:Box):void
         {
-            halfXA = a.halfX;
-            halfYA = a.halfY;
-            halfZA = a.halfZ;
-            halfXB = b.halfX;
-            halfYB = b.halfY;
-            halfZB = b.halfZ;
+            aHalfX = a.halfX;
+            aHalfY = a.halfY;
+            aHalfZ = a.halfZ;
+            bHalfX = b.halfX;
+            bHalfY = b.halfY;
+            bHalfZ = b.halfZ;
         }
     }
 }

@@ -11,14 +11,14 @@ package starlogo.intersection.boxes
         public static function overlapAlongFacesOfA(pair:BoxPair):Boolean
         {
             var axes:BoxAxes = pair.axes;
-            var bHalfX:Number = pair.halfXB;
-            var bHalfY:Number = pair.halfYB;
-            var bHalfZ:Number = pair.halfZB;
-            var radius:Number = pair.halfXA + bHalfX * axes.abs00 + bHalfY * axes.abs01 + bHalfZ * axes.abs02;
+            var bHalfX:Number = pair.bHalfX;
+            var bHalfY:Number = pair.bHalfY;
+            var bHalfZ:Number = pair.bHalfZ;
+            var radius:Number = pair.aHalfX + bHalfX * axes.abs00 + bHalfY * axes.abs01 + bHalfZ * axes.abs02;
             var isOverlapping:Boolean = pair.offsetX <= radius && pair.offsetX >= -radius;
-            radius = pair.halfYA + bHalfX * axes.abs10 + bHalfY * axes.abs11 + bHalfZ * axes.abs12;
+            radius = pair.aHalfY + bHalfX * axes.abs10 + bHalfY * axes.abs11 + bHalfZ * axes.abs12;
             isOverlapping = isOverlapping && pair.offsetY <= radius && pair.offsetY >= -radius;
-            radius = pair.halfZA + bHalfX * axes.abs20 + bHalfY * axes.abs21 + bHalfZ * axes.abs22;
+            radius = pair.aHalfZ + bHalfX * axes.abs20 + bHalfY * axes.abs21 + bHalfZ * axes.abs22;
             return isOverlapping && pair.offsetZ <= radius && pair.offsetZ >= -radius;
         }
 
@@ -29,17 +29,17 @@ package starlogo.intersection.boxes
             var x:Number = pair.offsetX;
             var y:Number = pair.offsetY;
             var z:Number = pair.offsetZ;
-            var aHalfX:Number = pair.halfXA;
-            var aHalfY:Number = pair.halfYA;
-            var aHalfZ:Number = pair.halfZA;
+            var aHalfX:Number = pair.aHalfX;
+            var aHalfY:Number = pair.aHalfY;
+            var aHalfZ:Number = pair.aHalfZ;
             var projection:Number = x * axes.m00 + y * axes.m10 + z * axes.m20;
-            var radius:Number = pair.halfXB + aHalfX * axes.abs00 + aHalfY * axes.abs10 + aHalfZ * axes.abs20;
+            var radius:Number = pair.bHalfX + aHalfX * axes.abs00 + aHalfY * axes.abs10 + aHalfZ * axes.abs20;
             var isOverlapping:Boolean = projection <= radius && projection >= -radius;
             projection = x * axes.m01 + y * axes.m11 + z * axes.m21;
-            radius = pair.halfYB + aHalfX * axes.abs01 + aHalfY * axes.abs11 + aHalfZ * axes.abs21;
+            radius = pair.bHalfY + aHalfX * axes.abs01 + aHalfY * axes.abs11 + aHalfZ * axes.abs21;
             isOverlapping = isOverlapping && projection <= radius && projection >= -radius;
             projection = x * axes.m02 + y * axes.m12 + z * axes.m22;
-            radius = pair.halfZB + aHalfX * axes.abs02 + aHalfY * axes.abs12 + aHalfZ * axes.abs22;
+            radius = pair.bHalfZ + aHalfX * axes.abs02 + aHalfY * axes.abs12 + aHalfZ * axes.abs22;
             return isOverlapping && projection <= radius && projection >= -radius;
         }
 
@@ -54,12 +54,12 @@ package starlogo.intersection.boxes
             var x:Number = pair.offsetX;
             var y:Number = pair.offsetY;
             var z:Number = pair.offsetZ;
-            var aHalfX:Number = pair.halfXA;
-            var aHalfY:Number = pair.halfYA;
-            var aHalfZ:Number = pair.halfZA;
-            var bHalfX:Number = pair.halfXB;
-            var bHalfY:Number = pair.halfYB;
-            var bHalfZ:Number = pair.halfZB;
+            var aHalfX:Number = pair.aHalfX;
+            var aHalfY:Number = pair.aHalfY;
+            var aHalfZ:Number = pair.aHalfZ;
+            var bHalfX:Number = pair.bHalfX;
+            var bHalfY:Number = pair.bHalfY;
+            var bHalfZ:Number = pair.bHalfZ;
             var projection:Number = z * axes.m10 - y * axes.m20;
             var radius:Number = aHalfY * axes.abs20 + aHalfZ * axes.abs10 + bHalfY * axes.abs02 + bHalfZ * axes.abs01;
             var isOverlapping:Boolean = projection <= radius && projection >= -radius;

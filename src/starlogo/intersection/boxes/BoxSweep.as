@@ -110,12 +110,12 @@ package starlogo.intersection.boxes
             var moveX:Number = pair.motionX;
             var moveY:Number = pair.motionY;
             var moveZ:Number = pair.motionZ;
-            var aHalfX:Number = pair.halfXA;
-            var aHalfY:Number = pair.halfYA;
-            var aHalfZ:Number = pair.halfZA;
-            var bHalfX:Number = pair.halfXB;
-            var bHalfY:Number = pair.halfYB;
-            var bHalfZ:Number = pair.halfZB;
+            var aHalfX:Number = pair.aHalfX;
+            var aHalfY:Number = pair.aHalfY;
+            var aHalfZ:Number = pair.aHalfZ;
+            var bHalfX:Number = pair.bHalfX;
+            var bHalfY:Number = pair.bHalfY;
+            var bHalfZ:Number = pair.bHalfZ;
             return narrow(pair, fromX, moveX, aHalfX + bHalfX * axes.abs00 + bHalfY * axes.abs01 + bHalfZ * axes.abs02, 1)
                 && narrow(pair, fromY, moveY, aHalfY + bHalfX * axes.abs10 + bHalfY * axes.abs11 + bHalfZ * axes.abs12, 1)
                 && narrow(pair, fromZ, moveZ, aHalfZ + bHalfX * axes.abs20 + bHalfY * axes.abs21 + bHalfZ * axes.abs22, 1)
@@ -157,9 +157,9 @@ package starlogo.intersection.boxes
             var halves:Vector.<Number> = _halves;
             for (var i:int = 0; i < 3; i++)
             {
-                halves[i] = pair.halfXB * edges[i];
-                halves[int(i + 3)] = pair.halfYB * edges[int(i + 3)];
-                halves[int(i + 6)] = pair.halfZB * edges[int(i + 6)];
+                halves[i] = pair.bHalfX * edges[i];
+                halves[int(i + 3)] = pair.bHalfY * edges[int(i + 3)];
+                halves[int(i + 6)] = pair.bHalfZ * edges[int(i + 6)];
             }
             return narrowAcross(pair, 0, 3, 6) && narrowAcross(pair, 3, 6, 0) && narrowAcross(pair, 6, 0, 3);
         }
@@ -183,11 +183,11 @@ package starlogo.intersection.boxes
             var sizeY:Number = Math.abs(pY);
             var sizeZ:Number = Math.abs(pZ);
             return narrow(pair, pair.offsetZ * pY - pair.offsetY * pZ, pair.motionZ * pY - pair.motionY * pZ,
-                    pair.halfYA * sizeZ + pair.halfZA * sizeY + Math.abs(qZ * pY - qY * pZ) + Math.abs(rZ * pY - rY * pZ), sizeY + sizeZ)
+                    pair.aHalfY * sizeZ + pair.aHalfZ * sizeY + Math.abs(qZ * pY - qY * pZ) + Math.abs(rZ * pY - rY * pZ), sizeY + sizeZ)
                 && narrow(pair, pair.offsetX * pZ - pair.offsetZ * pX, pair.motionX * pZ - pair.motionZ * pX,
-                    pair.halfZA * sizeX + pair.halfXA * sizeZ + Math.abs(qX * pZ - qZ * pX) + Math.abs(rX * pZ - rZ * pX), sizeX + sizeZ)
+                    pair.aHalfZ * sizeX + pair.aHalfX * sizeZ + Math.abs(qX * pZ - qZ * pX) + Math.abs(rX * pZ - rZ * pX), sizeX + sizeZ)
                 && narrow(pair, pair.offsetY * pX - pair.offsetX * pY, pair.motionY * pX - pair.motionX * pY,
-                    pair.halfXA * sizeY + pair.halfYA * sizeX + Math.abs(qY * pX - qX * pY) + Math.abs(rY * pX - rX * pY), sizeX + sizeY);
+                    pair.aHalfX * sizeY + pair.aHalfY * sizeX + Math.abs(qY * pX - qX * pY) + Math.abs(rY * pX - rX * pY), sizeX + sizeY);
         }
     }
 }

@@ -1,3 +1,6 @@
+// The package intersection.ray says where a ray meets a structure or a triangle. It is made of Ray, of SpanFinder for structures and ShearedRay for
+// triangles, and of the records that they write. Read SpanFinder first.
+
 package starlogo.intersection.ray
 {
     import flash.geom.Vector3D;
@@ -15,8 +18,6 @@ package starlogo.intersection.ray
      * Finds which part of a ray's line is inside of a structure. RayEntry derives from it where the ray enters,
      * and RayCrossings where it enters and leaves. Each kind has a formula. Touching counts, to within a factor on the structure's extents, which is
      * Tolerances.TOUCHING. Nothing is allocated, except at the first ray that meets a hull where it is.
-     *
-     * <p>The package is made of Ray, this class and the ShearedRay for triangles, and of the records that they write. Read this class first.</p>
      *
      * @private
      */

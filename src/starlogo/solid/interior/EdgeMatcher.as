@@ -209,6 +209,7 @@ package starlogo.solid.interior
                 groups[root].push(edge);
             }
             var rest:Array = [];
+            // The order of the groups does not matter: each is matched alone, and rest is sorted.
             for each (var group:Array in groups)
             {
                 group.reverse();

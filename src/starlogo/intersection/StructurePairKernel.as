@@ -18,7 +18,7 @@ package starlogo.intersection
      *
      * @private
      */
-    public class PairKernel
+    public class StructurePairKernel
     {
         // The motion of b while a stands still, for the kernel that takes b first. No kernel comes back here before it has answered.
         private static const REVERSED:RelativeMotion = new RelativeMotion();

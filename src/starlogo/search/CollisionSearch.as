@@ -106,7 +106,8 @@ package starlogo.search
             narrowPhase.counts.clear();
             // A search keeps the cells only if it is like the one before, because the next is then probably like it too. So the third of three like
             // searches is the first that begins with the pairs of the last one.
-            var keepsCells:Boolean = takeConditions(input) && areFew(changeCount, input);
+            var areSame:Boolean = noteConditions(input);
+            var keepsCells:Boolean = areSame && areFew(changeCount, input);
             if (keepsCells && hadCells && moveChanged(input))
             {
                 findOfChanged(input);
@@ -150,11 +151,11 @@ package starlogo.search
             table.readWorld(input.ground, input.edges);
         }
 
-        // Takes what the pairs of a search depend on, besides agents, ground and edges. Returns whether it is the same as in the last search.
-        private function takeConditions(input:SearchInput):Boolean
+        // Notes what the pairs of a search depend on, besides agents, ground and edges. Returns whether it is the same as in the last search.
+        private function noteConditions(input:SearchInput):Boolean
         {
             var interests:BreedInterests = input.interests;
-            var depth:int = narrowPhase.treeLimits.depth;
+            var depth:int = narrowPhase.treeLimits.defaultDepth;
             var isFiltered:Boolean = input.admitted != null;
             var areSame:Boolean = interests === _interests && interests.pairCount == _interestCount && depth == _depth && isFiltered == _isFiltered
                 && _motions.isSwept == _pairs.haveTimes;

@@ -87,7 +87,7 @@ package starlogo.search
         private function findStarts(pairs:FoundPairs, side:int):void
         {
             // the ground and the edges of the world have the ranks after those of the agents
-            var rankCount:int = pairs.list.rows.count + ListedAgents.FIRST_LISTED;
+            var rankCount:int = pairs.list.rows.count + ListedAgents.WORLD_ROW_COUNT;
             if (_next.length < rankCount)
             {
                 _next.length = rankCount;

@@ -88,7 +88,7 @@ package starlogo.handlers
                         }
                     }
                 }
-                _tracker.release();
+                _tracker.endFrame();
                 most = Math.max(most, left.length);
                 assertEquals(left.join(), namesOf(_tracker.inOrder()));
                 assertEquals(left.length, _tracker.count);
@@ -180,7 +180,7 @@ package starlogo.handlers
                     }
                     assertEquals(pairs[i], nameOf(touch.first, touch.second));
                 }
-                _tracker.release();
+                _tracker.endFrame();
                 assertEquals(begun.join(), namesOf(_tracker.inOrder()));
                 assertEquals(begun.length, _tracker.count);
                 numbers = pairs.concat();
@@ -201,13 +201,13 @@ package starlogo.handlers
                 _tracker.startAt(pair).isComplete = pair == 0;
             }
             _tracker.dropAt(1);
-            _tracker.release();
+            _tracker.endFrame();
             _found.origins = new <int>[0, 1];
             assertEquals(1, begin(true));
             assertEquals(nameOf(_agents[2], _agents[3]), endedNames());
             assertTrue(_tracker.touchAt(0) != null);
             assertNull(_tracker.touchAt(1));
-            _tracker.release();
+            _tracker.endFrame();
             assertEquals(1, _tracker.count);
         }
 
@@ -259,7 +259,7 @@ package starlogo.handlers
         // The touch of the first pair that goes on in the next frame.
         private function next():Touch
         {
-            _tracker.release();
+            _tracker.endFrame();
             begin(false);
             return _tracker.touchAt(0);
         }

@@ -73,7 +73,7 @@ package starlogo.search
                 {
                     var row:int = _table.list.rowOf(agent);
                     var wasListed:Boolean = lastList.indexOf(agent) >= 0;
-                    assertEquals("has a motion", wasListed, _motions.meetsOnMotion[row]);
+                    assertEquals("has a motion", wasListed, _motions.sweepsOnMotion[row]);
                     if (wasListed)
                     {
                         assertEquals("where the motion begins", agent.x - seen[agent.id], _motions.displacements.x[row]);

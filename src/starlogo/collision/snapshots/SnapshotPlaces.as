@@ -68,7 +68,7 @@ package starlogo.collision.snapshots
          * @param list as many agents
          * @throws ArgumentError as <code>AgentTable.read()</code> does
          */
-        public function putInto(list:Vector.<Agent>, table:AgentTable):void
+        public function restore(list:Vector.<Agent>, table:AgentTable):void
         {
             table.read(list);
             for (var i:int = 0; i < list.length; i++)

@@ -397,7 +397,7 @@ package starlogo.search.table
             extents.halfX[row] = body.halfX;
             extents.halfY[row] = body.halfY;
             extents.halfZ[row] = body.halfZ;
-            extents.radius[row] = body.radius;
+            extents.groundRadius[row] = body.groundRadius;
             extents.distanceFromPlace[row] = body.distanceFromPlace;
             moveExtents(row);
             extents.assignLevel(row);

@@ -180,7 +180,7 @@ package starlogo.queries
                 _rises[_oneWayRows.values[i]] = 0;
             }
             _oneWayRows.count = 0;
-            _rises.length = Math.max(_rises.length, next.list.rowCapacity);
+            _rises.length = Math.max(_rises.length, next.listed.rowCapacity);
             for (i = 0; i < next.changed.count; i++)
             {
                 addRise(next, next.changed.values[i]);
@@ -190,7 +190,7 @@ package starlogo.queries
         // Adds the way up of a row from where it was read last to where its agent is now.
         private function addRise(from:AgentTable, row:int):void
         {
-            var agent:Agent = from.list.agentsByRow[row];
+            var agent:Agent = from.listed.agentsByRow[row];
             if (agent.isOneWay && from.isMotionStart(row))
             {
                 _rises[row] += agent.z - from.places.z[row];
@@ -223,7 +223,7 @@ package starlogo.queries
         /** @private Throws an error if a filter's <code>accepts</code> is being called and the agent is in the list. */
         engine function requireMovable(agent:Agent, what:String):void
         {
-            if (agent != null && table.list.rowOf(agent) >= ListedAgents.FIRST_LISTED)
+            if (agent != null && table.listed.rowOf(agent) >= ListedAgents.FIRST_LISTED)
             {
                 requireOutsideFilter(what);
             }
@@ -233,7 +233,7 @@ package starlogo.queries
         engine function rowOf(agent:Agent):int
         {
             requireGiven("agent", agent);
-            return table.list.rowOf(agent);
+            return table.listed.rowOf(agent);
         }
 
         /** @private Throws an ArgumentError if an agent is null, or has no place because it is the ground's or the edges'. */
@@ -303,12 +303,12 @@ package starlogo.queries
             }
             if (tree.isStale)
             {
-                tree.build(table.list.rows.values, table.list.rows.count, points, sizes);
+                tree.build(table.listed.rows.values, table.listed.rows.count, points, sizes);
             }
             if (nesting == 0)
             {
                 // the set of breeds of a question under way may lack a breed that its accepts has made
-                tree.learnBreeds(table.list.agentsByRow);
+                tree.learnBreeds(table.listed.agentsByRow);
             }
             return tree;
         }

@@ -76,7 +76,7 @@ package starlogo.search
          */
         public function testWithWorldAgent(worldRow:int, rows:IntList):void
         {
-            if (_table.list.agentsByRow[worldRow] == null || !_input.interests.isNamed(_table.breeds[worldRow]))
+            if (_table.listed.agentsByRow[worldRow] == null || !_input.interests.isNamed(_table.breeds[worldRow]))
             {
                 return;
             }

@@ -79,8 +79,8 @@ package starlogo.search
             pairQuery = new AgentPairQuery(table, narrowPhase, sweptTests);
             _tests = new CandidateTests(table, narrowPhase, sweptTests);
             _changedRows = new ChangedRows(table, _motions, _bins.levels);
-            _pairs = new FoundPairs(table.list);
-            _pairsOfChanged = new FoundPairs(table.list);
+            _pairs = new FoundPairs(table.listed);
+            _pairsOfChanged = new FoundPairs(table.listed);
         }
 
         /**
@@ -169,21 +169,21 @@ package starlogo.search
         // How many rows may have other pairs: they were read again, have left or have another place in the list.
         private function get changeCount():int
         {
-            return table.changed.count + table.list.leftOrReordered.count + _motions.rowsToRenew.count;
+            return table.changed.count + table.listed.leftOrReordered.count + _motions.rowsToRenew.count;
         }
 
         // Whether so few rows have changed that a search of these is faster than a search of all.
         private function areFew(changes:int, input:SearchInput):Boolean
         {
             var rowsPerChange:int = narrowPhase.choice.areSpheres || !input.interests.includesAllOfAgents ? ROWS_PER_CHANGE_IF_FAST : ROWS_PER_CHANGE;
-            return rowsPerChange * changes <= table.list.rows.count;
+            return rowsPerChange * changes <= table.listed.rows.count;
         }
 
         // Finds the pairs of all members. Returns the members.
         private function findOfAll(input:SearchInput):IntList
         {
             var members:IntList = input.allMembers(table, _members);
-            _motions.findExtents(table.list.rows);
+            _motions.findExtents(table.listed.rows);
             _tests.begin(input, _pairs);
             _bins.findPairs(_motions.searchExtents, members, _tests);
             _tests.testWithWorldAgent(ListedAgents.GROUND_ROW, members);

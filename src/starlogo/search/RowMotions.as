@@ -54,7 +54,7 @@ package starlogo.search
         public function read(isSwept:Boolean):void
         {
             this.isSwept = isSwept;
-            var length:int = _table.list.rowCapacity;
+            var length:int = _table.listed.rowCapacity;
             if (length > sweepsOnMotion.length)
             {
                 sweepsOnMotion.length = length;
@@ -81,7 +81,7 @@ package starlogo.search
             for (var i:int = 0; i < rows.count; i++)
             {
                 var row:int = rows.values[i];
-                var agent:Agent = _table.list.agentsByRow[row];
+                var agent:Agent = _table.listed.agentsByRow[row];
                 sweepsOnMotion[row] = false;
                 displacements.x[row] = displacements.y[row] = displacements.z[row] = 0;
                 if (agent != null && _table.isMotionStart(row))

@@ -58,7 +58,7 @@ package starlogo.search
          */
         public function keepTouchingOnMotions(row:int, others:Vector.<int>, count:int, level:BinLevel, times:Vector.<Number>):int
         {
-            var ranks:Vector.<int> = _table.list.ranks;
+            var ranks:Vector.<int> = _table.listed.ranks;
             var rank:int = ranks[row];
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)

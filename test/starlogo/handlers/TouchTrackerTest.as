@@ -28,7 +28,7 @@ package starlogo.handlers
             for (var i:int = 0; i < 40; i++)
             {
                 _agents.push(new Agent("cube", i % 3 == 0 ? "sheep" : "wolves"));
-                _found.list.agentsByRow.push(_agents[i]);
+                _found.listed.agentsByRow.push(_agents[i]);
             }
             _handlers.add("*", "*", function(a:Agent, b:Agent):void
                 {
@@ -266,8 +266,8 @@ package starlogo.handlers
 
         private function addPair(a:Agent, b:Agent):void
         {
-            _found.rows[2 * _found.count] = _found.list.agentsByRow.indexOf(a);
-            _found.rows[2 * _found.count + 1] = _found.list.agentsByRow.indexOf(b);
+            _found.rows[2 * _found.count] = _found.listed.agentsByRow.indexOf(a);
+            _found.rows[2 * _found.count + 1] = _found.listed.agentsByRow.indexOf(b);
             _found.count++;
         }
 

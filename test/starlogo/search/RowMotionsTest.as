@@ -71,7 +71,7 @@ package starlogo.search
                 _table.readChanges();
                 for each (agent in listed)
                 {
-                    var row:int = _table.list.rowOf(agent);
+                    var row:int = _table.listed.rowOf(agent);
                     var wasListed:Boolean = lastList.indexOf(agent) >= 0;
                     assertEquals("has a motion", wasListed, _motions.sweepsOnMotion[row]);
                     if (wasListed)
@@ -112,7 +112,7 @@ package starlogo.search
         {
             for each (var agent:Agent in listed)
             {
-                assertEquals(seen[agent.id], _table.places.x[_table.list.rowOf(agent)]);
+                assertEquals(seen[agent.id], _table.places.x[_table.listed.rowOf(agent)]);
             }
         }
     }

@@ -74,7 +74,7 @@ package starlogo.collision.snapshots
             }
             var agents:Vector.<Agent> = frame.agents;
             var table:AgentTable = (frame.search || search).table;
-            if (agents.length > 0 && (frame.search == null || !table.list.isListed(agents)))
+            if (agents.length > 0 && (frame.search == null || !table.listed.isListed(agents)))
             {
                 throw new IllegalOperationError(frame.search == null
                         ? "the last frame had a collision system of the game's own: there is nothing to take a snapshot of"
@@ -117,7 +117,7 @@ package starlogo.collision.snapshots
         public function read(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch, ground:WorldAgent, edges:WorldAgent,
                 frame:LastFrame):void
         {
-            search.table.list.propose(agents);
+            search.table.listed.propose(agents);
             var copy:ByteArray = newBytes();
             copy.writeBytes(bytes);
             copy.position = 0;
@@ -204,19 +204,19 @@ package starlogo.collision.snapshots
                 var second:int;
                 if (!touch.second.isOfWorld)
                 {
-                    second = table.list.ranks[table.list.rowOf(touch.second)];
+                    second = table.listed.ranks[table.listed.rowOf(touch.second)];
                 }
                 else if (touch.second === ground || touch.second === edges)
                 {
-                    second = table.list.rows.count + indexInWorld;
+                    second = table.listed.rows.count + indexInWorld;
                 }
                 else
                 {
                     formerWorld ||= _unknownWorld.concat();
                     formerWorld[indexInWorld] = touch.second;
-                    second = table.list.rows.count + formerWorld.length + indexInWorld;
+                    second = table.listed.rows.count + formerWorld.length + indexInWorld;
                 }
-                bytes.writeInt(table.list.ranks[table.list.rowOf(touch.first)]);
+                bytes.writeInt(table.listed.ranks[table.listed.rowOf(touch.first)]);
                 bytes.writeInt(second);
                 bytes.writeInt(names.ofBreed(touch.firstBreed));
                 bytes.writeInt(names.ofBreed(touch.secondBreed));

@@ -134,7 +134,7 @@ package starlogo.collision
          * @param counts takes the counts and the time
          * @return the pairs, until the next call
          * @throws ArgumentError if an agent of the list is null or listed twice, or if the system finds an agent that is not in the list, an agent with
-         * itself, or a pair twice
+         * itself, or a pair twice, or has no statistics
          * @throws IllegalOperationError if there is ground or there are edges, but this is not one of the engine's systems
          */
         engine function findPairs(input:SearchInput, reader:PairReader, counts:CollisionStatistics):FoundPairs

@@ -23,7 +23,7 @@ package starlogo.search.pairs
     use namespace engine;
 
     /**
-     * Tests two bodies that are spheres. A sphere is as wide as its extents, so whether, when and how two touch – not how far apart they are – needs no
+     * Tests two bodies that are spheres. A sphere is as wide as its extents, so whether, when and how two touch (not how far apart they are) needs no
      * structure in the world.
      *
      * @private

@@ -71,8 +71,8 @@ package starlogo.agents
 
         /**
          * @private Counts changes of all that a search reads: what <code>bodyRevision</code> counts, the place, the breed, and whether the
-         * agent sweeps; and for the agents of the ground and the edges, changes of these. A snapshot that is restored raises it too, if it puts
-         * the last place elsewhere.
+         * agent sweeps; and for the agents of the ground and the edges, changes of these. A restored snapshot that puts the last place elsewhere
+         * does not raise it: the table marks the row NOT_READ.
          */
         engine var revision:int = 0;
 

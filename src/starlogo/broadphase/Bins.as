@@ -233,7 +233,7 @@ package starlogo.broadphase
         {
             var fromX:Vector.<Number> = extents.x;
             var fromY:Vector.<Number> = extents.y;
-            var fromRadius:Vector.<Number> = extents.radius;
+            var fromRadius:Vector.<Number> = extents.groundRadius;
             var bySlot:Vector.<int> = _rows;
             var toX:Vector.<Number> = _xs;
             var toY:Vector.<Number> = _ys;

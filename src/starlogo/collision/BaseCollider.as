@@ -6,6 +6,7 @@ package starlogo.collision
     import flash.errors.IllegalOperationError;
     import flash.utils.getTimer;
     import starlogo.agents.Agent;
+    import starlogo.data.requireGiven;
     import starlogo.data.textOf;
     import starlogo.data.warnOfUnknownProperties;
     import starlogo.engine;
@@ -133,7 +134,7 @@ package starlogo.collision
          * @param counts takes the counts and the time
          * @return the pairs, until the next call
          * @throws ArgumentError if an agent of the list is null or listed twice, or if the system finds an agent that is not in the list, an agent with
-         * itself, or a pair twice
+         * itself, or a pair twice, or has no statistics
          * @throws IllegalOperationError if there is ground or there are edges, but this is not one of the engine's systems
          */
         engine function findPairs(input:SearchInput, reader:PairReader, counts:CollisionStatistics):FoundPairs
@@ -147,6 +148,7 @@ package starlogo.collision
             reader.begin(input.agents);
             var listed:Vector.<Agent> = input.admittedAgents;
             var pairs:FoundPairs = reader.read(findCollisionsAmong(listed, input.interests, _foundAgents));
+            requireGiven("statistics of the collision system", statistics);
             counts.copyFrom(statistics);
             // the engine's collider counts all agents of the frame, even within another system. Other systems have only those that the filter admits
             if (innerCollider == null)
@@ -160,11 +162,11 @@ package starlogo.collision
         }
 
         /** @private A phase of the owner's frame begins, for the engine's collider within. @param input what the frame searches among, while it searches */
-        engine function enter(phase:int, input:SearchInput = null):void
+        engine function beginPhase(phase:int, input:SearchInput = null):void
         {
             if (inner != null)
             {
-                inner.enter(phase, input);
+                inner.beginPhase(phase, input);
             }
         }
 

@@ -210,7 +210,7 @@ package starlogo.collision
         }
 
         /** @private */
-        override engine function enter(phase:int, input:SearchInput = null):void
+        override engine function beginPhase(phase:int, input:SearchInput = null):void
         {
             _phase = phase;
             _frameInput = input;

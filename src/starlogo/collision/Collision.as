@@ -13,7 +13,6 @@ package starlogo.collision
     import starlogo.agents.AgentPredicate;
     import starlogo.agents.Breeds;
     import starlogo.agents.copyAgents;
-    import starlogo.collision.snapshots.LastFrame;
     import starlogo.collision.snapshots.Snapshots;
     import starlogo.data.requireGiven;
     import starlogo.data.textOf;
@@ -303,8 +302,8 @@ package starlogo.collision
             }
             finally
             {
-                _calls.end();
-                system.enter(Collider.IDLE);
+                _calls.endFrame();
+                system.beginPhase(Collider.IDLE);
                 _frameSystem = null;
                 releaseUnused(system);
                 if (_heldGround != null)
@@ -388,9 +387,9 @@ package starlogo.collision
             // The filter may have called reset(), which forgets the frames before this one. The touches of this frame do not count then
             var lastFrame:LastFrame = _lastFrame;
             lastFrame.hasFailed = true;
-            system.enter(Collider.SEARCHING, _input);
+            system.beginPhase(Collider.SEARCHING, _input);
             var pairs:FoundPairs = system.findPairs(_input, _pairReader, _statistics);
-            system.enter(Collider.HANDLING);
+            system.beginPhase(Collider.HANDLING);
             var searched:Collider = system.samePairsCollider;
             lastFrame.agents = copyAgents(_input.agents, lastFrame.agents);
             lastFrame.search = searched == null ? null : searched.search;

@@ -131,7 +131,7 @@ package starlogo.collision
         engine function readSearch(search:CollisionSearch, found:FoundPairs):void
         {
             var counts:SearchCounts = search.narrowPhase.counts;
-            agents = search.table.list.rows.count;
+            agents = search.table.listed.rows.count;
             agentsLoading = search.table.loadingCount;
             agentsSkipped = agents - agentsLoading - counts.members;
             collisions = found.count;

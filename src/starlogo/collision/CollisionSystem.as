@@ -27,7 +27,7 @@ package starlogo.collision
          */
         function findCollisions(agents:Vector.<Agent>, out:Vector.<Agent> = null):Vector.<Agent>;
 
-        /** Counts and times of the last search. The next search overwrites them. */
+        /** Counts and times of the last search. The next search overwrites them. Never null. */
         function get statistics():CollisionStatistics;
     }
 }

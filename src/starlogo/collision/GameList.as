@@ -32,7 +32,7 @@ package starlogo.collision
         public function hasBoth(pairs:FoundPairs, pair:int):Boolean
         {
             var second:int = pairs.rows[2 * pair + 1];
-            return findIndex(pairs.list, pairs.rows[2 * pair]) >= 0 && (second < ListedAgents.FIRST_LISTED || findIndex(pairs.list, second) >= 0);
+            return findIndex(pairs.listed, pairs.rows[2 * pair]) >= 0 && (second < ListedAgents.FIRST_LISTED || findIndex(pairs.listed, second) >= 0);
         }
 
         // Finds the index of a row's agent, and notes it. Once the agent was missing, it stays away for the rest of the frame. An agent that is back

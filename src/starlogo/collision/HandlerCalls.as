@@ -49,7 +49,7 @@ package starlogo.collision
         }
 
         /**
-         * Calls the handlers of a frame. Call <code>end()</code> afterwards.
+         * Calls the handlers of a frame. Call <code>endFrame()</code> afterwards.
          *
          * @param pairs the pairs of the frame, in the order of their calls
          * @param system has found them
@@ -81,14 +81,14 @@ package starlogo.collision
         }
 
         /** Ends the calls of a frame, also if <code>callHandlers()</code> has thrown an error or was not called. Nothing of the frame is kept. */
-        public function end():void
+        public function endFrame():void
         {
             _pairs = null;
             _system = null;
             _gameList.end();
             if (_tracker != null)
             {
-                _tracker.release();
+                _tracker.endFrame();
                 _tracker = null;
             }
         }

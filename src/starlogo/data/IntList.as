@@ -13,8 +13,19 @@ package starlogo.data
         /** How many numbers there are. */
         public var count:int = 0;
 
-        /** Takes the numbers of another list, except for one; -1 takes all. */
-        public function copyFrom(other:IntList, except:int = -1):void
+        /** Takes the numbers of another list. */
+        public function copyFrom(other:IntList):void
+        {
+            var end:int = other.count;
+            count = 0;
+            for (var i:int = 0; i < end; i++)
+            {
+                add(other.values[i]);
+            }
+        }
+
+        /** Takes the numbers of a list, which may be this one, except for one number. */
+        public function copyExcept(other:IntList, except:int):void
         {
             var end:int = other.count;
             count = 0;
@@ -37,7 +48,7 @@ package starlogo.data
         /** Removes a number wherever it is in the list. The others keep their order. */
         public function remove(value:int):void
         {
-            copyFrom(this, value);
+            copyExcept(this, value);
         }
     }
 }

@@ -11,7 +11,7 @@ package starlogo.handlers
 
     /**
      * The touches of a Collision. It compares the pairs of a frame with those of the last one: which touches go on, and which end. A frame calls
-     * <code>beginFrame()</code> and <code>endOthers()</code> before its handlers, and <code>release()</code> after them. If the search has only updated the
+     * <code>beginFrame()</code> and <code>endOthers()</code> before its handlers, and <code>endFrame()</code> after them. If the search has only updated the
      * pairs of the last one, kept pairs keep their touches without a look at their agents. Objects of ended touches are used again, so it allocates nothing
      * unless there are more touches than before.
      *
@@ -62,7 +62,7 @@ package starlogo.handlers
         // The pairs whose touches may begin.
         private var _starting:IntList = new IntList();
 
-        // The indices of the touches that ended in this frame, in the order in which they began. They keep their agents until release().
+        // The indices of the touches that ended in this frame, in the order in which they began. They keep their agents until endFrame().
         private var _ended:SortableIntList = new SortableIntList();
 
         /**
@@ -136,7 +136,7 @@ package starlogo.handlers
         }
 
         /** Ends a frame, also one that has failed: forgets the touches that have ended. */
-        public function release():void
+        public function endFrame():void
         {
             for (var i:int = 0; i < _ended.count; i++)
             {

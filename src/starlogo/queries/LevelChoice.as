@@ -29,7 +29,7 @@ package starlogo.queries
         public function LevelChoice()
         {
             super(null);
-            system = LEVEL;
+            systemNumber = LEVEL;
             narrowPhase = new NarrowPhase(this);
         }
 

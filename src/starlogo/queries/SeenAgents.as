@@ -181,7 +181,7 @@ package starlogo.queries
                 _rises[_oneWayRows.values[i]] = 0;
             }
             _oneWayRows.count = 0;
-            _rises.length = Math.max(_rises.length, next.list.rowCapacity);
+            _rises.length = Math.max(_rises.length, next.listed.rowCapacity);
             for (i = 0; i < next.changed.count; i++)
             {
                 addRise(next.changed.values[i], riseNow(next, next.changed.values[i]));
@@ -191,7 +191,7 @@ package starlogo.queries
         // How far up a row has moved from where it was read last to where its agent is now; 0 if it is not one-way or has jumped.
         private static function riseNow(from:AgentTable, row:int):Number
         {
-            var agent:Agent = from.list.agentsByRow[row];
+            var agent:Agent = from.listed.agentsByRow[row];
             if (agent.isOneWay && from.isMotionStart(row))
             {
                 return agent.z - from.places.z[row];
@@ -233,7 +233,7 @@ package starlogo.queries
         /** @private Throws an error if a filter's <code>accepts</code> is being called and the agent is in the list. */
         engine function requireMovable(agent:Agent, what:String):void
         {
-            if (agent != null && table.list.rowOf(agent) >= ListedAgents.FIRST_LISTED)
+            if (agent != null && table.listed.rowOf(agent) >= ListedAgents.FIRST_LISTED)
             {
                 requireOutsideFilter(what);
             }
@@ -243,7 +243,7 @@ package starlogo.queries
         engine function rowOf(agent:Agent):int
         {
             requireGiven("agent", agent);
-            return table.list.rowOf(agent);
+            return table.listed.rowOf(agent);
         }
 
         /** @private Throws an ArgumentError if an agent is null, or has no place because it is the ground's or the edges'. */
@@ -313,12 +313,12 @@ package starlogo.queries
             }
             if (tree.isStale)
             {
-                tree.build(table.list.rows.values, table.list.rows.count, points, sizes);
+                tree.build(table.listed.rows.values, table.listed.rows.count, points, sizes);
             }
             if (nesting == 0)
             {
                 // the set of breeds of a question under way may lack a breed that its accepts has made
-                tree.learnBreeds(table.list.agentsByRow);
+                tree.learnBreeds(table.listed.agentsByRow);
             }
             return tree;
         }

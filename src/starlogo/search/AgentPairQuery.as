@@ -58,9 +58,9 @@ package starlogo.search
             {
                 throw new ArgumentError("the ground and the edges of the world have no contact with each other");
             }
-            var rowA:int = _table.list.rowOf(a);
-            var rowB:int = _table.list.rowOf(b);
-            if (_table.list.rankOf(a, rowA) > _table.list.rankOf(b, rowB))
+            var rowA:int = _table.listed.rowOf(a);
+            var rowB:int = _table.listed.rowOf(b);
+            if (_table.listed.rankOf(a, rowA) > _table.listed.rankOf(b, rowB))
             {
                 // they get the order that the pairs of a search have, so rounding is the same however a game asks
                 findContact(b, a, motion, out);

@@ -22,29 +22,31 @@ package starlogo.search
      */
     public class BaseShapeChoice
     {
-        /** @private For <code>system</code>: a collider of the game's own. */
+        // These numbers stand in snapshots: never renumber. Snapshots.SYSTEMS has their names in this order.
+
+        /** @private For <code>systemNumber</code>: a collider of the game's own. */
         engine static const OWN:int = 0;
 
-        /** @private For <code>system</code>: a BinCollider. */
+        /** @private For <code>systemNumber</code>: a BinCollider. */
         engine static const BIN:int = 1;
 
-        /** @private For <code>system</code>: a TightestFitCollider. */
+        /** @private For <code>systemNumber</code>: a TightestFitCollider. */
         engine static const TIGHTEST_FIT:int = 2;
 
-        /** @private For <code>system</code>: a HierarchicalCollider. */
+        /** @private For <code>systemNumber</code>: a HierarchicalCollider. */
         engine static const HIERARCHICAL:int = 3;
 
-        /** @private For <code>system</code>: a CombinationCollider. */
+        /** @private For <code>systemNumber</code>: a CombinationCollider. */
         engine static const COMBINATION:int = 4;
 
-        /** @private For <code>system</code>: a LevelCollider. */
+        /** @private For <code>systemNumber</code>: a LevelCollider. */
         engine static const LEVEL:int = 5;
 
         /** The models, or null if the shapes need no models. */
         public var greatLand:GreatLand;
 
         /** @private The collision system that the shapes belong to: OWN, BIN and so on. Snapshots have this number. */
-        engine var system:int = OWN;
+        engine var systemNumber:int = OWN;
 
         /** @private Whether all shapes so far are spheres. */
         engine var areSpheres:Boolean = true;

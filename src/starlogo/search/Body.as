@@ -214,7 +214,7 @@ package starlogo.search
         }
 
         /** The radius of a circle on the ground around the middle that encloses the extents, or the sphere. */
-        engine function get radius():Number
+        engine function get groundRadius():Number
         {
             if (form == BoundingStructure.SPHERE)
             {

@@ -76,7 +76,7 @@ package starlogo.search
          */
         public function testWithWorldAgent(worldRow:int, rows:IntList):void
         {
-            if (_table.list.agentsByRow[worldRow] == null || !_input.interests.isNamed(_table.breeds[worldRow]))
+            if (_table.listed.agentsByRow[worldRow] == null || !_input.interests.isNamed(_table.breeds[worldRow]))
             {
                 return;
             }
@@ -89,7 +89,7 @@ package starlogo.search
         // Adds the pairs of a row with those candidates that touch it.
         private function addTouching(row:int, others:Vector.<int>, count:int, level:BinLevel):void
         {
-            count = _out.haveTimes ? _sweptTests.keepMeeting(row, others, count, level, _times) : keepTouching(row, others, count, level);
+            count = _out.haveTimes ? _sweptTests.keepTouchingOnMotions(row, others, count, level, _times) : keepTouching(row, others, count, level);
             _out.addPairs(row, others, count, _times);
         }
 

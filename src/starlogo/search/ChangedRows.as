@@ -56,18 +56,18 @@ package starlogo.search
          */
         public function begin(members:IntList):void
         {
-            _cells.begin(_motions.searchExtents, members, _table.list.rowCapacity);
+            _cells.begin(_motions.searchExtents, members, _table.listed.rowCapacity);
         }
 
         /** Finds the rows that have changed. The table has read the agents, the ground and the edges. */
         public function find(input:SearchInput):void
         {
-            var length:int = _table.list.rowCapacity;
+            var length:int = _table.listed.rowCapacity;
             rows.count = 0;
             rowSet.clear(length);
             _cells.makeRoom(length);
             addAll(_table.changed);
-            addAll(_table.list.leftOrReordered);
+            addAll(_table.listed.leftOrReordered);
             addAll(_motions.rowsToRenew);
             if (input.admitted != null)
             {
@@ -118,7 +118,7 @@ package starlogo.search
         /** The rows whose pairs with the ground or the edges may have changed: all rows if the ground or the edges have. */
         public function rowsToTestWith(worldRow:int):IntList
         {
-            return rowSet.has(worldRow) ? _table.list.rows : rows;
+            return rowSet.has(worldRow) ? _table.listed.rows : rows;
         }
 
         private function addAll(added:IntList):void
@@ -140,7 +140,7 @@ package starlogo.search
         // Adds the rows that become members, or cease to be members. The other rows have their breeds of the last search.
         private function addFiltered(input:SearchInput):void
         {
-            var listed:IntList = _table.list.rows;
+            var listed:IntList = _table.listed.rows;
             for (var i:int = 0; i < listed.count; i++)
             {
                 var row:int = listed.values[i];

@@ -79,8 +79,8 @@ package starlogo.search
             pairQuery = new AgentPairQuery(table, narrowPhase, sweptTests);
             _tests = new CandidateTests(table, narrowPhase, sweptTests);
             _changedRows = new ChangedRows(table, _motions, _bins.levels);
-            _pairs = new FoundPairs(table.list);
-            _pairsOfChanged = new FoundPairs(table.list);
+            _pairs = new FoundPairs(table.listed);
+            _pairsOfChanged = new FoundPairs(table.listed);
         }
 
         /**
@@ -106,7 +106,8 @@ package starlogo.search
             narrowPhase.counts.clear();
             // A search keeps the cells only if it is like the one before, because the next is then probably like it too. So the third of three like
             // searches is the first that begins with the pairs of the last one.
-            var keepsCells:Boolean = takeConditions(input) && areFew(changeCount, input);
+            var areSame:Boolean = noteConditions(input);
+            var keepsCells:Boolean = areSame && areFew(changeCount, input);
             if (keepsCells && hadCells && moveChanged(input))
             {
                 findOfChanged(input);
@@ -150,11 +151,11 @@ package starlogo.search
             table.readWorld(input.ground, input.edges);
         }
 
-        // Takes what the pairs of a search depend on, besides agents, ground and edges. Returns whether it is the same as in the last search.
-        private function takeConditions(input:SearchInput):Boolean
+        // Notes what the pairs of a search depend on, besides agents, ground and edges. Returns whether it is the same as in the last search.
+        private function noteConditions(input:SearchInput):Boolean
         {
             var interests:BreedInterests = input.interests;
-            var depth:int = narrowPhase.treeLimits.depth;
+            var depth:int = narrowPhase.treeLimits.defaultDepth;
             var isFiltered:Boolean = input.admitted != null;
             var areSame:Boolean = interests === _interests && interests.pairCount == _interestCount && depth == _depth && isFiltered == _isFiltered
                 && _motions.isSwept == _pairs.haveTimes;
@@ -168,21 +169,21 @@ package starlogo.search
         // How many rows may have other pairs: they were read again, have left or have another place in the list.
         private function get changeCount():int
         {
-            return table.changed.count + table.list.leftOrReordered.count + _motions.rowsToRenew.count;
+            return table.changed.count + table.listed.leftOrReordered.count + _motions.rowsToRenew.count;
         }
 
         // Whether so few rows have changed that a search of these is faster than a search of all.
         private function areFew(changes:int, input:SearchInput):Boolean
         {
             var rowsPerChange:int = narrowPhase.choice.areSpheres || !input.interests.includesAllOfAgents ? ROWS_PER_CHANGE_IF_FAST : ROWS_PER_CHANGE;
-            return rowsPerChange * changes <= table.list.rows.count;
+            return rowsPerChange * changes <= table.listed.rows.count;
         }
 
         // Finds the pairs of all members. Returns the members.
         private function findOfAll(input:SearchInput):IntList
         {
             var members:IntList = input.allMembers(table, _members);
-            _motions.findExtents(table.list.rows);
+            _motions.findExtents(table.listed.rows);
             _tests.begin(input, _pairs);
             _bins.findPairs(_motions.searchExtents, members, _tests);
             _tests.testWithWorldAgent(ListedAgents.GROUND_ROW, members);

@@ -32,7 +32,7 @@ package starlogo.search
         internal var times:Vector.<Number> = new Vector.<Number>();
 
         /** Has the agent of each row, and its rank in the list of the search. */
-        public var list:ListedAgents;
+        public var listed:ListedAgents;
 
         /** In place of the origin of a pair: it was not among the pairs before. */
         public static const NEW:int = -1;
@@ -52,10 +52,10 @@ package starlogo.search
         /** The same for their times, if they have any. */
         internal var spareTimes:Vector.<Number> = new Vector.<Number>();
 
-        /** @param list has the agent of each row */
-        public function FoundPairs(list:ListedAgents)
+        /** @param listed has the agent of each row */
+        public function FoundPairs(listed:ListedAgents)
         {
-            this.list = list;
+            this.listed = listed;
         }
 
         /** Begins to write other pairs, with times or without. */
@@ -127,7 +127,7 @@ package starlogo.search
         // Whether a pair comes before a pair of two rows in the order of the list.
         private function isBefore(pair:int, a:int, b:int):Boolean
         {
-            var ranks:Vector.<int> = list.ranks;
+            var ranks:Vector.<int> = listed.ranks;
             var rank:int = ranks[rows[int(2 * pair)]];
             return rank < ranks[a] || rank == ranks[a] && ranks[rows[int(2 * pair + 1)]] < ranks[b];
         }
@@ -182,7 +182,7 @@ package starlogo.search
                 }
             }
             var to:int = 2 * count;
-            var ranks:Vector.<int> = list.ranks;
+            var ranks:Vector.<int> = listed.ranks;
             var rank:int = ranks[row];
             for (var i:int = 0; i < othersCount; i++)
             {
@@ -199,19 +199,19 @@ package starlogo.search
         /** The first agent of a pair. */
         public function firstOf(pair:int):Agent
         {
-            return list.agentsByRow[rows[2 * pair]];
+            return listed.agentsByRow[rows[2 * pair]];
         }
 
         /** The second agent of a pair. */
         public function secondOf(pair:int):Agent
         {
-            return list.agentsByRow[rows[2 * pair + 1]];
+            return listed.agentsByRow[rows[2 * pair + 1]];
         }
 
         /** Writes the pairs as agents: a0, b0, a1, b1, ... */
         public function copyAgentsTo(out:Vector.<Agent>):void
         {
-            var byRow:Vector.<Agent> = list.agentsByRow;
+            var byRow:Vector.<Agent> = listed.agentsByRow;
             for (var i:int = 0; i < 2 * count; i++)
             {
                 out[i] = byRow[rows[i]];

@@ -62,7 +62,7 @@ package starlogo.search
             pairs.makeRoom(pairs.count);
             var to:Vector.<int> = pairs.spareRows;
             var next:Vector.<int> = _next;
-            var ranks:Vector.<int> = pairs.list.ranks;
+            var ranks:Vector.<int> = pairs.listed.ranks;
             var from:Vector.<int> = pairs.rows;
             var times:Vector.<Number> = pairs.times;
             var timesTo:Vector.<Number> = pairs.spareTimes;
@@ -87,7 +87,7 @@ package starlogo.search
         private function findStarts(pairs:FoundPairs, side:int):void
         {
             // the ground and the edges of the world have the ranks after those of the agents
-            var rankCount:int = pairs.list.rows.count + ListedAgents.FIRST_LISTED;
+            var rankCount:int = pairs.listed.rows.count + ListedAgents.WORLD_ROW_COUNT;
             if (_next.length < rankCount)
             {
                 _next.length = rankCount;
@@ -98,7 +98,7 @@ package starlogo.search
                 next[rank] = 0;
             }
             var rows:Vector.<int> = pairs.rows;
-            var ranks:Vector.<int> = pairs.list.ranks;
+            var ranks:Vector.<int> = pairs.listed.ranks;
             var end:int = 2 * pairs.count;
             for (var i:int = side; i < end; i += 2)
             {

@@ -13,8 +13,8 @@ package starlogo.search
      */
     public final class PairReader
     {
-        private var _list:ListedAgents = new ListedAgents();
-        private var _pairs:FoundPairs = new FoundPairs(_list);
+        private var _listed:ListedAgents = new ListedAgents();
+        private var _pairs:FoundPairs = new FoundPairs(_listed);
 
         // The pairs that have been read, by their rows, the lesser first.
         private var _known:HashTable = new HashTable();
@@ -26,8 +26,8 @@ package starlogo.search
          */
         public function begin(list:Vector.<Agent>):void
         {
-            _list.propose(list);
-            _list.acceptProposed();
+            _listed.propose(list);
+            _listed.acceptProposed();
         }
 
         /**
@@ -73,7 +73,7 @@ package starlogo.search
             {
                 throw new ArgumentError("the collision system has found no agent: " + index + " of what it has found is null");
             }
-            var row:int = _list.rowOf(agent);
+            var row:int = _listed.rowOf(agent);
             if (row < 0)
             {
                 throw new ArgumentError("the collision system has found " + agent + ", which is not in the list of the frame");

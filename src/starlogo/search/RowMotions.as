@@ -12,7 +12,7 @@ package starlogo.search
 
     /**
      * The motions of the rows of a table since the search before. They are used only if an agent sweeps. Then the motions of all rows count, because a
-     * sweeping agent may meet any other one on its way. SweptTests tests the rows on their motions.
+     * sweeping agent may touch any other one on its way. SweptTests tests the rows on their motions.
      */
     internal final class RowMotions
     {
@@ -26,7 +26,7 @@ package starlogo.search
          * By row: whether the agent sweeps, and has not come without a motion. It has if it is new, has jumped, or has the shape of another model. The
          * ground and the edges of the world do not sweep.
          */
-        internal var meetsOnMotion:Vector.<Boolean> = new Vector.<Boolean>();
+        internal var sweepsOnMotion:Vector.<Boolean> = new Vector.<Boolean>();
 
         /** The rows whose pairs in the search before belong to motions of that search, if an agent of this search sweeps. Read only. */
         internal var rowsToRenew:IntList = new IntList();
@@ -54,17 +54,17 @@ package starlogo.search
         public function read(isSwept:Boolean):void
         {
             this.isSwept = isSwept;
-            var length:int = _table.list.rowCapacity;
-            if (length > meetsOnMotion.length)
+            var length:int = _table.listed.rowCapacity;
+            if (length > sweepsOnMotion.length)
             {
-                meetsOnMotion.length = length;
+                sweepsOnMotion.length = length;
                 displacements.grow(length);
                 _extents.grow(length);
             }
-            var before:IntList = rowsToRenew;
+            var spare:IntList = rowsToRenew;
             rowsToRenew = _changed;
-            _changed = before;
-            before.copyFrom(_table.changed);
+            _changed = spare;
+            spare.copyFrom(_table.changed);
             // rows that have not changed since stand still
             readMotions(rowsToRenew);
             readMotions(_changed);
@@ -81,12 +81,12 @@ package starlogo.search
             for (var i:int = 0; i < rows.count; i++)
             {
                 var row:int = rows.values[i];
-                var agent:Agent = _table.list.agentsByRow[row];
-                meetsOnMotion[row] = false;
+                var agent:Agent = _table.listed.agentsByRow[row];
+                sweepsOnMotion[row] = false;
                 displacements.x[row] = displacements.y[row] = displacements.z[row] = 0;
                 if (agent != null && _table.isMotionStart(row))
                 {
-                    meetsOnMotion[row] = agent.isSweeping;
+                    sweepsOnMotion[row] = agent.isSweeping;
                     displacements.x[row] = agent.placement.x - from.x[row];
                     displacements.y[row] = agent.placement.y - from.y[row];
                     displacements.z[row] = agent.placement.z - from.z[row];
@@ -127,7 +127,7 @@ package starlogo.search
                 swept.halfX[row] = halfX;
                 swept.halfY[row] = halfY;
                 swept.halfZ[row] = standing.halfZ[row] + Math.abs(motionZ) / 2;
-                swept.radius[row] = Math.sqrt(halfX * halfX + halfY * halfY);
+                swept.groundRadius[row] = Math.sqrt(halfX * halfX + halfY * halfY);
                 swept.distanceFromPlace[row] = standing.distanceFromPlace[row];
                 swept.assignLevel(row);
             }
@@ -148,7 +148,7 @@ package starlogo.search
         /** Whether one of two rows sweeps, and has not come without a motion. */
         public function eitherSweeps(a:int, b:int):Boolean
         {
-            return meetsOnMotion[a] || meetsOnMotion[b];
+            return sweepsOnMotion[a] || sweepsOnMotion[b];
         }
     }
 }

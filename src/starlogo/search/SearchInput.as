@@ -109,7 +109,7 @@ package starlogo.search
          */
         public function allMembers(table:AgentTable, spare:IntList):IntList
         {
-            var rows:IntList = table.list.rows;
+            var rows:IntList = table.listed.rows;
             if (table.loadingCount == 0 && admitted == null && interests.isNamed(Breeds.ANY))
             {
                 return rows;
@@ -135,7 +135,7 @@ package starlogo.search
         public function isMember(row:int, table:AgentTable):Boolean
         {
             return table.shapes[row] != null && interests.representativeOf(table.breeds[row]) >= 0
-                && (admitted == null || admitted[table.list.ranks[row]]);
+                && (admitted == null || admitted[table.listed.ranks[row]]);
         }
 
         // Asks a filter which agents take part. An entry that is null does, because the collision system refuses it.

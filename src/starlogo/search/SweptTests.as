@@ -56,9 +56,9 @@ package starlogo.search
          * @param times receives the times of the touches
          * @return the number of rows that it keeps
          */
-        public function keepMeeting(row:int, others:Vector.<int>, count:int, level:BinLevel, times:Vector.<Number>):int
+        public function keepTouchingOnMotions(row:int, others:Vector.<int>, count:int, level:BinLevel, times:Vector.<Number>):int
         {
-            var ranks:Vector.<int> = _table.list.ranks;
+            var ranks:Vector.<int> = _table.listed.ranks;
             var rank:int = ranks[row];
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
@@ -66,7 +66,7 @@ package starlogo.search
                 var other:int = others[i];
                 // the time belongs to the motion of the agent that comes first in the list, relative to the other
                 var isFirst:Boolean = rank < ranks[other];
-                findTime(isFirst ? row : other, isFirst ? other : row, level, _motion);
+                findTime(isFirst ? row : other, isFirst ? other : row, level);
                 if (_motion.time != RelativeMotion.NEVER)
                 {
                     others[kept] = other;
@@ -116,21 +116,21 @@ package starlogo.search
         }
 
         // Finds the time at which two rows first touch, from 0 to 1, or RelativeMotion.NEVER. If neither of the two sweeps, they are tested where they are
-        // now. The motion receives the motion of the first relative to the second, with the time.
-        private function findTime(a:int, b:int, level:BinLevel, motion:RelativeMotion):void
+        // now. _motion receives the motion of the first relative to the second, with the time.
+        private function findTime(a:int, b:int, level:BinLevel):void
         {
-            _motions.setRelativeMotion(a, b, motion);
+            _motions.setRelativeMotion(a, b, _motion);
             if (!_motions.eitherSweeps(a, b))
             {
-                motion.time = _table.extents.areNear(a, b, level.slack) && areTouching(a, b) ? 1 : RelativeMotion.NEVER;
+                _motion.time = _table.extents.areNear(a, b, level.slack) && areTouching(a, b) ? 1 : RelativeMotion.NEVER;
             }
-            else if (motion.isStill)
+            else if (_motion.isStill)
             {
-                motion.time = areTouching(a, b) ? timeOfStill(a) : RelativeMotion.NEVER;
+                _motion.time = areTouching(a, b) ? timeOfStill(a) : RelativeMotion.NEVER;
             }
             else
             {
-                sweep(a, b, level, motion);
+                sweep(a, b, level);
             }
         }
 
@@ -148,7 +148,7 @@ package starlogo.search
             return _narrowPhase.areTouching(_table.bodyOf(a), _table.bodyOf(b));
         }
 
-        private function sweep(a:int, b:int, level:BinLevel, motion:RelativeMotion):void
+        private function sweep(a:int, b:int, level:BinLevel):void
         {
             var areSpheres:Boolean = _table.shapes[a].form == BoundingStructure.SPHERE && _table.shapes[b].form == BoundingStructure.SPHERE;
             if (!areSpheres && !overlapOnMotions(a, b, level))
@@ -158,12 +158,12 @@ package starlogo.search
             _narrowPhase.counts.sweptPairs++;
             if (areSpheres)
             {
-                _narrowPhase.sphereTests.findTimeOfRows(_table, a, b, motion);
+                _narrowPhase.sphereTests.findTimeOfRows(_table, a, b, _motion);
                 return;
             }
             var bodyA:Body = _table.bodyOf(a);
             var bodyB:Body = _table.bodyOf(b);
-            _narrowPhase.pairTestsFor(bodyA, bodyB).findFirstTouch(bodyA, bodyB, motion, null);
+            _narrowPhase.pairTestsFor(bodyA, bodyB).findFirstTouch(bodyA, bodyB, _motion, null);
         }
 
         // Whether the extents of two rows overlap in all directions at the same time, on their motions.
@@ -179,6 +179,7 @@ package starlogo.search
         // Narrows the interval by one direction. It gets the places at the end of the motions, half the lengths, and the motions.
         private function narrow(at:Vector.<Number>, half:Vector.<Number>, motion:Vector.<Number>, a:int, b:int):Boolean
         {
+            // The reverse of what ContactInterval names: row a seen from row b. The interval is the same.
             var speed:Number = motion[a] - motion[b];
             _interval.offset = at[a] - at[b] - speed;
             _interval.speed = speed;

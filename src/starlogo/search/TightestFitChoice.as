@@ -23,7 +23,7 @@ package starlogo.search
         public function TightestFitChoice(greatLand:GreatLand)
         {
             super(greatLand);
-            system = TIGHTEST_FIT;
+            systemNumber = TIGHTEST_FIT;
         }
 
         /** The kind of structure that the agent has chosen, or Agent.ANY_KIND. @inheritDoc */

@@ -28,7 +28,7 @@ package starlogo.search
         public function TreeChoice(greatLand:GreatLand, fits:TightestFitChoice = null)
         {
             super(greatLand);
-            system = fits == null ? HIERARCHICAL : COMBINATION;
+            systemNumber = fits == null ? HIERARCHICAL : COMBINATION;
             _fits = fits;
         }
 

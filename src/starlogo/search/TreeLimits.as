@@ -33,7 +33,7 @@ package starlogo.search
         }
 
         /** The number of levels to which trees are tested if their agents have no limits; BoxTree.EXACT if the triangles decide. */
-        public function get depth():int
+        public function get defaultDepth():int
         {
             return isExact ? BoxTree.EXACT : Math.min(_maxDepth, BoxTree.LEAVES);
         }

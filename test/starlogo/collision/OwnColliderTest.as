@@ -125,6 +125,13 @@ package starlogo.collision
             }
         }
 
+        [Test]
+        public function aSystemWithoutStatisticsIsNamed():void
+        {
+            var collision:Collision = new Collision(new UncountedSystem());
+            assertThrows(ArgumentError, /statistics of the collision system must not be null/, collision.update, _agents);
+        }
+
         /** A contact has no numbers of another one, and one that is returned counts. */
         [Test]
         public function aContactOfItsOwnIsItsOwn():void
@@ -373,6 +380,25 @@ import starlogo.collision.BinCollider;
 import starlogo.collision.CollisionStatistics;
 import starlogo.collision.CollisionSystem;
 import starlogo.collision.Contact;
+
+/** Finds nothing, and has no statistics. */
+final class UncountedSystem implements CollisionSystem
+{
+    public function get statistics():CollisionStatistics
+    {
+        return null;
+    }
+
+    public function areColliding(a:Agent, b:Agent):Boolean
+    {
+        return false;
+    }
+
+    public function findCollisions(agents:Vector.<Agent>, out:Vector.<Agent> = null):Vector.<Agent>
+    {
+        return new Vector.<Agent>();
+    }
+}
 
 /** Finds nothing, and says how many agents it has had. */
 final class SayingSystem implements CollisionSystem

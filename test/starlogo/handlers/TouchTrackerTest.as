@@ -28,7 +28,7 @@ package starlogo.handlers
             for (var i:int = 0; i < 40; i++)
             {
                 _agents.push(new Agent("cube", i % 3 == 0 ? "sheep" : "wolves"));
-                _found.list.agentsByRow.push(_agents[i]);
+                _found.listed.agentsByRow.push(_agents[i]);
             }
             _handlers.add("*", "*", function(a:Agent, b:Agent):void
                 {
@@ -88,7 +88,7 @@ package starlogo.handlers
                         }
                     }
                 }
-                _tracker.release();
+                _tracker.endFrame();
                 most = Math.max(most, left.length);
                 assertEquals(left.join(), namesOf(_tracker.inOrder()));
                 assertEquals(left.length, _tracker.count);
@@ -180,7 +180,7 @@ package starlogo.handlers
                     }
                     assertEquals(pairs[i], nameOf(touch.first, touch.second));
                 }
-                _tracker.release();
+                _tracker.endFrame();
                 assertEquals(begun.join(), namesOf(_tracker.inOrder()));
                 assertEquals(begun.length, _tracker.count);
                 numbers = pairs.concat();
@@ -201,13 +201,13 @@ package starlogo.handlers
                 _tracker.startAt(pair).isComplete = pair == 0;
             }
             _tracker.dropAt(1);
-            _tracker.release();
+            _tracker.endFrame();
             _found.origins = new <int>[0, 1];
             assertEquals(1, begin(true));
             assertEquals(nameOf(_agents[2], _agents[3]), endedNames());
             assertTrue(_tracker.touchAt(0) != null);
             assertNull(_tracker.touchAt(1));
-            _tracker.release();
+            _tracker.endFrame();
             assertEquals(1, _tracker.count);
         }
 
@@ -259,15 +259,15 @@ package starlogo.handlers
         // The touch of the first pair that goes on in the next frame.
         private function next():Touch
         {
-            _tracker.release();
+            _tracker.endFrame();
             begin(false);
             return _tracker.touchAt(0);
         }
 
         private function addPair(a:Agent, b:Agent):void
         {
-            _found.rows[2 * _found.count] = _found.list.agentsByRow.indexOf(a);
-            _found.rows[2 * _found.count + 1] = _found.list.agentsByRow.indexOf(b);
+            _found.rows[2 * _found.count] = _found.listed.agentsByRow.indexOf(a);
+            _found.rows[2 * _found.count + 1] = _found.listed.agentsByRow.indexOf(b);
             _found.count++;
         }
 

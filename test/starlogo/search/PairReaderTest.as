@@ -21,8 +21,8 @@ package starlogo.search
         {
             read([_a, _b, _c], [_c, _a, _b, _c]);
             assertPairs([_c, _a, _b, _c]);
-            assertEquals(3, _found.list.rows.count);
-            assertEquals("an agent's rank is its index", 2, _found.list.ranks[_found.rows[0]]);
+            assertEquals(3, _found.listed.rows.count);
+            assertEquals("an agent's rank is its index", 2, _found.listed.ranks[_found.rows[0]]);
         }
 
         [Test]

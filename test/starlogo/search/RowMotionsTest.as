@@ -71,9 +71,9 @@ package starlogo.search
                 _table.readChanges();
                 for each (agent in listed)
                 {
-                    var row:int = _table.list.rowOf(agent);
+                    var row:int = _table.listed.rowOf(agent);
                     var wasListed:Boolean = lastList.indexOf(agent) >= 0;
-                    assertEquals("has a motion", wasListed, _motions.meetsOnMotion[row]);
+                    assertEquals("has a motion", wasListed, _motions.sweepsOnMotion[row]);
                     if (wasListed)
                     {
                         assertEquals("where the motion begins", agent.x - seen[agent.id], _motions.displacements.x[row]);
@@ -112,7 +112,7 @@ package starlogo.search
         {
             for each (var agent:Agent in listed)
             {
-                assertEquals(seen[agent.id], _table.places.x[_table.list.rowOf(agent)]);
+                assertEquals(seen[agent.id], _table.places.x[_table.listed.rowOf(agent)]);
             }
         }
     }

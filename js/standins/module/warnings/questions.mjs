@@ -63,7 +63,7 @@ export function $warnOfStale(queries, agents, mover) {
 
 /** Warns of a ground that has come since the last update of questions, if they have seen none: rays and walks go through it. */
 function $warnOfLateGround(queries) {
-	if (!queries._isUpdated || queries.$table.list.agentsByRow[0] !== null) return; // ListedAgents.GROUND_ROW
+	if (!queries._isUpdated || queries.$table.listed.agentsByRow[0] !== null) return; // ListedAgents.GROUND_ROW
 	$warn("the ground was set after the last queries.update(agents), so questions do not see it: "
 		+ "set it before, or update them again", "ground");
 }

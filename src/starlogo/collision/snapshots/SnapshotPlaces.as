@@ -33,7 +33,7 @@ package starlogo.collision.snapshots
             var places:Points = table.places;
             for (var i:int = 0; i < list.length; i++)
             {
-                var row:int = table.list.rows.values[i];
+                var row:int = table.listed.rows.values[i];
                 bytes.writeBoolean(keepsMotions && table.shapes[row] != null && table.isMotionStart(row)
                         && table.shapes[row].modelName == list[i].shape);
                 bytes.writeDouble(places.x[row]);
@@ -68,12 +68,12 @@ package starlogo.collision.snapshots
          * @param list as many agents
          * @throws ArgumentError as <code>AgentTable.read()</code> does
          */
-        public function putInto(list:Vector.<Agent>, table:AgentTable):void
+        public function restore(list:Vector.<Agent>, table:AgentTable):void
         {
             table.read(list);
             for (var i:int = 0; i < list.length; i++)
             {
-                table.setLastPlace(table.list.rows.values[i], _places[3 * i], _places[3 * i + 1], _places[3 * i + 2], _haveMotions[i]);
+                table.setLastPlace(table.listed.rows.values[i], _places[3 * i], _places[3 * i + 1], _places[3 * i + 2], _haveMotions[i]);
             }
         }
     }

@@ -31,13 +31,13 @@ package starlogo.collision.snapshots
             for (var i:int = 0; i < agents.length; i++)
             {
                 var link:PlatformLink = agents[i].platformLink;
-                if (link == null || !link.isValid || table.list.rowOf(link.platform) < ListedAgents.FIRST_LISTED)
+                if (link == null || !link.isValid || table.listed.rowOf(link.platform) < ListedAgents.FIRST_LISTED)
                 {
                     continue;
                 }
                 count++;
                 bytes.writeInt(i);
-                bytes.writeInt(table.list.ranks[table.list.rowOf(link.platform)]);
+                bytes.writeInt(table.listed.ranks[table.listed.rowOf(link.platform)]);
                 writeNumbers(bytes, link.walkerPlace.x, link.walkerPlace.y, link.walkerPlace.z);
                 var below:Placement = link.platformPlacement;
                 writeNumbers(bytes, below.x, below.y, below.z);

@@ -3,12 +3,14 @@
 // first, then SnapshotPlaces.
 package starlogo.collision.snapshots
 {
+    import flash.errors.EOFError;
     import flash.errors.IllegalOperationError;
     import flash.utils.ByteArray;
     import flash.utils.Endian;
     import starlogo.agents.Agent;
     import starlogo.agents.copyAgents;
     import starlogo.agents.Breeds;
+    import starlogo.collision.LastFrame;
     import starlogo.engine;
     import starlogo.handlers.Touch;
     import starlogo.handlers.TouchTracker;
@@ -41,10 +43,10 @@ package starlogo.collision.snapshots
         private static const HAS_GROUND:int = 2;
         private static const HAS_HEIGHTS:int = 4;
 
-        // The factor of the number of the collision system (BaseShapeChoice.system), which is in the bits above these.
+        // The factor of the number of the collision system (BaseShapeChoice.systemNumber), which is in the bits above these.
         private static const SYSTEM_FACTOR:int = 8;
 
-        // The names of the collision systems, by BaseShapeChoice.system.
+        // The names of the collision systems, by BaseShapeChoice.systemNumber.
         private static const SYSTEMS:Array = ["a collider of the game's own", "a BinCollider", "a TightestFitCollider", "a HierarchicalCollider", "a CombinationCollider",
                 "a LevelCollider"];
 
@@ -72,7 +74,7 @@ package starlogo.collision.snapshots
             }
             var agents:Vector.<Agent> = frame.agents;
             var table:AgentTable = (frame.search || search).table;
-            if (agents.length > 0 && (frame.search == null || !table.list.isListed(agents)))
+            if (agents.length > 0 && (frame.search == null || !table.listed.isListed(agents)))
             {
                 throw new IllegalOperationError(frame.search == null
                         ? "the last frame had a collision system of the game's own: there is nothing to take a snapshot of"
@@ -94,7 +96,7 @@ package starlogo.collision.snapshots
             }
             var bytes:ByteArray = newBytes();
             bytes.writeUnsignedInt(MARK);
-            bytes.writeByte(int(withTraits) * HAS_TRAITS + int(ground != null) * HAS_GROUND + int(hasHeights) * HAS_HEIGHTS + search.narrowPhase.choice.system * SYSTEM_FACTOR);
+            bytes.writeByte(int(withTraits) * HAS_TRAITS + int(ground != null) * HAS_GROUND + int(hasHeights) * HAS_HEIGHTS + search.narrowPhase.choice.systemNumber * SYSTEM_FACTOR);
             bytes.writeInt(agents.length);
             names.write(bytes);
             bytes.writeBytes(rest);
@@ -115,7 +117,7 @@ package starlogo.collision.snapshots
         public function read(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch, ground:WorldAgent, edges:WorldAgent,
                 frame:LastFrame):void
         {
-            search.table.list.propose(agents);
+            search.table.listed.propose(agents);
             var copy:ByteArray = newBytes();
             copy.writeBytes(bytes);
             copy.position = 0;
@@ -126,12 +128,12 @@ package starlogo.collision.snapshots
             var parts:SnapshotParts = new SnapshotParts();
             try
             {
-                readParts(copy, agents, search.narrowPhase.choice.system, ground, edges, parts);
+                readParts(copy, agents, search.narrowPhase.choice.systemNumber, ground, edges, parts);
             }
             catch (error:Error)
             {
-                // others are an EOFError, and a RangeError of the names or the ground
-                check(error is ArgumentError);
+                // damaged bytes end too early, or have a name or a height that is not allowed
+                requireIntact(!(error is EOFError || error is RangeError));
                 throw error;
             }
             restoreAgents(copy, agents, search, parts);
@@ -159,7 +161,7 @@ package starlogo.collision.snapshots
                     SnapshotTraits.write(before, agents, namesBefore);
                     readTraits(bytes, agents, parts.names);
                 }
-                parts.places.putInto(agents, search.table);
+                parts.places.restore(agents, search.table);
                 search.forgetSearch();
             }
             catch (error:Error)
@@ -181,9 +183,11 @@ package starlogo.collision.snapshots
             }
             catch (error:Error)
             {
-                check(false);
+                // an ArgumentError is that of a trait
+                requireIntact(!(error is EOFError || error is RangeError || error is ArgumentError));
+                throw error;
             }
-            check(bytes.position == bytes.length);
+            requireIntact(bytes.position == bytes.length);
         }
 
         // Returns the ground and the edges of touches that were exchanged, for restore(); null if none were.
@@ -200,19 +204,19 @@ package starlogo.collision.snapshots
                 var second:int;
                 if (!touch.second.isOfWorld)
                 {
-                    second = table.list.ranks[table.list.rowOf(touch.second)];
+                    second = table.listed.ranks[table.listed.rowOf(touch.second)];
                 }
                 else if (touch.second === ground || touch.second === edges)
                 {
-                    second = table.list.rows.count + indexInWorld;
+                    second = table.listed.rows.count + indexInWorld;
                 }
                 else
                 {
                     formerWorld ||= _unknownWorld.concat();
                     formerWorld[indexInWorld] = touch.second;
-                    second = table.list.rows.count + formerWorld.length + indexInWorld;
+                    second = table.listed.rows.count + formerWorld.length + indexInWorld;
                 }
-                bytes.writeInt(table.list.ranks[table.list.rowOf(touch.first)]);
+                bytes.writeInt(table.listed.ranks[table.listed.rowOf(touch.first)]);
                 bytes.writeInt(second);
                 bytes.writeInt(names.ofBreed(touch.firstBreed));
                 bytes.writeInt(names.ofBreed(touch.secondBreed));
@@ -222,24 +226,24 @@ package starlogo.collision.snapshots
         }
 
         // Reads and checks all parts but the traits. If there are traits, they are next.
-        private function readParts(bytes:ByteArray, agents:Vector.<Agent>, system:int, ground:WorldAgent, edges:WorldAgent, parts:SnapshotParts):void
+        private function readParts(bytes:ByteArray, agents:Vector.<Agent>, systemNumber:int, ground:WorldAgent, edges:WorldAgent, parts:SnapshotParts):void
         {
             var contents:int = bytes.readUnsignedByte();
             var writtenBy:int = contents / SYSTEM_FACTOR;
-            check(writtenBy < SYSTEMS.length && (contents & (HAS_GROUND | HAS_HEIGHTS)) != HAS_HEIGHTS);
-            if (writtenBy != system)
+            requireIntact(writtenBy < SYSTEMS.length && (contents & (HAS_GROUND | HAS_HEIGHTS)) != HAS_HEIGHTS);
+            if (writtenBy != systemNumber)
             {
-                throw new ArgumentError("bytes are no snapshot of a Collision with " + SYSTEMS[system] + ": that one had " + SYSTEMS[writtenBy]);
+                throw new ArgumentError("bytes are no snapshot of a Collision with " + SYSTEMS[systemNumber] + ": that one had " + SYSTEMS[writtenBy]);
             }
             var count:uint = bytes.readUnsignedInt();
-            check(count <= bytes.bytesAvailable / SnapshotPlaces.SIZE);
+            requireIntact(count <= bytes.bytesAvailable / SnapshotPlaces.SIZE);
             var formerWorld:Vector.<Agent> = _register.recallFormerWorld(bytes, count, agents) || _unknownWorld;
             parts.names.read(bytes);
             parts.places = SnapshotPlaces.read(bytes, count);
-            check(parts.places != null);
+            requireIntact(parts.places != null);
             parts.touches = readTouches(bytes, agents, new <Agent>[ground, edges].concat(formerWorld), parts.names);
             parts.platforms = SnapshotPlatforms.read(bytes, agents);
-            check(parts.platforms != null);
+            requireIntact(parts.platforms != null);
             var hasGround:Boolean = (contents & HAS_GROUND) != 0;
             if (hasGround != (ground != null))
             {
@@ -251,7 +255,7 @@ package starlogo.collision.snapshots
                 parts.ground = ground.surface.grid.read(bytes);
             }
             parts.hasTraits = (contents & HAS_TRAITS) != 0;
-            check(parts.hasTraits || bytes.position == bytes.length);
+            requireIntact(parts.hasTraits || bytes.position == bytes.length);
         }
 
         // What stands for the world: the ground and the edges, or null, and those that were exchanged.
@@ -267,7 +271,7 @@ package starlogo.collision.snapshots
                 var firstBreed:int = Breeds.NAMES.numberOf(names.nameAt(bytes.readUnsignedInt()));
                 var secondBreed:int = Breeds.NAMES.numberOf(names.nameAt(bytes.readUnsignedInt()));
                 var flag:int = bytes.readUnsignedByte();
-                check(first < agents.length && second < partners.length && first != second && flag <= 1);
+                requireIntact(first < agents.length && second < partners.length && first != second && flag <= 1);
                 if (partners[second] == null)
                 {
                     var missing:String = second == agents.length ? "ground" : "bounds";
@@ -275,15 +279,15 @@ package starlogo.collision.snapshots
                 }
                 // the ground and the edges keep their breeds, which no other agent ever has
                 var partner:Agent = partners[second];
-                check(firstBreed > Breeds.ANY && (partner.isOfWorld ? secondBreed == partner.breedNumber : secondBreed > Breeds.ANY));
+                requireIntact(firstBreed > Breeds.ANY && (partner.isOfWorld ? secondBreed == partner.breedNumber : secondBreed > Breeds.ANY));
                 // each pair is there once
-                check(touches.find(agents[first], partner) == null);
+                requireIntact(touches.find(agents[first], partner) == null);
                 touches.start(agents[first], partner, firstBreed, secondBreed).isComplete = flag == 1;
             }
             return touches;
         }
 
-        private static function check(isSnapshot:Boolean):void
+        private static function requireIntact(isSnapshot:Boolean):void
         {
             if (!isSnapshot)
             {

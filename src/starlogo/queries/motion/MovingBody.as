@@ -258,7 +258,7 @@ package starlogo.queries.motion
         /** Whether a row stops only what comes from above. See Agent.isOneWay. */
         public function isOneWay(row:int):Boolean
         {
-            return _seen.table.list.agentsByRow[row].isOneWay;
+            return _seen.table.listed.agentsByRow[row].isOneWay;
         }
 
         /** Whether the body goes on through a row that it meets with a contact: the row is one-way, and the body does not come from above. */
@@ -329,7 +329,7 @@ package starlogo.queries.motion
             if (form != ModelShape.GROUND && contact.depth > allowed)
             {
                 var below:Number = whole.placement.r22 == 1 ? whole.halfZ - whole.offsetZ : 0;
-                warnOfInside(_seen.table.list.agentsByRow, row, agent, whole.placement, below, contact.depth, isTree);
+                warnOfInside(_seen.table.listed.agentsByRow, row, agent, whole.placement, below, contact.depth, isTree);
             }
         }
     }

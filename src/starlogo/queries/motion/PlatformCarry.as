@@ -115,7 +115,7 @@ package starlogo.queries.motion
          */
         public function carry(walk:Walk, platform:int):void
         {
-            _others.copyFrom(walk.body.rows, platform);
+            _others.copyExcept(walk.body.rows, platform);
             _carried.copyFrom(walk.place);
             _carried.incrementBy(walk.carry);
             _slider.slide(walk.body, _others, walk.place, walk.carry, SlideLimits.NONE, _slid);

@@ -2,7 +2,7 @@ package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
-    import starlogo.search.penetration.HalfSpaceSolver;
+    import starlogo.geometry.HalfSpaceSolver;
 
     /**
      * The motion that remains of a slide. It is turned so that it crosses none of the planes that the slide has met (Fauerby, "Improved collision detection

@@ -106,7 +106,7 @@ package starlogo.queries.motion
         // Writes how the agent stands where the walk has ended. The push and the part of the way are written already.
         private function writeFooting(walk:Walk, stands:Boolean, out:Footing):void
         {
-            var agents:Vector.<Agent> = _seen.table.list.agentsByRow;
+            var agents:Vector.<Agent> = _seen.table.listed.agentsByRow;
             out.stands = stands;
             out.on = stands ? agents[walk.floorRow] : null;
             out.against = walk.wallRow >= 0 ? agents[walk.wallRow] : null;

@@ -43,7 +43,7 @@ package starlogo.queries.rays
          */
         public function write(row:int, contact:ContactPoint, hit:CastHit):void
         {
-            hit.agent = _seen.table.list.agentsByRow[row];
+            hit.agent = _seen.table.listed.agentsByRow[row];
             // not setTo, because a game in JavaScript may have given a hit any objects with x, y and z
             hit.point.x = contact.x;
             hit.point.y = contact.y;

@@ -64,7 +64,7 @@ package starlogo.queries.rays
                 _contacts.push(new ContactPoint());
             }
             _hits.add(row, entry.distance);
-            _ranks[index] = _seen.table.list.ranks[row];
+            _ranks[index] = _seen.table.listed.ranks[row];
             var contact:ContactPoint = _contacts[index];
             contact.x = ray.x + entry.distance * ray.directionX;
             contact.y = ray.y + entry.distance * ray.directionY;

@@ -63,7 +63,7 @@ package starlogo.queries.trees
          */
         public function begin(maxCount:int, limit:Number, asker:Agent, agentFilter:AgentFilter):void
         {
-            filter.begin(_seen.table.list, asker, agentFilter);
+            filter.begin(_seen.table.listed, asker, agentFilter);
             this.maxCount = maxCount;
             this.limit = maxCount == 0 ? -1 : limit;
             _trimCount = filter.accepts == null ? maxCount : ALL;
@@ -110,7 +110,7 @@ package starlogo.queries.trees
             {
                 return;
             }
-            _rows.sortFirst(end, _seen.table.list.ranks);
+            _rows.sortFirst(end, _seen.table.listed.ranks);
             admitTo(end);
             if (_admitted == maxCount)
             {
@@ -190,7 +190,7 @@ package starlogo.queries.trees
         // Sorts the rows, and keeps those that are wanted.
         private function keepFirst():void
         {
-            _rows.sortFirst(_rows.count, _seen.table.list.ranks);
+            _rows.sortFirst(_rows.count, _seen.table.listed.ranks);
             _rows.count = Math.min(_rows.count, maxCount);
         }
 
@@ -203,7 +203,7 @@ package starlogo.queries.trees
         // The agent of a row of the answer.
         private function agentAt(index:int):Agent
         {
-            return _seen.table.list.agentsByRow[rowAt(index)];
+            return _seen.table.listed.agentsByRow[rowAt(index)];
         }
 
         /** Ends a search for all rows. Returns how many they are, without sorting them. */

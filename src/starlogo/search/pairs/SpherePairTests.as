@@ -23,7 +23,8 @@ package starlogo.search.pairs
     use namespace engine;
 
     /**
-     * Tests two bodies that are spheres. A sphere is as wide as its extents, so whether, when and how two touch needs no structure in the world.
+     * Tests two bodies that are spheres. A sphere is as wide as its extents, so whether, when and how two touch (not how far apart they are) needs no
+     * structure in the world.
      *
      * @private
      */
@@ -67,7 +68,7 @@ package starlogo.search.pairs
             var xs:Vector.<Number> = table.extents.x;
             var ys:Vector.<Number> = table.extents.y;
             var zs:Vector.<Number> = table.extents.z;
-            var radii:Vector.<Number> = table.extents.radius;
+            var radii:Vector.<Number> = table.extents.halfX;
             var atX:Number = xs[row];
             var atY:Number = ys[row];
             var atZ:Number = zs[row];
@@ -143,6 +144,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
+            // the widened spheres: a distance leaves out all of the gap that counts as a touch; a contact's depth (readSphere) leaves the gap in place
             _kernel.findClosest(a.worldStructure(), b.worldStructure(), out);
             out.correct(areTouching);
         }

@@ -32,7 +32,7 @@ package starlogo.search.penetration
         private static const MAX_STEPS:int = 60;
 
         // No displacement is longer, in patches. Bodies in the world are free long before it.
-        private static const FARTHEST:Number = 1e300;
+        private static const MAX_DISTANCE:Number = 1e300;
 
         private var _pair:DisplacedPair;
 
@@ -117,7 +117,7 @@ package starlogo.search.penetration
         // free at the first outer distance.
         private function growOuter(step:Number):Boolean
         {
-            while (areTouchingAtOuter() && _outer < FARTHEST)
+            while (areTouchingAtOuter() && _outer < MAX_DISTANCE)
             {
                 _inner = _outer;
                 _outer += step;

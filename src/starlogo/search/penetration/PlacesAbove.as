@@ -3,6 +3,7 @@ package starlogo.search.penetration
     import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
+    import starlogo.geometry.HalfSpaceSolver;
 
     /**
      * Shortens a way out of the ground. All places above a free one are free. So if a way out is shorter than another one, the body is also free
@@ -173,7 +174,7 @@ package starlogo.search.penetration
                 y += 2 * _pair.tolerance * _met.normalY;
                 z += 2 * _pair.tolerance * _met.normalZ;
                 _planes.add(_met.normalX, _met.normalY, _met.normalZ, x * _met.normalX + y * _met.normalY + z * _met.normalZ - _pair.tolerance);
-                _planes.solve(3, 0);
+                _planes.solve();
             }
             moveIfFree(x, y, z, _pair.room);
         }

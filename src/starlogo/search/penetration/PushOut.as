@@ -2,6 +2,7 @@ package starlogo.search.penetration
 {
     import starlogo.convex.ContactPoint;
     import starlogo.engine;
+    import starlogo.geometry.HalfSpaceSolver;
     import starlogo.geometry.Tolerances;
     import starlogo.ground.GroundExits;
 
@@ -101,7 +102,7 @@ package starlogo.search.penetration
             var slack:Number = (SLACK * Tolerances.SEPARATION * _pair.largestExtent + _pair.roundingGap) * (1 << _push.planeCount);
             _push.keepDeciding();
             _push.add(found.normalX, found.normalY, found.normalZ, found.depth + slack + found.along(_push.displacement));
-            _push.solve(3, 0);
+            _push.solve();
         }
 
         // Adds the contact of the first body, which isPushBlocked() has left where it is blocked on its way along the push.

@@ -35,7 +35,7 @@ package starlogo.search.table
         private static const NO_START:int = -2;
 
         /** The list that was read last, and the row of each agent. */
-        public var list:ListedAgents = new ListedAgents();
+        public var listed:ListedAgents = new ListedAgents();
 
         /** By row: the number of the agent's breed. */
         engine var breeds:Vector.<int> = new Vector.<int>();
@@ -104,24 +104,24 @@ package starlogo.search.table
         public function setList(agents:Vector.<Agent>):void
         {
             _choice.forgetReplaced();
-            list.leftOrReordered.count = 0;
-            var isSame:Boolean = list.isAccepted && agents.length == list.rows.count;
+            listed.leftOrReordered.count = 0;
+            var isSame:Boolean = listed.isAccepted && agents.length == listed.rows.count;
             if (isSame)
             {
-                isSame = tryFindChanged(agents, list.rows);
+                isSame = tryFindChanged(agents, listed.rows);
             }
             if (!isSame)
             {
-                list.propose(agents);
+                listed.propose(agents);
                 makeRoom();
                 // always finds them, because the proposed rows are those of the agents
-                tryFindChanged(agents, list.proposed);
+                tryFindChanged(agents, listed.proposed);
             }
             findShapes();
             // nothing below throws
             if (!isSame)
             {
-                list.acceptProposed();
+                listed.acceptProposed();
                 followList();
             }
             forgetOtherModels();
@@ -143,7 +143,7 @@ package starlogo.search.table
         public function readRow(row:int):void
         {
             _choice.forgetReplaced();
-            var agent:Agent = list.agentsByRow[row];
+            var agent:Agent = listed.agentsByRow[row];
             if (!isBodyCurrent(row))
             {
                 takeShape(row, _choice.shapeOf(agent));
@@ -172,7 +172,7 @@ package starlogo.search.table
         /** Whether a motion of a row's agent may begin at its place: the last search has seen the agent there, and it has not jumped since. */
         public function isMotionStart(row:int):Boolean
         {
-            return list.agentsByRow[row].jumpRevision <= _startRevisions[row];
+            return listed.agentsByRow[row].jumpRevision <= _startRevisions[row];
         }
 
         /** Lets no motion of any agent begin at its place, as if the last search had not seen it. */
@@ -195,9 +195,9 @@ package starlogo.search.table
 
         private function readWorldAgent(row:int, agent:WorldAgent):void
         {
-            if (list.agentsByRow[row] !== agent)
+            if (listed.agentsByRow[row] !== agent)
             {
-                list.agentsByRow[row] = agent;
+                listed.agentsByRow[row] = agent;
                 shapes[row] = null;
                 changedOfWorld.add(row);
             }
@@ -222,7 +222,7 @@ package starlogo.search.table
 
         private function readSurface(row:int):void
         {
-            var agent:WorldAgent = WorldAgent(list.agentsByRow[row]);
+            var agent:WorldAgent = WorldAgent(listed.agentsByRow[row]);
             if (agent != null && shapes[row] !== agent.surface)
             {
                 takeShape(row, agent.surface);
@@ -237,14 +237,14 @@ package starlogo.search.table
         public function currentBodyOf(agent:Agent, spare:Body):Body
         {
             _choice.forgetReplaced();
-            var row:int = list.rowOf(agent);
+            var row:int = listed.rowOf(agent);
             if (row >= 0 && agent.revision == revisions[row] && isBodyCurrent(row))
             {
                 return bodyOf(row);
             }
             var ofWorld:WorldAgent = agent as WorldAgent;
             spare.setToAgent(agent, ofWorld == null ? _choice.shapeOf(agent) : ofWorld.requireSurface());
-            spare.rank = list.rankOf(agent, row);
+            spare.rank = listed.rankOf(agent, row);
             return spare;
         }
 
@@ -259,15 +259,15 @@ package starlogo.search.table
         // Whether a row's body is as its agent is now, except for the place.
         private function isBodyCurrent(row:int):Boolean
         {
-            return shapes[row] != null && !shapes[row].isVoid && list.agentsByRow[row].bodyRevision == _bodyRevisions[row];
+            return shapes[row] != null && !shapes[row].isVoid && listed.agentsByRow[row].bodyRevision == _bodyRevisions[row];
         }
 
         // Finds the rows whose agents have changed since the last search, and those whose bodies have (_reshaped). If a row is another agent's, it stops
         // and returns false. It compares agents and rows on the way, because a second loop would read all of them again.
-        private function tryFindChanged(agents:Vector.<Agent>, listed:IntList):Boolean
+        private function tryFindChanged(agents:Vector.<Agent>, rowList:IntList):Boolean
         {
-            var rows:Vector.<int> = listed.values;
-            var byRow:Vector.<Agent> = list.agentsByRow;
+            var rows:Vector.<int> = rowList.values;
+            var byRow:Vector.<Agent> = listed.agentsByRow;
             var seen:Vector.<int> = revisions;
             var bodiesSeen:Vector.<int> = _bodyRevisions;
             var shapesSeen:Vector.<ModelShape> = shapes;
@@ -301,19 +301,19 @@ package starlogo.search.table
         // Takes the order of an accepted list, and empties the rows of agents that have left. So a new agent finds an empty row.
         private function followList():void
         {
-            var changes:IntList = list.leftOrReordered;
+            var changes:IntList = listed.leftOrReordered;
             for (var i:int = 0; i < changes.count; i++)
             {
                 var row:int = changes.values[i];
-                if (list.agentsByRow[row] == null)
+                if (listed.agentsByRow[row] == null)
                 {
                     shapes[row] = null;
                     extents.level[row] = 0;
                 }
             }
-            for (i = 0; i < list.rows.count; i++)
+            for (i = 0; i < listed.rows.count; i++)
             {
-                _bodies[list.rows.values[i]].rank = i;
+                _bodies[listed.rows.values[i]].rank = i;
             }
         }
 
@@ -321,7 +321,7 @@ package starlogo.search.table
         private function makeRoom():void
         {
             var row:int = shapes.length;
-            var length:int = list.rowCapacity;
+            var length:int = listed.rowCapacity;
             if (length == row)
             {
                 return;
@@ -342,7 +342,7 @@ package starlogo.search.table
         {
             for (var i:int = 0; i < _reshaped.count; i++)
             {
-                _newShapes[i] = _choice.shapeOf(list.agentsByRow[_reshaped.values[i]]);
+                _newShapes[i] = _choice.shapeOf(listed.agentsByRow[_reshaped.values[i]]);
             }
         }
 
@@ -366,7 +366,7 @@ package starlogo.search.table
             for (var i:int = 0; i < changed.count; i++)
             {
                 var row:int = changed.values[i];
-                var agent:Agent = list.agentsByRow[row];
+                var agent:Agent = listed.agentsByRow[row];
                 _startRevisions[row] = agent.revision;
                 breeds[row] = agent.breedNumber;
                 readPlace(row, agent);
@@ -397,7 +397,7 @@ package starlogo.search.table
             extents.halfX[row] = body.halfX;
             extents.halfY[row] = body.halfY;
             extents.halfZ[row] = body.halfZ;
-            extents.radius[row] = body.radius;
+            extents.groundRadius[row] = body.groundRadius;
             extents.distanceFromPlace[row] = body.distanceFromPlace;
             moveExtents(row);
             extents.assignLevel(row);
@@ -434,10 +434,10 @@ package starlogo.search.table
             {
                 return;
             }
-            var agent:Agent = list.agentsByRow[row];
+            var agent:Agent = listed.agentsByRow[row];
             var body:Body = _bodies[row];
             body.setToAgent(agent, shape);
-            body.rank = list.ranks[row];
+            body.rank = listed.ranks[row];
             readExtents(row, body);
             _bodyRevisions[row] = agent.bodyRevision;
         }

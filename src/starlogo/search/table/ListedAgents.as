@@ -26,8 +26,11 @@ package starlogo.search.table
         /** The row of the agent of the edges of the world, which is given beside the list too. */
         public static const EDGES_ROW:int = 1;
 
+        /** How many rows stand for the world: the ground and the edges. */
+        public static const WORLD_ROW_COUNT:int = 2;
+
         /** The first row for agents of a list. */
-        public static const FIRST_LISTED:int = 2;
+        public static const FIRST_LISTED:int = WORLD_ROW_COUNT;
 
         // In place of a rank: the agent of the row is not listed.
         private static const UNLISTED:int = -1;

@@ -46,10 +46,10 @@ package starlogo.search.table
                 assertHasOnly(_agents);
                 for each (var agent:Agent in _agents)
                 {
-                    assertTrue(_table.list.agentsByRow[_table.list.rowOf(agent)] === agent);
+                    assertTrue(_table.listed.agentsByRow[_table.listed.rowOf(agent)] === agent);
                 }
             }
-            assertTrue(_table.list.rowCapacity + " rows", _table.list.rowCapacity <= 30);
+            assertTrue(_table.listed.rowCapacity + " rows", _table.listed.rowCapacity <= 30);
             _table.read(_agents);
             assertHasOnly(_agents);
         }
@@ -57,7 +57,7 @@ package starlogo.search.table
         [Test]
         public function aRefusedListLeavesTheRowsAsTheyAre():void
         {
-            var row:int = _table.list.rowOf(_agents[3]);
+            var row:int = _table.listed.rowOf(_agents[3]);
             var breed:int = _table.breeds[row];
             _agents[3].breed = "wolf";
             _agents[3].moveTo(5, 0, 0);
@@ -73,7 +73,7 @@ package starlogo.search.table
         public function aPlaceThatIsSetIsWhereTheNextMotionBegins():void
         {
             var agent:Agent = _agents[3];
-            var row:int = _table.list.rowOf(agent);
+            var row:int = _table.listed.rowOf(agent);
             agent.jumpTo(5, 0, 0);
             _table.read(_agents);
             var revision:int = agent.revision;
@@ -145,9 +145,9 @@ package starlogo.search.table
         private function assertHasOnly(listed:Vector.<Agent>):void
         {
             var count:int = 0;
-            for (var row:int = 0; row < _table.list.rowCapacity; row++)
+            for (var row:int = 0; row < _table.listed.rowCapacity; row++)
             {
-                var agent:Agent = _table.list.agentsByRow[row];
+                var agent:Agent = _table.listed.agentsByRow[row];
                 var isListed:Boolean = agent != null && listed.indexOf(agent) >= 0;
                 count += isListed ? 1 : 0;
                 // rows that a refused list has added have no columns yet
@@ -155,7 +155,7 @@ package starlogo.search.table
                 if (agent != null)
                 {
                     // agents of a list that was refused may still have rows
-                    assertEquals("the row of " + agent, isListed ? row : -1, _table.list.rowOf(agent));
+                    assertEquals("the row of " + agent, isListed ? row : -1, _table.listed.rowOf(agent));
                 }
             }
             assertEquals(listed.length, count);

@@ -1,4 +1,4 @@
-package starlogo.search.penetration
+package starlogo.geometry
 {
     import flash.geom.Vector3D;
 
@@ -14,7 +14,7 @@ package starlogo.search.penetration
     public final class HalfSpaceSolver
     {
         // How many times as long as the largest depth a displacement may be. Planes that are nearly opposite meet farther away.
-        private static const FARTHEST:Number = 1000;
+        private static const MAX_LENGTH_RATIO:Number = 1000;
 
         // How much less than required a displacement may go along a normal, as a fraction of its length, because of rounding.
         private static const RELATIVE_SLACK:Number = 1e-12;
@@ -86,7 +86,7 @@ package starlogo.search.penetration
          * @param slack how much less than required it may go along each normal
          * @return whether there is one
          */
-        public function solve(maxPlanes:int, slack:Number):Boolean
+        public function solve(maxPlanes:int = 3, slack:Number = 0):Boolean
         {
             _slack = slack;
             _tried.setTo(0, 0, 0);
@@ -99,7 +99,7 @@ package starlogo.search.penetration
             _longest = 0;
             for (var i:int = 0; i < _count; i++)
             {
-                _longest = Math.max(_longest, FARTHEST * _depths[i]);
+                _longest = Math.max(_longest, MAX_LENGTH_RATIO * _depths[i]);
                 _tried.setTo(_depths[i] * _xs[i], _depths[i] * _ys[i], _depths[i] * _zs[i]);
                 keepShorter(1);
             }

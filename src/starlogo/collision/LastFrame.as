@@ -1,4 +1,4 @@
-package starlogo.collision.snapshots
+package starlogo.collision
 {
     import starlogo.agents.Agent;
     import starlogo.handlers.TouchTracker;

@@ -1,4 +1,4 @@
-package starlogo.search.penetration
+package starlogo.geometry
 {
     import evaluation.pairs.SeededRandom;
     import flash.geom.Vector3D;
@@ -28,7 +28,7 @@ package starlogo.search.penetration
         public function ofOneItIsTheNormal():void
         {
             _solver.add(0, 0, 1, 2);
-            assertTrue(_solver.solve(3, 0));
+            assertTrue(_solver.solve());
             assertEquals(2, _solver.distance);
             assertEquals(2, _solver.displacement.z);
             assertEquals(1, _solver.planeCount);
@@ -38,7 +38,7 @@ package starlogo.search.penetration
         public function nothingIsRequiredOfWhatIsOut():void
         {
             _solver.add(0, 0, 1, -2);
-            assertTrue(_solver.solve(3, 0));
+            assertTrue(_solver.solve());
             assertEquals(0, _solver.distance);
             assertEquals(0, _solver.planeCount);
         }
@@ -49,7 +49,7 @@ package starlogo.search.penetration
             _solver.add(0, 0, 1, 2);
             _solver.add(1, 0, 0, 3);
             _solver.add(0, -1, 0, 6);
-            assertTrue(_solver.solve(3, 0));
+            assertTrue(_solver.solve());
             assertEquals(7, _solver.distance);
             assertEquals(3, _solver.planeCount);
             assertFalse("with two planes", _solver.solve(2, 0));
@@ -60,7 +60,7 @@ package starlogo.search.penetration
         {
             _solver.add(1, 0, 0, 1);
             _solver.add(-1, 0, 0, 1);
-            assertFalse(_solver.solve(3, 0));
+            assertFalse(_solver.solve());
             assertEquals(Infinity, _solver.distance);
         }
 
@@ -84,7 +84,7 @@ package starlogo.search.penetration
                     {
                         addPlane(-Math.sin(turn + 0.3 * bend), Math.cos(turn + 0.3 * bend), 0.1, 1);
                     }
-                    assertTrue(name, _solver.solve(3, 0));
+                    assertTrue(name, _solver.solve());
                     assertTrue(name + " leads out", leadsOut(_solver.displacement, 1e-11));
                     assertTrue(name + " is short: " + _solver.distance, _solver.distance < (hasWall ? 2.5 : 2.1));
                     decided[_solver.planeCount]++;
@@ -98,7 +98,7 @@ package starlogo.search.penetration
         {
             addPlane(1, 0, 1e-5, 1);
             addPlane(-1, 0, 1e-5, 1);
-            assertFalse("it would be 100,000 long", _solver.solve(3, 0));
+            assertFalse("it would be 100,000 long", _solver.solve());
         }
 
         [Test]
@@ -108,7 +108,7 @@ package starlogo.search.penetration
             for (var i:int = 0; i < CASES; i++)
             {
                 addRandom(1 + i % 6);
-                if (!_solver.solve(3, 0))
+                if (!_solver.solve())
                 {
                     continue;
                 }

@@ -84,11 +84,15 @@ package starlogo.convex
             var radii:Number = cores.first.radius + cores.second.radius;
             step.separation = witness.separation - radii;
             step.speed = -(witness.normalX * x + witness.normalY * y + witness.normalZ * z);
-            var fullSpeed:Number = Math.sqrt(x * x + y * y + z * z);
-            if (!isProven && !(step.separation > 0 && step.separation * fullSpeed >= (witness.distance - radii) * step.speed))
+            if (!isProven)
             {
-                step.separation = witness.distance - radii;
-                step.speed = fullSpeed;
+                var fullSpeed:Number = Math.sqrt(x * x + y * y + z * z);
+                var distance:Number = witness.distance - radii;
+                if (!(step.separation > 0 && step.separation * fullSpeed >= distance * step.speed))
+                {
+                    step.separation = distance;
+                    step.speed = fullSpeed;
+                }
             }
             return step;
         }

@@ -86,8 +86,7 @@ package starlogo.ground
             _tree = tree;
             _structure = structure;
             _depth = depth;
-            // Touching.marginOfPlace(), twice: as if another agent stood at the place of the touch. It is written out because V8 makes objects for
-            // Numbers that are passed.
+            // twice, as if another agent stood at the place of the touch
             _modelMargin = 2 * Touching.marginOfPlace(placement.x, placement.y, placement.z);
             if (_depth == BoxTree.EXACT)
             {

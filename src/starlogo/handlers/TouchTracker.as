@@ -140,8 +140,9 @@ package starlogo.handlers
         {
             for (var i:int = 0; i < _ended.count; i++)
             {
-                endedAt(i).first = endedAt(i).second = null;
-                _free.add(_ended.values[i]);
+                var touch:Touch = endedAt(i);
+                touch.first = touch.second = null;
+                _free.add(touch.index);
             }
             _ended.count = 0;
         }

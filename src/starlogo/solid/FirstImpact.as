@@ -8,8 +8,8 @@ package starlogo.solid
     /**
      * Chooses the triangle, or the pair of triangles, that makes the contact of an impact: the one that is touched first. The more squarely the motion
      * meets a plane, the earlier its touch counts, by up to Tolerances.SAME_TIME. So a shape that moves along a side, flush with it, and then meets
-     * another side, touches the one that stops it. Of touches that count as equally early, the
-     * first one that is offered makes the contact. So there the order of a model's triangles decides.
+     * another side, touches the one that stops it. Of touches that count as equally early, the first one that is offered
+     * makes the contact. So there the order of a model's triangles decides.
      *
      * <p>What touches at time 0 ends the search: the first one found makes the contact, because nothing is earlier. If the models overlap there, it
      * depends on the order of the triangles which one that is. The way out of an overlap is another search.</p>

@@ -123,19 +123,20 @@ package starlogo.queries.motion
             for (var i:int = 0; i < body.rows.count; i++)
             {
                 var row:int = body.rows.values[i];
-                if (row != carrier && body.riseOf(row) > longest && hasRisenInto(row, body, place))
+                var rise:Number = row == carrier ? 0 : body.riseOf(row);
+                if (rise > longest && hasRisenInto(row, rise, body, place))
                 {
-                    longest = body.riseOf(row);
+                    longest = rise;
                 }
             }
             return longest;
         }
 
-        // Whether a one-way row has risen into a body at a place.
-        private function hasRisenInto(row:int, body:MovingBody, place:Vector3D):Boolean
+        // Whether a row that has risen so far has risen into a body at a place.
+        private function hasRisenInto(row:int, rise:Number, body:MovingBody, place:Vector3D):Boolean
         {
             _shrunk.begin(body, body.rows, place, NO_MOTION);
-            _above.setTo(place.x, place.y, place.z + body.riseOf(row));
+            _above.setTo(place.x, place.y, place.z + rise);
             return _shrunk.shrunkTouches(row, place) && !_shrunk.shrunkTouches(row, _above);
         }
 

@@ -135,7 +135,7 @@ package starlogo.queries.motion
         private function standOrPushOut(walk:Walk, carrier:int):Boolean
         {
             walk.legStart.copyFrom(walk.place);
-            var risen:Number = rise(walk, carrier);
+            var risen:Number = riseWithPlatforms(walk, carrier);
             var down:MotionResult = moveVertically(walk, walk.place, -walk.closeDepth);
             var isOverlapping:Boolean = down.hasPlanes;
             if (isOverlapping)
@@ -151,7 +151,7 @@ package starlogo.queries.motion
         }
 
         // Leads the agent up with one-way rows that have risen into it since it was moved, if there is room. Returns how far they have.
-        private function rise(walk:Walk, carrier:int):Number
+        private function riseWithPlatforms(walk:Walk, carrier:int):Number
         {
             var height:Number = _recovery.measureRise(walk.body, walk.place, carrier);
             if (height > 0)

@@ -36,10 +36,13 @@ export function $shown(type) {
 
 /** The state of an object, in one of a class of the same name. */
 function shownOf(object) {
-	const Shown = class {};
-	Object.defineProperty(Shown, "name", { value: object.constructor.name });
-	const state = shown.get(object) ?? new Shown();
-	shown.set(object, state);
+	let state = shown.get(object);
+	if (state === undefined) {
+		const Shown = class {};
+		Object.defineProperty(Shown, "name", { value: object.constructor.name });
+		state = new Shown();
+		shown.set(object, state);
+	}
 	for (const key of Object.keys(state)) delete state[key];
 	return Object.assign(state, $stateOf(object));
 }

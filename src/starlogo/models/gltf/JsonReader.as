@@ -2,7 +2,6 @@ package starlogo.models.gltf
 {
     import starlogo.models.ModelError;
     import starlogo.models.files.FileBudget;
-    import starlogo.models.files.refuseFileIf;
     import starlogo.models.text.Decimal;
     import starlogo.steps.Steps;
 
@@ -13,8 +12,6 @@ package starlogo.models.gltf
     internal final class JsonReader implements Steps
     {
         internal static const MAX_DEPTH:int = 100;
-
-        private static const UNREADABLE:String = "its JSON can't be read: ";
 
         // a value takes a quarter of the memory of an element
         private static const ELEMENTS_PER_VALUE:Number = 0.25;
@@ -74,7 +71,10 @@ package starlogo.models.gltf
                     readMark(_text.charAt(_at - 1));
                 }
             }
-            refuseFileIf(_at == _text.length && _allowed != "", _budget.modelName, UNREADABLE + "it is cut off", this);
+            if (_at == _text.length && _allowed != "")
+            {
+                throw errorOf("it is cut off");
+            }
             return _at < _text.length;
         }
 
@@ -90,7 +90,7 @@ package starlogo.models.gltf
             var mark:String = MARKS.indexOf(character) < 0 ? WORD : character;
             if (_allowed.indexOf(mark) < 0)
             {
-                throw new ModelError(_budget.modelName, String(this), UNREADABLE + "unexpected " + GltfJson.shown(character));
+                throw errorOf("unexpected " + GltfJson.shown(character));
             }
             switch (mark)
             {
@@ -123,13 +123,19 @@ package starlogo.models.gltf
             put(value);
             _open.push(value);
             _allowed = allowed;
-            refuseFileIf(_open.length > MAX_DEPTH, _budget.modelName, UNREADABLE + "it is nested deeper than " + MAX_DEPTH, this);
+            if (_open.length > MAX_DEPTH)
+            {
+                throw errorOf("it is nested deeper than " + MAX_DEPTH);
+            }
         }
 
         private function readString():void
         {
             var end:int = endOfString();
-            refuseFileIf(end < 0, _budget.modelName, UNREADABLE + "a string has no end", this);
+            if (end < 0)
+            {
+                throw errorOf("a string has no end");
+            }
             var text:String = decoded(_text.substring(_at - 1, end + 1));
             if (_allowed.indexOf(WORD) >= 0)
             {
@@ -155,7 +161,10 @@ package starlogo.models.gltf
             {
                 // the text stays null
             }
-            refuseFileIf(text == null, _budget.modelName, UNREADABLE + "a string has a wrong character or escape", this);
+            if (text == null)
+            {
+                throw errorOf("a string has a wrong character or escape");
+            }
             return text;
         }
 
@@ -188,7 +197,10 @@ package starlogo.models.gltf
             // NaN for a word that is too long for the pattern
             var number:Number = Decimal.of(word);
             var isNumber:Boolean = number == number && NUMBER.test(word);
-            refuseFileIf(!isNumber && !WORDS.hasOwnProperty(word), _budget.modelName, UNREADABLE + "a word is no number, true, false or null", this);
+            if (!isNumber && !WORDS.hasOwnProperty(word))
+            {
+                throw errorOf("a word is no number, true, false or null");
+            }
             put(isNumber ? number : WORDS[word]);
             _at = end;
         }
@@ -221,6 +233,11 @@ package starlogo.models.gltf
         private function endValue():void
         {
             _allowed = _open.length == 0 ? "" : (_open[_open.length - 1] is Array ? IN_LIST : IN_OBJECT);
+        }
+
+        private function errorOf(problem:String):ModelError
+        {
+            return new ModelError(_budget.modelName, String(this), "its JSON can't be read: " + problem);
         }
     }
 }

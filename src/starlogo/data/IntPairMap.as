@@ -9,7 +9,7 @@ package starlogo.data
      *
      * @private
      */
-    public final class HashTable
+    public final class IntPairMap
     {
         private static const MIN_CAPACITY:int = 4;
 
@@ -20,7 +20,7 @@ package starlogo.data
         private var _count:int = 0;
 
         /** Creates a table without keys. */
-        public function HashTable()
+        public function IntPairMap()
         {
             _firsts = new Vector.<int>(MIN_CAPACITY);
             _seconds = new Vector.<int>(MIN_CAPACITY);

@@ -135,14 +135,14 @@ package starlogo.blocks
         {
             BlockChecks.requireSubject("touching?", subject);
             BlockChecks.requireAgent("touching?", agent);
-            if ((subject is Agent ? Agent(subject).breed : subject) == Collision.EDGE)
-            {
-                var bounds:WorldBounds = _collisions.collision.bounds;
-                return bounds != null && queries.touchesEdge(agent, bounds);
-            }
             if (subject is Agent)
             {
                 return subject !== agent && !(agent.isOfWorld && Agent(subject).isOfWorld) && queries.distance(agent, Agent(subject)) == 0;
+            }
+            if (subject == Collision.EDGE)
+            {
+                var bounds:WorldBounds = _collisions.collision.bounds;
+                return bounds != null && queries.touchesEdge(agent, bounds);
             }
             return queries.touchesAny(agent, filterFor(subject as String));
         }

@@ -43,7 +43,8 @@ package starlogo.blocks
         }
 
         /**
-         * Reads the present places of all agents. Call it once a frame, before scripts run. Before the first call no other agents are seen.
+         * Reads the present places of all agents. Call it once a frame, before scripts run. A question before the first call is an
+         * IllegalOperationError.
          *
          * @throws ArgumentError as AgentQueries.update
          */

@@ -11,6 +11,7 @@ import { spawn } from 'node:child_process';
 import { existsSync, readFileSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { refuse } from './refuse.mjs';
 
 const SIGN_OF_LIFE_MS = 10000;
 
@@ -48,4 +49,7 @@ function install(folder, what) {
 	});
 }
 
-if (process.argv[1] === fileURLToPath(import.meta.url)) install(process.argv[2], process.argv[3]);
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+	if (process.argv.length < 4) refuse('npm-ci: FOLDER and WHAT must be given');
+	install(process.argv[2], process.argv[3]);
+}

@@ -10,6 +10,8 @@
 import { writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { launch } from '../headless/browsers.mjs';
+import { thereIs } from '../nearest.mjs';
+import { refuse } from '../refuse.mjs';
 import { folder, groups, pages, WIDTH } from './list.mjs';
 import { open, serveExamples } from './site.mjs';
 
@@ -52,6 +54,11 @@ async function takePictures(examples) {
 	}
 }
 
-const chosen = process.argv.slice(2);
-await takePictures(groups().flatMap(({ examples }) => examples).filter(({ name }) => chosen.length === 0 || chosen.includes(name)));
+const chosen = process.argv.slice(2).filter((each) => each !== '--cards');
+const examples = groups().flatMap((group) => group.examples);
+const names = examples.map(({ name }) => name);
+const unknown = chosen.find((each) => !names.includes(each));
+if (unknown) refuse(`there is no example ${unknown}${thereIs(unknown, [...names, '--cards'])}`);
+const wanted = process.argv.length > 2 ? examples.filter(({ name }) => chosen.includes(name)) : examples;
+if (wanted.length > 0) await takePictures(wanted);
 for (const [name, text] of pages()) writeFileSync(path.join(folder, name), text);

@@ -19,28 +19,17 @@
  * The SWF's side of it is src/headless/Host.as. Exit status: the SWF's own; 70 when it threw, crashed the player or
  * stalled; 130 at Ctrl+C, 143 if it was told to end, 129 if its terminal is gone; 69 when there is no browser, or no shell; 64 for wrong arguments.
  */
-import { access, mkdir, readFile, writeFile } from 'node:fs/promises';
+import { access, mkdir, writeFile } from 'node:fs/promises';
 import path from 'node:path';
-import { parseArgs } from 'node:util';
-import { thereIs } from '../nearest.mjs';
-import { pairs } from './pairs.mjs';
+import { RunError, parsed, requireSwf } from './arguments.mjs';
 import { play } from './player.mjs';
 import { Pulse } from './pulse.mjs';
 import * as avmshell from './shell.mjs';
-import { problemOf } from './swf.mjs';
 
-const USAGE = 64;
 const NO_PLAYER = 69;
 const FAILED = 70;
 /** The signals that end a run, and its exit status then. */
 const SIGNALS = { SIGHUP: 129, SIGINT: 130, SIGTERM: 143 };
-
-class RunError extends Error {
-	constructor(message, status) {
-		super(message);
-		this.status = status;
-	}
-}
 
 const OPTIONS = {
 	param: { type: 'string', multiple: true, default: [] },
@@ -56,41 +45,26 @@ const OPTIONS = {
 	parts: { type: 'string', default: '1' },
 };
 
-/** The options as they were given, with what they name; a wrong one is refused, with the nearest. */
-function parsed() {
-	try {
-		const { values, positionals } = parseArgs({ allowPositionals: true, options: OPTIONS });
-		return { values, positionals, parameters: pairs(values.param), folders: pairs(values.mount) };
-	} catch (error) {
-		const [, unknown] = /^Unknown option '--?([^']+)'/.exec(error.message) ?? [];
-		const known = Object.keys(OPTIONS);
-		throw new RunError(unknown ? `there is no option --${unknown}${thereIs(unknown, known, '--')}` : error.message, USAGE);
-	}
-}
-
 function readArguments() {
-	const { values, positionals, parameters, folders } = parsed();
-	if (positionals.length !== 1) {
-		throw new RunError('exactly one SWF must be given', USAGE);
-	}
+	const { swf, values, parameters, folders } = parsed(OPTIONS);
 	const [, width, height] = /^(\d+)x(\d+)$/.exec(values.size) ?? [];
 	const stall = Number(values.stall);
 	if (!width || !(stall > 0)) {
-		throw new RunError(`--size must be like 800x600 and --stall a number of seconds: ${values.size}, ${values.stall}`, USAGE);
+		throw new RunError(`--size must be like 800x600 and --stall a number of seconds: ${values.size}, ${values.stall}`);
 	}
 	const seconds = values.seconds === undefined ? Infinity : Number(values.seconds);
 	if (!(seconds > 0)) {
-		throw new RunError(`--seconds must be a number greater than 0: ${values.seconds}`, USAGE);
+		throw new RunError(`--seconds must be a number greater than 0: ${values.seconds}`);
 	}
 	if (!['ruffle', 'avmshell'].includes(values.player)) {
-		throw new RunError(`--player must be ruffle or avmshell: ${values.player}`, USAGE);
+		throw new RunError(`--player must be ruffle or avmshell: ${values.player}`);
 	}
 	const parts = Number(values.parts);
 	if (!(Number.isInteger(parts) && parts > 0)) {
-		throw new RunError(`--parts must be a whole number from 1 on: ${values.parts}`, USAGE);
+		throw new RunError(`--parts must be a whole number from 1 on: ${values.parts}`);
 	}
 	return {
-		swf: positionals[0],
+		swf,
 		player: values.player,
 		start: values.start,
 		collects: !values['no-gc'],
@@ -127,13 +101,7 @@ async function start(options, on) {
 
 /** Plays the SWF to its end; resolves with its exit status. */
 async function run(options) {
-	const file = await readFile(options.swf).catch(() => {
-		throw new RunError(`there is no SWF at ${options.swf}`, USAGE);
-	});
-	const problem = problemOf(file);
-	if (problem) {
-		throw new RunError(`${options.swf} ${problem}`, USAGE);
-	}
+	await requireSwf(options.swf);
 	const pulse = new Pulse();
 	const writes = [];
 	let end;

@@ -9,19 +9,24 @@
  */
 import { createRequire } from 'node:module';
 import path from 'node:path';
-import { parseArgs } from 'node:util';
-import { pairs } from './pairs.mjs';
+import { refuse } from '../refuse.mjs';
+import { parsed, requireSwf } from './arguments.mjs';
 import { serve } from './server.mjs';
 
-const { values, positionals: [swf] } = parseArgs({
-	allowPositionals: true,
-	options: {
-		param: { type: 'string', multiple: true, default: [] },
-		mount: { type: 'string', multiple: true, default: [] },
-	},
-});
+const OPTIONS = {
+	param: { type: 'string', multiple: true, default: [] },
+	mount: { type: 'string', multiple: true, default: [] },
+};
+
+async function given() {
+	const all = parsed(OPTIONS);
+	await requireSwf(all.swf);
+	return all;
+}
+
+const { swf, parameters, folders } = await given().catch(({ message }) => refuse(`show: ${message}`));
 const ruffle = path.dirname(createRequire(import.meta.url).resolve('@ruffle-rs/ruffle'));
-const movie = { url: `/swf/${path.basename(swf)}`, parameters: pairs(values.param), autoplay: 'on', unmuteOverlay: 'hidden', splashScreen: false };
+const movie = { url: `/swf/${path.basename(swf)}`, parameters, autoplay: 'on', unmuteOverlay: 'hidden', splashScreen: false };
 
 const page = `<!doctype html>
 <html lang="en">
@@ -38,5 +43,5 @@ addEventListener('load', () => {
 </script></body>
 </html>`;
 
-const server = await serve(page, { '/ruffle': ruffle, '/swf': path.dirname(path.resolve(swf)), ...pairs(values.mount) });
+const server = await serve(page, { '/ruffle': ruffle, '/swf': path.dirname(path.resolve(swf)), ...folders });
 console.log(`open ${server.url} in a browser; Ctrl-C ends it`);

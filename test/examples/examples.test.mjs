@@ -15,7 +15,7 @@ const SHOWN = {
 	'first-collision': [60, (touches) => touches > 40],
 	'start-and-end': [200, (came, went, there) => came > 10 && went > 5 && came - went === there],
 	separate: [120, (touches, deepest) => touches > 100 && deepest > 0 && deepest < 0.3],
-	bullet: [150, (hits, misses, hitsWithout, missesWithout) => hits > 40 && misses === 0 && hitsWithout > 5 && missesWithout > 5],
+	bullet: [150, (hits, misses, hitsWithout, missesWithout) => hits === 25 && misses === 0 && hitsWithout > 3 && missesWithout > 3],
 	exact: [225, (spheres, tightest, trees, triangles, frames) => triangles > 10 && triangles < trees && trees < tightest && tightest < frames && spheres > 10],
 	models: [120, (turns) => turns > 30],
 	'nearest-and-cone': [60, (inFront, near, distance) => inFront > 0 && near > 0 && distance <= 3],

@@ -953,8 +953,8 @@ test("while a game is developed, walks that stop before what has a handler with 
 	assert.deepEqual(run("starlogo-collision.min.js").said, []);
 });
 
-test("while a game is developed, handlers that are not there to be removed, and the world's breeds without their mark, are warned of, once", () => {
-	const program = (module) => `import { Agent, AgentFilter, BinCollider, Collision, Terrain } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
+test("while a game is developed, handlers that are not there to be removed, the world's breeds without their mark, and a star in a filter are warned of, once", () => {
+	const program = (module) => `import { Agent, AgentFilter, AgentQueries, BinCollider, Collision, Terrain } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
 		const said = [];
 		console.warn = (text) => said.push(text);
 		const collision = new Collision(new BinCollider());
@@ -967,6 +967,10 @@ test("while a game is developed, handlers that are not there to be removed, and 
 		right.onCollision("wolves", Collision.TERRAIN, eat);
 		right.terrain = new Terrain(3, 3);
 		right.update([new Agent("sphere", "wolves"), new Agent("sphere", "terrain")]);
+		const queries = new AgentQueries(right);
+		const pack = [new Agent("sphere", "wolves"), new Agent("sphere", "sheep")];
+		queries.update(pack);
+		for (let i = 0; i < 2; i++) queries.touching(pack[0], { breeds: ["*"] });
 		const removed = [["wolfs", "sheep", eat], ["wolves", "sheep", eat.bind(null)], ["wolves", "sheep", eat], ["wolves", "sheep", eat]].map((each) => collision.removeHandler(...each));
 		try {
 			const nobody = new AgentFilter();
@@ -980,6 +984,7 @@ test("while a game is developed, handlers that are not there to be removed, and 
 	const { said, removed } = run("starlogo-collision.js");
 	assert.deepEqual(removed, [false, false, true, false, 'AgentFilter.except[0] must be an Agent, not "sheep"']);
 	const expected = [/no agent is of the breed "terrain"; is Collision\.TERRAIN meant\?/,
+		/a filter names the breed "\*", which no agent has; without breeds it takes agents of any breed$/,
 		/removeHandler removes nothing for "wolfs" and "sheep": the function eat is one for "wolves" and "sheep", "wolves" and "terrain"/,
 		/removeHandler removes nothing for "wolves" and "sheep": the function bound eat was never added: .* bind\(\)/];
 	assert.equal(said.length, expected.length, said.join("\n"));

@@ -242,6 +242,7 @@ function ask(greatLand: GreatLand, agents: Agent[]): void {
 	const footing: Footing = queries.walk(agents[0], 1, 0, { stepHeight: 0.5, filter }, new Footing());
 	log.push(`${footing.stands} on ${footing.on}, ${footing.normal}, ${queries.walk(agents[0], 0, 1, stride).part}`);
 	const blocks = new DetectionBlocks(new CollisionBlocks(greatLand, agents));
+	blocks.update();
 	const [bear, ball] = agents;
 	log.push(`${blocks.countWithin(bear, "paintballs", 3)} within 3, ${blocks.countWith(bear, Collision.ANY_BREED, "size", 0.2)} of size 0.2`);
 	const nearestBall: Agent | null = blocks.nearestWithin(bear, "paintballs", 9) ?? blocks.nearestWith(bear, "paintballs", "size", 0.2);
@@ -263,10 +264,12 @@ function useBlocks(greatLand: GreatLand, agents: Agent[]): void {
 	const picture: Picture = { width: 2, height: 3, data: new Uint8Array(24) };
 	if (Terrain.fromPicture(picture, 1).rows !== 3) log.push("another picture");
 	const ground: Terrain = collisions.collision.terrain = new Terrain(9, 9, 1, -4, -4);
-	const groundBlocks = new TerrainBlocks(collisions, new DetectionBlocks(collisions));
+	const detection = new DetectionBlocks(collisions);
+	detection.update();
+	const groundBlocks = new TerrainBlocks(collisions, detection);
 	groundBlocks.buildMound(agents[0], 3, 1);
 	const onMound: boolean = groundBlocks.isTouchingGround(agents[0]) && !groundBlocks.isTouchingEdge(agents[0]) && groundBlocks.terrainHeight(agents[0]) > 0;
-	const walking = new WalkBlocks(new DetectionBlocks(collisions));
+	const walking = new WalkBlocks(detection);
 	walking.setSolid("bears", true);
 	const speed: number = walking.jump(agents[0], 1, walking.fall(agents[0], 0));
 	const below: Agent | null = walking.standsOn(agents[0]);

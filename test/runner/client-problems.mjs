@@ -13,7 +13,7 @@ const FUNCTION = /((?:\[[^\]]*\]\s*)*)((?:\w+\s+)*)function\s+(\w+)\s*\([^)]*\)\
  * @returns {{ line: number, said: string, isError: boolean }[]} an error if tests would not run though they are marked
  */
 export function problemsIn(text) {
-	const source = withoutComments(text);
+	const source = codeOf(text);
 	const lineAt = (index) => source.slice(0, index).split('\n').length;
 	const ofClass = [...source.matchAll(MARKED_CLASS)].map(({ 1: mark, index }) => ({
 		line: lineAt(index),
@@ -30,12 +30,13 @@ export function problemsIn(text) {
 
 /** Whether a class is a part of the game that is named like a class of tests, as a HitTest: nothing in it is marked as a test, or looks like one. */
 export function isForTheGame(text) {
-	return /\bclass\b/.test(text) && !/\[(Test|Theory|Suite|RunWith)\b|\bextends\b/.test(text) && problemsIn(text).length === 0;
+	const source = codeOf(text);
+	return /\bclass\b/.test(source) && !/\[(Test|Theory|Suite|RunWith)\b|\bextends\b/.test(source) && problemsIn(text).length === 0;
 }
 
 /** What is wrong with a function, or null. Classes of old versions of FlexUnit, which extend TestCase, need no [Test]. */
 function problemOf([, metadata, words, name, type = 'void'], isOld) {
-	const tag = /\[(Test|Before|After)\b/.exec(metadata)?.[1];
+	const tag = /\[(Test|Theory|Before|After)\b/.exec(metadata)?.[1];
 	const isPublic = /\bpublic\b/.test(words);
 	const error = (said) => ({ said: `${name}() ${said}`, isError: true });
 	if (tag && !isPublic) return error(`has [${tag}] and is not public, so FlexUnit does not run it`);
@@ -46,7 +47,7 @@ function problemOf([, metadata, words, name, type = 'void'], isOld) {
 	return isForgotten ? { said: `${name}() has no [Test], so FlexUnit does not run it`, isError: false } : null;
 }
 
-/** A text with spaces in place of its comments. */
-function withoutComments(text) {
-	return text.replace(/\/\*[^]*?\*\/|\/\/.*/g, (comment) => comment.replace(/[^\n]/g, ' '));
+/** A text with spaces in place of its comments, and of what is in its strings. */
+function codeOf(text) {
+	return text.replace(/\/\*[^]*?\*\/|\/\/.*|(["'])(?:\\.|(?!\1).)*\1/g, (part, quote = ' ') => quote + part.slice(1, -1).replace(/[^\n]/g, ' ') + quote);
 }

@@ -8,16 +8,15 @@
  */
 import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
+import { refuse } from '../../build/refuse.mjs';
 import { choose, testsBefore } from './chosen.mjs';
 import { isForTheGame, problemsIn } from './client-problems.mjs';
 
 const [out, folders, name = ''] = process.argv.slice(2);
 
+if (!folders) refuse('OUT and FOLDER must be given');
 const missing = folders.split(',').filter((folder) => !existsSync(folder));
-if (missing.length > 0) {
-	console.error(`-Dsources: there is no folder ${missing.map((folder) => path.resolve(folder)).join(', ')}`);
-	process.exit(64);
-}
+if (missing.length > 0) refuse(`-Dsources: there is no folder ${missing.map((folder) => path.resolve(folder)).join(', ')}`);
 const files = new Map(folders.split(',').flatMap((folder) => {
 	const own = readdirSync(folder, { recursive: true }).filter((file) => file.endsWith('Test.as'));
 	return own.map((file) => [file.slice(0, -3).split(path.sep).join('.'), path.join(folder, file)]);
@@ -33,9 +32,8 @@ const chosen = name === '' ? new Map(all.map((each) => [each, null])) : choose(n
 const classes = all.filter((each) => chosen.has(each));
 if (classes.length === 0) {
 	const near = testsBefore(name, texts);
-	console.error(all.length === 0 ? `no file below ${folders} ends with Test.as`
+	refuse(all.length === 0 ? `no file below ${folders} ends with Test.as`
 		: `no class and no test matches -Dtest=${name}; there are ${(near.length > 0 ? near : all).join(', ')}`);
-	process.exit(64);
 }
 
 /** Where each function of a class begins, as lines of ActionScript: the player's stack traces have no lines. */

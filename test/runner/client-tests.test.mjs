@@ -43,6 +43,10 @@ test('a function that FlexUnit would leave out is named', () => {
 	const asking = run('src,tests');
 	assert.equal(asking.status, 64);
 	assert.match(asking.stderr, /^tests\/game\/world\/TurtleTest\.as:6: asks\(\) has \[Test\] and gives int: .* must be void\n$/);
+	classOf('        [Theory]', '        private function dives():void {}', '        [Test(description="a[0] // is right")]', '        private function asks():void {}');
+	assert.match(run('src,tests').stderr, /:6: dives\(\) has \[Theory\] and is not public.*\n.*:8: asks\(\) has \[Test\] and is not public/);
+	classOf('        [Test(description="a[0] is right")]', '        public function testAsks():void {}', '        public var s:String = "[Test] private function x";');
+	assert.equal(run('src,tests').stderr, '');
 	classOf('        public function testSwims():void {}', '        public function tests():void {}');
 	const forgotten = run('src,tests');
 	assert.equal(forgotten.status, 0);
@@ -55,7 +59,7 @@ test('a function that FlexUnit would leave out is named', () => {
 });
 
 test('a class of the game whose name ends with Test is left out, and named', () => {
-	writeFileSync(path.join(folder, 'src/HitTest.as'), 'package\n{\n    public class HitTest\n    {\n        public function hits():Boolean { return true; }\n    }\n}\n');
+	writeFileSync(path.join(folder, 'src/HitTest.as'), 'package\n{\n    // extends nothing\n    public class HitTest\n    {\n        public function hits():Boolean { return true; }\n    }\n}\n');
 	const { status, stdout, stderr } = run('src,tests');
 	assert.equal(status, 0);
 	assert.equal(stdout, '2 test classes\n');

@@ -15,7 +15,7 @@ import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 
 /** Packages and classes whose functions run every frame. */
-const HOT = ['starlogo.agents', 'starlogo.bounding', 'starlogo.broadphase', 'starlogo.collision', 'starlogo.convex', 'starlogo.data.HashTable', 'starlogo.data.SortableIntList', 'starlogo.data.IntList', 'starlogo.geometry.Placement',
+const HOT = ['starlogo.agents', 'starlogo.bounding', 'starlogo.broadphase', 'starlogo.collision', 'starlogo.convex', 'starlogo.data.IntPairMap', 'starlogo.data.SortableIntList', 'starlogo.data.IntList', 'starlogo.geometry.Placement',
 	'starlogo.geometry.Touching', 'starlogo.ground', 'starlogo.handlers', 'starlogo.hierarchy', 'starlogo.intersection', 'starlogo.queries', 'starlogo.search', 'starlogo.solid', 'starlogo.terrain'];
 
 /** Classes of those packages that do not, and why. */

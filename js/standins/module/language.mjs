@@ -32,12 +32,12 @@ export function $doubles(length) {
 }
 
 /** A list of small integers whose length stays. It is there at once, and takes half the memory of an array. */
-export function $fixedInts(length) {
+export function $zeroedInts(length) {
 	return new Int32Array(length);
 }
 
 /** A list of numbers whose length stays. */
-export function $fixedNumbers(length) {
+export function $zeroedNumbers(length) {
 	return new Float64Array(length);
 }
 

@@ -4,6 +4,7 @@ package starlogo.away3d
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.data.areSameNumbers;
+    import starlogo.data.requireGiven;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
 
@@ -49,10 +50,8 @@ package starlogo.away3d
          */
         public function Away3dAgentBinding(agent:Agent, object:Object3D, model:Away3dModel = null)
         {
-            if (agent == null || object == null)
-            {
-                throw new ArgumentError("an agent and an object are needed, not " + agent + " and " + object);
-            }
+            requireGiven("agent", agent);
+            requireGiven("object", object);
             _agent = agent;
             _object = object;
             if (model != null)

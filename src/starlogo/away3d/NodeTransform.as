@@ -21,27 +21,20 @@ package starlogo.away3d
             var traits:Vector.<Number> = ofTraits(object).rows;
             var columns:Vector.<Number> = object.transform.rawData;
             var drawn:Vector.<Number> = new Vector.<Number>(12);
-            // the largest number so far
-            var largest:Number = 0;
-            var difference:Number = 0;
-            var areSame:Boolean = true;
-            for (var column:int = 0; column < 4; column++)
+            var largest:Array = [0, 0, 0, 0];
+            var difference:Array = [0, 0, 0, 0];
+            for (var i:int = 0; i < 12; i++)
             {
-                for (var row:int = 0; row < 3; row++)
-                {
-                    var at:int = 4 * row + column;
-                    drawn[at] = columns[4 * column + row];
-                    largest = Math.max(largest, Math.abs(traits[at]));
-                    difference = Math.max(difference, Math.abs(traits[at] - drawn[at]));
-                }
-                // The comparison allows for single precision: relative to the scale in the first three columns, and in the fourth to the position or
-                // the scale, whichever is larger.
-                if (column >= 2)
-                {
-                    areSame = areSame && difference <= largest * Tolerances.SINGLE_PRECISION;
-                    difference = 0;
-                }
+                var column:int = i % 4;
+                drawn[i] = columns[4 * column + int(i / 4)];
+                largest[column] = Math.max(largest[column], Math.abs(traits[i]));
+                difference[column] = Math.max(difference[column], Math.abs(traits[i] - drawn[i]));
             }
+            // The comparison allows for single precision: of the scale in the first three columns, and in the fourth of the place or the scale, whichever
+            // is larger.
+            var scale:Number = Math.max(largest[0], largest[1], largest[2]);
+            var areSame:Boolean = Math.max(difference[0], difference[1], difference[2]) <= scale * Tolerances.SINGLE_PRECISION
+                && difference[3] <= Math.max(scale, largest[3]) * Tolerances.SINGLE_PRECISION;
             return new AffineTransform(areSame ? traits : drawn);
         }
 

@@ -23,13 +23,13 @@ package starlogo.away3d
          * Sets the rotation by its angles on one side, in degrees. Returns the angles on the other side: about x, y and z. The next call
          * overwrites them.
          */
-        public function setAngles(heading:Number, pitch:Number, roll:Number):Vector3D
+        public function setAngles(aboutZ:Number, aboutY:Number, aboutX:Number):Vector3D
         {
-            _placement.setRotation(heading, pitch, roll);
+            _placement.setRotation(aboutZ, aboutY, aboutX);
             // Most agents turn about one axis only. Then the angles are copied exactly, including full turns.
-            if (heading == 0 || pitch == 0 && roll == 0)
+            if (aboutZ == 0 || aboutY == 0 && aboutX == 0)
             {
-                _angles.setTo(0 - roll, 0 - heading, 0 - pitch);
+                _angles.setTo(0 - aboutX, 0 - aboutZ, 0 - aboutY);
             }
             else
             {

@@ -2,6 +2,7 @@ package starlogo.blocks
 {
     import starlogo.agents.Agent;
     import starlogo.collision.Collision;
+    import starlogo.data.textOf;
     import starlogo.engine;
 
     use namespace engine;
@@ -11,12 +12,12 @@ package starlogo.blocks
     {
         private static const HINT:String = ". Remember: \"collidee\" is an agent only while a collision block runs.";
 
-        /** Throws a BlockError if the subject is neither an agent nor the name of a breed, which stands for all its agents. */
-        public static function check(block:String, subject:Object):void
+        /** Throws a BlockError if the subject is neither an agent nor the name of a breed. The name stands for all agents of the breed. */
+        public static function requireSubject(block:String, subject:Object):void
         {
             if (subject is String)
             {
-                checkBreed(block, subject as String);
+                requireBreed(block, subject as String);
             }
             else if (!(subject is Agent))
             {
@@ -24,10 +25,10 @@ package starlogo.blocks
             }
         }
 
-        /** As check(). Also throws a BlockError if the subject is the ground, the edges or any breed, which have no traits. */
-        public static function checkOfGame(block:String, subject:Object):void
+        /** As requireSubject(). Also throws a BlockError if the subject is the ground, the edges or any breed, which have no traits. */
+        public static function requireTraitSubject(block:String, subject:Object):void
         {
-            check(block, subject);
+            requireSubject(block, subject);
             var breed:String = subject is Agent ? Agent(subject).breed : subject as String;
             if ([Collision.ANY_BREED, Collision.TERRAIN, Collision.EDGE].indexOf(breed) >= 0)
             {
@@ -36,7 +37,7 @@ package starlogo.blocks
         }
 
         /** Throws a BlockError if there is no agent. */
-        public static function checkGiven(block:String, agent:Agent):void
+        public static function requireAgent(block:String, agent:Agent):void
         {
             if (agent == null)
             {
@@ -45,9 +46,9 @@ package starlogo.blocks
         }
 
         /** Throws a BlockError if there is no agent, or if it stands for the ground or the edges, which have no place and do not move. */
-        public static function checkAgent(block:String, agent:Agent):void
+        public static function requirePlacedAgent(block:String, agent:Agent):void
         {
-            checkGiven(block, agent);
+            requireAgent(block, agent);
             if (agent.isOfWorld)
             {
                 throw new BlockError(block, "needs an agent, but got the ground or the edges of the world.");
@@ -55,37 +56,36 @@ package starlogo.blocks
         }
 
         /** Throws a BlockError if one of two agents is missing, if they are the same, or if neither is an agent of the game. */
-        public static function checkBoth(block:String, agent:Agent, other:Agent):void
+        public static function requirePair(block:String, agent:Agent, other:Agent):void
         {
-            checkGiven(block, agent);
+            requireAgent(block, agent);
             if (other == null || other === agent)
             {
                 throw new BlockError(block, "needs another agent, but got " + (other == null ? "nothing" + HINT : "the same."));
             }
-            checkAgent(block, agent.isOfWorld ? other : agent);
+            requirePlacedAgent(block, agent.isOfWorld ? other : agent);
         }
 
-        /** Throws a BlockError if a value is not a finite number. @param what the value is for */
-        public static function checkNumber(block:String, value:Number, what:String):void
+        /** Throws a BlockError if a value is not a number, or is more than any place or height either way. @param what the value is for */
+        public static function requireNumber(block:String, value:Number, what:String):void
         {
-            if (!isFinite(value))
-            {
-                throw new BlockError(block, "needs a number for " + what + ", but got " + value + ".");
-            }
-        }
-
-        /** Throws a BlockError if an agent cannot go so far in one step, or not so fast. @param what the value is for */
-        public static function checkReach(block:String, value:Number, what:String):void
-        {
-            checkNumber(block, value, what);
-            if (Math.abs(value) > Agent.LARGEST_COORDINATE)
+            if (!(Math.abs(value) <= Agent.LARGEST_COORDINATE))
             {
                 throw new BlockError(block, "needs a number up to " + Agent.LARGEST_COORDINATE + " for " + what + ", but got " + value + ".");
             }
         }
 
+        /** Throws a BlockError if a value is negative or not a number. @param what the value is, without an article */
+        public static function requireNotNegative(block:String, value:Number, what:String):void
+        {
+            if (!(value >= 0))
+            {
+                throw new BlockError(block, "needs a " + what + " of 0 or more, but got " + value + ".");
+            }
+        }
+
         /** Throws a BlockError if the breed's name is missing. */
-        public static function checkBreed(block:String, breed:String):void
+        public static function requireBreed(block:String, breed:String):void
         {
             if (breed == null || breed == "")
             {
@@ -93,14 +93,34 @@ package starlogo.blocks
             }
         }
 
+        /**
+         * Calls a function of the engine with arguments that may be wrong.
+         *
+         * @param problem what the block can't do then; the engine's own words follow
+         * @return what the function returns
+         * @throws BlockError if the function throws an ArgumentError or a RangeError
+         */
+        public static function attempt(block:String, problem:String, action:Function, ...all):Object
+        {
+            try
+            {
+                return action.apply(null, all);
+            }
+            catch (error:Error)
+            {
+                if (!(error is ArgumentError || error is RangeError))
+                {
+                    throw error;
+                }
+                problem += ": " + error.message + ".";
+            }
+            throw new BlockError(block, problem);
+        }
+
         /** The words for a value in a message. */
         public static function nameOf(value:Object):String
         {
-            if (value == null || value === "")
-            {
-                return "nothing";
-            }
-            return value is String ? "\"" + value + "\"" : String(value);
+            return value == null || value === "" ? "nothing" : textOf(value);
         }
     }
 }

@@ -6,8 +6,8 @@ package starlogo.blocks
     import flash.geom.Vector3D;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
-    import starlogo.collision.BaseCollider;
     import starlogo.collision.BinCollider;
+    import starlogo.collision.Collider;
     import starlogo.collision.Collision;
     import starlogo.collision.CollisionSystem;
     import starlogo.collision.CombinationCollider;
@@ -17,7 +17,6 @@ package starlogo.blocks
     import starlogo.data.requireGiven;
     import starlogo.engine;
     import starlogo.search.CollisionSearch;
-    import starlogo.search.NarrowPhase;
 
     use namespace engine;
 
@@ -43,9 +42,6 @@ package starlogo.blocks
         public static const EXACT:String = "exact";
 
         private static const NAMES:Array = [UNIT_SPHERES, TIGHTEST_FITS, HIERARCHIES, COMBINATION, EXACT];
-
-        /** The number of times that all scripts were removed. */
-        internal var resetCount:int = 0;
 
         private var _greatLand:GreatLand;
         private var _agents:Vector.<Agent>;
@@ -188,19 +184,25 @@ package starlogo.blocks
         public function forgetScripts():void
         {
             _collision.reset();
-            resetCount++;
         }
 
-        /** @private How two agents touch where they are now, in the system in use; null if they do not. */
-        engine function contactNow(agent:Agent, other:Agent):Contact
+        /**
+         * @private How two agents touch where they are now, in the system in use; null if they do not touch.
+         *
+         * @throws BlockError if the system is not one of the engine's
+         */
+        engine function contactNow(block:String, agent:Agent, other:Agent):Contact
         {
-            var system:BaseCollider = _collision.systemOfFrame;
-            var tests:NarrowPhase = system.findNarrowPhase();
-            if (_search == null || _search.narrowPhase !== tests)
+            var collider:Collider = _collision.systemOfFrame.samePairsCollider;
+            if (collider == null)
             {
-                _search = new CollisionSearch(tests);
+                throw new BlockError(block, "does not work with a collision system of the game's own.");
             }
-            return _search.pairQuery.areColliding(agent, other) ? system.samePairsCollider.contactIn(_search, agent, other, new Contact()) : null;
+            if (_search == null || _search.narrowPhase !== collider.narrowPhase)
+            {
+                _search = new CollisionSearch(collider.narrowPhase);
+            }
+            return _search.pairQuery.areColliding(agent, other) ? collider.contactIn(_search, agent, other, new Contact()) : null;
         }
 
         /** @private Moves an agent by the shortest way out of what it touches. @param contact how it touches that where it is now; null if it does not */
@@ -215,8 +217,8 @@ package starlogo.blocks
 
         private static function check(block:String, breed:String, otherBreed:String, script:Function):void
         {
-            BlockChecks.checkBreed(block, breed);
-            BlockChecks.checkBreed(block, otherBreed);
+            BlockChecks.requireBreed(block, breed);
+            BlockChecks.requireBreed(block, otherBreed);
             if (script == null)
             {
                 throw new BlockError(block, "has nothing to do: put blocks into it.");

@@ -36,6 +36,8 @@ package starlogo.blocks
 
         private static const SIDES:Array = [FRONT, BACK, LEFT, RIGHT, TOP, BOTTOM];
 
+        private static const UNKNOWN:String = "does not know the shape of an agent yet";
+
         private var _collisions:CollisionBlocks;
 
         /**
@@ -62,8 +64,8 @@ package starlogo.blocks
          * @param agent the agent whose side it is
          * @param other the agent that touches it
          * @return one of sideNames. Of two sides that are equally near, the first in this list
-         * @throws BlockError if one is missing, both are the same, or one is the ground's agent and the other the edges'
-         * @throws ArgumentError while the model of one is loading
+         * @throws BlockError if one is missing, both are the same, one is the ground's agent and the other the edges', or the model of one is
+         *     unknown or still loading
          */
         public function sideHit(agent:Agent, other:Agent):String
         {
@@ -93,8 +95,8 @@ package starlogo.blocks
          * @param other the other
          * @param out receives the point; null for a new one
          * @return out, or the new point
-         * @throws BlockError if one is missing, both are the same, or one is the ground's agent and the other the edges'
-         * @throws ArgumentError while the model of one is loading
+         * @throws BlockError if one is missing, both are the same, one is the ground's agent and the other the edges', or the model of one is
+         *     unknown or still loading
          */
         public function touchPoint(agent:Agent, other:Agent, out:Vector3D = null):Vector3D
         {
@@ -109,8 +111,8 @@ package starlogo.blocks
          * @param agent one of them
          * @param other the other
          * @return 0 if neither collides along its way (<code>sweeps</code>), or if they part
-         * @throws BlockError if one is missing, both are the same, or one is the ground's agent and the other the edges'
-         * @throws ArgumentError while the model of one is loading
+         * @throws BlockError if one is missing, both are the same, one is the ground's agent and the other the edges', or the model of one is
+         *     unknown or still loading
          */
         public function touchSpeed(agent:Agent, other:Agent):Number
         {
@@ -123,21 +125,25 @@ package starlogo.blocks
          *
          * @param agent the agent that moves
          * @param other the agent that stays. If the two do not touch, nothing moves
-         * @throws BlockError if one is missing, if both are the same, or if the one that moves is the ground's agent or the edges'
-         * @throws ArgumentError if the game has given its Collision a collision system of its own
+         * @throws BlockError if one is missing, if both are the same, if the one that moves is the ground's agent or the edges', if the model of one
+         *     is unknown, or if the game has given its Collision a collision system of its own
          * @throws RangeError if the agent would leave the world; it then stays
          */
         public function pushAway(agent:Agent, other:Agent):void
         {
-            BlockChecks.checkBoth("push away from", agent, other);
-            BlockChecks.checkAgent("push away from", agent);
-            CollisionBlocks.pushOut(agent, _collisions.contactNow(agent, other));
+            BlockChecks.requirePair("push away from", agent, other);
+            BlockChecks.requirePlacedAgent("push away from", agent);
+            var contact:Object = BlockChecks.attempt("push away from", UNKNOWN, function():Contact
+                {
+                    return _collisions.contactNow("push away from", agent, other);
+                });
+            CollisionBlocks.pushOut(agent, contact as Contact);
         }
 
         private function contactOf(block:String, agent:Agent, other:Agent):Contact
         {
-            BlockChecks.checkBoth(block, agent, other);
-            return _collisions.collision.systemOfFrame.contactOf(agent, other);
+            BlockChecks.requirePair(block, agent, other);
+            return BlockChecks.attempt(block, UNKNOWN, _collisions.collision.systemOfFrame.contactOf, agent, other) as Contact;
         }
     }
 }

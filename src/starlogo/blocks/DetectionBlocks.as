@@ -3,11 +3,14 @@ package starlogo.blocks
     import starlogo.agents.Agent;
     import starlogo.collision.Collision;
     import starlogo.data.requireGiven;
+    import starlogo.engine;
     import starlogo.geometry.Trigonometry;
     import starlogo.queries.AgentFilter;
     import starlogo.queries.AgentQueries;
     import starlogo.queries.ShapeHit;
     import starlogo.terrain.WorldBounds;
+
+    use namespace engine;
 
     /**
      * The blocks that ask about other agents: "count within", "count with", "nearest within", "nearest with", "touching?", "can see?", "distance
@@ -18,9 +21,6 @@ package starlogo.blocks
     {
         private var _collisions:CollisionBlocks;
         private var _queries:AgentQueries;
-
-        // the resetCount of the collision blocks at the last update
-        private var _updatedAt:int = -1;
         private var _ahead:ShapeHit = new ShapeHit();
 
         /**
@@ -36,28 +36,21 @@ package starlogo.blocks
             _queries = new AgentQueries(collisions.collision);
         }
 
-        /**
-         * The AgentQueries that the blocks use. It sees the agents as they were at the last update. If scripts were forgotten since,
-         * it updates first.
-         */
+        /** The AgentQueries that the blocks use. It sees the agents as they were at the last update. */
         public function get queries():AgentQueries
         {
-            if (_updatedAt != _collisions.resetCount)
-            {
-                update();
-            }
             return _queries;
         }
 
         /**
-         * Reads the present places of all agents. Call it once a frame, before scripts run.
+         * Reads the present places of all agents. Call it once a frame, before scripts run. A question before the first call is an
+         * IllegalOperationError.
          *
          * @throws ArgumentError as AgentQueries.update
          */
         public function update():void
         {
             _queries.update(_collisions.agents);
-            _updatedAt = _collisions.resetCount;
         }
 
         /**
@@ -81,7 +74,7 @@ package starlogo.blocks
         public function countWithin(agent:Agent, breed:String, distance:Number):int
         {
             check("count within", agent, breed);
-            checkDistance("count within", distance);
+            BlockChecks.requireNotNegative("count within", distance, "distance");
             return queries.countNear(agent, distance, filterFor(breed));
         }
 
@@ -112,7 +105,7 @@ package starlogo.blocks
         public function nearestWithin(agent:Agent, breed:String, distance:Number):Agent
         {
             check("nearest within", agent, breed);
-            checkDistance("nearest within", distance);
+            BlockChecks.requireNotNegative("nearest within", distance, "distance");
             return queries.nearest(agent, distance, filterFor(breed));
         }
 
@@ -141,14 +134,18 @@ package starlogo.blocks
          */
         public function isTouching(agent:Agent, subject:Object):Boolean
         {
-            BlockChecks.check("touching?", subject);
-            BlockChecks.checkGiven("touching?", agent);
-            if ((subject is Agent ? Agent(subject).breed : subject) == Collision.EDGE)
+            BlockChecks.requireSubject("touching?", subject);
+            BlockChecks.requireAgent("touching?", agent);
+            if (subject is Agent)
+            {
+                return subject !== agent && !(agent.isOfWorld && Agent(subject).isOfWorld) && queries.distance(agent, Agent(subject)) == 0;
+            }
+            if (subject == Collision.EDGE)
             {
                 var bounds:WorldBounds = _collisions.collision.bounds;
                 return bounds != null && queries.touchesEdge(agent, bounds);
             }
-            return queries.touchesAny(agent, subject is Agent ? filterOne(subject) : filterFor(subject as String));
+            return queries.touchesAny(agent, filterFor(subject as String));
         }
 
         /**
@@ -161,9 +158,9 @@ package starlogo.blocks
          */
         public function canSee(agent:Agent, other:Agent):Boolean
         {
-            BlockChecks.checkBoth("can see?", agent, other);
-            BlockChecks.checkAgent("can see?", agent);
-            BlockChecks.checkAgent("can see?", other);
+            BlockChecks.requirePair("can see?", agent, other);
+            BlockChecks.requirePlacedAgent("can see?", agent);
+            BlockChecks.requirePlacedAgent("can see?", other);
             return queries.canSee(agent, other);
         }
 
@@ -178,7 +175,7 @@ package starlogo.blocks
          */
         public function distanceTo(agent:Agent, other:Agent):Number
         {
-            BlockChecks.checkBoth("distance to", agent, other);
+            BlockChecks.requirePair("distance to", agent, other);
             return queries.distance(agent, other);
         }
 
@@ -216,8 +213,8 @@ package starlogo.blocks
         private function hitAhead(block:String, agent:Agent, breed:String, distance:Number):ShapeHit
         {
             check(block, agent, breed);
-            checkDistance(block, distance);
-            BlockChecks.checkReach(block, distance, "the distance");
+            BlockChecks.requireNotNegative(block, distance, "distance");
+            BlockChecks.requireNumber(block, distance, "the distance");
             return queries.castAgent(agent, distance * Trigonometry.cosine(agent.heading), distance * Trigonometry.sine(agent.heading), 0, filterFor(breed), _ahead);
         }
 
@@ -238,16 +235,6 @@ package starlogo.blocks
             return filter;
         }
 
-        private static function filterOne(wanted:Object):AgentFilter
-        {
-            var filter:AgentFilter = new AgentFilter();
-            filter.accepts = function(agent:Agent):Boolean
-            {
-                return agent === wanted;
-            };
-            return filter;
-        }
-
         private static function testFor(block:String, asker:Agent, trait:String, value:Object):Function
         {
             if (trait == null || !(trait in asker))
@@ -262,16 +249,8 @@ package starlogo.blocks
 
         private static function check(block:String, agent:Agent, breed:String):void
         {
-            BlockChecks.checkAgent(block, agent);
-            BlockChecks.checkBreed(block, breed);
-        }
-
-        private static function checkDistance(block:String, distance:Number):void
-        {
-            if (!(distance >= 0))
-            {
-                throw new BlockError(block, "needs a distance of 0 or more, but got " + distance + ".");
-            }
+            BlockChecks.requirePlacedAgent(block, agent);
+            BlockChecks.requireBreed(block, breed);
         }
     }
 }

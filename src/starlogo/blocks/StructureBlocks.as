@@ -1,7 +1,7 @@
 package starlogo.blocks
 {
     import starlogo.agents.Agent;
-    import starlogo.data.HashTable;
+    import starlogo.data.keyOf;
     import starlogo.data.requireGiven;
     import starlogo.debug.CollisionLines;
 
@@ -12,12 +12,10 @@ package starlogo.blocks
     public class StructureBlocks
     {
         private var _collisions:CollisionBlocks;
-        private var _breeds:Vector.<String> = new Vector.<String>();
 
-        // By the numbers of agents' ids: 1 for agents whose structures are shown. Only ids are stored, so agents that have left the game can be
-        // garbage-collected.
-        private var _agents:HashTable = new HashTable();
-        private var _lines:CollisionLines;
+        // Has the ids of agents and the keys of breeds that are shown. Agents that have left the game can be garbage-collected.
+        private var _shown:Object = {};
+        private var _wireframes:CollisionLines;
 
         /**
          * Shows no structures at first.
@@ -29,7 +27,7 @@ package starlogo.blocks
         {
             requireGiven("collisions", collisions);
             _collisions = collisions;
-            _lines = new CollisionLines(collisions.greatLand);
+            _wireframes = new CollisionLines(collisions.greatLand);
         }
 
         /**
@@ -41,28 +39,19 @@ package starlogo.blocks
          */
         public function show(subject:Object, isOn:Boolean):void
         {
-            BlockChecks.checkOfGame("show bounding structures", subject);
-            if (subject is Agent)
-            {
-                _agents.set (Agent(subject).id, 0, isOn ? 1 : 0);
-                return;
-            }
-            var index:int = _breeds.indexOf(subject as String);
-            if (index >= 0)
-            {
-                _breeds.splice(index, 1);
-            }
+            BlockChecks.requireTraitSubject("show bounding structures", subject);
+            var key:String = subject is Agent ? String(Agent(subject).id) : keyOf(subject as String);
+            delete _shown[key];
             if (isOn)
             {
-                _breeds.push(subject);
+                _shown[key] = true;
             }
         }
 
         /** Hides all structures. */
         public function showNone():void
         {
-            _breeds.length = 0;
-            _agents.clear();
+            _shown = {};
         }
 
         /**
@@ -73,7 +62,7 @@ package starlogo.blocks
         public function isShown(agent:Agent):Boolean
         {
             requireGiven("agent", agent);
-            return _agents.find(agent.id, 0) == 1 || _breeds.indexOf(agent.breed) >= 0;
+            return agent.id in _shown || keyOf(agent.breed) in _shown;
         }
 
         /**
@@ -106,7 +95,7 @@ package starlogo.blocks
          */
         public function linesOf(agent:Agent, out:Vector.<Number> = null):Vector.<Number>
         {
-            return _lines.linesOf(agent, _collisions.collision.collisionSystem, out);
+            return _wireframes.linesOf(agent, _collisions.collision.collisionSystem, out);
         }
     }
 }

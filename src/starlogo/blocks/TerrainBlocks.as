@@ -39,6 +39,8 @@ package starlogo.blocks
 
         private static const EDGES:Array = [EAST, WEST, NORTH, SOUTH, TOP, BOTTOM];
 
+        private static const CANNOT_BUILD:String = "cannot build here";
+
         private var _collisions:CollisionBlocks;
         private var _detection:DetectionBlocks;
 
@@ -72,7 +74,7 @@ package starlogo.blocks
          */
         public function buildWall(agent:Agent, height:Number):void
         {
-            BlockChecks.checkAgent("build wall", agent);
+            BlockChecks.requirePlacedAgent("build wall", agent);
             raiseAt("build wall", agent.x, agent.y, height);
         }
 
@@ -86,14 +88,8 @@ package starlogo.blocks
          */
         public function buildMound(agent:Agent, width:Number, height:Number):void
         {
-            BlockChecks.checkAgent("build mound", agent);
-            var ground:Terrain = groundOf("build mound");
-            BlockChecks.checkNumber("build mound", height, "the height");
-            if (!(width > 0 && width < Infinity))
-            {
-                throw new BlockError("build mound", "needs a width of more than 0, but got " + width + ".");
-            }
-            build("build mound", ground.raiseMound, agent.x, agent.y, width, height);
+            BlockChecks.requirePlacedAgent("build mound", agent);
+            BlockChecks.attempt("build mound", CANNOT_BUILD, groundOf("build mound").raiseMound, agent.x, agent.y, width, height);
         }
 
         /**
@@ -119,7 +115,7 @@ package starlogo.blocks
          */
         public function terrainHeight(agent:Agent):Number
         {
-            BlockChecks.checkAgent("terrain height", agent);
+            BlockChecks.requirePlacedAgent("terrain height", agent);
             var height:Number = groundOf("terrain height").heightAt(agent.x, agent.y);
             return isNaN(height) ? 0 : height;
         }
@@ -145,7 +141,7 @@ package starlogo.blocks
          */
         public function isTouchingGround(agent:Agent):Boolean
         {
-            BlockChecks.checkAgent("touching ground?", agent);
+            BlockChecks.requirePlacedAgent("touching ground?", agent);
             return _detection.isTouching(agent, Collision.TERRAIN);
         }
 
@@ -227,7 +223,7 @@ package starlogo.blocks
          */
         public function wrapAtEdge(agent:Agent):void
         {
-            BlockChecks.checkAgent("wrap at the edge", agent);
+            BlockChecks.requirePlacedAgent("wrap at the edge", agent);
             var bounds:WorldBounds = _collisions.collision.bounds;
             if (bounds == null)
             {
@@ -255,33 +251,14 @@ package starlogo.blocks
         // How the agent touches the edges where it is now; null if it touches none.
         private function contactWithEdge(block:String, agent:Agent):Contact
         {
-            BlockChecks.checkAgent(block, agent);
+            BlockChecks.requirePlacedAgent(block, agent);
             var bounds:WorldBounds = _collisions.collision.bounds;
-            return bounds == null ? null : _collisions.contactNow(agent, bounds.agent);
+            return bounds == null ? null : _collisions.contactNow(block, agent, bounds.agent);
         }
 
         private function raiseAt(block:String, x:Number, y:Number, height:Number):void
         {
-            var ground:Terrain = groundOf(block);
-            BlockChecks.checkNumber(block, height, "the height");
-            if (!isFinite(x) || !isFinite(y))
-            {
-                throw new BlockError(block, "needs numbers for the place, but got (" + x + ", " + y + ").");
-            }
-            build(block, ground.raiseWall, x, y, height);
-        }
-
-        // Changes the ground. @param change a method of Terrain @param numbers its arguments
-        private static function build(block:String, change:Function, ...numbers):void
-        {
-            try
-            {
-                change.apply(null, numbers);
-            }
-            catch (error:RangeError)
-            {
-                throw new BlockError(block, "cannot build here: " + error.message + ".");
-            }
+            BlockChecks.attempt(block, CANNOT_BUILD, groundOf(block).raiseWall, x, y, height);
         }
 
         private function groundOf(block:String):Terrain

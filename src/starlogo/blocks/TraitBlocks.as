@@ -1,6 +1,7 @@
 package starlogo.blocks
 {
     import starlogo.agents.Agent;
+    import starlogo.data.keyOf;
     import starlogo.data.requireGiven;
 
     /**
@@ -11,14 +12,11 @@ package starlogo.blocks
      */
     public class TraitBlocks
     {
-        // stands before every key, because a breed may be called "hasOwnProperty"
-        private static const PREFIX:String = ":";
-
         private static const STRUCTURES:Array = [Agent.TIGHTEST, Agent.SPHERE, Agent.BOX, Agent.CAPSULE, Agent.HULL];
 
         private var _agents:Vector.<Agent>;
 
-        // By breed: the traits that were set, by their names.
+        // By the key of a breed: the traits that were set, by their names.
         private var _breeds:Object = {};
 
         /**
@@ -97,14 +95,15 @@ package starlogo.blocks
         }
 
         /**
-         * Gives an agent the settings of its breed. Call it when an agent has joined the game or changed its breed.
+         * Gives an agent the settings of its breed. Call it when an agent has joined the game or changed its breed. What its former breed has
+         * set stays, unless the new breed sets it too.
          *
          * @throws ArgumentError if the agent is null
          */
         public function welcome(agent:Agent):void
         {
             requireGiven("agent", agent);
-            var traits:Object = _breeds[PREFIX + agent.breed];
+            var traits:Object = _breeds[keyOf(agent.breed)];
             for (var trait:String in traits)
             {
                 agent[trait] = traits[trait];
@@ -120,13 +119,13 @@ package starlogo.blocks
         // Sets a trait of the agent, or of the breed's agents.
         private function apply(block:String, subject:Object, trait:String, value:Object):void
         {
-            BlockChecks.checkOfGame(block, subject);
+            BlockChecks.requireTraitSubject(block, subject);
             if (subject is Agent)
             {
                 subject[trait] = value;
                 return;
             }
-            var key:String = PREFIX + subject;
+            var key:String = keyOf(subject as String);
             _breeds[key] ||= {};
             _breeds[key][trait] = value;
             for each (var agent:Agent in _agents)

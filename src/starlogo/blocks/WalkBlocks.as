@@ -62,7 +62,12 @@ package starlogo.blocks
             _gravity = value;
         }
 
-        /** The names of the solid breeds. The list that is read is a copy, and so is the list that is kept. @throws ArgumentError if it is set to null */
+        /**
+         * The names of the solid breeds. The list that is read is a copy, and so is the list that is kept.
+         *
+         * @throws ArgumentError if it is set to null
+         * @throws BlockError if a name that is set is missing, or is Collision.ANY_BREED, TERRAIN or EDGE
+         */
         public function get solidBreeds():Array
         {
             var names:Array = [];
@@ -76,8 +81,17 @@ package starlogo.blocks
         public function set solidBreeds(names:Array):void
         {
             requireGiven("solidBreeds", names);
-            _solid.breeds = Vector.<String>(names);
-            _obstacles.breeds = _solid.breeds.concat();
+            var breeds:Vector.<String> = new Vector.<String>();
+            for each (var name:String in names)
+            {
+                BlockChecks.requireTraitSubject("solid", name);
+                if (breeds.indexOf(name) < 0)
+                {
+                    breeds.push(name);
+                }
+            }
+            _solid.breeds = breeds;
+            _obstacles.breeds = breeds.concat();
             _obstacles.breeds.push(Collision.TERRAIN);
         }
 
@@ -90,19 +104,12 @@ package starlogo.blocks
          */
         public function setSolid(breed:String, isOn:Boolean):void
         {
-            BlockChecks.checkBreed("solid", breed);
-            BlockChecks.checkOfGame("solid", breed);
-            var names:Array = solidBreeds;
-            var at:int = names.indexOf(breed);
-            if (isOn && at < 0)
-            {
-                names.push(breed);
-            }
-            else if (!isOn && at >= 0)
-            {
-                names.splice(at, 1);
-            }
-            solidBreeds = names;
+            BlockChecks.requireBreed("solid", breed);
+            BlockChecks.requireTraitSubject("solid", breed);
+            solidBreeds = isOn ? solidBreeds.concat(breed) : solidBreeds.filter(function(name:String, ...ignored):Boolean
+                {
+                    return name != breed;
+                });
         }
 
         /**
@@ -167,10 +174,7 @@ package starlogo.blocks
         {
             check("jump", agent, height, "a height");
             check("jump", agent, speed, "a speed");
-            if (height < 0)
-            {
-                throw new BlockError("jump", "needs a height of 0 or more, but got " + height + ".");
-            }
+            BlockChecks.requireNotNegative("jump", height, "height");
             if (standsOn(agent) == null)
             {
                 return speed;
@@ -188,7 +192,7 @@ package starlogo.blocks
          */
         public function isStanding(agent:Agent):Boolean
         {
-            BlockChecks.checkAgent("standing?", agent);
+            BlockChecks.requirePlacedAgent("standing?", agent);
             return standsOn(agent) != null;
         }
 
@@ -202,14 +206,14 @@ package starlogo.blocks
          */
         public function standsOn(agent:Agent):Agent
         {
-            BlockChecks.checkAgent("what I stand on", agent);
+            BlockChecks.requirePlacedAgent("what I stand on", agent);
             return _detection.queries.moves.findFooting(agent, _walking, _footing).on;
         }
 
         private static function check(block:String, agent:Agent, value:Number, what:String):void
         {
-            BlockChecks.checkAgent(block, agent);
-            BlockChecks.checkReach(block, value, what);
+            BlockChecks.requirePlacedAgent(block, agent);
+            BlockChecks.requireNumber(block, value, what);
         }
     }
 }

@@ -1,6 +1,6 @@
 package starlogo.collision
 {
-    import starlogo.data.HashTable;
+    import starlogo.data.IntPairMap;
     import starlogo.engine;
     import starlogo.search.FoundPairs;
 
@@ -17,7 +17,7 @@ package starlogo.collision
         private var _count:int = 0;
 
         // By pair: the index of its contact.
-        private var _indices:HashTable = new HashTable();
+        private var _indices:IntPairMap = new IntPairMap();
 
         // The contact passed to handlers, which may change it.
         private var _given:Contact = new Contact();

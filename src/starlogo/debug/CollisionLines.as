@@ -25,15 +25,12 @@ package starlogo.debug
      */
     public final class CollisionLines
     {
-        // What is drawn of a shape: its structure, its triangles, or else a level of its tree.
-        private static const STRUCTURE:int = 0;
-        private static const TRIANGLES:int = -1;
-
         // The shapes of a system that is not the engine's, which tells nothing about them.
         private var _tightest:TightestFitChoice;
 
-        // The lines in the models' space, by what is drawn, kind and model. They are valid for one choice of shapes and one revision of its models.
-        private var _lines:Object = {};
+        // The wireframes in the models' space, by the depth that is drawn, kind and model. They are valid for one choice of shapes and one revision of
+        // its models.
+        private var _wireframes:Object = {};
         private var _choice:BaseShapeChoice = null;
         private var _revision:int = -1;
 
@@ -50,8 +47,8 @@ package starlogo.debug
         }
 
         /**
-         * The lines of the shape that a collision system tests for an agent. While the agent's model is loading, if it was removed, and for the ground
-         * and the edges of the world there are none. The lines of a model are computed on the first call, and after a call with another system. Other
+         * The lines of the shape that a collision system tests for an agent. While the agent's model is loading, if it was removed from the GreatLand,
+         * and for the ground and the edges of the world there are none. The lines of a model are computed on the first call, and after a call with another system. Other
          * calls take a time proportional to the number of lines.
          *
          * @param agent any agent
@@ -59,7 +56,8 @@ package starlogo.debug
          *     that is none of these, the lines are those of the tightest fits
          * @param out the lines are appended to it, six numbers each as in Wireframes; created if null
          * @return out
-         * @throws ArgumentError if the agent is null, or if the collision system needs data of the agent's model that was not loaded
+         * @throws ArgumentError if the agent is null, if the collision system needs data of the agent's model that was not loaded, or if the models of
+         *     a LevelCollider are not the agent's
          */
         public function linesOf(agent:Agent, system:CollisionSystem, out:Vector.<Number> = null):Vector.<Number>
         {
@@ -78,45 +76,42 @@ package starlogo.debug
                 return Wireframes.ofStructure(new Sphere(new Vector3D(agent.x, agent.y, agent.z + radius), radius), all);
             }
             // A Matrix3D is not used, because it has single precision.
-            var lines:Vector.<Number> = linesOfModel(agent, choice, collider);
-            return placePoints(agent.freshPlacement(), lines, 0, lines.length, all, all.length);
+            var wireframe:Vector.<Number> = wireframeOf(agent, choice, collider);
+            return placePoints(agent.freshPlacement(), wireframe, 0, wireframe.length, all, all.length);
         }
 
-        private function linesOfModel(agent:Agent, choice:BaseShapeChoice, collider:Collider):Vector.<Number>
+        private function wireframeOf(agent:Agent, choice:BaseShapeChoice, collider:Collider):Vector.<Number>
         {
             if (_choice !== choice || _revision != choice.revision)
             {
                 _choice = choice;
                 _revision = choice.revision;
-                _lines = {};
+                _wireframes = {};
                 choice.forgetReplaced();
             }
             var shape:ModelShape = choice.shapeOf(agent);
-            var drawn:int = shape.tree == null ? STRUCTURE : drawnOfTree(shape.model, agent, collider.narrowPhase.treeLimits);
-            var key:String = drawn + " " + shape.variant + " " + shape.modelName;
-            _lines[key] ||= draw(shape, drawn);
-            return _lines[key];
+            var depth:int = shape.tree == null ? 0 : depthOf(shape.model, agent, collider.narrowPhase.treeLimits);
+            var key:String = depth + " " + shape.variant + " " + shape.modelName;
+            _wireframes[key] ||= draw(shape, depth);
+            return _wireframes[key];
         }
 
-        private static function draw(shape:ModelShape, drawn:int):Vector.<Number>
+        // Draws a structure, or a tree down to a depth, or with depth 0 the triangles that belong to the tree.
+        private static function draw(shape:ModelShape, depth:int):Vector.<Number>
         {
-            switch (drawn)
+            if (shape.tree == null)
             {
-                case STRUCTURE:
-                    return Wireframes.ofStructure(shape.structure);
-                case TRIANGLES:
-                    return Wireframes.ofTriangles(shape.model.vertices, shape.model.triangles);
-                default:
-                    return Wireframes.ofLevel(shape.tree.root, drawn);
+                return Wireframes.ofStructure(shape.structure);
             }
+            return depth == 0 ? Wireframes.ofTriangles(shape.model.vertices, shape.model.triangles) : Wireframes.ofLevel(shape.tree.root, depth);
         }
 
-        // In exact mode the triangles decide, or the leaves of a model without triangles.
-        private static function drawnOfTree(model:Model, agent:Agent, limits:TreeLimits):int
+        // The depth to which an agent's tree is tested; 0 if triangles decide. In exact mode these decide, or the leaves of a model without triangles.
+        private static function depthOf(model:Model, agent:Agent, limits:TreeLimits):int
         {
             if (limits.isExact)
             {
-                return model.triangles == null ? int.MAX_VALUE : TRIANGLES;
+                return model.triangles == null ? int.MAX_VALUE : 0;
             }
             return agent.traversalDepth > 0 ? agent.traversalDepth : limits.maxDepth;
         }

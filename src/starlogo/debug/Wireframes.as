@@ -49,7 +49,7 @@ package starlogo.debug
             switch (structure.kind)
             {
                 case BoundingStructure.SPHERE:
-                    drawSphere(pen, Sphere(structure));
+                    drawArcs(pen, Sphere(structure).center, Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, Sphere(structure).radius, 360);
                     break;
                 case BoundingStructure.BOX:
                     drawBox(pen, Box(structure));
@@ -107,9 +107,13 @@ package starlogo.debug
          * @param triangles three vertex indices each
          * @param out the lines are appended to it; created if null
          * @return out
+         * @throws ArgumentError if one is null
+         * @throws RangeError if an index is that of no vertex; lines may then have been appended
          */
         public static function ofTriangles(vertices:Vector.<Number>, triangles:Vector.<uint>, out:Vector.<Number> = null):Vector.<Number>
         {
+            requireGiven("vertices", vertices);
+            requireGiven("triangles", triangles);
             var pen:LinePen = new LinePen(out);
             var drawn:Object = {};
             for (var i:int = 0; i < triangles.length; i++)
@@ -154,14 +158,11 @@ package starlogo.debug
 
         private static function vertexAt(vertices:Vector.<Number>, index:int):Vector3D
         {
+            if (3 * index + 2 >= vertices.length)
+            {
+                throw new RangeError("there is no vertex " + index);
+            }
             return new Vector3D(vertices[3 * index], vertices[3 * index + 1], vertices[3 * index + 2]);
-        }
-
-        private static function drawSphere(pen:LinePen, sphere:Sphere):void
-        {
-            pen.drawArc(sphere.center, Vector3D.X_AXIS, Vector3D.Y_AXIS, sphere.radius);
-            pen.drawArc(sphere.center, Vector3D.Y_AXIS, Vector3D.Z_AXIS, sphere.radius);
-            pen.drawArc(sphere.center, Vector3D.Z_AXIS, Vector3D.X_AXIS, sphere.radius);
         }
 
         private static function drawBox(pen:LinePen, box:Box):void
@@ -210,11 +211,12 @@ package starlogo.debug
                 var distance:Number = i % 2 == 0 ? radius : -radius;
                 pen.drawLine(LinePen.along(start, across, distance, w, 0), LinePen.along(end, across, distance, w, 0));
             }
-            drawEnd(pen, start, u, v, w, -radius, endDegrees);
-            drawEnd(pen, end, u, v, w, radius, endDegrees);
+            drawArcs(pen, start, u, v, w, -radius, endDegrees);
+            drawArcs(pen, end, u, v, w, radius, endDegrees);
         }
 
-        private static function drawEnd(pen:LinePen, center:Vector3D, u:Vector3D, v:Vector3D, w:Vector3D, radius:Number, degrees:int):void
+        // Draws a circle in the plane of u and v, and arcs of so many degrees from u and from v towards w.
+        private static function drawArcs(pen:LinePen, center:Vector3D, u:Vector3D, v:Vector3D, w:Vector3D, radius:Number, degrees:int):void
         {
             pen.drawArc(center, u, v, radius);
             pen.drawArc(center, u, w, radius, degrees);

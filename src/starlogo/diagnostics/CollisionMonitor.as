@@ -43,7 +43,7 @@ package starlogo.diagnostics
         private static const GRAPH_WIDTH:int = 180;
         private static const GRAPH_HEIGHT:int = 40;
         private static const LINES_TOP:int = 104;
-        private static const HEIGHT:int = 383;
+        private static const LINE_HEIGHT:int = 17;
         private static const FRAME_MS:int = 40;
         private static const REFRESH_FRAMES:int = 12;
 
@@ -237,7 +237,7 @@ package starlogo.diagnostics
         {
             graphics.lineStyle(1, LINE);
             graphics.beginFill(PANEL, 0.92);
-            graphics.drawRoundRect(0, 0, WIDTH, HEIGHT, 12, 12);
+            graphics.drawRoundRect(0, 0, WIDTH, LINES_TOP + LINE_HEIGHT * lines.length + MARGIN, 12, 12);
             graphics.endFill();
             var graph:Bitmap = new Bitmap(_history);
             graph.x = MARGIN;
@@ -260,7 +260,7 @@ package starlogo.diagnostics
             field.x = MARGIN - 2;
             field.y = y;
             field.width = WIDTH - 2 * field.x;
-            field.height = HEIGHT - y;
+            field.height = LINE_HEIGHT * lines.length;
             field.selectable = false;
             addChild(field);
             return field;

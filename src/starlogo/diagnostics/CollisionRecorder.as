@@ -6,13 +6,13 @@ package starlogo.diagnostics
     import starlogo.collision.Collider;
     import starlogo.collision.CollisionStatistics;
     import starlogo.collision.CollisionSystem;
-    import starlogo.data.HashTable;
+    import starlogo.data.IntPairMap;
     import starlogo.data.requireGiven;
     import starlogo.engine;
     import starlogo.search.BreedInterests;
     import starlogo.search.FoundPairs;
-    import starlogo.search.SearchInput;
     import starlogo.search.PairReader;
+    import starlogo.search.SearchInput;
 
     use namespace engine;
 
@@ -39,7 +39,10 @@ package starlogo.diagnostics
 
         // A tally for each pair of breeds, and its index by their numbers, the lesser first.
         private var _pairs:Vector.<Tally> = new Vector.<Tally>();
-        private var _indices:HashTable = new HashTable();
+        private var _indices:IntPairMap = new IntPairMap();
+
+        // The tallies of pairs that collide in the present frame.
+        private var _found:Vector.<Tally> = new Vector.<Tally>();
 
         private var _findTimes:FrameTimes = new FrameTimes();
         private var _frameTimes:FrameTimes = new FrameTimes();
@@ -151,7 +154,7 @@ package starlogo.diagnostics
             var breeds:Array = [];
             for each (var pair:Tally in _pairs)
             {
-                breeds.push(pair.addTo({breeds: [pair.breed, pair.otherBreed]}, _frames));
+                breeds.push(pair.addTo({breeds: pair.breeds}, _frames));
             }
             breeds.sortOn("collisions", Array.NUMERIC | Array.DESCENDING);
             var all:Object = _all.addTo({frames: _frames}, _frames);
@@ -179,10 +182,13 @@ package starlogo.diagnostics
             var index:int = _indices.find(lesser, greater);
             if (index < 0)
             {
-                index = _pairs.push(new Tally(a.breed, b.breed)) - 1;
+                index = _pairs.push(new Tally([a.breed, b.breed])) - 1;
                 _indices.set (lesser, greater, index);
             }
-            _pairs[index].inFrame++;
+            if (_pairs[index].inFrame++ == 0)
+            {
+                _found.push(_pairs[index]);
+            }
         }
 
         private function endFrame(collisions:int):void
@@ -190,10 +196,11 @@ package starlogo.diagnostics
             _frames++;
             _all.inFrame = collisions;
             _all.endFrame();
-            for (var i:int = 0; i < _pairs.length; i++)
+            for each (var pair:Tally in _found)
             {
-                _pairs[i].endFrame();
+                pair.endFrame();
             }
+            _found.length = 0;
         }
     }
 }
@@ -203,11 +210,8 @@ final class Tally
 {
     private static const EXACT:int = 16;
 
-    /** The name of one breed, or null. */
-    public var breed:String;
-
-    /** The name of the other breed. */
-    public var otherBreed:String;
+    /** The names of two breeds; null for all. */
+    public var breeds:Array;
 
     /** The collisions in the present frame. */
     public var inFrame:int = 0;
@@ -221,10 +225,9 @@ final class Tally
     private var _histogram:Vector.<int> = new Vector.<int>();
 
     /** Creates a tally without collisions. */
-    public function Tally(breed:String = null, otherBreed:String = null)
+    public function Tally(breeds:Array = null)
     {
-        this.breed = breed;
-        this.otherBreed = otherBreed;
+        this.breeds = breeds;
     }
 
     /** Ends the present frame. */

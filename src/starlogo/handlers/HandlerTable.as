@@ -5,7 +5,7 @@ package starlogo.handlers
 {
     import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
-    import starlogo.data.HashTable;
+    import starlogo.data.IntPairMap;
     import starlogo.data.textOf;
     import starlogo.engine;
     import starlogo.search.BreedInterests;
@@ -34,13 +34,13 @@ package starlogo.handlers
         private var _lists:Vector.<HandlerList> = new Vector.<HandlerList>();
 
         // By the numbers of the collider's breed and of the collidee's: the index of their list.
-        private var _listIndices:HashTable = new HashTable();
+        private var _listIndices:IntPairMap = new IntPairMap();
 
         // What the frame calls for breeds that have met.
         private var _pairs:Vector.<PairHandlers> = new Vector.<PairHandlers>();
 
         // By the numbers of the first agent's breed and of the second's: the index of what the frame calls for them.
-        private var _pairIndices:HashTable = new HashTable();
+        private var _pairIndices:IntPairMap = new IntPairMap();
 
         // A clock: each change of the handlers advances it. A handler's serial number is the time at which it was added.
         private var _clock:int = 0;

@@ -1,8 +1,8 @@
 package starlogo.handlers
 {
     import starlogo.agents.Agent;
-    import starlogo.data.HashTable;
     import starlogo.data.IntList;
+    import starlogo.data.IntPairMap;
     import starlogo.data.SortableIntList;
     import starlogo.engine;
     import starlogo.search.FoundPairs;
@@ -41,7 +41,7 @@ package starlogo.handlers
         private var _lastFrames:Vector.<int> = new Vector.<int>();
 
         // By the ids of the first and of the second agent: the index of their touch.
-        private var _indices:HashTable = new HashTable();
+        private var _indices:IntPairMap = new IntPairMap();
 
         // The indices of the objects for later touches.
         private var _free:IntList = new IntList();

@@ -2,7 +2,7 @@ package starlogo.handlers
 {
     import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
-    import starlogo.data.areSimilar;
+    import starlogo.data.isProbablyMisspelt;
     import starlogo.engine;
 
     use namespace engine;
@@ -19,7 +19,7 @@ package starlogo.handlers
         for (var number:int = 0; number < isThere.length; number++)
         {
             var breed:String = Breeds.NAMES.nameOf(number);
-            if (isThere[number] && areSimilar(name, breed))
+            if (isThere[number] && isProbablyMisspelt(name, breed))
             {
                 return "; is " + (breed == Breeds.TERRAIN ? "Collision.TERRAIN" : breed == Breeds.EDGE ? "Collision.EDGE" : "\"" + breed + "\"") + " meant?";
             }

@@ -1,6 +1,6 @@
 package starlogo.hierarchy
 {
-    import starlogo.data.fixedNumbers;
+    import starlogo.data.zeroedNumbers;
     import starlogo.steps.StepSequence;
 
     /**
@@ -23,7 +23,7 @@ package starlogo.hierarchy
         {
             _tree = tree;
             var count:int = tree.left.length;
-            _extents = fixedNumbers(6 * count);
+            _extents = zeroedNumbers(6 * count);
             slices(count, NODES_PER_STEP, measure).call(measureRadius).slices(count, NODES_PER_STEP, enclose);
         }
 

@@ -1,6 +1,6 @@
 package starlogo.hierarchy
 {
-    import starlogo.data.fixedNumbers;
+    import starlogo.data.zeroedNumbers;
 
     /**
      * The items of a tree while it is made: its triangles or its vertices. Divides the items of a node in two, and changes
@@ -52,7 +52,7 @@ package starlogo.hierarchy
         /** Measures a range of items. Must be called for all items before other methods. */
         public function measure(first:int, end:int):void
         {
-            _extents ||= fixedNumbers(6 * _tree.items.length);
+            _extents ||= zeroedNumbers(6 * _tree.items.length);
             for (var i:int = first; i < end; i++)
             {
                 // the order is still that of the indices

@@ -4,11 +4,11 @@
 package starlogo.search
 {
     import flash.errors.IllegalOperationError;
-    import starlogo.data.hintOfName;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
-    import starlogo.data.HashTable;
+    import starlogo.data.IntPairMap;
+    import starlogo.data.hintOfName;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.requireInWorld;
@@ -58,7 +58,7 @@ package starlogo.search
         private var _shapes:Vector.<ModelShape> = new Vector.<ModelShape>();
 
         // By the number of the model's name and the variant: the index of the shape.
-        private var _indices:HashTable = new HashTable();
+        private var _indices:IntPairMap = new IntPairMap();
 
         // The revision of all models at which void shapes were forgotten.
         private var _seenRevision:int = -1;

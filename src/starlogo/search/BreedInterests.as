@@ -1,7 +1,7 @@
 package starlogo.search
 {
     import starlogo.agents.Breeds;
-    import starlogo.data.HashTable;
+    import starlogo.data.IntPairMap;
     import starlogo.data.textOf;
     import starlogo.engine;
 
@@ -31,7 +31,7 @@ package starlogo.search
         engine var pairCount:int = 0;
 
         // The pairs, in both orders. ANY is a breed like the others, so a breed with ANY_BREED costs no more than a breed with one other.
-        private var _pairs:HashTable = new HashTable();
+        private var _pairs:IntPairMap = new IntPairMap();
 
         // By the number of a breed: whether a pair names it.
         private var _isNamed:Vector.<Boolean> = new Vector.<Boolean>(Breeds.ANY + 1);

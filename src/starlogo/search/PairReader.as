@@ -1,7 +1,7 @@
 package starlogo.search
 {
     import starlogo.agents.Agent;
-    import starlogo.data.HashTable;
+    import starlogo.data.IntPairMap;
     import starlogo.data.requireGiven;
     import starlogo.search.table.ListedAgents;
 
@@ -17,7 +17,7 @@ package starlogo.search
         private var _pairs:FoundPairs = new FoundPairs(_listed);
 
         // The pairs that have been read, by their rows, the lesser first.
-        private var _known:HashTable = new HashTable();
+        private var _known:IntPairMap = new IntPairMap();
 
         /**
          * Begins with the list of a frame.

@@ -161,6 +161,7 @@ package starlogo.agents
             var greatLand:GreatLand = landOf(BuiltInModel.sphere());
             var collisions:CollisionBlocks = new CollisionBlocks(greatLand, _agents);
             var detection:DetectionBlocks = new DetectionBlocks(collisions);
+            detection.update();
             var traits:TraitBlocks = new TraitBlocks(_agents);
             var structures:StructureBlocks = new StructureBlocks(collisions);
             for (var i:int = 0; i < NAMES.length; i++)

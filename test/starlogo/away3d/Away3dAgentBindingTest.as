@@ -294,8 +294,8 @@ package starlogo.away3d
         [Test]
         public function bothSidesAreNeeded():void
         {
-            assertThrows(ArgumentError, /an agent and an object are needed, not null and/, make, null, new Object3D());
-            assertThrows(ArgumentError, /an agent and an object are needed, not agent \d+ .* and null/, make, _agent, null);
+            assertThrows(ArgumentError, /agent must not be null/, make, null, new Object3D());
+            assertThrows(ArgumentError, /object must not be null/, make, _agent, null);
             assertEquals(_agent, _binding.agent);
             assertEquals(_object, _binding.object);
         }

@@ -118,7 +118,7 @@ package starlogo.away3d
         [Test]
         public function anAgentIsNeeded():void
         {
-            assertThrows(ArgumentError, /an agent and an object are needed/, create, Away3dWireframe, null);
+            assertThrows(ArgumentError, /agent must not be null/, create, Away3dWireframe, null);
         }
     }
 }

@@ -11,6 +11,7 @@ package starlogo.blocks
     import starlogo.models.Model;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
+    import support.OwnVectorSystem;
     import support.assertClose;
     import support.assertThrows;
     import support.create;
@@ -178,6 +179,11 @@ package starlogo.blocks
             assertThrows(BlockError, /"touch speed" needs another agent, but got the same/, _blocks.touchSpeed, _bear, _bear);
             assertThrows(BlockError, /"push away from" needs another agent/, _blocks.pushAway, _bear, null);
             assertThrows(ArgumentError, "collisions", create, ContactBlocks, null);
+            var stranger:Agent = new Agent("rabbit");
+            assertThrows(BlockError, /"side that was hit" does not know the shape of an agent yet: .* there is no model "rabbit"/, _blocks.sideHit, _bear, stranger);
+            assertThrows(BlockError, /"push away from" does not know the shape of an agent yet/, _blocks.pushAway, _bear, stranger);
+            _collisions.collision.collisionSystem = new OwnVectorSystem(_agents);
+            assertThrows(BlockError, /"push away from" does not work with a collision system of the game's own\.$/, _blocks.pushAway, _bear, _wall);
         }
     }
 }

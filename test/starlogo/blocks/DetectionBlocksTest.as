@@ -33,6 +33,7 @@ package starlogo.blocks
             add("wolves", 3).color = 20;
             add("wolves", 5).color = 10;
             add("wolves", -7).color = 10;
+            _blocks.update();
         }
 
         [Test]
@@ -67,7 +68,7 @@ package starlogo.blocks
             assertThrows(BlockError, /"ahead" needs an agent/, _blocks.ahead, null, "wolves", 1);
             assertThrows(BlockError, /"ahead" needs the name of a breed/, _blocks.ahead, _turtle, "", 1);
             assertThrows(BlockError, /"distance ahead" needs a distance of 0 or more, but got -1/, _blocks.distanceAhead, _turtle, "wolves", -1);
-            assertThrows(BlockError, /"ahead" needs a number for the distance, but got Infinity/, _blocks.ahead, _turtle, "wolves", Infinity);
+            assertThrows(BlockError, /"ahead" needs a number up to 1000000000 for the distance, but got Infinity/, _blocks.ahead, _turtle, "wolves", Infinity);
             assertThrows(BlockError, /"distance ahead" needs a number up to 1000000000 for the distance, but got 1e\+300/, _blocks.distanceAhead, _turtle, "wolves", 1e300);
         }
 
@@ -125,8 +126,24 @@ package starlogo.blocks
             assertFalse(_blocks.isTouching(_turtle, _agents[1]));
             _collisions.useCollisionSystem(CollisionBlocks.EXACT);
             assertFalse("not before the next update", _blocks.isTouching(_turtle, _agents[1]));
-            _collisions.forgetScripts();
+            _blocks.update();
             assertTrue(_blocks.isTouching(_turtle, _agents[1]));
+        }
+
+        /** So "distance to" is 0 for the same pairs. */
+        [Test]
+        public function touchesAnAgentThatIsNewInThisFrame():void
+        {
+            var born:Agent = new Agent("cube", "wolves");
+            assertTrue(_blocks.isTouching(_turtle, born));
+            assertTrue(_blocks.isTouching(born, _turtle));
+            assertEquals(0, _blocks.distanceTo(_turtle, born));
+            born.x = 2;
+            assertFalse(_blocks.isTouching(_turtle, born));
+            assertFalse("nobody touches itself", _blocks.isTouching(_turtle, _turtle));
+            _collisions.collision.terrain = new Terrain(5, 5, 1, -2, -2);
+            var bounds:WorldBounds = _collisions.collision.bounds = new WorldBounds(-5, -5, -5, 5, 5, 5);
+            assertFalse("what is no agent of the game", _blocks.isTouching(bounds.agent, _collisions.collision.terrain.agent));
         }
 
         [Test]
@@ -151,6 +168,7 @@ package starlogo.blocks
             var other:AskingAgent = new AskingAgent("sphere", "dogs", _blocks);
             other.moveTo(2, 0, 0);
             _agents.push(other);
+            _blocks.update();
             var asker:AskingAgent = new AskingAgent("sphere", "wolves", _blocks);
             assertEquals(2, _blocks.countWith(asker, "dogs", "hunger", 10));
             assertEquals(asking, _blocks.nearestWith(asker, "dogs", "hunger", 10));

@@ -94,6 +94,8 @@ package starlogo.blocks
             settle();
             assertClose(0, _hero.z, 1e-6);
             assertEquals(0, _blocks.solidBreeds.length);
+            _blocks.solidBreeds = ["platforms", "platforms"];
+            assertEquals(1, _blocks.solidBreeds.length);
         }
 
         [Test]
@@ -242,9 +244,9 @@ package starlogo.blocks
         public function tellsStudentsWhatIsWrong():void
         {
             assertThrows(BlockError, /"walk" needs an agent, but got nothing/, _blocks.walk, null, 1);
-            assertThrows(BlockError, /"walk" needs a number for steps, but got NaN/, _blocks.walk, _hero, NaN);
-            assertThrows(BlockError, /"forward" needs a number for steps/, _blocks.forward, _hero, Infinity);
-            assertThrows(BlockError, /"fall" needs a number for a speed/, _blocks.fall, _hero, NaN);
+            assertThrows(BlockError, /"walk" needs a number up to 1000000000 for steps, but got NaN/, _blocks.walk, _hero, NaN);
+            assertThrows(BlockError, /"forward" needs a number up to 1000000000 for steps/, _blocks.forward, _hero, Infinity);
+            assertThrows(BlockError, /"fall" needs a number up to 1000000000 for a speed/, _blocks.fall, _hero, NaN);
             for each (var block:Function in [_blocks.walk, _blocks.forward, _blocks.fall])
             {
                 assertThrows(BlockError, /needs a number up to 1000000000 for (steps|a speed), but got -1100000000/, block, _hero, -1.1e9);
@@ -255,7 +257,7 @@ package starlogo.blocks
                 {
                     _blocks.solidBreeds = null;
                 });
-            assertThrows(BlockError, /"jump" needs a number for a speed, but got NaN/, _blocks.jump, _hero, 1, NaN);
+            assertThrows(BlockError, /"jump" needs a number up to 1000000000 for a speed, but got NaN/, _blocks.jump, _hero, 1, NaN);
             assertThrows(BlockError, /"jump" needs a number up to 1000000000 for a speed/, _blocks.jump, _hero, 1, -2e9);
             assertThrows(BlockError, /"jump" needs a height of 0 or more, but got -1/, _blocks.jump, _hero, -1, 0);
             assertThrows(BlockError, /"standing\?" needs an agent/, _blocks.isStanding, null);
@@ -264,6 +266,10 @@ package starlogo.blocks
             for each (var breed:String in [Collision.ANY_BREED, Collision.TERRAIN, Collision.EDGE])
             {
                 assertThrows(BlockError, /"solid" needs an agent or a breed of the game, not the ground/, _blocks.setSolid, breed, true);
+                assertThrows(BlockError, /"solid" needs an agent or a breed of the game, not the ground/, function():void
+                    {
+                        _blocks.solidBreeds = ["bears", breed];
+                    });
             }
             assertEquals(0, _blocks.solidBreeds.length);
             for each (block in [_blocks.walk, _blocks.forward, _blocks.fall])

@@ -64,6 +64,9 @@ package starlogo.debug
             var vertices:Vector.<Number> = new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1];
             assertEquals(5 * 6, Wireframes.ofTriangles(vertices, new <uint>[0, 1, 2, 1, 0, 3]).length);
             assertEquals(5 * 6, Wireframes.ofTriangles(vertices, new <uint>[0, 1, 2, 0, 1, 3]).length);
+            assertThrows(ArgumentError, /vertices must/, Wireframes.ofTriangles, null, new <uint>[0, 1, 2]);
+            assertThrows(ArgumentError, /triangles must/, Wireframes.ofTriangles, vertices, null);
+            assertThrows(RangeError, /there is no vertex 4$/, Wireframes.ofTriangles, vertices, new <uint>[0, 1, 4]);
             assertEquals("0,0,0,1,0,0", Wireframes.ofTriangles(vertices, new <uint>[0, 1, 0]).join());
             assertEquals("9,0,0,0,0,1,0,0", Wireframes.ofTriangles(vertices, new <uint>[1, 0, 0], new <Number>[9, 0, 0, 0, 0]).slice(0, 8).join());
         }

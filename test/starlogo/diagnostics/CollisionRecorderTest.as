@@ -3,6 +3,7 @@ package starlogo.diagnostics
     import evaluation.EveryPairSystem;
     import evaluation.scenes.Scene;
     import evaluation.scenes.Scenes;
+    import flash.utils.getTimer;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
@@ -46,6 +47,28 @@ package starlogo.diagnostics
             assertEquals(2, record.breeds[0].most);
             assertEquals('[[0,2],[1,1],[2,1]]', pairs(record.breeds[0].histogram));
             assertEquals('[[0,3],[1,1]]', pairs(record.breeds[1].histogram));
+        }
+
+        /** A frame asks only about the pairs of breeds that collide in it: of 19,900 pairs of breeds that have collided, here none. */
+        [Test]
+        public function framesAfterManyPairsOfBreedsAreCheap():void
+        {
+            var agents:Vector.<Agent> = new <Agent>[];
+            for (var i:int = 0; i < 200; i++)
+            {
+                agents.push(new Agent("sphere", "breed " + i));
+            }
+            var recorder:CollisionRecorder = new CollisionRecorder(new BinCollider(_greatLand));
+            recorder.findCollisions(agents);
+            assertEquals(19900, recorder.collisions);
+            var before:Number = getTimer();
+            for (i = 0; i < 300; i++)
+            {
+                recorder.findCollisions(new <Agent>[]);
+            }
+            assertTrue("each frame took " + (getTimer() - before) / 300 + " ms", getTimer() - before < 1000);
+            assertEquals(19900, recorder.toObject().breeds.length);
+            assertEquals(301, recorder.toObject().breeds[0].histogram[0].frames + recorder.toObject().breeds[0].histogram[1].frames);
         }
 
         [Test]

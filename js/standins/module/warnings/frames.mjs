@@ -1,6 +1,6 @@
 /** What a Collision's frames tell: no handler is called, no agent has a breed that is named, or all agents are new. */
 import { $refuseNoAgent } from "./arguments.mjs";
-import { $areSimilar } from "./spelling.mjs";
+import { $isProbablyMisspelt } from "./spelling.mjs";
 import { $keptOf, $warn } from "./warn.mjs";
 
 /** After so many frames without a call the breeds are looked at. */
@@ -82,10 +82,16 @@ export function $warnOfBreeds(names, agents) {
 	for (const name of [...missing].slice(0, $MOST_HINTS)) $warnOfBreed(name, breeds, agents);
 }
 
+/** Warns of breeds that a filter names, as $warnOfBreeds() does, and of "*", which only handlers take. */
+export function $warnOfFilter(names, agents) {
+	if (names?.includes("*")) $warn('a filter names the breed "*", which no agent has; without breeds it takes agents of any breed');
+	$warnOfBreeds(names, agents);
+}
+
 /** Warns of a breed that no agent has: a similar one may be meant, or it is a shape. */
 function $warnOfBreed(breed, breeds, agents) {
 	const quoted = JSON.stringify(breed);
-	const meant = [...breeds, ...$WORLD_BREEDS.keys()].find((each) => $areSimilar(breed, each));
+	const meant = [...breeds, ...$WORLD_BREEDS.keys()].find((each) => $isProbablyMisspelt(breed, each));
 	if (meant !== undefined) {
 		$warn(`no agent is of the breed ${quoted}; is ${$WORLD_BREEDS.get(meant)?.name ?? JSON.stringify(meant)} meant?`);
 		return;

@@ -2,7 +2,7 @@
 
 /** What an error says about a name that is not known: the name that is probably meant. */
 export function $hintOfName(name, names) {
-	const meant = names.find((each) => $areSimilar(name, each));
+	const meant = names.find((each) => $isProbablyMisspelt(name, each));
 	return meant === undefined ? "" : `; is ${JSON.stringify(meant)} meant?`;
 }
 
@@ -40,7 +40,7 @@ export function $nearestOption(key, names) {
 }
 
 /** Whether a breed's or a model's name may be another one, misspelled. Names that differ in numbers alone are of different breeds. */
-export function $areSimilar(name, other) {
+export function $isProbablyMisspelt(name, other) {
 	if (name.length < 4 || name.replace(/\d+/g, "") === other.replace(/\d+/g, "")) return false;
 	const mostChanges = Math.max(name.length, other.length) < 6 ? 1 : 2;
 	return name.toLowerCase() === other.toLowerCase() || $changesBetween(name, other) <= mostChanges;

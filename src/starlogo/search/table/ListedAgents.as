@@ -1,8 +1,8 @@
 package starlogo.search.table
 {
     import starlogo.agents.Agent;
-    import starlogo.data.HashTable;
     import starlogo.data.IntList;
+    import starlogo.data.IntPairMap;
     import starlogo.data.IntSet;
     import starlogo.data.textOf;
     import starlogo.data.warnOfUnknownProperties;
@@ -61,7 +61,7 @@ package starlogo.search.table
 
         private var _free:IntList = new IntList();
         private var _inOrder:Vector.<int> = new Vector.<int>();
-        private var _rowsById:HashTable = new HashTable();
+        private var _rowsById:IntPairMap = new IntPairMap();
 
         // The rows of the proposed list.
         private var _inProposed:IntSet = new IntSet();

@@ -1,6 +1,6 @@
 package starlogo.solid.interior
 {
-    import starlogo.data.fixedInts;
+    import starlogo.data.zeroedInts;
 
     /**
      * Disjoint sets of numbered elements: union-find with path halving (Tarjan and van Leeuwen, "Worst-case analysis of set union
@@ -17,7 +17,7 @@ package starlogo.solid.interior
          */
         public function DisjointSets(count:int)
         {
-            _parents = fixedInts(count);
+            _parents = zeroedInts(count);
             for (var i:int = 0; i < count; i++)
             {
                 _parents[i] = i;

@@ -1,6 +1,6 @@
 package starlogo.solid.interior
 {
-    import starlogo.data.fixedInts;
+    import starlogo.data.zeroedInts;
     import starlogo.steps.StepSequence;
 
     /**
@@ -61,12 +61,12 @@ package starlogo.solid.interior
             _triangles = triangles;
             _welding = welding;
             var vertexCount:int = welding.welded.length;
-            partners = fixedInts(triangles.length);
-            _beforeOfLow = fixedInts(triangles.length);
-            _beforeBetweenSame = fixedInts(triangles.length);
-            _lastOfLow = fixedInts(vertexCount);
-            _visitedOfHigh = fixedInts(vertexCount);
-            _countOfHigh = fixedInts(vertexCount);
+            partners = zeroedInts(triangles.length);
+            _beforeOfLow = zeroedInts(triangles.length);
+            _beforeBetweenSame = zeroedInts(triangles.length);
+            _lastOfLow = zeroedInts(vertexCount);
+            _visitedOfHigh = zeroedInts(vertexCount);
+            _countOfHigh = zeroedInts(vertexCount);
             slices(triangles.length / 3, TRIANGLES_PER_STEP, listByLowVertex).slices(vertexCount, VERTICES_PER_STEP, matchEdges).call(beginNonManifold);
         }
 

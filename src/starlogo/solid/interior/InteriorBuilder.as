@@ -1,6 +1,6 @@
 package starlogo.solid.interior
 {
-    import starlogo.data.fixedInts;
+    import starlogo.data.zeroedInts;
     import starlogo.hierarchy.TriangleMesh;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -58,8 +58,8 @@ package starlogo.solid.interior
 
         private function beginParts():void
         {
-            _vertexOf = fixedInts(_surface.partCount);
-            _partOf = fixedInts(_surface.shellStates.length);
+            _vertexOf = zeroedInts(_surface.partCount);
+            _partOf = zeroedInts(_surface.shellStates.length);
             _overlapping = new DisjointSets(_surface.partCount);
         }
 

@@ -1,6 +1,6 @@
 package starlogo.solid.interior
 {
-    import starlogo.data.fixedInts;
+    import starlogo.data.zeroedInts;
     import starlogo.steps.StepSequence;
 
     /**
@@ -31,7 +31,7 @@ package starlogo.solid.interior
         {
             _surface = surface;
             _edges = edges;
-            _queue = fixedInts(surface.signedShells.length);
+            _queue = zeroedInts(surface.signedShells.length);
             repeat(visitTriangles);
         }
 

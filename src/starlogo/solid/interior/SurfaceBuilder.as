@@ -1,6 +1,6 @@
 package starlogo.solid.interior
 {
-    import starlogo.data.fixedInts;
+    import starlogo.data.zeroedInts;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -37,7 +37,7 @@ package starlogo.solid.interior
             var count:int = _triangles.length / 3;
             var edges:EdgeMatcher = new EdgeMatcher(_triangles, welding);
             _sets = new DisjointSets(_welded.length);
-            _partOfSet = fixedInts(_welded.length);
+            _partOfSet = zeroedInts(_welded.length);
             _shells = new ShellFinder(windingCounter.surface, edges);
             slices(count, TRIANGLES_PER_STEP, joinVertices).slices(count, TRIANGLES_PER_STEP, numberParts);
             add(edges).add(_shells).begin(findCavities);

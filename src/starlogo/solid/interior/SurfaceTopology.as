@@ -1,7 +1,7 @@
 package starlogo.solid.interior
 {
     import flash.utils.ByteArray;
-    import starlogo.data.fixedInts;
+    import starlogo.data.zeroedInts;
 
     /**
      * The properties of a model's surface as a whole: its parts, its shells, and which of these are closed. A SurfaceBuilder computes them,
@@ -54,8 +54,8 @@ package starlogo.solid.interior
          */
         public function SurfaceTopology(triangleCount:int)
         {
-            parts = fixedInts(triangleCount);
-            signedShells = fixedInts(triangleCount);
+            parts = zeroedInts(triangleCount);
+            signedShells = zeroedInts(triangleCount);
         }
 
         /** Adds a shell, with its number in <code>shellStates</code> and <code>cavityOf</code>. */

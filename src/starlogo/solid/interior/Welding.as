@@ -1,6 +1,6 @@
 package starlogo.solid.interior
 {
-    import starlogo.data.fixedInts;
+    import starlogo.data.zeroedInts;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.vertices.VertexBounds;
     import starlogo.steps.StepSequence;
@@ -9,7 +9,7 @@ package starlogo.solid.interior
      * Finds the vertices that are at the same place, within a tolerance, because rounding may have separated the vertices of a seam. A hash
      * table has the places by the cells of a grid. A cell is so much wider than the tolerance that most vertices are farther than that from
      * all other cells. Then no other cell is searched. Places are farther apart than the tolerance, so a cell has few of them. The table is not
-     * a HashTable, because it need not tell cells apart: a vertex is compared with the places anyway. A HashTable would take longer.
+     * a IntPairMap, because it need not tell cells apart: a vertex is compared with the places anyway. A IntPairMap would take longer.
      */
     internal final class Welding extends StepSequence
     {
@@ -48,9 +48,9 @@ package starlogo.solid.interior
             {
                 size *= 2;
             }
-            welded = fixedInts(count);
-            _last = fixedInts(size);
-            _before = fixedInts(count);
+            welded = zeroedInts(count);
+            _last = zeroedInts(size);
+            _before = zeroedInts(count);
             slices(count, 8 * VERTICES_PER_STEP, addVertices).call(setTolerance).slices(count, VERTICES_PER_STEP, weld);
         }
 

@@ -4,28 +4,20 @@
 package starlogo.data
 {
     /**
-     * A hash table that stores a number for each pair of keys. It uses open addressing: if the own slot of the keys is taken, they are stored in the
+     * A hash table that has a number for each pair of numbers, the keys. It uses open addressing: if the own slot of the keys is taken, they are stored in the
      * next free slot. The table is at most half full. It grows, and never shrinks.
      *
      * @private
      */
-    public final class HashTable
+    public final class IntPairMap
     {
         private static const MIN_CAPACITY:int = 4;
 
         // By slot: the two keys, and the value plus 1, which is 0 if the slot is free.
-        private var _firsts:Vector.<int>;
-        private var _seconds:Vector.<int>;
-        private var _values:Vector.<int>;
+        private var _firsts:Vector.<int> = new Vector.<int>(MIN_CAPACITY);
+        private var _seconds:Vector.<int> = new Vector.<int>(MIN_CAPACITY);
+        private var _values:Vector.<int> = new Vector.<int>(MIN_CAPACITY);
         private var _count:int = 0;
-
-        /** Creates a table without keys. */
-        public function HashTable()
-        {
-            _firsts = new Vector.<int>(MIN_CAPACITY);
-            _seconds = new Vector.<int>(MIN_CAPACITY);
-            _values = new Vector.<int>(MIN_CAPACITY);
-        }
 
         /** The value of two keys, or -1 if they have none. Their order matters. Pass 0 as the second key if one is enough. */
         public function find(first:int, second:int):int

@@ -6,7 +6,7 @@ package starlogo.data
      *
      * @private
      */
-    public function fixedNumbers(length:int):Vector.<Number>
+    public function zeroedNumbers(length:int):Vector.<Number>
     {
         return new Vector.<Number>(length, true);
     }

@@ -7,7 +7,7 @@ package starlogo.data
      *
      * @private
      */
-    public function areSimilar(name:String, other:String):Boolean
+    public function isProbablyMisspelt(name:String, other:String):Boolean
     {
         if (name.length < 4 || name.replace(/\d+/g, "") == other.replace(/\d+/g, ""))
         {

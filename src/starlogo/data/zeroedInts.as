@@ -6,7 +6,7 @@ package starlogo.data
      *
      * @private
      */
-    public function fixedInts(length:int):Vector.<int>
+    public function zeroedInts(length:int):Vector.<int>
     {
         return new Vector.<int>(length, true);
     }

@@ -5,13 +5,13 @@ package starlogo.data
     import org.flexunit.asserts.assertTrue;
 
     /** A hash table, compared with an object that has a property for each pair of keys. */
-    public class HashTableTest
+    public class IntPairMapTest
     {
         [Test]
         public function hasWhatAnObjectHas():void
         {
             var random:SeededRandom = new SeededRandom(811);
-            var table:HashTable = new HashTable();
+            var table:IntPairMap = new IntPairMap();
             var known:Object = {};
             var found:int = 0;
             for (var i:int = 0; i < 6000; i++)

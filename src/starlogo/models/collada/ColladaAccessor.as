@@ -1,5 +1,6 @@
 package starlogo.models.collada
 {
+    import starlogo.models.text.TextWords;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
@@ -48,7 +49,7 @@ package starlogo.models.collada
         {
             element = source.requiredChild("technique_common").requiredChild("accessor");
             array = element.target("source", arrays, source);
-            add(array.splittingText(function(all:Array):Steps
+            add(TextWords.splitting(array.countedText(), function(all:Array):Steps
                     {
                         return readEntries(all, points);
                     }));

@@ -2,6 +2,7 @@ package starlogo.models.collada
 {
     import starlogo.models.animation.AnimationChannel;
     import starlogo.models.files.shortened;
+    import starlogo.models.text.TextWords;
 
     /** Reads the channels of COLLADA animations: which numbers of the document move, and how. */
     internal final class ColladaChannel
@@ -39,7 +40,7 @@ package starlogo.models.collada
                 element = named == null ? null : elementAt(channel, parts[1], sids.concat(named[1]));
             }
             var isArray:Boolean = element != null && element.name == "float_array";
-            var size:int = isArray ? element.countedWords().length : (element == null ? 0 : ColladaTransform.sizeOf(element.name));
+            var size:int = isArray ? TextWords.of(element.countedText()).length : (element == null ? 0 : ColladaTransform.sizeOf(element.name));
             if (size == 0)
             {
                 return null;

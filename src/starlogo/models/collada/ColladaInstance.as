@@ -128,7 +128,7 @@ package starlogo.models.collada
             var list:ColladaAccessor = ColladaAccessor.read(inputs, "MORPH_WEIGHT", ["float_array"], morph);
             var posed:Vector.<Number> = _scene.posedNumbersOf(list.array);
             var weights:Vector.<Number> = posed == null ? list.numbers : list.partOf(posed);
-            morph.refuseIf(targets.words.length > weights.length, "it has " + targets.words.length + " targets, but " + weights.length + " weights");
+            morph.refuseIf(targets.words.length > list.count, "it has " + targets.words.length + " targets, but " + list.count + " weights");
             var base:Vector.<Number> = morph.attribute("method") == "RELATIVE" ? new Vector.<Number>(_points.length) : _points.slice();
             return new StepSequence().beginEach(targets.words.length, function(index:int):Steps
                 {
@@ -139,7 +139,7 @@ package starlogo.models.collada
                             morph.budget.spendNumbers(_points.length, morph);
                             for (var i:int = 0; i < _points.length; i++)
                             {
-                                _points[i] += weights[index] * (target.points[i] - base[i]);
+                                _points[i] += weights[index * list.stride] * (target.points[i] - base[i]);
                             }
                         });
                 });

@@ -106,7 +106,7 @@ package starlogo.models.collada
             }
             var jointOffset:Number = weighted.requiredInput("JOINT").integer("offset", 0);
             var weightOffset:Number = weighted.child("input", "WEIGHT").integer("offset", 0);
-            var indices:Array = weighted.child("v") == null ? [] : weighted.child("v").countedWords();
+            var indices:Array = weighted.child("v") == null ? [] : TextWords.of(weighted.child("v").countedText());
             weighted.refuseIf(indices.length % stride != 0, "expected " + stride + " indices for each joint of a point, but found " + indices.length + " in all");
             var influenceCount:int = indices.length / stride;
             _influences = new JointInfluences();
@@ -115,9 +115,9 @@ package starlogo.models.collada
                     for (var i:int = first; i < end; i++)
                     {
                         var joint:int = weighted.toInteger(indices[i * stride + jointOffset], -1, _inverseBindMatrices.length - 1, "a joint's index");
-                        var weight:int = weighted.toInteger(indices[i * stride + weightOffset], 0, weights.words.length - 1, "a weight's index");
+                        var weight:int = weighted.toInteger(indices[i * stride + weightOffset], 0, weights.count - 1, "a weight's index");
                         _influences.joints.push(joint < 0 ? _inverseBindMatrices.length : joint);
-                        _influences.weights.push(weights.array.toNumber(weights.words[weight]));
+                        _influences.weights.push(weights.array.toNumber(weights.words[weight * weights.stride]));
                     }
                 });
         }
@@ -125,7 +125,7 @@ package starlogo.models.collada
         // The steps that read how many influences each point has.
         private function readingCounts(element:ColladaElement, influenceCount:int):Steps
         {
-            var counts:Array = element.requiredChild("vcount").countedWords();
+            var counts:Array = TextWords.of(element.requiredChild("vcount").countedText());
             var sum:Number = 0;
             element.checkCount(counts.length, "numbers in <vcount>");
             return new StepSequence().slices(counts.length, INFLUENCES_PER_STEP, function(first:int, end:int):void

@@ -44,7 +44,7 @@ package starlogo.models.cooked
         /**
          * @param name the model's name
          * @param bytes the bytes of a possible cooked file
-         * @param modelKey the model key that the file must have: see <code>CookedFile.MODEL</code>. Null for any
+         * @param modelKey the key that the model must have: see <code>CookedFile.MODEL</code>. Null for any
          */
         public function CookedReader(name:String, bytes:ByteArray, modelKey:Fingerprint = null)
         {
@@ -93,7 +93,7 @@ package starlogo.models.cooked
             refuseFileIf(file.isOfOtherVersion, _data.name, "the cooked file is of another version of the engine: cook it again");
             _bytes = file.section(CookedFile.MODEL, null);
             refuseFileIf(_bytes == null, _data.name, "the cooked file is damaged: cook it again");
-            refuseFileIf(modelKey != null && !file.isOf(modelKey), _data.name, "the cooked file is for another up axis, transform or scaling");
+            refuseFileIf(modelKey != null && !file.hasKey(CookedFile.MODEL, modelKey), _data.name, "the cooked file is for another up axis, transform or scaling");
             _data.cooked = file;
             _data.scaling = Model.SCALINGS[readInteger(0, Model.SCALINGS.length - 1)];
             var encoding:int = readInteger(0, DOUBLE);

@@ -67,8 +67,8 @@ package starlogo.models.gltf
 
         /**
          * @param file the file; the endianness of its bytes is set
-         * @param fetch <code>function(uri:String, take:Function):void</code>; is asked once for each other file. It calls <code>take(bytes, problem)</code>,
-         * at once or before the next step. The bytes' endianness is set. If the file is missing they are null, and the problem says why
+         * @param fetch <code>function(uri:String):Object</code>; is asked once for each other file. In the next step the object has its
+         * <code>bytes</code>, whose endianness is set. If the file is missing they are null, and the <code>problem</code> says why
          * @throws ModelError if there is no JSON
          */
         public function GltfFile(file:ModelFile, fetch:Function)
@@ -81,17 +81,17 @@ package starlogo.models.gltf
                 {
                     json = new GltfJson(file.name, reader.root);
                     checkNeeds();
-                    beginEach(json.count("buffers"), readingBuffer).call(fetchOthers);
+                    beginEach(json.count("buffers"), readingBuffer).begin(fetchingOthers);
                 });
         }
 
         /** Reads a file at once. @param buffers the content of each other file, by its address; null if there are none */
         public static function read(name:String, bytes:ByteArray, buffers:Object):GltfFile
         {
-            var file:GltfFile = new GltfFile(new ModelFile(name, bytes), function(uri:String, take:Function):void
+            var file:GltfFile = new GltfFile(new ModelFile(name, bytes), function(uri:String):Object
                 {
-                    take(buffers != null && uri in buffers ? buffers[uri] as ByteArray : null,
-                            "\"" + shortened(uri) + "\" is another file and was not given: a ModelLoader's load() fetches it");
+                    return {bytes: buffers != null && uri in buffers ? buffers[uri] as ByteArray : null,
+                            problem: "\"" + shortened(uri) + "\" is another file and was not given: a ModelLoader's load() fetches it"};
                 });
             finish(file);
             return file;
@@ -227,26 +227,27 @@ package starlogo.models.gltf
                     "\", which is not known: save the model without it", "extensionsRequired");
         }
 
-        private function fetchOthers():void
+        // Starts to fetch the other files. The next step keeps their buffers.
+        private function fetchingOthers():Steps
         {
+            var files:Array = [];
             for each (var uri:String in _uris)
             {
-                _fetch(uri, takerOf(_buffersOf[keyOf(uri)]));
+                files.push(_fetch(uri));
             }
-        }
-
-        // The function that takes the content of the file with some buffers.
-        private function takerOf(indices:Array):Function
-        {
-            return function(bytes:ByteArray, problem:String):void
-            {
-                json.refuseIf(bytes == null, problem, "buffers[" + indices[0] + "].uri");
-                budget.addBytes(bytes.length);
-                for each (var index:int in indices)
+            return new StepSequence().call(function():void
                 {
-                    keep(index, bytes);
-                }
-            };
+                    for (var i:int = 0; i < files.length; i++)
+                    {
+                        var indices:Array = _buffersOf[keyOf(_uris[i])];
+                        json.refuseIf(files[i].bytes == null, files[i].problem, "buffers[" + indices[0] + "].uri");
+                        budget.addBytes(files[i].bytes.length);
+                        for each (var index:int in indices)
+                        {
+                            keep(index, files[i].bytes);
+                        }
+                    }
+                });
         }
 
         // The steps that decode a buffer. Without steps, it is in the binary chunk, in another file, or missing.

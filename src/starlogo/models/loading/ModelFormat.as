@@ -58,11 +58,11 @@ package starlogo.models.loading
                 case STL:
                     return new StlReader(file, upAxis, scaling);
                 case COLLADA:
-                    return new ColladaReader(new ColladaDocument(file.name, file.textOf()), transform, scaling);
+                    return new ColladaReader(new ColladaDocument(file), transform, scaling);
                 case GLTF:
                     return new GltfReader(new GltfFile(file, fetch), transform, scaling);
                 default:
-                    return new ObjReader(file.name, file.textOf(), upAxis, scaling);
+                    return new ObjReader(file, upAxis, scaling);
             }
         }
 

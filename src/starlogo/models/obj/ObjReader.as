@@ -6,6 +6,7 @@ package starlogo.models.obj
     import starlogo.models.building.TriangleLabels;
     import starlogo.models.building.removingUnusedVertices;
     import starlogo.models.files.FileBudget;
+    import starlogo.models.files.ModelFile;
     import starlogo.models.files.refuseFileIf;
     import starlogo.models.files.shortened;
     import starlogo.models.polygons.Triangulator;
@@ -36,15 +37,15 @@ package starlogo.models.obj
         private var _highestIndex:int = -1;
         private var _highestLine:int;
 
-        /** The parameters are those of ObjModel. */
-        public function ObjReader(name:String, text:String, upAxis:Object, scaling:String)
+        /** The other parameters are those of ObjModel. @param file the file */
+        public function ObjReader(file:ModelFile, upAxis:Object, scaling:String)
         {
-            _data = ModelData.forFile(name, upAxis, scaling);
-            refuseFileIf(text == null, name, "there is no text to read");
-            refuseFileIf(text.indexOf("\u0000") >= 0, name, "this is a binary file, not OBJ text");
-            refuseMarkup(name, text);
-            _lines = new LineReader(name, text);
-            _budget = new FileBudget(name, text.length);
+            var text:String = file.textOf();
+            _data = ModelData.forFile(file.name, upAxis, scaling);
+            refuseFileIf(text.indexOf("\u0000") >= 0, file.name, "this is a binary file, not OBJ text");
+            refuseFileIf(/^\s*</.test(text.substr(0, 1000)), file.name, "this is no OBJ text: it begins with a tag. A ColladaModel reads COLLADA");
+            _lines = new LineReader(file.name, text);
+            _budget = new FileBudget(file.name, text.length);
             repeat(readSome).call(checkIndices).begin(triangulating).add(removingUnusedVertices(_data.vertices, _data.triangles));
         }
 
@@ -52,17 +53,6 @@ package starlogo.models.obj
         public function get data():ModelData
         {
             return _data;
-        }
-
-        // Throws if the text begins with a tag. A server may answer with a web page if it has no such file.
-        private static function refuseMarkup(name:String, text:String):void
-        {
-            var tag:Array = text.substr(0, 1000).match(/^\s*(<[^\n\r]*)/);
-            if (tag != null)
-            {
-                var hint:String = /^<(!doctype )?html/i.test(tag[1]) ? "It is a web page: is the address right?" : "A ColladaModel reads COLLADA";
-                throw new ModelError(name, "", "this is no OBJ text: it begins with \"" + shortened(tag[1]) + "\". " + hint);
-            }
         }
 
         private function readSome():Boolean

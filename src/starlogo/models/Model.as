@@ -1,4 +1,4 @@
-// This room has models, and what reads them from files. A ModelReader for each format fills a ModelData, of which a ModelBuilder makes a Model: it
+// This room has models, and what reads them from files. A FormatReader for each format fills a ModelData, of which a ModelBuilder makes a Model: it
 // brings the vertices to their place and scale. building/ has these three; files/, text/ and polygons/ serve the readers; animation/ moves what they read;
 // cooked/ is the engine's own format. A ModelLoader does the same in steps while a game runs. Read this file first, then building/ModelBuilder and
 // obj/ObjReader, and ModelLoader with loading/ModelLoad for loading.

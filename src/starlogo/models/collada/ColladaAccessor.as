@@ -38,7 +38,6 @@ package starlogo.models.collada
         public var firstPoint:int;
 
         private var _firstWord:int; // its index in the array
-        private var _numbers:Vector.<Number> = null;
 
         /**
          * @param source the source's element
@@ -77,18 +76,15 @@ package starlogo.models.collada
             return numbers.slice(_firstWord, _firstWord + words.length);
         }
 
-        /** The numbers that the words stand for. @throws ModelError if one is not finite */
-        public function get numbers():Vector.<Number>
+        /** The numbers that the words stand for; a new list. @throws ModelError if one is not finite */
+        public function toNumbers():Vector.<Number>
         {
-            if (_numbers == null)
+            var numbers:Vector.<Number> = new Vector.<Number>();
+            for each (var word:String in words)
             {
-                _numbers = new Vector.<Number>();
-                for each (var word:String in words)
-                {
-                    _numbers.push(array.toNumber(word));
-                }
+                numbers.push(array.toNumber(word));
             }
-            return _numbers;
+            return numbers;
         }
 
         // The last point may have no words after its coordinates. Returns the steps that add the points, or null.

@@ -3,7 +3,7 @@ package starlogo.models.collada
     import starlogo.models.animation.AnimationChannel;
     import starlogo.models.animation.FileAnimation;
     import starlogo.models.animation.Pose;
-    import starlogo.models.building.ModelReader;
+    import starlogo.models.building.FormatReader;
     import starlogo.models.files.ModelFile;
     import starlogo.steps.finish;
 
@@ -28,7 +28,7 @@ package starlogo.models.collada
             finish(document);
             document.budget.reset();
             var read:Object = {};
-            var newReader:Function = function(pose:Pose):ModelReader
+            var newReader:Function = function(pose:Pose):FormatReader
             {
                 document.budget.reset();
                 return new ColladaReader(document, upAxis, null, pose);

@@ -52,7 +52,7 @@ package starlogo.models.collada
         }
 
         /** The length of the unit in metres. A unit that is no length counts as a metre. */
-        internal function get unit():Number
+        internal function get metresPerUnit():Number
         {
             var element:ColladaElement = inAsset("unit");
             var metres:Number = element == null ? 1 : TextWords.toNumber(element.attribute("meter"));

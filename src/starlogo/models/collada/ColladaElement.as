@@ -83,14 +83,8 @@ package starlogo.models.collada
             return keyOf("#" + sid) in _elements;
         }
 
-        /** The element of the document with a name and an id; null if there is none. */
-        public function elementWith(name:String, id:String):ColladaElement
-        {
-            return elementAtUrl(name, "#" + id);
-        }
-
         /** The element of the document with a name, at a URL like "#id"; null if there is none. */
-        public function elementAtUrl(name:String, url:String):ColladaElement
+        public function elementAt(name:String, url:String):ColladaElement
         {
             return _elements[keyOf(name + url)];
         }
@@ -176,7 +170,7 @@ package starlogo.models.collada
                     shortened(url) + "\"");
             for each (var targetName:String in names)
             {
-                var found:ColladaElement = (scope == null ? null : scope.child(targetName, url.substr(1))) || elementAtUrl(targetName, url);
+                var found:ColladaElement = (scope == null ? null : scope.child(targetName, url.substr(1))) || elementAt(targetName, url);
                 if (found != null)
                 {
                     return found;

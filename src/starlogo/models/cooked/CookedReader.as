@@ -10,7 +10,7 @@ package starlogo.models.cooked
     import starlogo.models.ModelTransform;
     import starlogo.models.SourceFrame;
     import starlogo.models.building.ModelData;
-    import starlogo.models.building.ModelReader;
+    import starlogo.models.building.FormatReader;
     import starlogo.models.building.TriangleLabels;
     import starlogo.models.files.FileBudget;
     import starlogo.models.files.refuseFileIf;
@@ -26,7 +26,7 @@ package starlogo.models.cooked
      *
      * @private
      */
-    public final class CookedReader extends StepSequence implements ModelReader
+    public final class CookedReader extends StepSequence implements FormatReader
     {
         /** The encoding of coordinates as floats of 32 bits. A smaller encoding n has whole multiples of 1e-n. */
         internal static const SINGLE:int = 9;
@@ -101,7 +101,7 @@ package starlogo.models.cooked
             var hasTransform:Boolean = readInteger(0, encoding == DOUBLE ? 0 : 1) == 1;
             var vertexCount:int = readInteger(0, int.MAX_VALUE);
             var triangleCount:int = readInteger(0, int.MAX_VALUE);
-            new FileBudget(_data.name, _bytes.length).requireMesh(vertexCount, triangleCount);
+            new FileBudget(_data.name, _bytes.length).checkMeshSize(vertexCount, triangleCount);
             _data.transform = hasTransform ? new ModelTransform(readVector(), readVector(), readVector()) : null;
             if (encoding == DOUBLE)
             {

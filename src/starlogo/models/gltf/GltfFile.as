@@ -50,9 +50,6 @@ package starlogo.models.gltf
         /** What the file may have and cost. It grows with the buffers in other files. */
         internal var budget:FileBudget;
 
-        // gives the content of another file
-        private var _fetch:Function;
-
         // the addresses of the other files, and the indices of the buffers that each has, by keyOf() the address
         private var _uris:Vector.<String> = new Vector.<String>();
         private var _buffersOf:Object = {};
@@ -73,7 +70,6 @@ package starlogo.models.gltf
          */
         public function GltfFile(file:ModelFile, fetch:Function)
         {
-            _fetch = fetch;
             var text:String = file.bytes != null && isBinary(file.bytes) ? openChunks(file) : file.textOf("glTF file");
             budget = new FileBudget(file.name, text.length);
             var reader:JsonReader = new JsonReader(text, budget);
@@ -81,7 +77,10 @@ package starlogo.models.gltf
                 {
                     json = new GltfJson(file.name, reader.root);
                     checkNeeds();
-                    beginEach(json.count("buffers"), readingBuffer).begin(fetchingOthers);
+                    beginEach(json.count("buffers"), readingBuffer).begin(function():Steps
+                        {
+                            return fetchingOthers(fetch);
+                        });
                 });
         }
 
@@ -143,7 +142,7 @@ package starlogo.models.gltf
         internal function openView(index:int, offset:Number, length:Number, user:GltfJson):ByteArray
         {
             var view:GltfJson = json.rootEntry("bufferViews", index);
-            var buffer:int = view.reference("buffer", "buffers");
+            var buffer:int = view.indexOrNone("buffer", "buffers");
             view.refuseIf(buffer < 0, "it names no buffer");
             var start:int = view.integer("byteOffset", int.MAX_VALUE, 0);
             var size:int = view.requiredInteger("byteLength", int.MAX_VALUE);
@@ -215,25 +214,21 @@ package starlogo.models.gltf
                     "expected glTF 2.0, but found " + GltfJson.shown(version) + ": save the model as 2.0", "asset.version");
             for each (var extension:* in json.list("extensionsRequired"))
             {
-                checkExtension(extension is String ? extension : GltfJson.shown(extension));
+                var required:String = extension is String ? extension : GltfJson.shown(extension);
+                json.refuseIf(required == DRACO, "its meshes are " + DRACO_PROBLEM, "extensionsRequired");
+                json.refuseIf(MESHOPT.test(required), "its data are " + MESHOPT_PROBLEM, "extensionsRequired");
+                json.refuseIf(!SUPPORTED.test(required), "it needs the extension \"" + shortened(required) +
+                        "\", which is not known: save the model without it", "extensionsRequired");
             }
         }
 
-        private function checkExtension(extension:String):void
-        {
-            json.refuseIf(extension == DRACO, "its meshes are " + DRACO_PROBLEM, "extensionsRequired");
-            json.refuseIf(MESHOPT.test(extension), "its data are " + MESHOPT_PROBLEM, "extensionsRequired");
-            json.refuseIf(!SUPPORTED.test(extension), "it needs the extension \"" + shortened(extension) +
-                    "\", which is not known: save the model without it", "extensionsRequired");
-        }
-
         // Starts to fetch the other files. The next step keeps their buffers.
-        private function fetchingOthers():Steps
+        private function fetchingOthers(fetch:Function):Steps
         {
             var files:Array = [];
             for each (var uri:String in _uris)
             {
-                files.push(_fetch(uri));
+                files.push(fetch(uri));
             }
             return new StepSequence().call(function():void
                 {

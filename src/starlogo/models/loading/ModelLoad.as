@@ -124,14 +124,9 @@ package starlogo.models.loading
         /** Adds the steps that read a file. */
         public function addReadSteps(file:ModelFile):void
         {
-            var format:String;
             call(function():void
                 {
-                    // may decode it, in a step of its own
-                    format = ModelFormat.of(file);
-                }).call(function():void
-                {
-                    addMakeSteps(ModelBuilder.reading(ModelFormat.newReader(file, format, _upAxis, _scaling, fetchSibling)));
+                    addMakeSteps(ModelBuilder.reading(ModelFormat.newReader(file, _upAxis, _scaling, fetchSibling)));
                 });
         }
 

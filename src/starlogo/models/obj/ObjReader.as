@@ -2,7 +2,7 @@ package starlogo.models.obj
 {
     import starlogo.models.ModelError;
     import starlogo.models.building.ModelData;
-    import starlogo.models.building.ModelReader;
+    import starlogo.models.building.FormatReader;
     import starlogo.models.building.TriangleLabels;
     import starlogo.models.building.removingUnusedVertices;
     import starlogo.models.files.FileBudget;
@@ -20,7 +20,7 @@ package starlogo.models.obj
      *
      * @private
      */
-    public final class ObjReader extends StepSequence implements ModelReader
+    public final class ObjReader extends StepSequence implements FormatReader
     {
         private var _data:ModelData;
         private var _lines:LineReader;
@@ -58,7 +58,7 @@ package starlogo.models.obj
         private function readSome():Boolean
         {
             _data.readProgress = _lines.readStatements(readStatement);
-            _budget.requireMesh(_data.vertices.length / 3, _data.triangles.length / 3 + _polygonTriangles, _lines.place);
+            _budget.checkMeshSize(_data.vertices.length / 3, _data.triangles.length / 3 + _polygonTriangles, _lines.place);
             return _lines.hasMore;
         }
 

@@ -244,7 +244,7 @@ package starlogo.models.polygons
             return extent;
         }
 
-        // Twice the area of a loop in the plane of two axes; positive if it is counter-clockwise. The unit is 1/scale squared.
+        // Twice the area of a loop in the plane of two axes; positive if it is counter-clockwise. Its coordinates are scaled.
         private function doubleArea(loop:Vector.<uint>, axisX:int, axisY:int):Number
         {
             var originX:Number = _vertices[3 * loop[0] + axisX];

@@ -9,8 +9,8 @@ package starlogo.away3d
     import starlogo.geometry.vertices.PointTable;
     import starlogo.models.Model;
     import starlogo.models.ModelError;
-    import starlogo.models.building.ModelData;
     import starlogo.models.building.FormatReader;
+    import starlogo.models.building.ModelData;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 

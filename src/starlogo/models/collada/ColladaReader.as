@@ -5,8 +5,8 @@ package starlogo.models.collada
     import starlogo.models.Model;
     import starlogo.models.ModelTransform;
     import starlogo.models.animation.Pose;
-    import starlogo.models.building.ModelData;
     import starlogo.models.building.FormatReader;
+    import starlogo.models.building.ModelData;
     import starlogo.models.building.removingUnusedVertices;
     import starlogo.models.files.refuseFileIf;
     import starlogo.models.files.shortened;

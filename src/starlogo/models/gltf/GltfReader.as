@@ -1,8 +1,8 @@
 package starlogo.models.gltf
 {
     import starlogo.models.animation.Pose;
-    import starlogo.models.building.ModelData;
     import starlogo.models.building.FormatReader;
+    import starlogo.models.building.ModelData;
     import starlogo.models.building.removingUnusedVertices;
     import starlogo.models.files.refuseFileIf;
     import starlogo.steps.StepSequence;

@@ -35,9 +35,9 @@ package starlogo.models.gltf
                 {
                     for (var vertex:int = first; vertex < end; vertex++)
                     {
-                        for (var set :int = 0; set < indices.length; set ++)
+                        for (var pair:int = 0; pair < indices.length; pair++)
                         {
-                            readSet(indices[set ], weights[set ], vertex, jointCount);
+                            readSet(indices[pair], weights[pair], vertex, jointCount);
                         }
                         influences.offsets.push(influences.joints.length);
                     }

@@ -2,8 +2,8 @@ package starlogo.models.loading
 {
     import flash.utils.ByteArray;
     import starlogo.models.ModelTransform;
-    import starlogo.models.building.ModelData;
     import starlogo.models.building.FormatReader;
+    import starlogo.models.building.ModelData;
     import starlogo.models.collada.ColladaDocument;
     import starlogo.models.collada.ColladaReader;
     import starlogo.models.cooked.CookedFile;

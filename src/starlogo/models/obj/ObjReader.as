@@ -1,8 +1,8 @@
 package starlogo.models.obj
 {
     import starlogo.models.ModelError;
-    import starlogo.models.building.ModelData;
     import starlogo.models.building.FormatReader;
+    import starlogo.models.building.ModelData;
     import starlogo.models.building.TriangleLabels;
     import starlogo.models.building.removingUnusedVertices;
     import starlogo.models.files.FileBudget;

@@ -4,8 +4,8 @@ package starlogo.models.stl
     import flash.utils.Endian;
     import starlogo.geometry.vertices.PointTable;
     import starlogo.models.ModelError;
-    import starlogo.models.building.ModelData;
     import starlogo.models.building.FormatReader;
+    import starlogo.models.building.ModelData;
     import starlogo.models.files.FileBudget;
     import starlogo.models.files.ModelFile;
     import starlogo.models.files.refuseFileIf;

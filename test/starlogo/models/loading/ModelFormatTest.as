@@ -6,8 +6,8 @@ package starlogo.models.loading
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.models.ObjModel;
-    import starlogo.models.building.ModelBuilder;
     import starlogo.models.building.FormatReader;
+    import starlogo.models.building.ModelBuilder;
     import starlogo.models.files.ModelFile;
     import support.Collada;
     import support.Gltf;

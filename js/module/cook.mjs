@@ -2,9 +2,10 @@
 import { createHash } from "node:crypto";
 import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from "node:fs";
 import { basename, dirname, extname, isAbsolute, join, relative, resolve, sep } from "node:path";
+import { fileURLToPath, pathToFileURL } from "node:url";
 import { parseArgs } from "node:util";
 import { $hintOfOption } from "./spelling.mjs";
-import { GreatLand, HullFitter, Model, ModelLoader, ModelTransform } from "./starlogo-collision.min.js";
+import { GreatLand, HullFitter, Model, ModelLoader } from "./starlogo-collision.min.js";
 
 const HELP = `Reads models and computes what a game needs of them when the game is built, so that no player's machine has to: writes a cooked file for every
 OBJ, DAE, GLB, GLTF and STL file of a folder and of those below it, and manifest.json, which a ModelLoader finds them by. What is
@@ -25,7 +26,6 @@ there already, of the same source and options, is left as it is.
   --help               prints this`;
 
 const MODEL = /\.(obj|dae|glb|gltf|stl)$/i;
-const MOST_FILES = 100;
 const SCALINGS = [Model.FOOTPRINT, Model.VOLUME, Model.AS_GIVEN];
 const { version } = JSON.parse(readFileSync(new URL("package.json", import.meta.url), "utf8"));
 const options = {
@@ -59,28 +59,30 @@ async function cookAll() {
 		const name = file.split(sep).join("/");
 		try {
 			const start = performance.now();
-			const { bytes: source, transform, parts } = readSource(join(folder, file));
-			const hash = hashOf([settings, ...parts.map((part) => readFileSync(part))]);
-			if (out !== folder) parts.forEach(copy);
-			models[name] = { cooked: `${name}.cooked`, source: hash };
 			const path = join(out, `${file}.cooked`);
-			if (!values.force && lastModels[name]?.source === hash && existsSync(path)) {
+			const last = lastModels[name];
+			if (!values.force && existsSync(path) && last?.source === hashOf(last?.files ?? [])) {
+				copyAll(last.files);
+				models[name] = last;
 				kept++;
 				continue;
 			}
-			const model = await read(name, source, transform ?? values.up);
+			// if this run is interrupted, the next one cooks the file again
+			delete lastModels[name];
+			writeManifest({ ...lastModels, ...models });
+			const { model, files: parts } = await readModel(file);
+			copyAll(parts);
 			const bytes = newGame().cook(model, values.up, values.transforms);
 			writeFileSync(path, bytes);
+			models[name] = { cooked: `${name}.cooked`, source: hashOf(parts), files: parts };
 			const time = (performance.now() - start).toFixed(0);
 			console.log(`${relative(out, path)}: ${bytes.length} bytes for ${(model.triangles?.length ?? 0) / 3} triangles, ${time} ms`);
 		} catch (error) {
 			failures++;
-			delete models[name];
 			console.error(`${file}: ${error.message}`);
 		}
 	}
-	mkdirSync(out, { recursive: true });
-	writeFileSync(manifestPath, `${JSON.stringify({ models }, null, "\t")}\n`);
+	writeManifest(models);
 	const counts = [`${files.length - failures - kept} cooked`, kept > 0 ? `${kept} as they were` : "", failures > 0 ? `${failures} that are no models` : ""];
 	console.log(counts.filter((text) => text !== "").join(", "));
 	process.exitCode = failures > 0 ? 1 : 0;
@@ -90,7 +92,7 @@ async function cookAll() {
 function isSource(file) {
 	const path = join(folder, file);
 	const isCopy = isIn(folder, out) && out !== folder && isIn(out, path);
-	return MODEL.test(file) && statSync(path).isFile() && !isCopy;
+	return MODEL.test(file) && !isCopy && statSync(path, { throwIfNoEntry: false })?.isFile();
 }
 
 /** The options and the folder. Wrong arguments end the program with a message. */
@@ -139,30 +141,19 @@ function readManifest() {
 	}
 }
 
-/** The source of a model: bytes that contain everything, the transform or null, and the files that were read. */
-function readSource(file) {
-	const parts = [file];
-	let bytes = readFileSync(file);
-	if (/\.gltf$/i.test(file)) {
-		const document = JSON.parse(bytes);
-		for (const buffer of (document.buffers ?? []).filter(({ uri }) => uri && !/^data:/i.test(uri))) {
-			const path = join(dirname(file), decodeURIComponent(buffer.uri));
-			if (!isIn(dirname(file), path)) throw new Error(`its data is not in its folder: ${buffer.uri}`);
-			if (parts.length > MOST_FILES) throw new Error(`its data is in more than ${MOST_FILES} files`);
-			parts.push(path);
-			buffer.uri = `data:application/octet-stream;base64,${readFileSync(path, "base64")}`;
-		}
-		bytes = Buffer.from(JSON.stringify(document));
-	}
-	const beside = file.slice(0, -extname(file).length) + ".slb";
-	if (!values.transforms || !existsSync(beside)) return { bytes, transform: null, parts };
-	const transform = ModelTransform.fromText(readFileSync(beside, "utf8"));
-	return { bytes, transform: transform.isIdentity ? null : transform, parts: [...parts, beside] };
+/** Writes the manifest: for each model its cooked file, the files that it was read from, and the hash of these and of the options. */
+function writeManifest(models) {
+	mkdirSync(out, { recursive: true });
+	writeFileSync(manifestPath, `${JSON.stringify({ models }, null, "\t")}\n`);
 }
 
-function hashOf(pieces) {
-	const hash = createHash("sha256");
-	for (const piece of pieces) hash.update(`${piece.length} `).update(piece);
+/** The hash of the options and of some files of the folder. One that there is not counts as empty. */
+function hashOf(files) {
+	const hash = createHash("sha256").update(settings);
+	for (const file of files) {
+		const bytes = existsSync(join(folder, file)) ? readFileSync(join(folder, file)) : "";
+		hash.update(`${bytes.length} `).update(bytes);
+	}
 	return hash.digest("hex");
 }
 
@@ -172,10 +163,12 @@ function isIn(whole, path) {
 	return way.split(sep)[0] !== ".." && !isAbsolute(way);
 }
 
-function copy(file) {
-	const to = join(out, relative(folder, file));
-	mkdirSync(dirname(to), { recursive: true });
-	copyFileSync(file, to);
+/** Copies files that are there, if there is a folder for copies. */
+function copyAll(files) {
+	for (const file of files.filter((each) => out !== folder && existsSync(join(folder, each)))) {
+		mkdirSync(dirname(join(out, file)), { recursive: true });
+		copyFileSync(join(folder, file), join(out, file));
+	}
 }
 
 /** A GreatLand with the game's settings. */
@@ -190,15 +183,19 @@ function newGame() {
 	return greatLand;
 }
 
-/** Reads a model from a file of any kind, as a game does. */
-function read(name, bytes, upAxis) {
+/** Loads a model as a game does, but from the folder. Returns it, and the files that the loader has asked for. */
+async function readModel(file) {
+	const files = [];
+	globalThis.fetch = async (url) => {
+		const path = fileURLToPath(url);
+		files.push(relative(folder, path));
+		return new Response(readFileSync(path));
+	};
 	const receiver = new GreatLand();
 	receiver.loadTightestFit = false;
 	receiver.loadHierarchies = false;
 	const loader = new ModelLoader(receiver, 1000);
-	return new Promise((resolve, reject) => {
-		loader.addEventListener("modelLoaded", (event) => resolve(event.model));
-		loader.addEventListener("error", (event) => reject(new Error(event.text)));
-		loader.loadBytes(basename(name, extname(name)), bytes, upAxis, values.scaling);
-	});
+	loader.usesTransforms = values.transforms;
+	const model = await loader.loadAsync(basename(file, extname(file)), pathToFileURL(join(folder, file)).href, { upAxis: values.up, scaling: values.scaling });
+	return { model, files };
 }

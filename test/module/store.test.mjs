@@ -1,13 +1,15 @@
 /** Tests of stored fits and cooked models where browsers keep things: the package bin/module in headless Chromium, its local storage, and several tabs. */
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
-import { copyFileSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { copyFileSync, mkdirSync, readFileSync, readdirSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { launch } from "../../build/headless/browsers.mjs";
 import { serve } from "../../build/headless/server.mjs";
+import { engine } from "./engine.mjs";
 
+const { CookedModel, ModelTransform, ObjModel } = engine;
 const root = fileURLToPath(new URL("../..", import.meta.url));
 const folder = path.join(root, "bin/module");
 const work = path.join(root, "bin/generated/module/store-test");
@@ -205,7 +207,20 @@ test("the cook leaves what is there, cooks what has changed, and says what is wr
 	const again = path.join(work, "again");
 	assert.match(run(plain, "--out", again).stdout, /^4 cooked$/m);
 	assert.match(run(plain, "--out", again).stdout, /^0 cooked, 4 as they were$/m);
+	const manifest = readFileSync(path.join(again, "manifest.json"));
 	assert.match(run(plain, "--out", again, "--up", "y").stdout, /^4 cooked$/m);
+	// a run that is interrupted has taken the entries of what it has cooked out of the manifest
+	const order = JSON.parse(manifest);
+	const interrupted = spawnSync(process.execPath, ["--input-type=module", "-e", `import fs from "node:fs";
+		import { syncBuiltinESMExports } from "node:module";
+		const write = fs.writeFileSync;
+		fs.writeFileSync = (file, bytes) => (write(file, bytes), /kelp\.obj\.cooked$/.test(file) && process.exit(9));
+		syncBuiltinESMExports();
+		process.argv = ["", ${JSON.stringify(plain)}, "--out", ${JSON.stringify(again)}];
+		await import(${JSON.stringify(path.join(folder, "cook.mjs"))});`]);
+	assert.equal(interrupted.status, 9);
+	assert.deepEqual(Object.keys(JSON.parse(readFileSync(path.join(again, "manifest.json"))).models).sort(), Object.keys(order.models).filter((name) => name !== "kelp.obj"));
+	assert.match(run(plain, "--out", again, "--up", "y").stdout, /^2 cooked, 2 as they were$/m);
 	writeFileSync(path.join(plain, "kelp.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
 	assert.match(run(plain, "--out", again, "--up", "y").stdout, /^1 cooked, 3 as they were$/m);
 	writeFileSync(path.join(plain, "broken.obj"), "v 1 2\n");
@@ -221,20 +236,25 @@ test("the cook leaves what is there, cooks what has changed, and says what is wr
 	const gltf = (uri) => JSON.stringify({ asset: { version: "2.0" }, scenes: [{ nodes: [0] }], nodes: [{ mesh: 0 }], meshes: [{ primitives: [{ attributes: { POSITION: 0 } }] }],
 		accessors: [{ bufferView: 0, componentType: 5126, count: 3, type: "VEC3", min: [0, 0, 0], max: [1, 1, 0] }], bufferViews: [{ buffer: 0, byteLength: 36 }], buffers: [{ uri, byteLength: 36 }] });
 	mkdirSync(path.join(plain, "deep"));
-	writeFileSync(path.join(plain, "deep/three.gltf"), gltf("its%20data.bin"));
+	writeFileSync(path.join(plain, "deep/three.gltf"), `\uFEFF${gltf("its%20data.bin?v=2")}`);
 	writeFileSync(path.join(plain, "deep/its data.bin"), new Uint8Array(new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0]).buffer));
-	writeFileSync(path.join(plain, "kelp.slb"), "rotate 90 0 0\n");
+	writeFileSync(path.join(plain, "kelp.slb"), "\uFEFFrotate 90 0 0\n");
+	symlinkSync(path.join(plain, "nowhere"), path.join(plain, "gone.obj"));
 	const transformed = () => run(plain, "--out", path.join(plain, "out"), "--transforms").stdout;
 	assert.match(transformed(), /^5 cooked$/m);
 	assert.match(transformed(), /^0 cooked, 5 as they were$/m);
 	assert.deepEqual(readdirSync(path.join(plain, "out/deep")).sort(), ["its data.bin", "three.gltf", "three.gltf.cooked"]);
-	assert.deepEqual(readFileSync(path.join(plain, "out/kelp.slb"), "utf8"), "rotate 90 0 0\n");
+	// the model is turned as a loader turns it
+	const cooked = CookedModel.fromBytes("kelp", readFileSync(path.join(plain, "out/kelp.obj.cooked")));
+	const turned = new ObjModel("kelp", readFileSync(path.join(plain, "kelp.obj"), "utf8"), ModelTransform.fromText("rotate 90 0 0"));
+	assert.deepEqual([...cooked.vertices], [...turned.vertices]);
+	assert.deepEqual(readFileSync(path.join(plain, "out/kelp.slb"), "utf8"), "\uFEFFrotate 90 0 0\n");
 	writeFileSync(path.join(plain, "kelp.slb"), "rotate 0 90 0\n");
 	assert.match(transformed(), /^1 cooked, 4 as they were$/m);
 	writeFileSync(path.join(plain, "deep/its data.bin"), new Uint8Array(36));
 	assert.match(transformed(), /^1 cooked, 4 as they were$/m);
 	writeFileSync(path.join(plain, "deep/three.gltf"), gltf("../../its.bin"));
-	assert.match(run(plain, "--out", again).stderr, /three\.gltf: its data is not in its folder: \.\.\/\.\.\/its\.bin/);
+	assert.match(run(plain, "--out", again).stderr, /three\.gltf: model "three", buffers\[0\]\.uri: expected data, or a path from the file's folder on, but found "\.\.\/\.\.\/its\.bin"/);
 	for (const [args, problem] of [[[], /needs a folder/], [["nowhere"], /nowhere is no folder/], [[plain, "--up", "w"], /--up is x, y or z, not w/],
 		[[plain, "--depth", "0"], /--depth is a whole number/], [[plain, "--upp", "y"], /--upp is no option; the nearest is up; there are --out, --up, .*--help$/m],
 		[[plain, "--gravity"], /--gravity is no option; there are/], [[plain, "--up"], /--up needs a value$/m], [[plain, "--force=3"], /--force takes no value$/m], [[plain, "--increment", "x"], /--increment is/]]) {

@@ -9,13 +9,13 @@ package starlogo.away3d
     import starlogo.geometry.vertices.PointTable;
     import starlogo.models.Model;
     import starlogo.models.ModelError;
+    import starlogo.models.building.FormatReader;
     import starlogo.models.building.ModelData;
-    import starlogo.models.building.ModelReader;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     /** Reads the source of an Away3dModel, in steps of about a millisecond. */
-    internal final class SourceReader extends StepSequence implements ModelReader
+    internal final class SourceReader extends StepSequence implements FormatReader
     {
         // swaps y and z, which mirrors
         private static const SWAP:AffineTransform = new AffineTransform(new <Number>[1, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0]);

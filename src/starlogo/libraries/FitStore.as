@@ -211,7 +211,7 @@ package starlogo.libraries
         {
             var file:CookedFile = new CookedFile(bytes);
             finish(file);
-            return file.isOf(geometryKey);
+            return file.hasKey(CookedFile.MODEL, geometryKey);
         }
 
         // The fingerprint of a model's vertices and triangles.

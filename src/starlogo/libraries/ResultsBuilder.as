@@ -132,7 +132,7 @@ package starlogo.libraries
         // Takes what is in a file of a store. The work that it returns computes the rest, and stores all.
         private function completing(stored:CookedFile, geometryKey:Fingerprint, store:FitStore):Steps
         {
-            if (stored.isOf(geometryKey))
+            if (stored.hasKey(CookedFile.MODEL, geometryKey))
             {
                 takeFrom(stored);
             }

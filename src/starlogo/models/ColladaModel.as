@@ -44,7 +44,7 @@ package starlogo.models
          */
         public function ColladaModel(name:String, text:String, upAxis:Object = null, scaling:String = Model.FOOTPRINT)
         {
-            super(name, null, null, null, ModelBuilder.reading(new ColladaReader(new ColladaDocument(name, text), upAxis, scaling)).build());
+            super(name, null, null, null, ModelBuilder.reading(new ColladaReader(new ColladaDocument(new ModelFile(name, null, text)), upAxis, scaling)).build());
         }
 
         /**

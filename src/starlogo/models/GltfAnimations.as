@@ -13,7 +13,7 @@ package starlogo.models
     public final class GltfAnimations extends ModelAnimations
     {
         /**
-         * Reads the animations of a file.
+         * Reads the animations of a file. If there are any, it reads the scene too.
          *
          * @param name the model's name, for errors
          * @param bytes the whole file; its position and endianness may change

@@ -1,4 +1,4 @@
-// This room has models, and what reads them from files. A ModelReader for each format fills a ModelData, of which a ModelBuilder makes a Model: it
+// This room has models, and what reads them from files. A FormatReader for each format fills a ModelData, of which a ModelBuilder makes a Model: it
 // brings the vertices to their place and scale. building/ has these three; files/, text/ and polygons/ serve the readers; animation/ moves what they read;
 // cooked/ is the engine's own format. A ModelLoader does the same in steps while a game runs. Read this file first, then building/ModelBuilder and
 // obj/ObjReader, and ModelLoader with loading/ModelLoad for loading.
@@ -32,8 +32,8 @@ package starlogo.models
         /**
          * The default scaling, from the thesis (§2.2). The model is centred on the origin in x and y, its lowest vertex is at z = 0, and
          * the larger of its x and y extents is 1. Its height may be more than 1. If the x and y extents are both less than a millionth of
-         * the z extent, the model is a vertical line and its z extent becomes 1. A single point is only moved to the origin. Only the
-         * rotation and an uneven scale of a ModelTransform have an effect.
+         * the z extent, the model is a vertical line and its z extent becomes 1. A single point is only moved to the origin. Of a
+         * ModelTransform only the rotation and an uneven or negative scale have an effect.
          */
         public static const FOOTPRINT:String = "footprint";
 

@@ -15,13 +15,17 @@ package starlogo.models
         /**
          * Use the classes that read a format.
          *
-         * @param animations the animations
+         * @param animations the animations; makes a pose of the first one, so that what moves is read and checked
          *
          * @private
          */
         public function ModelAnimations(animations:Vector.<FileAnimation>)
         {
             _animations = animations;
+            if (animations.length > 0)
+            {
+                animations[0].verticesAt(0);
+            }
         }
 
         /** The number of animations. */

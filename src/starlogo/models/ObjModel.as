@@ -33,7 +33,7 @@ package starlogo.models
          */
         public function ObjModel(name:String, text:String, upAxis:Object = "z", scaling:String = Model.FOOTPRINT)
         {
-            super(name, null, null, null, ModelBuilder.reading(new ObjReader(name, text, upAxis, scaling)).build());
+            super(name, null, null, null, ModelBuilder.reading(new ObjReader(new ModelFile(name, null, text), upAxis, scaling)).build());
         }
 
         /**

@@ -20,7 +20,7 @@ package starlogo.models
         private var _offset:Vector.<Number> = new <Number>[0, 0, 0];
 
         // How many units of the source are one of the model.
-        private var _unit:Number = 1;
+        private var _sourceUnits:Number = 1;
 
         /** The frame of a model that equals its source. Read a model's frame from <code>Model.source</code> instead. */
         public function SourceFrame()
@@ -36,7 +36,7 @@ package starlogo.models
         /** The length of the model's unit, in units of the source. For an uneven scale it is the geometric mean. */
         public function get unit():Number
         {
-            return _unit;
+            return _sourceUnits;
         }
 
         /** The matrix that takes the source's points to the model. */
@@ -103,7 +103,7 @@ package starlogo.models
         engine function get numbers():Vector.<Number>
         {
             var m:Vector.<Number> = _matrix.rows;
-            return new <Number>[m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10], _offset[0], _offset[1], _offset[2], _unit];
+            return new <Number>[m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10], _offset[0], _offset[1], _offset[2], _sourceUnits];
         }
 
         /** @private The frame with these numbers. */
@@ -112,14 +112,14 @@ package starlogo.models
             var frame:SourceFrame = new SourceFrame();
             frame._matrix = new AffineTransform(new <Number>[n[0], n[1], n[2], 0, n[3], n[4], n[5], 0, n[6], n[7], n[8], 0]);
             frame._offset = n.slice(9, 12);
-            frame._unit = n[12];
+            frame._sourceUnits = n[12];
             return frame;
         }
 
         /** @private Whether all numbers are finite, and the unit is positive. */
         engine function get isValid():Boolean
         {
-            return areFinite(numbers) && _unit > 0;
+            return areFinite(numbers) && _sourceUnits > 0;
         }
 
         /**
@@ -135,7 +135,7 @@ package starlogo.models
                 _offset[k] += x * inverseAt(0, k) + y * inverseAt(1, k) + z * inverseAt(2, k);
             }
             _matrix.divideBy(divisor);
-            _unit *= divisor;
+            _sourceUnits *= divisor;
         }
 
         /**
@@ -149,7 +149,7 @@ package starlogo.models
         engine function addTransform(by:AffineTransform, factor:Number):void
         {
             _matrix = by.after(_matrix);
-            _unit /= factor;
+            _sourceUnits /= factor;
         }
 
         // How far one unit along an axis of the model, which is a row of the matrix, goes along an axis of the source. A turn's inverse is its

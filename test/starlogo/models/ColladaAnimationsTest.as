@@ -82,7 +82,7 @@ package starlogo.models
             var inner:String = animation("n/translate.X", "0 4 8 8", "LINEAR").replace("<animation", '<animation id="inner"');
             var outer:String = animation("n/translate.Y", "0 4 8 8", "LINEAR").replace("<animation", '<animation id="outer"').replace("</animation>", inner + "</animation>");
             assertPoint(documentOf(outer), 1, "5 4 7");
-            var clips:String = '<library_animation_clips><animation_clip name="both" start="1" end="2"><instance_animation url="#outer"/></animation_clip>' +
+            var clips:String = '<library_animation_clips><animation_clip name="both" start=" 1" end="2\n"><instance_animation url=" #outer "/></animation_clip>' +
                 '<animation_clip id="one"><instance_animation url="#inner"/></animation_clip></library_animation_clips>';
             var animations:ColladaAnimations = new ColladaAnimations("a", documentOf(outer, clips));
             assertEquals("2,0,1,-1", [animations.count, animations.indexOf("both"), animations.indexOf("one"), animations.indexOf("")].join());
@@ -214,6 +214,19 @@ package starlogo.models
             assertPoints("1.5 1 1 3.5 1 1 .5 5 1 .5 1 6", new ColladaAnimations("a", text).verticesAt(0, 1));
         }
 
+        /** There may be words between weights, which count for nothing. */
+        [Test]
+        public function weightsMayHaveAStride():void
+        {
+            var morph:String = morphed("RELATIVE", "b b").replace(">0</float_array>", ">0 9 0 9</float_array>").replace('"weights" count="1"', '"weights" count="4"')
+                .replace('"#weights" count="1" stride="1"', '"#weights" count="2" stride="2"').replace("weights(0)", "weights(2)");
+            assertPoints("1.5 1 1 3.5 1 1 .5 5 1 .5 1 6", new ColladaAnimations("a", morph).verticesAt(0, 1));
+            var skin:String = skinned("joint/turn.ANGLE", "0 90 90 90", false).replace(">1 .5<", ">1 9 .5 9<").replace('"WEIGHTf" count="2"', '"WEIGHTf" count="4"')
+                .replace('"#WEIGHTf" count="2" stride="1"', '"#WEIGHTf" count="2" stride="2"');
+            assertPoints("1 0 0 2 1 0 0 4 0 0 0 5", new ColladaAnimations("a", skin.replace("<v>1 1 1 1 0 1 0 0", "<v>1 0 1 1 0 1 0 0")).verticesAt(0, 1));
+            fails(/expected a weight's index, 0 to 1, but found "2"/, skin.replace("<v>1 1", "<v>1 2"));
+        }
+
         /** An element's numbers are found once for a pose, and hold at each of its places. */
         [Test]
         public function eachPlaceOfANodeHasItsChannels():void
@@ -305,7 +318,7 @@ package starlogo.models
             fails(/accessor: its count of 5 with a stride of 1 reaches beyond the 4/, moved("translate.X", "0 0 0 0", "LINEAR").replace('"#OUTPUTf" count="4"', '"#OUTPUTf" count="5"'));
             fails(/animation_clip#c: it ends before it starts/, documentOf("", '<library_animation_clips><animation_clip id="c" start="2" end="1"/></library_animation_clips>'));
             fails(/no <animation> with the id "x"/, documentOf("", '<library_animation_clips><animation_clip><instance_animation url="#x"/></animation_clip></library_animation_clips>'));
-            fails(/there is no text to read/, null);
+            fails(/the file is empty/, null);
             fails(/root element is <svg>/, "<svg/>");
             var far:ColladaAnimations = new ColladaAnimations("a", moved("translate.X", "-1e308 1e308 0 0", "LINEAR"));
             assertThrows(ModelError, /sampler#t: its numbers at 0.5 seconds are not finite/, far.verticesAt, 0, 0.5);

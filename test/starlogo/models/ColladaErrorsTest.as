@@ -15,7 +15,7 @@ package starlogo.models
         [Test]
         public function whatIsNoDocument():void
         {
-            fails("", "there is no text", null);
+            fails("", "the file is empty", null);
             fails("", "not XML", "");
             fails("", "not XML", "hello");
             fails("", "not XML", "\u0089PNG\r\n\u001a\n");

@@ -23,6 +23,7 @@ package starlogo.models
             var text:String = Collada.document(Collada.geometry("a", "0 0 0 200 0 0 0 400 0", Collada.triangles("0 1 2")), "", asset);
             assertEquals("0,0,0,2,0,0,0,4,0", new ColladaModel("a", text, null, Model.AS_GIVEN).vertices.join());
             assertEquals("0,0,0,2,0,0,0,4,0", new ColladaModel("a", text, "z", Model.AS_GIVEN).vertices.join());
+            assertEquals("0,0,0,2,0,0,0,4,0", new ColladaModel("a", text.replace("0.01", " 0,01"), null, Model.AS_GIVEN).vertices.join());
             assertEquals(100, new ColladaModel("a", text, null, Model.AS_GIVEN).source.unit);
             // a game that turns and scales itself gets the file's own numbers
             assertEquals("0,0,0,200,0,0,0,400,0", new ColladaModel("a", text, new ModelTransform(), Model.AS_GIVEN).vertices.join());

@@ -26,7 +26,7 @@ package starlogo.models
 
         private static const BUDGET:int = 8;
         private static const OBJ:String = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0.2 0.3 1\nf 1 2 3\nf 1 2 4\n";
-        private static const MANIFEST:String = "{\"models\": {\"bear.obj\": {\"cooked\": \"bear.obj.cooked\"}, \"deep/bear.obj\": {\"cooked\": \"x/y\"}}}";
+        private static const MANIFEST:String = "{\"models\": {\"a\": {\"hasOwnProperty\": 1, \"cooked\": \"a\"}, \"bear.obj\": {\"cooked\": \"bear.obj.cooked\"}, \"deep/bear.obj\": {\"cooked\": \"x/y\"}}}";
 
         private var _greatLand:GreatLand;
         private var _loader:TestedLoader;

@@ -188,10 +188,10 @@ package starlogo.models
             file.json.bufferViews[1].buffer = 1;
             file.json.buffers[1] = {byteLength: file.binary.length, uri: "a.bin"};
             var fetched:Array = [];
-            var reader:GltfReader = new GltfReader(new GltfFile(new ModelFile("a", file.toTextBytes("a.bin")), function(uri:String, take:Function):void
+            var reader:GltfReader = new GltfReader(new GltfFile(new ModelFile("a", file.toTextBytes("a.bin")), function(uri:String):Object
                     {
                         fetched.push(uri);
-                        take(file.binary, null);
+                        return {bytes: file.binary, problem: null};
                     }), null, Model.FOOTPRINT);
             assertEquals(12, ModelBuilder.reading(reader).build().triangles.length);
             assertEquals("a.bin", fetched.join());

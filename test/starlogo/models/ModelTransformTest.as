@@ -25,6 +25,7 @@ package starlogo.models
         public function readsWhatTheClientReads():void
         {
             assertTransform("90 0 270", "1 1 1", "0 0 0", "rotate 90 0 270");
+            assertTransform("90 0 270", "1 1 1", "0 0 0", "\uFEFFrotate 90 0 270");
             assertTransform("90 0 270", "1 1 1", "0 0 0", "StarLogoTNG\r\n200\r\nen\r\nrotate 90 0 270 \r\n");
             assertTransform("0 -0.5 30", "2 2 2", "0 0 -0.7", "scale 2\nrotate 0 -.5 3e1\ntranslate 0 0 -0.7\ninvert\n");
             assertTransform("0 0 0", "0.35 0.35 0.35", "0 0 0", "scale 0.35 9");

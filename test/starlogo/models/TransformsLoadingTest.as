@@ -79,7 +79,7 @@ package starlogo.models
             _loader.load("nothing said", "2.obj", "y");
             _loader.load("given", "3.obj", turned, Model.AS_GIVEN);
             // the transform first, or last: the model waits for it
-            _loader.fetches[1].deliver(encoded("StarLogoTNG\n" + turned));
+            _loader.fetches[1].deliver(encoded("\uFEFF" + turned));
             _loader.fetches[0].deliver(encoded(OBJ));
             _loader.fetches[2].deliver(encoded(OBJ));
             _loader.fetches[3].dispatchEvent(new IOErrorEvent(IOErrorEvent.IO_ERROR, false, false, "404"));

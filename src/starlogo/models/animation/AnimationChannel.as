@@ -36,8 +36,8 @@ package starlogo.models.animation
         private var _areRotations:Boolean;
 
         // The control points of curves after each key and before it: a value for each number, or a time and a value. Null if there is no curve.
-        private var _after:Vector.<Number>;
-        private var _before:Vector.<Number>;
+        private var _outControls:Vector.<Number>;
+        private var _inControls:Vector.<Number>;
 
         /**
          * @param modelName the model's name
@@ -45,22 +45,22 @@ package starlogo.models.animation
          * @param times the time of each key, at least one
          * @param values the numbers of each key
          * @param interpolations from each key to the next; or one for all keys
-         * @param after the control points of curves after each key: a value for each number, at a third of the time to the next key; or for
+         * @param outControls the control points of curves after each key: a value for each number, at a third of the time to the next key; or for
          * each number the point's time and its value. Null if there is no curve
-         * @param before those before each key, in the same form
+         * @param inControls those before each key, in the same form
          * @param areRotations whether each key is a quaternion
          * @throws ModelError if a time is not finite, or the times go back
          */
         public function AnimationChannel(modelName:String, place:Object, times:Vector.<Number>, values:Vector.<Number>, interpolations:Array,
-                after:Vector.<Number> = null, before:Vector.<Number> = null, areRotations:Boolean = false)
+                outControls:Vector.<Number> = null, inControls:Vector.<Number> = null, areRotations:Boolean = false)
         {
             _modelName = modelName;
             _place = place;
             _times = times;
             _values = values;
             _interpolations = interpolations;
-            _after = after;
-            _before = before;
+            _outControls = outControls;
+            _inControls = inControls;
             _areRotations = areRotations;
             for (var i:int = 0; i < times.length; i++)
             {
@@ -148,8 +148,8 @@ package starlogo.models.animation
         private static function slerp(from:Vector.<Number>, to:Vector.<Number>, fraction:Number):void
         {
             // those of integers are rounded
-            normaliseTurn(from);
-            normaliseTurn(to);
+            normaliseQuaternion(from);
+            normaliseQuaternion(to);
             var cosine:Number = from[0] * to[0] + from[1] * to[1] + from[2] * to[2] + from[3] * to[3];
             var sign:Number = cosine < 0 ? -1 : 1;
             var ofFrom:Number = 1 - fraction;
@@ -172,13 +172,13 @@ package starlogo.models.animation
         {
             var start:Number = _times[key];
             var length:Number = _times[key + 1] - start;
-            var hasTimes:Boolean = _after.length > _values.length;
+            var hasTimes:Boolean = _outControls.length > _values.length;
             for (var i:int = 0; i < numbers.length; i++)
             {
                 var atKey:int = key * componentCount + i;
                 var atNext:int = atKey + componentCount;
-                var at:Number = hasTimes ? parameterAt(fraction, (_after[2 * atKey] - start) / length, (_before[2 * atNext] - start) / length) : fraction;
-                numbers[i] = bezier(numbers[i], _after[hasTimes ? 2 * atKey + 1 : atKey], _before[hasTimes ? 2 * atNext + 1 : atNext], to[i], at);
+                var at:Number = hasTimes ? parameterAt(fraction, (_outControls[2 * atKey] - start) / length, (_inControls[2 * atNext] - start) / length) : fraction;
+                numbers[i] = bezier(numbers[i], _outControls[hasTimes ? 2 * atKey + 1 : atKey], _inControls[hasTimes ? 2 * atNext + 1 : atNext], to[i], at);
             }
         }
 

@@ -22,7 +22,7 @@ package starlogo.models.animation
         /**
          * @param name its name; "" if it has none
          * @param channels what moves
-         * @param newReader <code>function(pose:Pose):ModelReader</code>; reads the file in a pose
+         * @param newReader <code>function(pose:Pose):FormatReader</code>; reads the file in a pose
          * @param start when it starts, in the time of the samplers' keys
          * @param end when it ends, in the same time; NaN for the last key
          */

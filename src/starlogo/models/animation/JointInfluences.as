@@ -11,7 +11,7 @@ package starlogo.models.animation
     public final class JointInfluences
     {
         /** The first influence of each point, and one entry more: the number of influences. */
-        public var starts:Vector.<int> = new <int>[0];
+        public var offsets:Vector.<int> = new <int>[0];
 
         /** The index of each influence's joint. */
         public var joints:Vector.<int> = new Vector.<int>();
@@ -40,7 +40,7 @@ package starlogo.models.animation
                 var x:Number = 0;
                 var y:Number = 0;
                 var z:Number = 0;
-                for (var k:int = starts[i]; k < starts[int(i + 1)]; k++)
+                for (var k:int = offsets[i]; k < offsets[int(i + 1)]; k++)
                 {
                     var weight:Number = weights[k];
                     jointMatrices[joints[k]].transformPoints(points, i, i + 1, moved, 0);

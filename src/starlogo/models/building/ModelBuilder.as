@@ -46,7 +46,7 @@ package starlogo.models.building
          * @param data what the model is made of. The steps change it, and throw the errors of Model's constructor
          * @param reader fills the data first; none of its steps is done yet. Null if the data have been filled
          */
-        public function ModelBuilder(data:ModelData, reader:ModelReader = null)
+        public function ModelBuilder(data:ModelData, reader:FormatReader = null)
         {
             _data = data;
             if (reader != null)
@@ -57,7 +57,7 @@ package starlogo.models.building
         }
 
         /** The work that reads and makes a model. @param reader reads the file; none of its steps is done yet */
-        public static function reading(reader:ModelReader):ModelBuilder
+        public static function reading(reader:FormatReader):ModelBuilder
         {
             return new ModelBuilder(reader.data, reader);
         }
@@ -83,7 +83,7 @@ package starlogo.models.building
         }
 
         /** The vertices that a reader reads, z up and not normalised. None of its steps is done yet. */
-        public static function verticesOf(reader:ModelReader):Vector.<Number>
+        public static function verticesOf(reader:FormatReader):Vector.<Number>
         {
             finish(reader);
             var data:ModelData = reader.data;

@@ -18,7 +18,7 @@ package starlogo.models.building
          * Triangles that follow one another and have the same label are a run. This is the first triangle of each run. <code>seal()</code> adds the
          * number of triangles, so each run ends where the next entry begins. They are Numbers, as <code>lastNotAfter()</code> takes them. Read only.
          */
-        public var starts:Vector.<Number> = new <Number>[0];
+        public var firstTriangles:Vector.<Number> = new <Number>[0];
 
         /** The label of each run. The first run has -1, for triangles without a label. Only the first run may have no triangle. Read only. */
         public var labelsOfRuns:Vector.<int> = new <int>[-1];
@@ -64,7 +64,7 @@ package starlogo.models.building
             endRun(triangle);
             if (label != current)
             {
-                starts.push(triangle);
+                firstTriangles.push(triangle);
                 labelsOfRuns.push(label);
             }
         }
@@ -73,7 +73,7 @@ package starlogo.models.building
         public function seal(count:int):void
         {
             endRun(count);
-            starts.push(count);
+            firstTriangles.push(count);
             names = labelsOfRuns.length == 1 ? null : names;
         }
 
@@ -82,10 +82,10 @@ package starlogo.models.building
         {
             if (_labels == null && labelsOfRuns.length > 1)
             {
-                _labels = new Vector.<int>(starts[labelsOfRuns.length], true);
+                _labels = new Vector.<int>(firstTriangles[labelsOfRuns.length], true);
                 for (var run:int = 0; run < labelsOfRuns.length; run++)
                 {
-                    for (var i:int = starts[run]; i < starts[run + 1]; i++)
+                    for (var i:int = firstTriangles[run]; i < firstTriangles[run + 1]; i++)
                     {
                         _labels[i] = labelsOfRuns[run];
                     }
@@ -97,7 +97,7 @@ package starlogo.models.building
         /** The label of a triangle, after <code>seal()</code>; -1 if it has none. */
         public function labelOf(triangle:int):int
         {
-            return labelsOfRuns[lastNotAfter(starts, triangle)];
+            return labelsOfRuns[lastNotAfter(firstTriangles, triangle)];
         }
 
         /** The name of a label; null if it has none. */
@@ -110,9 +110,9 @@ package starlogo.models.building
         private function endRun(end:int):void
         {
             var last:int = labelsOfRuns.length - 1;
-            if (last > 0 && starts[last] == end)
+            if (last > 0 && firstTriangles[last] == end)
             {
-                starts.length = labelsOfRuns.length = last;
+                firstTriangles.length = labelsOfRuns.length = last;
             }
         }
     }

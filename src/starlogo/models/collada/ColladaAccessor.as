@@ -1,5 +1,6 @@
 package starlogo.models.collada
 {
+    import starlogo.models.text.TextWords;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
@@ -37,7 +38,6 @@ package starlogo.models.collada
         public var firstPoint:int;
 
         private var _firstWord:int; // its index in the array
-        private var _numbers:Vector.<Number> = null;
 
         /**
          * @param source the source's element
@@ -48,7 +48,7 @@ package starlogo.models.collada
         {
             element = source.requiredChild("technique_common").requiredChild("accessor");
             array = element.target("source", arrays, source);
-            add(array.splittingText(function(all:Array):Steps
+            add(TextWords.splitting(array.countedText(), function(all:Array):Steps
                     {
                         return readEntries(all, points);
                     }));
@@ -76,18 +76,15 @@ package starlogo.models.collada
             return numbers.slice(_firstWord, _firstWord + words.length);
         }
 
-        /** The numbers that the words stand for. @throws ModelError if one is not finite */
-        public function get numbers():Vector.<Number>
+        /** The numbers that the words stand for; a new list. @throws ModelError if one is not finite */
+        public function toNumbers():Vector.<Number>
         {
-            if (_numbers == null)
+            var numbers:Vector.<Number> = new Vector.<Number>();
+            for each (var word:String in words)
             {
-                _numbers = new Vector.<Number>();
-                for each (var word:String in words)
-                {
-                    _numbers.push(array.toNumber(word));
-                }
+                numbers.push(array.toNumber(word));
             }
-            return _numbers;
+            return numbers;
         }
 
         // The last point may have no words after its coordinates. Returns the steps that add the points, or null.

@@ -3,7 +3,8 @@ package starlogo.models.collada
     import starlogo.models.animation.AnimationChannel;
     import starlogo.models.animation.FileAnimation;
     import starlogo.models.animation.Pose;
-    import starlogo.models.building.ModelReader;
+    import starlogo.models.building.FormatReader;
+    import starlogo.models.files.ModelFile;
     import starlogo.steps.finish;
 
     /**
@@ -14,7 +15,7 @@ package starlogo.models.collada
     public final class ColladaAnimationReader
     {
         /**
-         * Reads the animations. If there are any, it makes a pose, so that the geometries and skins are read and checked.
+         * Reads the animations.
          *
          * @param name the model's name
          * @param text the document's text
@@ -23,11 +24,11 @@ package starlogo.models.collada
          */
         public static function allIn(name:String, text:String, upAxis:Object):Vector.<FileAnimation>
         {
-            var document:ColladaDocument = new ColladaDocument(name, text);
+            var document:ColladaDocument = new ColladaDocument(new ModelFile(name, null, text));
             finish(document);
             document.budget.reset();
             var read:Object = {};
-            var newReader:Function = function(pose:Pose):ModelReader
+            var newReader:Function = function(pose:Pose):FormatReader
             {
                 document.budget.reset();
                 return new ColladaReader(document, upAxis, null, pose);
@@ -50,10 +51,6 @@ package starlogo.models.collada
             if (clips.length == 0 && all.length > 0)
             {
                 animations.push(new FileAnimation("", channelsOf(all, read), newReader));
-            }
-            if (animations.length > 0)
-            {
-                animations[0].verticesAt(0);
             }
             return animations;
         }

@@ -2,6 +2,7 @@ package starlogo.models.collada
 {
     import starlogo.models.animation.AnimationChannel;
     import starlogo.models.files.shortened;
+    import starlogo.models.text.TextWords;
 
     /** Reads the channels of COLLADA animations: which numbers of the document move, and how. */
     internal final class ColladaChannel
@@ -31,15 +32,15 @@ package starlogo.models.collada
             channel.refuseIf(parts == null, "expected a target like \"node/translate.X\", but found \"" + shortened(target) + "\"");
             var sids:Array = parts[2].split("/").slice(1);
             var named:Array = null;
-            var element:ColladaElement = elementAt(channel, parts[1], sids);
+            var element:ColladaElement = targetOf(channel, parts[1], sids);
             if (element == null && sids.length > 0)
             {
                 // without an element of this sid, the dot in it is before a name
                 named = WITH_NAME.exec(sids.pop());
-                element = named == null ? null : elementAt(channel, parts[1], sids.concat(named[1]));
+                element = named == null ? null : targetOf(channel, parts[1], sids.concat(named[1]));
             }
             var isArray:Boolean = element != null && element.name == "float_array";
-            var size:int = isArray ? element.countedWords().length : (element == null ? 0 : ColladaTransform.sizeOf(element.name));
+            var size:int = isArray ? TextWords.of(element.countedText()).length : (element == null ? 0 : ColladaTransform.sizeOf(element.name));
             if (size == 0)
             {
                 return null;
@@ -56,15 +57,15 @@ package starlogo.models.collada
 
         // The element with an id, and the element in it that a list of sids leads to. Null if the id is not that of a scene, a node or an array, or
         // if there is no element with a sid.
-        private static function elementAt(channel:ColladaElement, id:String, sids:Array):ColladaElement
+        private static function targetOf(channel:ColladaElement, id:String, sids:Array):ColladaElement
         {
             if (sids.length > 0 && !channel.hasSid(sids[sids.length - 1]))
             {
                 return null;
             }
-            var source:ColladaElement = channel.elementWith("source", id);
-            var found:ColladaElement = channel.elementWith("node", id) || channel.elementWith("visual_scene", id)
-                || channel.elementWith("float_array", id) || (source == null ? null : source.child("float_array"));
+            var source:ColladaElement = channel.elementAt("source", "#" + id);
+            var found:ColladaElement = channel.elementAt("node", "#" + id) || channel.elementAt("visual_scene", "#" + id)
+                || channel.elementAt("float_array", "#" + id) || (source == null ? null : source.child("float_array"));
             for (var i:int = 0; i < sids.length && found != null; i++)
             {
                 found = inside(channel, found, sids[i]);
@@ -112,7 +113,7 @@ package starlogo.models.collada
         // Reads the keys of a sampler.
         private static function samplerOf(sampler:ColladaElement):AnimationChannel
         {
-            var times:Vector.<Number> = listOf(sampler, "INPUT", ColladaAccessor.NUMBERS).numbers;
+            var times:Vector.<Number> = listOf(sampler, "INPUT", ColladaAccessor.NUMBERS).toNumbers();
             var values:ColladaAccessor = listOf(sampler, "OUTPUT", ColladaAccessor.NUMBERS, times.length);
             var interpolations:Array = [AnimationChannel.LINEAR];
             if (sampler.child("input", "INTERPOLATION") != null)
@@ -130,11 +131,11 @@ package starlogo.models.collada
                 }
             }
             var hasCurves:Boolean = interpolations.indexOf(BEZIER) >= 0;
-            var after:ColladaAccessor = hasCurves ? controlPoints(sampler, "OUT_TANGENT", values) : null;
-            var before:ColladaAccessor = hasCurves ? controlPoints(sampler, "IN_TANGENT", values) : null;
-            sampler.refuseIf(hasCurves && before.stride != after.stride, "its tangents are of different kinds");
-            return new AnimationChannel(sampler.budget.modelName, sampler, times, values.numbers, interpolations, hasCurves ? after.numbers : null,
-                    hasCurves ? before.numbers : null);
+            var outControls:ColladaAccessor = hasCurves ? controlPoints(sampler, "OUT_TANGENT", values) : null;
+            var inControls:ColladaAccessor = hasCurves ? controlPoints(sampler, "IN_TANGENT", values) : null;
+            sampler.refuseIf(hasCurves && inControls.stride != outControls.stride, "its tangents are of different kinds");
+            return new AnimationChannel(sampler.budget.modelName, sampler, times, values.toNumbers(), interpolations, hasCurves ? outControls.toNumbers() : null,
+                    hasCurves ? inControls.toNumbers() : null);
         }
 
         // A control point has a time and a value for each number, or the value alone.

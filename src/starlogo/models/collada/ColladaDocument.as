@@ -1,9 +1,9 @@
 package starlogo.models.collada
 {
     import starlogo.models.files.FileBudget;
+    import starlogo.models.files.ModelFile;
     import starlogo.models.files.refuseFileIf;
     import starlogo.models.files.shortened;
-    import starlogo.models.text.Decimal;
     import starlogo.models.text.TextWords;
     import starlogo.steps.StepSequence;
 
@@ -21,14 +21,11 @@ package starlogo.models.collada
         private var _meshes:Object = {}; // by the index of the geometry's element
         private var _skins:Object = {}; // by the index of the skin's element
 
-        /**
-         * @param name the model's name
-         * @param text the document's text
-         */
-        public function ColladaDocument(name:String, text:String)
+        /** @param file the document's file */
+        public function ColladaDocument(file:ModelFile)
         {
-            refuseFileIf(text == null, name, "there is no text to read");
-            budget = new FileBudget(name, text.length);
+            var text:String = file.textOf();
+            budget = new FileBudget(file.name, text.length);
             _xml = new XmlReader(text, budget);
             add(_xml);
         }
@@ -55,10 +52,10 @@ package starlogo.models.collada
         }
 
         /** The length of the unit in metres. A unit that is no length counts as a metre. */
-        internal function get unit():Number
+        internal function get metresPerUnit():Number
         {
             var element:ColladaElement = inAsset("unit");
-            var metres:Number = element == null ? 1 : Decimal.of(TextWords.of(element.attribute("meter")).join(" "));
+            var metres:Number = element == null ? 1 : TextWords.toNumber(element.attribute("meter"));
             return metres > 0 && metres < Infinity ? metres : 1;
         }
 

@@ -7,11 +7,10 @@ package starlogo.models.collada
     import starlogo.models.files.shortened;
     import starlogo.models.text.Decimal;
     import starlogo.models.text.TextWords;
-    import starlogo.steps.Steps;
 
     /**
-     * An element of a COLLADA document. It finds other elements, reads its own numbers, and names its place in errors. Its name and its
-     * attributes' names have no namespace prefix.
+     * An element of a COLLADA document. It finds other elements, reads its own numbers, and names its place in errors. Its name has no
+     * namespace prefix, and attributes with a prefix are left out.
      */
     internal final class ColladaElement
     {
@@ -84,14 +83,8 @@ package starlogo.models.collada
             return keyOf("#" + sid) in _elements;
         }
 
-        /** The element of the document with a name and an id; null if there is none. */
-        public function elementWith(name:String, id:String):ColladaElement
-        {
-            return elementAtUrl(name, "#" + id);
-        }
-
         /** The element of the document with a name, at a URL like "#id"; null if there is none. */
-        public function elementAtUrl(name:String, url:String):ColladaElement
+        public function elementAt(name:String, url:String):ColladaElement
         {
             return _elements[keyOf(name + url)];
         }
@@ -177,7 +170,7 @@ package starlogo.models.collada
                     shortened(url) + "\"");
             for each (var targetName:String in names)
             {
-                var found:ColladaElement = (scope == null ? null : scope.child(targetName, url.substr(1))) || elementAtUrl(targetName, url);
+                var found:ColladaElement = (scope == null ? null : scope.child(targetName, url.substr(1))) || elementAt(targetName, url);
                 if (found != null)
                 {
                     return found;
@@ -186,33 +179,17 @@ package starlogo.models.collada
             throw error("there is no <" + names[0] + "> with the id \"" + shortened(url.substr(1)) + "\"");
         }
 
-        /** The element's own text. Long texts are split into words in steps: see splittingText(). */
+        /** The element's own text. Long texts are split into words in steps: see TextWords.splitting(). */
         public function get text():String
         {
             return texts.join(" ");
         }
 
-        /** The words of the element's text. They count as numbers of the document. @throws ModelError if there are too many */
-        public function countedWords():Array
-        {
-            return TextWords.of(countedText());
-        }
-
-        /**
-         * The steps that split the element's text into words, and then do the work on these. They count as numbers of the document.
-         *
-         * @param make <code>(words:Array):Steps</code>; the work on the words
-         * @throws ModelError if there are too many
-         */
-        public function splittingText(make:Function):Steps
-        {
-            return TextWords.splitting(countedText(), make);
-        }
-
-        // Each word takes two characters or more: its own, and a space.
-        private function countedText():String
+        /** The element's own text, whose words count as numbers of the document. @throws ModelError if there are too many */
+        public function countedText():String
         {
             var all:String = text;
+            // each word takes two characters or more: its own, and a space
             budget.spendNumbers(all.length / 2, this);
             return all;
         }
@@ -269,7 +246,7 @@ package starlogo.models.collada
         public function integer(attributeName:String, missing:Number):Number
         {
             var value:String = attribute(attributeName);
-            var number:Number = value == "" ? missing : Decimal.of(TextWords.of(value).join(" "));
+            var number:Number = value == "" ? missing : Decimal.of(value);
             refuseIf(!(number >= 0 && number == Math.floor(number) && number < Infinity), "expected " +
                     attributeName + " to be a whole number, not negative, but found \"" + shortened(value) + "\"");
             return number;

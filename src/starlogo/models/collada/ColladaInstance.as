@@ -24,7 +24,7 @@ package starlogo.models.collada
         // The element that instantiates the geometry. If there is no scene, the geometry's own element.
         private var _element:ColladaElement;
 
-        private var _scene:ColladaScene;
+        private var _reader:ColladaReader;
 
         // The points, which are moved: null for those of the geometry. What takes them to the scene, and whether the first joint of the last skin mirrors
         // them.
@@ -35,15 +35,15 @@ package starlogo.models.collada
         private var _bindTransform:AffineTransform; // takes the points of the geometry to where its skins were bound
 
         /**
-         * @param scene knows where joints are, and the pose
+         * @param reader knows where joints are, and the pose
          * @param element the element that instantiates the geometry; the geometry's own element if there is no scene
          * @param node the node with this element; null if there is no scene
          * @param mesh the geometry, which is read before the first step. All instances of a geometry share it
          * @param deformers the morphs and skins, the last one first; empty for a geometry that the node places
          */
-        public function ColladaInstance(scene:ColladaScene, element:ColladaElement, node:ColladaNode, mesh:ColladaMesh, deformers:Vector.<ColladaElement>)
+        public function ColladaInstance(reader:ColladaReader, element:ColladaElement, node:ColladaNode, mesh:ColladaMesh, deformers:Vector.<ColladaElement>)
         {
-            _scene = scene;
+            _reader = reader;
             _element = element;
             this.mesh = mesh;
             _bindTransform = _transform = node == null ? new AffineTransform() : node.transform;
@@ -60,7 +60,7 @@ package starlogo.models.collada
             }
             for each (var deformer:ColladaElement in deformers)
             {
-                _bindTransform = deformer.name == "skin" ? _bindTransform.after(scene.document.skinOf(deformer).bindShape) : _bindTransform;
+                _bindTransform = deformer.name == "skin" ? _bindTransform.after(reader.document.skinOf(deformer).bindShape) : _bindTransform;
             }
         }
 
@@ -86,7 +86,7 @@ package starlogo.models.collada
             }
             catch (error:ModelError)
             {
-                if (!_scene.isAtRest)
+                if (!_reader.isAtRest)
                 {
                     throw error;
                 }
@@ -101,17 +101,17 @@ package starlogo.models.collada
         {
             if (deformer.name == "skin")
             {
-                var skin:ColladaSkin = _scene.document.skinOf(deformer);
+                var skin:ColladaSkin = _reader.document.skinOf(deformer);
                 // the joints put the points into the scene
                 _transform = new AffineTransform();
                 add(skin).begin(function():Steps
                     {
-                        var jointMatrices:Vector.<AffineTransform> = skin.jointMatricesOf(_scene, node, _element);
+                        var jointMatrices:Vector.<AffineTransform> = skin.jointMatricesOf(_reader, node, _element);
                         _isFirstJointMirror = jointMatrices[0].isMirror;
                         return skin.moving(_points, jointMatrices);
                     });
             }
-            else if (!_scene.isAtRest)
+            else if (!_reader.isAtRest)
             {
                 begin(function():Steps
                     {
@@ -126,9 +126,9 @@ package starlogo.models.collada
             var inputs:ColladaElement = morph.requiredChild("targets");
             var targets:ColladaAccessor = ColladaAccessor.read(inputs, "MORPH_TARGET", ColladaAccessor.NAMES, morph);
             var list:ColladaAccessor = ColladaAccessor.read(inputs, "MORPH_WEIGHT", ["float_array"], morph);
-            var posed:Vector.<Number> = _scene.posedNumbersOf(list.array);
-            var weights:Vector.<Number> = posed == null ? list.numbers : list.partOf(posed);
-            morph.refuseIf(targets.words.length > weights.length, "it has " + targets.words.length + " targets, but " + weights.length + " weights");
+            var posed:Vector.<Number> = _reader.posedNumbersOf(list.array);
+            var weights:Vector.<Number> = posed == null ? list.toNumbers() : list.partOf(posed);
+            morph.refuseIf(targets.words.length > list.count, "it has " + targets.words.length + " targets, but " + list.count + " weights");
             var base:Vector.<Number> = morph.attribute("method") == "RELATIVE" ? new Vector.<Number>(_points.length) : _points.slice();
             return new StepSequence().beginEach(targets.words.length, function(index:int):Steps
                 {
@@ -139,7 +139,7 @@ package starlogo.models.collada
                             morph.budget.spendNumbers(_points.length, morph);
                             for (var i:int = 0; i < _points.length; i++)
                             {
-                                _points[i] += weights[index] * (target.points[i] - base[i]);
+                                _points[i] += weights[index * list.stride] * (target.points[i] - base[i]);
                             }
                         });
                 });
@@ -147,9 +147,9 @@ package starlogo.models.collada
 
         private function targetOf(morph:ColladaElement, id:String):ColladaMesh
         {
-            var geometry:ColladaElement = morph.elementWith("geometry", id);
+            var geometry:ColladaElement = morph.elementAt("geometry", "#" + id);
             morph.refuseIf(geometry == null, "there is no <geometry> with the id \"" + shortened(id) + "\"");
-            return _scene.document.meshOf(geometry);
+            return _reader.document.meshOf(geometry);
         }
 
         // The steps that transform points, and add these and the triangles. If the points are mirrored, the triangles' corner order is reversed.
@@ -162,7 +162,7 @@ package starlogo.models.collada
             var firstTriangle:int = data.triangles.length / 3;
             var vertexCount:int = points.length / 3;
             var triangleCount:int = mesh.triangles.length / 3;
-            _element.budget.requireMesh(firstVertex + vertexCount, firstTriangle + triangleCount, _element);
+            _element.budget.checkMeshSize(firstVertex + vertexCount, firstTriangle + triangleCount, _element);
             if (triangleCount > 0)
             {
                 addLabels(data, firstTriangle);
@@ -190,7 +190,7 @@ package starlogo.models.collada
             data.meshes.beginRun(data.meshes.addLabel(nameOf(node) || nameOf(mesh.geometry)), firstTriangle);
             for (var i:int = 0; i < mesh.symbols.length; i++)
             {
-                data.materials.beginRun(labelOf(mesh.symbols[i], data.materials), firstTriangle + mesh.starts[i]);
+                data.materials.beginRun(labelOf(mesh.symbols[i], data.materials), firstTriangle + mesh.firstTriangles[i]);
             }
         }
 
@@ -212,7 +212,7 @@ package starlogo.models.collada
             var binding:ColladaElement = _element.child("bind_material");
             var technique:ColladaElement = binding == null ? null : binding.child("technique_common");
             var bound:ColladaElement = technique == null ? null : technique.child("instance_material", symbol);
-            return bound == null ? null : _element.elementAtUrl("material", bound.attribute("target"));
+            return bound == null ? null : _element.elementAt("material", bound.attribute("target"));
         }
 
         private static function nameOf(element:ColladaElement):String

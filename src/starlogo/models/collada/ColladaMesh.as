@@ -21,7 +21,7 @@ package starlogo.models.collada
         public var symbols:Vector.<String> = new Vector.<String>();
 
         /** When all is read: the first triangle of each primitive. */
-        public var starts:Vector.<int> = new Vector.<int>();
+        public var firstTriangles:Vector.<int> = new Vector.<int>();
 
         private var _meshElement:ColladaElement;
         private var _pointsOfSources:Object = {}; // by the source's id
@@ -48,7 +48,7 @@ package starlogo.models.collada
             begin(function():Steps
                 {
                     symbols.push(element.attribute("material"));
-                    starts.push(triangles.length / 3);
+                    firstTriangles.push(triangles.length / 3);
                     var positions:ColladaAccessor = pointsOf(positionSource(ColladaPrimitive.positionInput(element)));
                     return new StepSequence().add(positions).add(new ColladaPrimitive(element, positions, triangulator));
                 });

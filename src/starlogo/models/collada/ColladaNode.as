@@ -22,9 +22,9 @@ package starlogo.models.collada
         // The index of the child element that is visited next.
         private var _nextChild:int = 0;
 
-        // Nodes are numbered in the order of the visit. This one has the number _first, and its descendants the next ones, up to _end.
-        private var _first:int;
-        private var _end:int;
+        // Nodes are numbered in the order of the visit. This one has the number _preorder, and its descendants the next ones, up to _subtreeEnd.
+        private var _preorder:int;
+        private var _subtreeEnd:int;
 
         /**
          * @param element the node's element
@@ -35,7 +35,7 @@ package starlogo.models.collada
         {
             _element = element;
             this.parent = parent;
-            _first = first;
+            _preorder = first;
             depth = parent == null ? 0 : parent.depth + 1;
             transform = parent == null ? new AffineTransform() : parent.transform;
         }
@@ -55,7 +55,7 @@ package starlogo.models.collada
         /** Ends the visit of the node. @param nodeCount how many nodes have been visited */
         public function exit(nodeCount:int):void
         {
-            _end = nodeCount;
+            _subtreeEnd = nodeCount;
         }
 
         /**
@@ -64,12 +64,12 @@ package starlogo.models.collada
          *
          * @param nodes in the order of the visit, at least one
          */
-        public function nearestOf(nodes:Array):ColladaNode
+        public function withLowestCommonAncestor(nodes:Array):ColladaNode
         {
             for (var ancestor:ColladaNode = this; nodes.length > 1 && ancestor != null; ancestor = ancestor.parent)
             {
-                var next:int = indexFrom(nodes, ancestor._first);
-                if (next < nodes.length && nodes[next]._first < ancestor._end)
+                var next:int = indexFrom(nodes, ancestor._preorder);
+                if (next < nodes.length && nodes[next]._preorder < ancestor._subtreeEnd)
                 {
                     return nodes[next];
                 }
@@ -98,7 +98,7 @@ package starlogo.models.collada
             while (low < high)
             {
                 var middle:int = (low + high) >> 1;
-                if (nodes[middle]._first < first)
+                if (nodes[middle]._preorder < first)
                 {
                     low = middle + 1;
                 }

@@ -51,19 +51,19 @@ package starlogo.models.collada
         /**
          * What moves points to the scene: by each joint, and last by joint -1. All must be read.
          *
-         * @param scene knows where joints are
+         * @param reader knows where joints are
          * @param node the node with the skin
          * @param instance the element that instantiates the skin, with its skeletons
          * @throws ModelError if there is no such joint
          */
-        public function jointMatricesOf(scene:ColladaScene, node:ColladaNode, instance:ColladaElement):Vector.<AffineTransform>
+        public function jointMatricesOf(reader:ColladaReader, node:ColladaNode, instance:ColladaElement):Vector.<AffineTransform>
         {
             var joints:Vector.<ColladaElement> = _joints[instance.index] ||= jointsOf(instance);
             element.budget.spendNumbers(joints.length, element);
             var jointMatrices:Vector.<AffineTransform> = new Vector.<AffineTransform>();
             for (var i:int = 0; i < joints.length; i++)
             {
-                jointMatrices.push(scene.jointAt(joints[i], node, element).after(_inverseBindMatrices[i]).after(bindShape));
+                jointMatrices.push(reader.jointAt(joints[i], node, element).after(_inverseBindMatrices[i]).after(bindShape));
             }
             jointMatrices.push(bindShape);
             return jointMatrices;
@@ -72,7 +72,7 @@ package starlogo.models.collada
         /** The steps that move points by joint matrices. */
         public function moving(points:Vector.<Number>, jointMatrices:Vector.<AffineTransform>):Steps
         {
-            var count:int = _influences.starts.length - 1;
+            var count:int = _influences.offsets.length - 1;
             element.refuseIf(points.length != 3 * count, "it has weights for " + count + " points, but its geometry has " + points.length / 3);
             element.budget.spendNumbers(2 * _influences.joints.length, element);
             return new StepSequence().slices(count, POINTS_PER_STEP, function(first:int, end:int):void
@@ -88,9 +88,10 @@ package starlogo.models.collada
             joints.refuseIf(_names.words.length == 0 || matrices.count != _names.words.length || matrices.stride != ColladaTransform.MATRIX_SIZE,
                     "expected at least one joint, and a matrix for each, but found " + _names.words.length + " and " + matrices.count);
             _inverseBindMatrices = new Vector.<AffineTransform>();
+            var all:Vector.<Number> = matrices.toNumbers();
             for (var i:int = 0; i < _names.words.length; i++)
             {
-                var numbers:Vector.<Number> = matrices.numbers.slice(i * matrices.stride, (i + 1) * matrices.stride);
+                var numbers:Vector.<Number> = all.slice(i * matrices.stride, (i + 1) * matrices.stride);
                 _inverseBindMatrices.push(ColladaTransform.matrix(matrices.array, numbers, LAST_ROW_TOLERANCE));
             }
         }
@@ -106,7 +107,7 @@ package starlogo.models.collada
             }
             var jointOffset:Number = weighted.requiredInput("JOINT").integer("offset", 0);
             var weightOffset:Number = weighted.child("input", "WEIGHT").integer("offset", 0);
-            var indices:Array = weighted.child("v") == null ? [] : weighted.child("v").countedWords();
+            var indices:Array = weighted.child("v") == null ? [] : TextWords.of(weighted.child("v").countedText());
             weighted.refuseIf(indices.length % stride != 0, "expected " + stride + " indices for each joint of a point, but found " + indices.length + " in all");
             var influenceCount:int = indices.length / stride;
             _influences = new JointInfluences();
@@ -115,9 +116,9 @@ package starlogo.models.collada
                     for (var i:int = first; i < end; i++)
                     {
                         var joint:int = weighted.toInteger(indices[i * stride + jointOffset], -1, _inverseBindMatrices.length - 1, "a joint's index");
-                        var weight:int = weighted.toInteger(indices[i * stride + weightOffset], 0, weights.words.length - 1, "a weight's index");
+                        var weight:int = weighted.toInteger(indices[i * stride + weightOffset], 0, weights.count - 1, "a weight's index");
                         _influences.joints.push(joint < 0 ? _inverseBindMatrices.length : joint);
-                        _influences.weights.push(weights.array.toNumber(weights.words[weight]));
+                        _influences.weights.push(weights.array.toNumber(weights.words[weight * weights.stride]));
                     }
                 });
         }
@@ -125,7 +126,7 @@ package starlogo.models.collada
         // The steps that read how many influences each point has.
         private function readingCounts(element:ColladaElement, influenceCount:int):Steps
         {
-            var counts:Array = element.requiredChild("vcount").countedWords();
+            var counts:Array = TextWords.of(element.requiredChild("vcount").countedText());
             var sum:Number = 0;
             element.checkCount(counts.length, "numbers in <vcount>");
             return new StepSequence().slices(counts.length, INFLUENCES_PER_STEP, function(first:int, end:int):void
@@ -133,7 +134,7 @@ package starlogo.models.collada
                     for (var i:int = first; i < end; i++)
                     {
                         sum += element.toInteger(counts[i], 0, influenceCount, "the number of a point's joints");
-                        _influences.starts.push(sum);
+                        _influences.offsets.push(sum);
                     }
                 }).call(function():void
                 {
@@ -149,7 +150,7 @@ package starlogo.models.collada
             var nodes:Object = _names.array.name == "Name_array" ? nodesBySid(instance) : null;
             for each (var name:String in _names.words)
             {
-                var node:ColladaElement = nodes == null ? instance.elementWith("node", name) : nodes[keyOf(name)];
+                var node:ColladaElement = nodes == null ? instance.elementAt("node", "#" + name) : nodes[keyOf(name)];
                 _names.array.refuseIf(node == null, "there is no joint \"" + shortened(name) + "\" in the skeleton");
                 joints.push(node);
             }
@@ -181,7 +182,7 @@ package starlogo.models.collada
             for each (var skeleton:ColladaElement in instance.childrenNamed("skeleton"))
             {
                 var url:String = TextWords.of(skeleton.text).join(" ");
-                var root:ColladaElement = skeleton.elementAtUrl("node", url) || skeleton.elementAtUrl("visual_scene", url);
+                var root:ColladaElement = skeleton.elementAt("node", url) || skeleton.elementAt("visual_scene", url);
                 skeleton.refuseIf(root == null, "there is no <node> with the id \"" + shortened(url.substr(1)) + "\"");
                 roots.push(root);
             }

@@ -36,10 +36,6 @@ package starlogo.models.collada
             var v:Vector.<Number> = size == 0 ? null : numbers || element.numbers(size);
             switch (element.name)
             {
-                case "matrix":
-                    return matrix(element, v);
-                case "bind_shape_matrix":
-                    return matrix(element, v);
                 case "translate":
                     return new AffineTransform(new <Number>[1, 0, 0, v[0], 0, 1, 0, v[1], 0, 0, 1, v[2]]);
                 case "scale":
@@ -51,7 +47,7 @@ package starlogo.models.collada
                 case "skew":
                     return skew(element, v);
                 default:
-                    return null;
+                    return size == MATRIX_SIZE ? matrix(element, v) : null;
             }
         }
 

@@ -29,6 +29,7 @@ package starlogo.models.collada
         private static const LINE_END:RegExp = /\r\n|\r|\n/;
         private static const NAME_END:RegExp = /[\s\/]/;
         private static const ATTRIBUTE:RegExp = /^\s+([^\s=]+)\s*=\s*$/;
+        private static const SPACE_AROUND:RegExp = /^\s+|\s+$/g;
         private static const TAG_END:RegExp = /^\s*\/?$/;
         private static const ENTITY:RegExp = /&(#x[\da-fA-F]+|#\d+|lt|gt|amp|quot|apos);/g;
         private static const ENTITIES:Object = {lt: "<", gt: ">", amp: "&", quot: "\"", apos: "'"};
@@ -136,14 +137,18 @@ package starlogo.models.collada
                 var words:Array = ATTRIBUTE.exec(_text.substring(_at, quote));
                 var close:int = _text.indexOf(_text.charAt(quote), quote + 1);
                 refuseFileIf(words == null || close < 0, _budget.modelName, MALFORMED, this);
-                attributes[keyOf(localName(words[1]))] = decoded(_text.substring(quote + 1, close));
+                // those with a prefix are of other namespaces: "xml:id", "xmlns:name"
+                if (words[1].indexOf(":") < 0)
+                {
+                    attributes[keyOf(words[1])] = decoded(_text.substring(quote + 1, close)).replace(SPACE_AROUND, "");
+                }
                 _at = close + 1;
                 end = end < close ? endOf(">") - 1 : end;
                 quote = TextWords.indexOfEither(_text, QUOTE, APOSTROPHE, _at, end);
             }
             refuseFileIf(quote < end, _budget.modelName, "an element has more than " + MAX_ATTRIBUTES + " attributes", this);
             refuseFileIf(!TAG_END.test(_text.substring(_at, end)), _budget.modelName, MALFORMED, this);
-            var element:ColladaElement = new ColladaElement(_budget, _elementCount++, localName(name), _open, attributes);
+            var element:ColladaElement = new ColladaElement(_budget, _elementCount++, name.substr(name.indexOf(":") + 1), _open, attributes);
             root ||= element;
             if (_text.charAt(end - 1) != "/")
             {
@@ -168,11 +173,6 @@ package starlogo.models.collada
             var found:int = _text.indexOf(piece, _at);
             refuseFileIf(found < 0, _budget.modelName, MALFORMED, this);
             return found + piece.length;
-        }
-
-        private static function localName(name:String):String
-        {
-            return name.substr(name.indexOf(":") + 1);
         }
 
         private static function decoded(text:String):String

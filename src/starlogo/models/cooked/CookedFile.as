@@ -8,7 +8,7 @@ package starlogo.models.cooked
 
     /**
      * A file with results that were computed earlier: when a game was built (docs/cooked.md), or by a FitStore. It has five sections. Each section was
-     * computed for certain settings, and the file has their fingerprint. A fingerprint at the end seals the file. It is read in steps. A
+     * computed for certain settings. Their fingerprint is the section's key. A fingerprint at the end seals the file. It is read in steps. A
      * file has no sections if it is no cooked file, is cut off or has changed. The code that uses a section checks its content.
      *
      * <pre>
@@ -16,7 +16,7 @@ package starlogo.models.cooked
      *    4   the version of the layout
      *    8   the length of the whole in bytes, a multiple of 8
      *   12   0
-     *   16   for each of the five sections: the fingerprint of its settings, its length, 0
+     *   16   for each of the five sections: its key, its length, 0
      *   96   the sections, one after the other; zeros up to a multiple of 8
      *   end  the fingerprint of all bytes before it
      * </pre>
@@ -26,8 +26,8 @@ package starlogo.models.cooked
     public final class CookedFile extends StepSequence
     {
         /**
-         * The section with the model. In the place of its settings is the file's model key: <code>keyOfLoad()</code>, or the fingerprint of the
-         * model's geometry in a FitStore, where this section is empty.
+         * The section with the model. Its key is <code>keyOfLoad()</code>, or in a FitStore, where this section is empty, the fingerprint of the
+         * model's geometry.
          */
         public static const MODEL:int = 0;
 
@@ -97,10 +97,10 @@ package starlogo.models.cooked
         /**
          * Makes the bytes of a file.
          *
-         * @param settings the fingerprint of each section's settings; null leaves the section empty
+         * @param keys the key of each section; null leaves the section empty
          * @param sections the bytes of each section; null for an empty one
          */
-        public static function write(settings:Vector.<Fingerprint>, sections:Vector.<ByteArray>):ByteArray
+        public static function write(keys:Vector.<Fingerprint>, sections:Vector.<ByteArray>):ByteArray
         {
             var out:ByteArray = newBytes();
             out.writeInt(MAGIC);
@@ -108,15 +108,15 @@ package starlogo.models.cooked
             out.length = HEAD_LENGTH;
             for (var i:int = 0; i < SECTION_COUNT; i++)
             {
-                var ofSection:Fingerprint = settings[i] || new Fingerprint();
+                var key:Fingerprint = keys[i] || new Fingerprint();
                 var start:int = out.length;
-                if (settings[i] != null && sections[i] != null)
+                if (keys[i] != null && sections[i] != null)
                 {
                     out.position = start;
                     out.writeBytes(sections[i]);
                 }
                 out.position = TABLE_AT + i * ENTRY_LENGTH;
-                ofSection.writeTo(out);
+                key.writeTo(out);
                 out.writeInt(out.length - start);
             }
             out.length = out.length + 7 & ~7;
@@ -131,7 +131,7 @@ package starlogo.models.cooked
         }
 
         /**
-         * The model key of a cooked file: the fingerprint of the arguments of a load. A cooked file is valid only for these.
+         * The key of a cooked file's model: the fingerprint of the arguments of a load. A cooked file is valid only for these.
          *
          * @param upAxis "x", "y", "z" or a ModelTransform
          * @param scaling as for Model's constructor
@@ -151,23 +151,24 @@ package starlogo.models.cooked
             return bytes;
         }
 
-        /** Whether the file is complete and has this model key: see MODEL. */
-        public function isOf(modelKey:Fingerprint):Boolean
+        /** Whether the file is complete, and a section has a key. */
+        public function hasKey(index:int, key:Fingerprint):Boolean
         {
-            return _isComplete && hasSettings(MODEL, modelKey);
+            _bytes.position = TABLE_AT + ENTRY_LENGTH * index;
+            return _isComplete && key.isNextOf(_bytes);
         }
 
         /**
          * The bytes of a section. Their position is 0.
          *
          * @param index the section
-         * @param settingsKey the fingerprint of the settings that the section must have; null for any
-         * @return null if the section is empty or has other settings
+         * @param key the key that the section must have; null for any
+         * @return null if the section is empty or has another key
          */
-        public function section(index:int, settingsKey:Fingerprint):ByteArray
+        public function section(index:int, key:Fingerprint):ByteArray
         {
             var length:int = _isComplete ? lengthOf(index) : 0;
-            if (length == 0 || settingsKey != null && !hasSettings(index, settingsKey))
+            if (length == 0 || key != null && !hasKey(index, key))
             {
                 return null;
             }
@@ -192,12 +193,6 @@ package starlogo.models.cooked
                 isChanged = bytes[i] != _bytes[i];
             }
             return isChanged;
-        }
-
-        private function hasSettings(index:int, settings:Fingerprint):Boolean
-        {
-            _bytes.position = TABLE_AT + ENTRY_LENGTH * index;
-            return settings.isNextOf(_bytes);
         }
 
         private function lengthOf(index:int):int

@@ -9,8 +9,8 @@ package starlogo.models.cooked
     import starlogo.models.ModelError;
     import starlogo.models.ModelTransform;
     import starlogo.models.SourceFrame;
+    import starlogo.models.building.FormatReader;
     import starlogo.models.building.ModelData;
-    import starlogo.models.building.ModelReader;
     import starlogo.models.building.TriangleLabels;
     import starlogo.models.files.FileBudget;
     import starlogo.models.files.refuseFileIf;
@@ -26,7 +26,7 @@ package starlogo.models.cooked
      *
      * @private
      */
-    public final class CookedReader extends StepSequence implements ModelReader
+    public final class CookedReader extends StepSequence implements FormatReader
     {
         /** The encoding of coordinates as floats of 32 bits. A smaller encoding n has whole multiples of 1e-n. */
         internal static const SINGLE:int = 9;
@@ -44,7 +44,7 @@ package starlogo.models.cooked
         /**
          * @param name the model's name
          * @param bytes the bytes of a possible cooked file
-         * @param modelKey the model key that the file must have: see <code>CookedFile.MODEL</code>. Null for any
+         * @param modelKey the key that the model must have: see <code>CookedFile.MODEL</code>. Null for any
          */
         public function CookedReader(name:String, bytes:ByteArray, modelKey:Fingerprint = null)
         {
@@ -93,7 +93,7 @@ package starlogo.models.cooked
             refuseFileIf(file.isOfOtherVersion, _data.name, "the cooked file is of another version of the engine: cook it again");
             _bytes = file.section(CookedFile.MODEL, null);
             refuseFileIf(_bytes == null, _data.name, "the cooked file is damaged: cook it again");
-            refuseFileIf(modelKey != null && !file.isOf(modelKey), _data.name, "the cooked file is for another up axis, transform or scaling");
+            refuseFileIf(modelKey != null && !file.hasKey(CookedFile.MODEL, modelKey), _data.name, "the cooked file is for another up axis, transform or scaling");
             _data.cooked = file;
             _data.scaling = Model.SCALINGS[readInteger(0, Model.SCALINGS.length - 1)];
             var encoding:int = readInteger(0, DOUBLE);
@@ -101,7 +101,7 @@ package starlogo.models.cooked
             var hasTransform:Boolean = readInteger(0, encoding == DOUBLE ? 0 : 1) == 1;
             var vertexCount:int = readInteger(0, int.MAX_VALUE);
             var triangleCount:int = readInteger(0, int.MAX_VALUE);
-            new FileBudget(_data.name, _bytes.length).requireMesh(vertexCount, triangleCount);
+            new FileBudget(_data.name, _bytes.length).checkMeshSize(vertexCount, triangleCount);
             _data.transform = hasTransform ? new ModelTransform(readVector(), readVector(), readVector()) : null;
             if (encoding == DOUBLE)
             {

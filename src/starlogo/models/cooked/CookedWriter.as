@@ -144,7 +144,7 @@ package starlogo.models.cooked
             VarInt.write(labels.labelsOfRuns.length - 1, out);
             for (var run:int = 1; run < labels.labelsOfRuns.length; run++)
             {
-                VarInt.write(labels.starts[run] - labels.starts[run - 1], out);
+                VarInt.write(labels.firstTriangles[run] - labels.firstTriangles[run - 1], out);
                 VarInt.write(labels.labelsOfRuns[run], out);
             }
         }

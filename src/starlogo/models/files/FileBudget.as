@@ -72,7 +72,7 @@ package starlogo.models.files
         }
 
         /** Checks how many vertices and triangles the model has, with those of every instance. @throws ModelError if there are too many */
-        public function requireMesh(vertexCount:Number, triangleCount:Number, place:Object = ""):void
+        public function checkMeshSize(vertexCount:Number, triangleCount:Number, place:Object = ""):void
         {
             require(vertexCount, FREE_VERTICES, VERTICES_PER_BYTE, MAX_VERTICES, "vertices", place);
             require(triangleCount, 2 * FREE_VERTICES, 2 * VERTICES_PER_BYTE, 2 * MAX_VERTICES, "triangles", place);

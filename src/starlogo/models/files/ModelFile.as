@@ -15,6 +15,7 @@ package starlogo.models.files
         private static const HEAD_LENGTH:int = 1024;
         private static const DECLARATION_LENGTH:int = 100;
         private static const UNITS_PER_PART:int = 4096;
+        private static const WEB_PAGE:RegExp = /^\s*<(!doctype\s+)?html\b/i;
 
         // The characters of windows-1252 at 0x80 to 0x9f, where ISO 8859-1 has control characters. A byte that windows-1252 does not define stands
         // for itself.
@@ -46,7 +47,7 @@ package starlogo.models.files
          * The file's text, without a byte-order mark.
          *
          * @param expected what a binary file should have been, for the message; null if the format has no binary form
-         * @throws ModelError if it is no text, for example an image
+         * @throws ModelError if it is no text, for example an image; or a web page, with which a server may answer if it has no such file
          */
         public function textOf(expected:String = null):String
         {
@@ -57,6 +58,7 @@ package starlogo.models.files
                 refuseFileIf(isArchive(bytes), name, "this is a zip archive (.zae is one too): unpack it, and load the model file that is in it");
                 _text = TextWords.withoutByteOrderMark(decoded(expected));
             }
+            refuseFileIf(WEB_PAGE.test(_text.substr(0, HEAD_LENGTH)), name, "this is a web page, not a model: is the address right?");
             return _text;
         }
 

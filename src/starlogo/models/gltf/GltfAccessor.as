@@ -52,7 +52,7 @@ package starlogo.models.gltf
             _componentType = componentType;
             json.refuseIf(!COMPONENT_SIZES.hasOwnProperty(componentType), "expected 5120 to 5123, 5125 or 5126, but found " + componentType, "componentType");
             _divisor = isNormalised && MAX_VALUES[componentType] > 0 ? MAX_VALUES[componentType] : 0;
-            var view:int = json.reference("bufferView", "bufferViews");
+            var view:int = json.indexOrNone("bufferView", "bufferViews");
             var offset:int = json.integer("byteOffset", int.MAX_VALUE, 0);
             if (view < 0)
             {

@@ -3,7 +3,7 @@ package starlogo.models.gltf
     import starlogo.models.animation.AnimationChannel;
     import starlogo.models.animation.FileAnimation;
     import starlogo.models.animation.Pose;
-    import starlogo.models.building.ModelReader;
+    import starlogo.models.building.FormatReader;
     import starlogo.steps.finish;
 
     /**
@@ -26,7 +26,7 @@ package starlogo.models.gltf
         public static function allIn(file:GltfFile, upAxis:Object):Vector.<FileAnimation>
         {
             var animations:Vector.<FileAnimation> = new Vector.<FileAnimation>();
-            var newReader:Function = function(pose:Pose):ModelReader
+            var newReader:Function = function(pose:Pose):FormatReader
             {
                 file.budget.reset();
                 return new GltfReader(file, upAxis, null, pose);
@@ -47,7 +47,7 @@ package starlogo.models.gltf
                 var channel:GltfJson = animation.element("channels", i);
                 var target:GltfJson = channel.object("target");
                 channel.refuseIf(target == null, "expected a target");
-                var node:int = target.reference("node", "nodes");
+                var node:int = target.indexOrNone("node", "nodes");
                 var path:String = target.text("path");
                 // otherwise it is the target of an extension
                 if (node >= 0 && TYPES.hasOwnProperty(path))
@@ -64,8 +64,8 @@ package starlogo.models.gltf
         // Reads the keys of a sampler. @param path the property that they move
         private static function samplerOf(file:GltfFile, sampler:GltfJson, path:String):AnimationChannel
         {
-            var input:int = sampler.reference("input", "accessors");
-            var output:int = sampler.reference("output", "accessors");
+            var input:int = sampler.indexOrNone("input", "accessors");
+            var output:int = sampler.indexOrNone("output", "accessors");
             sampler.refuseIf(input < 0 || output < 0, "expected input and output");
             var interpolation:String = sampler.has("interpolation") ? sampler.text("interpolation") : AnimationChannel.LINEAR;
             sampler.refuseIf([AnimationChannel.LINEAR, AnimationChannel.STEP, CUBIC].indexOf(interpolation) < 0, "expected LINEAR, STEP or CUBICSPLINE", "interpolation");
@@ -88,19 +88,19 @@ package starlogo.models.gltf
         {
             var width:int = numbers.length / times.length / 3;
             var values:Vector.<Number> = new Vector.<Number>();
-            var after:Vector.<Number> = new Vector.<Number>();
-            var before:Vector.<Number> = new Vector.<Number>();
+            var outControls:Vector.<Number> = new Vector.<Number>();
+            var inControls:Vector.<Number> = new Vector.<Number>();
             for (var key:int = 0; key < times.length; key++)
             {
                 for (var i:int = 3 * key * width; i < (3 * key + 1) * width; i++)
                 {
                     var value:Number = numbers[i + width];
                     values.push(value);
-                    after.push(key == times.length - 1 ? value : value + numbers[i + 2 * width] * (times[key + 1] - times[key]) / 3);
-                    before.push(key == 0 ? value : value - numbers[i] * (times[key] - times[key - 1]) / 3);
+                    outControls.push(key == times.length - 1 ? value : value + numbers[i + 2 * width] * (times[key + 1] - times[key]) / 3);
+                    inControls.push(key == 0 ? value : value - numbers[i] * (times[key] - times[key - 1]) / 3);
                 }
             }
-            return new AnimationChannel(sampler.modelName, sampler.place, times, values, [CUBIC], after, before, areRotations);
+            return new AnimationChannel(sampler.modelName, sampler.place, times, values, [CUBIC], outControls, inControls, areRotations);
         }
     }
 }

@@ -50,9 +50,6 @@ package starlogo.models.gltf
         /** What the file may have and cost. It grows with the buffers in other files. */
         internal var budget:FileBudget;
 
-        // gives the content of another file
-        private var _fetch:Function;
-
         // the addresses of the other files, and the indices of the buffers that each has, by keyOf() the address
         private var _uris:Vector.<String> = new Vector.<String>();
         private var _buffersOf:Object = {};
@@ -67,13 +64,12 @@ package starlogo.models.gltf
 
         /**
          * @param file the file; the endianness of its bytes is set
-         * @param fetch <code>function(uri:String, take:Function):void</code>; is asked once for each other file. It calls <code>take(bytes, problem)</code>,
-         * at once or before the next step. The bytes' endianness is set. If the file is missing they are null, and the problem says why
+         * @param fetch <code>function(uri:String):Object</code>; is asked once for each other file. In the next step the object has its
+         * <code>bytes</code>, whose endianness is set. If the file is missing they are null, and the <code>problem</code> says why
          * @throws ModelError if there is no JSON
          */
         public function GltfFile(file:ModelFile, fetch:Function)
         {
-            _fetch = fetch;
             var text:String = file.bytes != null && isBinary(file.bytes) ? openChunks(file) : file.textOf("glTF file");
             budget = new FileBudget(file.name, text.length);
             var reader:JsonReader = new JsonReader(text, budget);
@@ -81,17 +77,20 @@ package starlogo.models.gltf
                 {
                     json = new GltfJson(file.name, reader.root);
                     checkNeeds();
-                    beginEach(json.count("buffers"), readingBuffer).call(fetchOthers);
+                    beginEach(json.count("buffers"), readingBuffer).begin(function():Steps
+                        {
+                            return fetchingOthers(fetch);
+                        });
                 });
         }
 
         /** Reads a file at once. @param buffers the content of each other file, by its address; null if there are none */
         public static function read(name:String, bytes:ByteArray, buffers:Object):GltfFile
         {
-            var file:GltfFile = new GltfFile(new ModelFile(name, bytes), function(uri:String, take:Function):void
+            var file:GltfFile = new GltfFile(new ModelFile(name, bytes), function(uri:String):Object
                 {
-                    take(buffers != null && uri in buffers ? buffers[uri] as ByteArray : null,
-                            "\"" + shortened(uri) + "\" is another file and was not given: a ModelLoader's load() fetches it");
+                    return {bytes: buffers != null && uri in buffers ? buffers[uri] as ByteArray : null,
+                            problem: "\"" + shortened(uri) + "\" is another file and was not given: a ModelLoader's load() fetches it"};
                 });
             finish(file);
             return file;
@@ -143,7 +142,7 @@ package starlogo.models.gltf
         internal function openView(index:int, offset:Number, length:Number, user:GltfJson):ByteArray
         {
             var view:GltfJson = json.rootEntry("bufferViews", index);
-            var buffer:int = view.reference("buffer", "buffers");
+            var buffer:int = view.indexOrNone("buffer", "buffers");
             view.refuseIf(buffer < 0, "it names no buffer");
             var start:int = view.integer("byteOffset", int.MAX_VALUE, 0);
             var size:int = view.requiredInteger("byteLength", int.MAX_VALUE);
@@ -215,38 +214,35 @@ package starlogo.models.gltf
                     "expected glTF 2.0, but found " + GltfJson.shown(version) + ": save the model as 2.0", "asset.version");
             for each (var extension:* in json.list("extensionsRequired"))
             {
-                checkExtension(extension is String ? extension : GltfJson.shown(extension));
+                var required:String = extension is String ? extension : GltfJson.shown(extension);
+                json.refuseIf(required == DRACO, "its meshes are " + DRACO_PROBLEM, "extensionsRequired");
+                json.refuseIf(MESHOPT.test(required), "its data are " + MESHOPT_PROBLEM, "extensionsRequired");
+                json.refuseIf(!SUPPORTED.test(required), "it needs the extension \"" + shortened(required) +
+                        "\", which is not known: save the model without it", "extensionsRequired");
             }
         }
 
-        private function checkExtension(extension:String):void
+        // Starts to fetch the other files. The next step keeps their buffers.
+        private function fetchingOthers(fetch:Function):Steps
         {
-            json.refuseIf(extension == DRACO, "its meshes are " + DRACO_PROBLEM, "extensionsRequired");
-            json.refuseIf(MESHOPT.test(extension), "its data are " + MESHOPT_PROBLEM, "extensionsRequired");
-            json.refuseIf(!SUPPORTED.test(extension), "it needs the extension \"" + shortened(extension) +
-                    "\", which is not known: save the model without it", "extensionsRequired");
-        }
-
-        private function fetchOthers():void
-        {
+            var files:Array = [];
             for each (var uri:String in _uris)
             {
-                _fetch(uri, takerOf(_buffersOf[keyOf(uri)]));
+                files.push(fetch(uri));
             }
-        }
-
-        // The function that takes the content of the file with some buffers.
-        private function takerOf(indices:Array):Function
-        {
-            return function(bytes:ByteArray, problem:String):void
-            {
-                json.refuseIf(bytes == null, problem, "buffers[" + indices[0] + "].uri");
-                budget.addBytes(bytes.length);
-                for each (var index:int in indices)
+            return new StepSequence().call(function():void
                 {
-                    keep(index, bytes);
-                }
-            };
+                    for (var i:int = 0; i < files.length; i++)
+                    {
+                        var indices:Array = _buffersOf[keyOf(_uris[i])];
+                        json.refuseIf(files[i].bytes == null, files[i].problem, "buffers[" + indices[0] + "].uri");
+                        budget.addBytes(files[i].bytes.length);
+                        for each (var index:int in indices)
+                        {
+                            keep(index, files[i].bytes);
+                        }
+                    }
+                });
         }
 
         // The steps that decode a buffer. Without steps, it is in the binary chunk, in another file, or missing.

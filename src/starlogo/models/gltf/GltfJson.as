@@ -111,7 +111,7 @@ package starlogo.models.gltf
         }
 
         /** The index of the entry of one of the file's lists to which a property refers; -1 if there is none. */
-        public function reference(key:String, list:String):int
+        public function indexOrNone(key:String, list:String):int
         {
             return has(key) ? checkedIndex(value[key], key, list) : -1;
         }

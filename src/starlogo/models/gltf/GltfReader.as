@@ -1,8 +1,8 @@
 package starlogo.models.gltf
 {
     import starlogo.models.animation.Pose;
+    import starlogo.models.building.FormatReader;
     import starlogo.models.building.ModelData;
-    import starlogo.models.building.ModelReader;
     import starlogo.models.building.removingUnusedVertices;
     import starlogo.models.files.refuseFileIf;
     import starlogo.steps.StepSequence;
@@ -17,7 +17,7 @@ package starlogo.models.gltf
      *
      * @private
      */
-    public final class GltfReader extends StepSequence implements ModelReader
+    public final class GltfReader extends StepSequence implements FormatReader
     {
         private var _data:ModelData;
         private var _file:GltfFile;
@@ -61,7 +61,7 @@ package starlogo.models.gltf
         {
             var nodeIndex:int = _scene.nodes[index];
             var node:GltfJson = _file.json.rootEntry("nodes", nodeIndex);
-            var mesh:GltfJson = node.rootEntry("meshes", node.reference("mesh", "meshes"));
+            var mesh:GltfJson = node.rootEntry("meshes", node.indexOrNone("mesh", "meshes"));
             var name:String = node.text("name") || mesh.text("name");
             // The vertices of this node so far, by what they depend on beside the node and its skin.
             var placed:Object = {};
@@ -81,7 +81,7 @@ package starlogo.models.gltf
             var work:StepSequence = new StepSequence();
             primitive.refuseIf(primitive.hasExtension(GltfFile.DRACO), "it is " + GltfFile.DRACO_PROBLEM);
             var attributes:GltfJson = primitive.object("attributes");
-            var position:int = attributes == null ? -1 : attributes.reference("POSITION", "accessors");
+            var position:int = attributes == null ? -1 : attributes.indexOrNone("POSITION", "accessors");
             if (position < 0)
             {
                 return work;
@@ -95,7 +95,7 @@ package starlogo.models.gltf
             if (hasSurface)
             {
                 _data.meshes.beginRun(_data.meshes.labelWithKey(String(node), name), _data.triangles.length / 3);
-                _data.materials.beginRun(primitive.reference("material", "materials"), _data.triangles.length / 3);
+                _data.materials.beginRun(primitive.indexOrNone("material", "materials"), _data.triangles.length / 3);
                 work.add(new GltfTriangles(_file, primitive, points, _data.triangles));
             }
             return work;

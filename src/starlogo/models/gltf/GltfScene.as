@@ -3,7 +3,7 @@ package starlogo.models.gltf
     import starlogo.geometry.AffineTransform;
     import starlogo.geometry.Placement;
     import starlogo.models.animation.Pose;
-    import starlogo.models.animation.normaliseTurn;
+    import starlogo.models.animation.normaliseQuaternion;
     import starlogo.steps.StepSequence;
 
     /** The scene of a glTF file, at rest or in a pose. Its steps find the nodes with meshes. */
@@ -70,7 +70,7 @@ package starlogo.models.gltf
             var json:GltfJson = _file.json.rootEntry("skins", skin);
             var count:int = json.count("joints");
             json.refuseIf(count == 0, "expected at least one joint", "joints");
-            var index:int = json.reference("inverseBindMatrices", "accessors");
+            var index:int = json.indexOrNone("inverseBindMatrices", "accessors");
             var matrices:GltfAccessor = index < 0 ? null : _file.accessor(index, "MAT4");
             if (matrices != null)
             {
@@ -100,7 +100,7 @@ package starlogo.models.gltf
         public function weightsOf(index:int):Vector.<Number>
         {
             var node:GltfJson = _file.json.rootEntry("nodes", index);
-            var mesh:GltfJson = node.rootEntry("meshes", node.reference("mesh", "meshes"));
+            var mesh:GltfJson = node.rootEntry("meshes", node.indexOrNone("mesh", "meshes"));
             return posed(index, "weights") || node.numbers("weights", GltfJson.ANY_LENGTH) || mesh.numbers("weights", GltfJson.ANY_LENGTH, new Vector.<Number>());
         }
 
@@ -122,7 +122,7 @@ package starlogo.models.gltf
         // The scene that the file shows. If the file names none, all scenes. If there are no scenes, all nodes that are in no other node.
         private function findRoots():void
         {
-            var shown:int = _file.json.reference("scene", "scenes");
+            var shown:int = _file.json.indexOrNone("scene", "scenes");
             var sceneCount:int = _file.json.count("scenes");
             for (var index:int = Math.max(shown, 0); index < (shown < 0 ? sceneCount : shown + 1); index++)
             {
@@ -182,7 +182,7 @@ package starlogo.models.gltf
             var t:Vector.<Number> = posed(index, "translation") || node.numbers("translation", 3, new <Number>[0, 0, 0]);
             var r:Vector.<Number> = posed(index, "rotation") || node.numbers("rotation", 4, new <Number>[0, 0, 0, 1]);
             var s:Vector.<Number> = posed(index, "scale") || node.numbers("scale", 3, new <Number>[1, 1, 1]);
-            normaliseTurn(r);
+            normaliseQuaternion(r);
             var turn:Placement = new Placement();
             turn.setQuaternion(r[0], r[1], r[2], r[3]);
             return AffineTransform.of(turn, s[0], s[1], s[2], t[0], t[1], t[2]);

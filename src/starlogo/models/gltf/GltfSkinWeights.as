@@ -14,12 +14,6 @@ package starlogo.models.gltf
         /** How many influences there may be: four for each vertex and set. Count them before the steps. */
         public var mostInfluences:Number;
 
-        private var _jointCount:int;
-
-        // The accessors of sets: the indices of joints, and the weights of these. Each has four numbers for a vertex.
-        private var _indices:Vector.<GltfAccessor> = new Vector.<GltfAccessor>();
-        private var _weights:Vector.<GltfAccessor> = new Vector.<GltfAccessor>();
-
         /**
          * @param file the file
          * @param attributes the attributes of the primitive, with at least one set of joints
@@ -28,19 +22,31 @@ package starlogo.models.gltf
          */
         public function GltfSkinWeights(file:GltfFile, attributes:GltfJson, vertexCount:int, jointCount:int)
         {
-            _jointCount = jointCount;
+            // The accessors of sets: the indices of joints, and the weights of these. Each has four numbers for a vertex.
+            var indices:Vector.<GltfAccessor> = new Vector.<GltfAccessor>();
+            var weights:Vector.<GltfAccessor> = new Vector.<GltfAccessor>();
             for (var i:int = 0; attributes.has("JOINTS_" + i); i++)
             {
-                _indices.push(accessorOf(file, attributes, "JOINTS_" + i, vertexCount));
-                _weights.push(accessorOf(file, attributes, "WEIGHTS_" + i, vertexCount));
+                indices.push(accessorOf(file, attributes, "JOINTS_" + i, vertexCount));
+                weights.push(accessorOf(file, attributes, "WEIGHTS_" + i, vertexCount));
             }
             mostInfluences = 4 * Number(vertexCount) * i;
-            slices(vertexCount, VERTICES_PER_STEP, read);
+            slices(vertexCount, VERTICES_PER_STEP, function(first:int, end:int):void
+                {
+                    for (var vertex:int = first; vertex < end; vertex++)
+                    {
+                        for (var pair:int = 0; pair < indices.length; pair++)
+                        {
+                            readSet(indices[pair], weights[pair], vertex, jointCount);
+                        }
+                        influences.offsets.push(influences.joints.length);
+                    }
+                });
         }
 
         private function accessorOf(file:GltfFile, attributes:GltfJson, key:String, vertexCount:int):GltfAccessor
         {
-            var index:int = attributes.reference(key, "accessors");
+            var index:int = attributes.indexOrNone(key, "accessors");
             attributes.refuseIf(index < 0, "a mesh has no weights for its joints");
             var found:GltfAccessor = file.accessor(index, "VEC4");
             found.requireCount(vertexCount);
@@ -48,29 +54,22 @@ package starlogo.models.gltf
             return found;
         }
 
-        // Reads the influences of some vertices. A weight of 0 is none, whatever its joint is.
-        private function read(first:int, end:int):void
+        // Reads the influences of a vertex in a set. A weight of 0 is none, whatever its joint is.
+        private function readSet(indices:GltfAccessor, weights:GltfAccessor, vertex:int, jointCount:int):void
         {
-            for (var vertex:int = first; vertex < end; vertex++)
+            for (var at:int = 4 * vertex; at < 4 * vertex + 4; at++)
             {
-                for (var i:int = 0; i < _indices.length; i++)
+                var joint:Number = indices.numbers[at];
+                if (weights.numbers[at] == 0)
                 {
-                    for (var at:int = 4 * vertex; at < 4 * vertex + 4; at++)
-                    {
-                        var joint:Number = _indices[i].numbers[at];
-                        if (_weights[i].numbers[at] == 0)
-                        {
-                            continue;
-                        }
-                        if (!(joint >= 0 && joint < _jointCount && int(joint) == joint))
-                        {
-                            throw _indices[i].json.error("vertex " + vertex + " names joint " + joint + ", but there are only " + _jointCount);
-                        }
-                        influences.joints.push(joint);
-                        influences.weights.push(_weights[i].numbers[at]);
-                    }
+                    continue;
                 }
-                influences.starts.push(influences.joints.length);
+                if (!(joint >= 0 && joint < jointCount && int(joint) == joint))
+                {
+                    throw indices.json.error("vertex " + vertex + " names joint " + joint + ", but there are only " + jointCount);
+                }
+                influences.joints.push(joint);
+                influences.weights.push(weights.numbers[at]);
             }
         }
     }

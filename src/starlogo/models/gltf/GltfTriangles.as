@@ -25,7 +25,7 @@ package starlogo.models.gltf
         {
             _primitive = primitive;
             _vertices = vertices;
-            var index:int = primitive.reference("indices", "accessors");
+            var index:int = primitive.indexOrNone("indices", "accessors");
             if (index >= 0)
             {
                 _indices = file.accessor(index, "SCALAR");
@@ -35,7 +35,7 @@ package starlogo.models.gltf
             var cornerCount:int = _indices == null ? _vertices.count : _indices.count;
             var mode:int = modeOf(primitive);
             var triangleCount:int = mode == TRIANGLES ? cornerCount / 3 : Math.max(0, cornerCount - 2);
-            file.budget.requireMesh(0, triangles.length / 3 + triangleCount, primitive.place);
+            file.budget.checkMeshSize(0, triangles.length / 3 + triangleCount, primitive.place);
             slices(triangleCount, TRIANGLES_PER_STEP, function(first:int, end:int):void
                 {
                     addTriangles(mode, first, end, triangles);

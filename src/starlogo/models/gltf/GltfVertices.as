@@ -38,18 +38,18 @@ package starlogo.models.gltf
         {
             var attributes:GltfJson = primitive.object("attributes");
             _node = file.json.rootEntry("nodes", node);
-            _positions = file.accessor(attributes.reference("POSITION", "accessors"), "VEC3");
+            _positions = file.accessor(attributes.indexOrNone("POSITION", "accessors"), "VEC3");
             _vertices = vertices;
             firstVertex = vertices.length / 3;
             count = _positions.count;
-            file.budget.requireMesh(firstVertex + Number(count), 0, primitive.place);
+            file.budget.checkMeshSize(firstVertex + Number(count), 0, primitive.place);
             add(_positions).call(function():void
                 {
                     // other nodes may have the same mesh
                     _points = _positions.numbers.slice();
                 });
             addMorphTargets(file, primitive, scene.weightsOf(node));
-            var skin:int = _node.reference("skin", "skins");
+            var skin:int = _node.indexOrNone("skin", "skins");
             var isSkinned:Boolean = skin >= 0 && attributes.has("JOINTS_0");
             if (isSkinned)
             {
@@ -84,7 +84,7 @@ package starlogo.models.gltf
             var targetCount:int = primitive.count("targets");
             for (var i:int = 0; i < targetCount && i < weights.length; i++)
             {
-                var index:int = primitive.element("targets", i).reference("POSITION", "accessors");
+                var index:int = primitive.element("targets", i).indexOrNone("POSITION", "accessors");
                 if (index >= 0 && weights[i] != 0)
                 {
                     addMorphTarget(file.accessor(index, "VEC3"), weights[i]);

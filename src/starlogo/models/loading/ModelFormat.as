@@ -2,8 +2,8 @@ package starlogo.models.loading
 {
     import flash.utils.ByteArray;
     import starlogo.models.ModelTransform;
+    import starlogo.models.building.FormatReader;
     import starlogo.models.building.ModelData;
-    import starlogo.models.building.ModelReader;
     import starlogo.models.collada.ColladaDocument;
     import starlogo.models.collada.ColladaReader;
     import starlogo.models.cooked.CookedFile;
@@ -32,37 +32,30 @@ package starlogo.models.loading
         private static const VERTEX:RegExp = /[\n\r][ \t]*v[ \t]+[\-+.\d]/;
         private static const EXTENSION:RegExp = /^[^?#]*\.(obj|dae|gltf|stl)([?#]|$)/i;
 
-        /** The format of a file. A text is decoded to find it. */
-        public static function of(file:ModelFile):String
-        {
-            return (file.bytes == null ? null : ofBytes(file.bytes)) || ofText(file.textOf(), file.url);
-        }
-
         /**
-         * The reader of a file.
+         * The reader of a file. Decodes a text.
          *
          * @param file the file
-         * @param format what <code>of()</code> returns for it
          * @param upAxis the axis that points up, if the format has no rule for it; or a ModelTransform
          * @param scaling as for Model's constructor
          * @param fetch gives the other files that a glTF file names: see GltfFile
          */
-        public static function newReader(file:ModelFile, format:String, upAxis:Object, scaling:String, fetch:Function):ModelReader
+        public static function newReader(file:ModelFile, upAxis:Object, scaling:String, fetch:Function):FormatReader
         {
             var transform:ModelTransform = upAxis as ModelTransform;
             ModelData.requireUpAxis(file.name, upAxis);
-            switch (format)
+            switch ((file.bytes == null ? null : ofBytes(file.bytes)) || ofText(file.textOf(), file.url))
             {
                 case COOKED:
                     return new CookedReader(file.name, file.bytes);
                 case STL:
                     return new StlReader(file, upAxis, scaling);
                 case COLLADA:
-                    return new ColladaReader(new ColladaDocument(file.name, file.textOf()), transform, scaling);
+                    return new ColladaReader(new ColladaDocument(file), transform, scaling);
                 case GLTF:
                     return new GltfReader(new GltfFile(file, fetch), transform, scaling);
                 default:
-                    return new ObjReader(file.name, file.textOf(), upAxis, scaling);
+                    return new ObjReader(file, upAxis, scaling);
             }
         }
 

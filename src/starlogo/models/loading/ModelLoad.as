@@ -62,9 +62,6 @@ package starlogo.models.loading
         // The downloads that the next step waits for: the file and its transform file, or its cooked file; or other files that its reader asks for.
         private var _downloads:Vector.<FileDownload> = new Vector.<FileDownload>();
 
-        // Each gives the maker a file that it has asked for. They are called before its next step.
-        private var _deliveries:Vector.<Function> = new Vector.<Function>();
-
         // what reads the file, or makes the model instead; null before the file has come, and after the model is made
         private var _maker:ModelMaker = null;
 
@@ -99,7 +96,7 @@ package starlogo.models.loading
             }
             var fetching:Number = _url == null ? 0 : FETCHING;
             var fetched:Number = _downloads.length == 0 ? 0 : _downloads[0].progress;
-            var share:Number = _maker == null ? fetching * fetched : fetching + (1 - fetching) * _maker.progress;
+            var share:Number = _maker == null ? fetching * fetched : fetching + (1 - fetching) * (Math.max(0, Math.min(_maker.progress, 1)) || 0);
             return _cookedProgress + (READ - _cookedProgress) * share;
         }
 
@@ -127,14 +124,9 @@ package starlogo.models.loading
         /** Adds the steps that read a file. */
         public function addReadSteps(file:ModelFile):void
         {
-            var format:String;
             call(function():void
                 {
-                    // may decode it, in a step of its own
-                    format = ModelFormat.of(file);
-                }).call(function():void
-                {
-                    addMakeSteps(ModelBuilder.reading(ModelFormat.newReader(file, format, _upAxis, _scaling, fetchSibling)));
+                    addMakeSteps(ModelBuilder.reading(ModelFormat.newReader(file, _upAxis, _scaling, fetchSibling)));
                 });
         }
 
@@ -230,30 +222,16 @@ package starlogo.models.loading
             addReadSteps(new ModelFile(name, file.bytes, null, _url));
         }
 
-        // Starts to fetch a file that the model's file names. The maker's next step is done when it has come.
-        private function fetchSibling(uri:String, take:Function):void
+        // Starts to fetch a file that the model's file names: see GltfFile. The maker's next step is done when it has come.
+        private function fetchSibling(uri:String):Object
         {
-            if (FileUrl.hasFolder(_url))
-            {
-                var file:FileDownload = download(FileUrl.folderOf(_url) + uri);
-                _deliveries.push(function():void
-                    {
-                        take(file.bytes, file.problem);
-                    });
-            }
-            else
-            {
-                take(null, "it is in another file, and the address of this file is not known: load() fetches both");
-            }
+            return FileUrl.hasFolder(_url) ? download(FileUrl.folderOf(_url) + uri)
+                : {bytes: null, problem: "it is in another file, and the address of this file is not known: load() fetches both"};
         }
 
         private function stepMaker():Boolean
         {
             _downloads.length = 0;
-            while (_deliveries.length > 0)
-            {
-                _deliveries.shift()();
-            }
             return _maker.step();
         }
 

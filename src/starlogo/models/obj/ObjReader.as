@@ -1,11 +1,12 @@
 package starlogo.models.obj
 {
     import starlogo.models.ModelError;
+    import starlogo.models.building.FormatReader;
     import starlogo.models.building.ModelData;
-    import starlogo.models.building.ModelReader;
     import starlogo.models.building.TriangleLabels;
     import starlogo.models.building.removingUnusedVertices;
     import starlogo.models.files.FileBudget;
+    import starlogo.models.files.ModelFile;
     import starlogo.models.files.refuseFileIf;
     import starlogo.models.files.shortened;
     import starlogo.models.polygons.Triangulator;
@@ -19,7 +20,7 @@ package starlogo.models.obj
      *
      * @private
      */
-    public final class ObjReader extends StepSequence implements ModelReader
+    public final class ObjReader extends StepSequence implements FormatReader
     {
         private var _data:ModelData;
         private var _lines:LineReader;
@@ -36,15 +37,15 @@ package starlogo.models.obj
         private var _highestIndex:int = -1;
         private var _highestLine:int;
 
-        /** The parameters are those of ObjModel. */
-        public function ObjReader(name:String, text:String, upAxis:Object, scaling:String)
+        /** The other parameters are those of ObjModel. @param file the file */
+        public function ObjReader(file:ModelFile, upAxis:Object, scaling:String)
         {
-            _data = ModelData.forFile(name, upAxis, scaling);
-            refuseFileIf(text == null, name, "there is no text to read");
-            refuseFileIf(text.indexOf("\u0000") >= 0, name, "this is a binary file, not OBJ text");
-            refuseMarkup(name, text);
-            _lines = new LineReader(name, text);
-            _budget = new FileBudget(name, text.length);
+            var text:String = file.textOf();
+            _data = ModelData.forFile(file.name, upAxis, scaling);
+            refuseFileIf(text.indexOf("\u0000") >= 0, file.name, "this is a binary file, not OBJ text");
+            refuseFileIf(/^\s*</.test(text.substr(0, 1000)), file.name, "this is no OBJ text: it begins with a tag. A ColladaModel reads COLLADA");
+            _lines = new LineReader(file.name, text);
+            _budget = new FileBudget(file.name, text.length);
             repeat(readSome).call(checkIndices).begin(triangulating).add(removingUnusedVertices(_data.vertices, _data.triangles));
         }
 
@@ -54,21 +55,10 @@ package starlogo.models.obj
             return _data;
         }
 
-        // Throws if the text begins with a tag. A server may answer with a web page if it has no such file.
-        private static function refuseMarkup(name:String, text:String):void
-        {
-            var tag:Array = text.substr(0, 1000).match(/^\s*(<[^\n\r]*)/);
-            if (tag != null)
-            {
-                var hint:String = /^<(!doctype )?html/i.test(tag[1]) ? "It is a web page: is the address right?" : "A ColladaModel reads COLLADA";
-                throw new ModelError(name, "", "this is no OBJ text: it begins with \"" + shortened(tag[1]) + "\". " + hint);
-            }
-        }
-
         private function readSome():Boolean
         {
             _data.readProgress = _lines.readStatements(readStatement);
-            _budget.requireMesh(_data.vertices.length / 3, _data.triangles.length / 3 + _polygonTriangles, _lines.place);
+            _budget.checkMeshSize(_data.vertices.length / 3, _data.triangles.length / 3 + _polygonTriangles, _lines.place);
             return _lines.hasMore;
         }
 

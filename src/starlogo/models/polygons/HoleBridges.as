@@ -4,7 +4,8 @@ package starlogo.models.polygons
     import starlogo.steps.Steps;
 
     /**
-     * Joins each hole of a polygon to the outline by a bridge, so that one ring is left (D. Eberly, "Triangulation by Ear Clipping", 2002).
+     * Joins each hole of a polygon to the outline by a bridge, so that one ring is left (D. Eberly, "Triangulation by Ear Clipping", 2002). A hole
+     * whose rightmost corner is on an edge needs no bridge.
      */
     internal final class HoleBridges implements Steps
     {
@@ -38,7 +39,7 @@ package starlogo.models.polygons
             var end:Number = budget.cornerTestsLeft - PolygonRings.TESTS_PER_STEP;
             while (_nodes.length > 0 && budget.cornerTestsLeft > end)
             {
-                addBridge(_nodes.pop());
+                addHole(_nodes.pop());
             }
             return _nodes.length > 0;
         }
@@ -50,12 +51,14 @@ package starlogo.models.polygons
             return x[a] > x[b] ? 1 : (x[a] < x[b] ? -1 : b - a);
         }
 
+        // The rightmost node of a ring; of several the lowest.
         private function rightmost(start:int):int
         {
+            var xs:Vector.<Number> = _rings.x;
             var result:int = start;
             for (var node:int = _rings.next[start]; node != start; node = _rings.next[node])
             {
-                if (_rings.x[node] > _rings.x[result])
+                if (xs[node] > xs[result] || xs[node] == xs[result] && _rings.y[node] < _rings.y[result])
                 {
                     result = node;
                 }
@@ -63,8 +66,8 @@ package starlogo.models.polygons
             return result;
         }
 
-        // Joins a hole to a corner of the outline that sees it.
-        private function addBridge(hole:int):void
+        // Joins a hole to the edge that its rightmost node is on, or by a bridge to a corner of the outline that sees this node.
+        private function addHole(hole:int):void
         {
             if (_rings.budget.cornerTestsLeft <= 0)
             {
@@ -72,20 +75,31 @@ package starlogo.models.polygons
             }
             // the search goes around the outline three times
             _rings.budget.spendCornerTests(3 * _rings.countFrom(_outline));
-            var corner:int = visibleCorner(hole);
+            var edge:int = edgeRightOf(hole);
             // without one, the hole is not inside the outline
-            if (corner >= 0)
+            if (edge < 0)
             {
-                _rings.join(nodeThatSees(corner, hole), hole);
+                return;
+            }
+            var end:int = _rings.next[edge];
+            var y:Number = _rings.y[hole];
+            var corner:int = _rings.y[edge] == y ? edge : (_rings.y[end] == y ? end : -1);
+            var touchesCorner:Boolean = corner >= 0 && _rings.x[corner] == _rings.x[hole];
+            if (_rings.orient2d(edge, end, hole) > 0 || touchesCorner)
+            {
+                _rings.bridge(nodeThatSees(corner < 0 ? visibleCorner(hole, edge) : corner, hole), hole);
+            }
+            else
+            {
+                _rings.insert(edge, hole);
             }
         }
 
-        // A corner of the outline that is visible from a hole's rightmost node, or -1.
-        private function visibleCorner(hole:int):int
+        // The node where the edge begins that a ray to the right from a hole's node meets first, or a level edge that the hole's node is on; -1 for none.
+        private function edgeRightOf(hole:int):int
         {
             var xs:Vector.<Number> = _rings.x;
             var ys:Vector.<Number> = _rings.y;
-            var corner:int = -1;
             var edge:int = -1;
             var nearest:Number = Number.POSITIVE_INFINITY;
             var x:Number = xs[hole];
@@ -98,35 +112,42 @@ package starlogo.models.polygons
                 if (ys[node] <= y && y <= ys[end] && ys[node] < ys[end])
                 {
                     // a corner on the ray is met at its own place, without rounding, because the hole may touch it
-                    var met:int = ys[node] == y ? node : (ys[end] == y ? end : -1);
-                    var hit:Number = met >= 0 ? xs[met] : xs[node] + (y - ys[node]) * (xs[end] - xs[node]) / (ys[end] - ys[node]);
+                    var hit:Number = ys[end] == y ? xs[end] : xs[node] + (y - ys[node]) * (xs[end] - xs[node]) / (ys[end] - ys[node]);
                     if (hit >= x && hit < nearest)
                     {
                         nearest = hit;
                         edge = node;
-                        corner = met >= 0 ? met : (xs[node] > xs[end] ? node : end);
                     }
+                }
+                else if (ys[node] == y && ys[end] == y && (xs[node] - x) * (xs[end] - x) < 0)
+                {
+                    return node;
                 }
                 node = end;
             }
             while (node != _outline);
-            return corner < 0 || ys[corner] == y ? corner : nearestToRay(hole, edge, corner);
+            return edge;
         }
 
-        // The corner that is visible from a hole's node. It is the given corner of the edge that the ray from this node meets, unless others block
-        // the line to it. Then it is the blocking corner nearest to the ray.
-        private function nearestToRay(hole:int, edge:int, corner:int):int
+        // The corner that is visible from a hole's node. It is the right end of the edge that the ray from this node meets, unless other corners are in
+        // the triangle between the node, the place where the ray meets the edge, and this end. Then it is the one of these that is nearest to the ray.
+        private function visibleCorner(hole:int, edge:int):int
         {
             var xs:Vector.<Number> = _rings.x;
+            var ys:Vector.<Number> = _rings.y;
+            var end:int = _rings.next[edge];
+            var corner:int = xs[edge] > xs[end] ? edge : end;
             var result:int = corner;
-            // counter-clockwise, a corner above the ray is to the left of one nearer to the ray
-            var direction:int = _rings.y[corner] > _rings.y[hole] ? 1 : -1;
+            // of a corner below the ray, all is as in a mirror
+            var side:int = corner == end ? 1 : -1;
             var node:int = _outline;
             do
             {
-                if (xs[node] > xs[hole] && node != corner && isBetween(node, hole, edge, corner) && seesInside(node, hole))
+                var isInTriangle:Boolean = side * (ys[node] - ys[hole]) >= 0 && _rings.orient2d(edge, end, node) >= 0
+                    && side * _rings.orient2d(corner, hole, node) >= 0;
+                if (isInTriangle && xs[node] > xs[hole] && node != corner && isInInteriorAngle(node, hole))
                 {
-                    var turn:Number = direction * _rings.orient2d(hole, node, result);
+                    var turn:Number = side * _rings.orient2d(hole, node, result);
                     if (turn > 0 || turn == 0 && xs[node] < xs[result])
                     {
                         result = node;
@@ -136,17 +157,6 @@ package starlogo.models.polygons
             }
             while (node != _outline);
             return result;
-        }
-
-        // Whether a node is inside the triangle of a hole's node, the place where its ray meets an edge of the outline, and a corner of this edge, or
-        // on the triangle's edge.
-        private function isBetween(node:int, hole:int, edge:int, corner:int):Boolean
-        {
-            var ys:Vector.<Number> = _rings.y;
-            // counter-clockwise, the triangle goes along the ray first if the corner is above it
-            var direction:int = ys[corner] > ys[hole] ? 1 : -1;
-            return direction * (ys[node] - ys[hole]) >= 0 && _rings.orient2d(edge, _rings.next[edge], node) >= 0
-                && direction * _rings.orient2d(corner, hole, node) >= 0;
         }
 
         // A corner where bridges begin, or where holes touch, is in the ring several times. Returns the node at its place that has the hole on its
@@ -162,8 +172,8 @@ package starlogo.models.polygons
             var node:int = corner;
             do
             {
-                if (xs[node] == xs[corner] && ys[node] == ys[corner] && seesInside(node, seen)
-                        && (result < 0 || isTurnedTo(node, next[result], next[node], seen)))
+                if (xs[node] == xs[corner] && ys[node] == ys[corner] && isInInteriorAngle(node, seen)
+                        && (result < 0 || isInAngle(node, next[result], next[node], seen)))
                 {
                     result = node;
                 }
@@ -174,16 +184,16 @@ package starlogo.models.polygons
         }
 
         // Whether the direction from a corner to another node goes into the polygon.
-        private function seesInside(corner:int, node:int):Boolean
+        private function isInInteriorAngle(corner:int, node:int):Boolean
         {
-            return isTurnedTo(corner, _rings.next[corner], node, _rings.previous[corner]);
+            return isInAngle(corner, _rings.next[corner], node, _rings.previous[corner]);
         }
 
-        // Whether a turn to the left about a corner, from one node to another, meets the direction to a third one between them.
-        private function isTurnedTo(corner:int, from:int, node:int, to:int):Boolean
+        // Whether a turn to the left about a corner, from one node to another, meets the direction to a third one between them or at its end.
+        private function isInAngle(corner:int, from:int, node:int, to:int):Boolean
         {
             var isAfter:Boolean = _rings.orient2d(corner, from, node) > 0;
-            var isBefore:Boolean = _rings.orient2d(corner, node, to) > 0;
+            var isBefore:Boolean = _rings.orient2d(corner, node, to) >= 0;
             return _rings.orient2d(corner, from, to) > 0 ? isAfter && isBefore : isAfter || isBefore;
         }
     }

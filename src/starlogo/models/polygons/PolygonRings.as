@@ -108,15 +108,22 @@ package starlogo.models.polygons
         }
 
         /** Opens a ring at a corner. It then goes to a node of another ring, around that, and back. */
-        internal function join(corner:int, other:int):void
+        internal function bridge(corner:int, other:int):void
         {
-            var otherEnd:int = addNode(vertex[other], -1, previous[other]);
-            var cornerAgain:int = addNode(vertex[corner], next[corner], otherEnd);
-            next[otherEnd] = cornerAgain;
-            next[previous[other]] = otherEnd;
+            var cornerAgain:int = addNode(vertex[corner], next[corner], corner);
             previous[next[corner]] = cornerAgain;
-            next[corner] = other;
-            previous[other] = corner;
+            next[corner] = cornerAgain;
+            insert(corner, other);
+        }
+
+        /** Opens a ring at the edge that begins at a node. It then goes around another ring, from a node on, and back to the edge's end. */
+        internal function insert(edge:int, other:int):void
+        {
+            var otherEnd:int = addNode(vertex[other], next[edge], previous[other]);
+            next[previous[other]] = otherEnd;
+            previous[next[edge]] = otherEnd;
+            next[edge] = other;
+            previous[other] = edge;
         }
 
         // Adds a node for a vertex and returns its index.
@@ -237,7 +244,7 @@ package starlogo.models.polygons
             return extent;
         }
 
-        // Twice the area of a loop in the plane of two axes; positive if it is counter-clockwise. The unit is 1/scale squared.
+        // Twice the area of a loop in the plane of two axes; positive if it is counter-clockwise. Its coordinates are scaled.
         private function doubleArea(loop:Vector.<uint>, axisX:int, axisY:int):Number
         {
             var originX:Number = _vertices[3 * loop[0] + axisX];

@@ -7,7 +7,7 @@ package starlogo.models.polygons
     /**
      * Triangulates polygons in space. They may be concave and have holes.
      *
-     * <p>A triangle stays as it is, and a quad is cut along a diagonal. Other polygons become rings in a plane (PolygonRings). If their first
+     * <p>A triangle stays as it is, and a quad is cut along a diagonal: the one inside it, unless the quad is smaller than 1e-150. Other polygons become rings in a plane (PolygonRings). If their first
      * corner sees all others, as in a convex polygon without corners in a straight line, they are cut from there. Otherwise their holes are
      * joined to the outline (HoleBridges), and ears are cut off (EarClipper). Outlines may cross or cover themselves. Every triangle that is
      * cut from a ring has an area in the plane. A ring without area has no triangles.</p>

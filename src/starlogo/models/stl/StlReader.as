@@ -4,8 +4,8 @@ package starlogo.models.stl
     import flash.utils.Endian;
     import starlogo.geometry.vertices.PointTable;
     import starlogo.models.ModelError;
+    import starlogo.models.building.FormatReader;
     import starlogo.models.building.ModelData;
-    import starlogo.models.building.ModelReader;
     import starlogo.models.files.FileBudget;
     import starlogo.models.files.ModelFile;
     import starlogo.models.files.refuseFileIf;
@@ -17,7 +17,7 @@ package starlogo.models.stl
      *
      * @private
      */
-    public final class StlReader extends StepSequence implements ModelReader
+    public final class StlReader extends StepSequence implements FormatReader
     {
         private static const HEADER_LENGTH:int = 84;
         private static const COUNT_AT:int = 80;
@@ -76,12 +76,12 @@ package starlogo.models.stl
             _budget = new FileBudget(_data.name, bytes.length);
             bytes.endian = Endian.LITTLE_ENDIAN;
             var count:int = countIn(bytes);
-            _budget.requireMesh(0, count);
+            _budget.checkMeshSize(0, count);
             _points = new PointTable(Math.min(3 * count, FileBudget.MAX_VERTICES));
             slices(count, FACETS_PER_STEP, function(first:int, end:int):void
                 {
                     readFacets(bytes, first, end);
-                    _budget.requireMesh(_data.vertices.length / 3, _data.triangles.length / 3, "triangle " + end);
+                    _budget.checkMeshSize(_data.vertices.length / 3, _data.triangles.length / 3, "triangle " + end);
                     _data.readProgress = end / Math.max(1, count);
                 });
         }
@@ -132,7 +132,7 @@ package starlogo.models.stl
         private function readSome():Boolean
         {
             _data.readProgress = _lines.readStatements(readStatement);
-            _budget.requireMesh(_data.vertices.length / 3, _data.triangles.length / 3, _lines.place);
+            _budget.checkMeshSize(_data.vertices.length / 3, _data.triangles.length / 3, _lines.place);
             return _lines.hasMore;
         }
 

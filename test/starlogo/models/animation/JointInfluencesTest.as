@@ -15,7 +15,7 @@ package starlogo.models.animation
         public function setUp():void
         {
             _influences = new JointInfluences();
-            _influences.starts.push(0, 2);
+            _influences.offsets.push(0, 2);
             _influences.joints.push(0, 1);
             _influences.weights.push(0.5, 1.5);
             _jointMatrices = new <AffineTransform>[movedBy(8), movedBy(16)];

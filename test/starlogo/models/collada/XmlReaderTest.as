@@ -27,16 +27,17 @@ package starlogo.models.collada
         [Test]
         public function namesHaveNoPrefix():void
         {
-            var root:ColladaElement = read("<c:a x:b='1'><c:d/></c:a>");
+            var root:ColladaElement = read("<c:a b='1' x:b='2' x:e='3'><c:d/></c:a>");
             assertEquals("a", root.name);
             assertEquals("1", root.attribute("b"));
+            assertEquals("", root.attribute("e"));
             assertEquals("d", root.children[0].name);
         }
 
         [Test]
         public function knowsItsOwnEntitiesAndNoOthers():void
         {
-            var root:ColladaElement = read("<a b='&lt;&#65;&#x42;&gt;'>&amp;&quot;&apos;&other;&LT;</a>");
+            var root:ColladaElement = read("<a b=' &lt;&#65;&#x42;&gt; '>&amp;&quot;&apos;&other;&LT;</a>");
             assertEquals("<AB>", root.attribute("b"));
             assertEquals("&\"'&other;&LT;", root.texts.join(""));
             assertEquals("no characters", "&#0;&#x110000;&#99999999999;", read("<a>&#0;&#x110000;&#99999999999;</a>").text);

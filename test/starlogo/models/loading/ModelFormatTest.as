@@ -6,8 +6,8 @@ package starlogo.models.loading
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.models.ObjModel;
+    import starlogo.models.building.FormatReader;
     import starlogo.models.building.ModelBuilder;
-    import starlogo.models.building.ModelReader;
     import starlogo.models.files.ModelFile;
     import support.Collada;
     import support.Gltf;
@@ -35,7 +35,7 @@ package starlogo.models.loading
         private static function checkProgress(bytes:ByteArray, text:String):void
         {
             var file:ModelFile = new ModelFile("a", bytes, text);
-            var reader:ModelReader = ModelFormat.newReader(file, ModelFormat.of(file), "z", "footprint", null);
+            var reader:FormatReader = ModelFormat.newReader(file, "z", "footprint", null);
             var builder:ModelBuilder = ModelBuilder.reading(reader);
             var progress:Array = [builder.progress];
             var isLeft:Boolean = true;

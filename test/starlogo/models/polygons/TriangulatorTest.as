@@ -168,6 +168,39 @@ package starlogo.models.polygons
             }
         }
 
+        /** Doors that stand on the floor, and tips and other holes on a side of the outline or of a hole; on each of the four sides. */
+        [Test]
+        public function leavesHolesOnOneSideOpen():void
+        {
+            const HOLES:Array = [
+                    [[[1, 0], [3, 0], [3, 2], [1, 2]], [[5, 0], [7, 0], [7, 3], [5, 3]]],
+                    [[[2, 0], [1, 3], [3, 2]], [[6, 0], [5, 3], [7, 3]], [[4, 0], [4, 2], [5, 2]]],
+                    [[[2, 5], [6, 5], [6, 6], [2, 6]], [[2, 5], [2, 3], [3, 3]], [[5, 5], [4, 3], [5, 2]], [[5, 5], [6, 3], [6, 5]]],
+                    [[[8, 3], [6, 2], [6, 3]], [[8, 3], [6, 3], [6, 4]], [[8, 6], [7, 4], [6, 4]]]];
+            for each (var holes:Array in HOLES)
+            {
+                for (var i:int = 0; i < 24; i++)
+                {
+                    var loops:Array = [[[0, 0], [8, 0], [8, 8], [0, 8]]];
+                    var expected:Number = 64;
+                    for each (var hole:Array in i % 2 == 0 ? holes : holes.concat().reverse())
+                    {
+                        expected -= Math.abs(area(hole));
+                        var placed:Array = turned(hole, i % hole.length);
+                        for (var side:int = 0; side < i % 4; side++)
+                        {
+                            placed = placed.map(function(corner:Array, index:int, all:Array):Array
+                                {
+                                    return [8 - corner[1], corner[0]];
+                                });
+                        }
+                        loops.push(placed);
+                    }
+                    assertEquals("holes " + loops.join("; "), expected, Number(run(loops, new TurnedPlane()).toFixed(9)));
+                }
+            }
+        }
+
         // A loop that begins at another corner.
         private static function turned(loop:Array, first:int):Array
         {

@@ -5,7 +5,7 @@ package starlogo.models.animation
      *
      * @private
      */
-    public function normaliseTurn(turn:Vector.<Number>):void
+    public function normaliseQuaternion(turn:Vector.<Number>):void
     {
         var length:Number = Math.sqrt(turn[0] * turn[0] + turn[1] * turn[1] + turn[2] * turn[2] + turn[3] * turn[3]);
         for (var i:int = 0; i < 4 && length > 0 && length < Infinity; i++)

@@ -7,7 +7,7 @@ package starlogo.models.building
      *
      * @private
      */
-    public interface ModelReader extends Steps
+    public interface FormatReader extends Steps
     {
         /** What is read. It is complete when no step is left. */
         function get data():ModelData;

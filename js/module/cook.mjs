@@ -1,6 +1,6 @@
 #!/usr/bin/env node
 import { createHash } from "node:crypto";
-import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from "node:fs";
+import { copyFileSync, existsSync, lstatSync, mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from "node:fs";
 import { basename, dirname, extname, isAbsolute, join, relative, resolve, sep } from "node:path";
 import { parseArgs } from "node:util";
 import { $hintOfOption } from "./spelling.mjs";
@@ -90,7 +90,8 @@ async function cookAll() {
 function isSource(file) {
 	const path = join(folder, file);
 	const isCopy = isIn(folder, out) && out !== folder && isIn(out, path);
-	return MODEL.test(file) && statSync(path).isFile() && !isCopy;
+	// a link that leads nowhere counts, and fails when it is read
+	return MODEL.test(file) && !isCopy && !lstatSync(path).isDirectory();
 }
 
 /** The options and the folder. Wrong arguments end the program with a message. */

@@ -11,7 +11,7 @@ export class Blocks {
 	/** Ids of the breeds that appear in any block. */
 	breedsWithBlocks = new Set();
 
-	/** Reads the client's State. The handler is called with each pair of bodies that has a block. */
+	/** Reads the client's State. The handler is called with each pair of Agents that has a block. */
 	constructor(state, handler) {
 		this.#state = state;
 		this.#handler = handler;

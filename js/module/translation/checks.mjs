@@ -45,7 +45,7 @@ export class Checks {
 		this.#byName = new Map([...signatures.values()].map((type) => [type.name, type]));
 	}
 
-	/** The statements at the beginning of a member. */
+	/** The statements at the beginning of a member: its checks, and then its warnings, which take the arguments to be as they have to be. */
 	of(qname, name, kind) {
 		const type = this.#signatures.get(qname);
 		const isPublic = (each) => each.isPublic && !each.isPrivate;
@@ -58,7 +58,7 @@ export class Checks {
 			return [`$checkNumbers("${type.name}.${name}: ${numbers.join(", ")}", ${numbers.join(", ")});`, ...checks];
 		}
 		const checks = parameters.flatMap((parameter) => this.#check(type, member, parameter));
-		return [...warningsOf(qname, name, kind, parameters), ...switchesOf(type, member), ...checks, ...checkOfInner(type, member)];
+		return [...switchesOf(type, member), ...checks, ...checkOfInner(type, member), ...warningsOf(qname, name, kind, parameters)];
 	}
 
 	/** The public fields of a class that only its users write: { name, type }. */
@@ -72,7 +72,7 @@ export class Checks {
 	ofSetting(qname, field) {
 		const member = { ...field, kind: "set", parameters: [] };
 		const value = { name: "value", type: field.result, value: field.initial, isRest: false };
-		return [...warningsOfMember(qname, field.name), ...this.#check(this.#signatures.get(qname), member, value)];
+		return [...this.#check(this.#signatures.get(qname), member, value), ...warningsOfMember(qname, field.name)];
 	}
 
 	/** The statements at the end of a constructor, which may take its settings as a literal. */
@@ -128,9 +128,9 @@ export class Checks {
 			case "WalkOptions": {
 				const options = this.#reference(`starlogo.queries.${parameter.type}`);
 				return [
-					...parameter.type === "WalkOptions" ? [`$warnOfUnits(${name});`] : [],
 					`if (${name} instanceof ${options}) $warnOfUnknownProperties(${name});`,
 					`else if (${name} != null) ${name} = $options(${where}, ${name}, new ${options}(), ${JSON.stringify(article(parameter.type))});`,
+					...parameter.type === "WalkOptions" ? [`$warnOfUnits(${name});`] : [],
 				];
 			}
 			default: {
@@ -219,13 +219,13 @@ function switchesOf(type, member) {
 	const taken = booleans.map(({ name }) => `"${name}": ${name}`).join(", ");
 	const initial = booleans.map(({ name, value }) => `"${name}": ${value}`).join(", ");
 	const read = `$options(null, "${type.name}.${member.name}: options", ${first}, { ${initial} }, "true, false or options")`;
-	return [`if ($areOptions(${first})) ({ ${taken} } = ${read});`];
+	return [`if ($isObject(${first})) ({ ${taken} } = ${read});`];
 }
 
 function optionsOf({ name }) {
-	const asListener = "if ($areOptions(useCapture)) return $listen(this, type, listener, useCapture, priority);";
+	const asListener = "if ($isObject(useCapture)) return $listen(this, type, listener, useCapture, priority);";
 	if (name === "addEventListener") return ["$warnOfEvent(this, type);", asListener];
-	return name === "removeEventListener" ? ["if ($areOptions(useCapture)) useCapture = false;"] : [];
+	return name === "removeEventListener" ? ["if ($isObject(useCapture)) useCapture = false;"] : [];
 }
 
 /** Where a literal is likely to be passed, the text says how such an object is made. */

@@ -139,5 +139,5 @@ export function removeLocal(name) {
 
 /** Node's own storage is shared by all programs of a machine, so it is not used. */
 function localStorageOfPage() {
-	return typeof document === "object" ? globalThis.localStorage : null;
+	return typeof document === "object" ? globalThis.localStorage ?? null : null;
 }

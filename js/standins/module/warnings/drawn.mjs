@@ -4,9 +4,9 @@ import { $rounded, $warn } from "./warn.mjs";
 /** For each source of a model: the name of the last one, and its place in the source. */
 const $sources = /* @__PURE__ */ new WeakMap();
 
-/** Gives the adapter its warnings: see Model.$parts. */
-export function $warnInAdapter(parts) {
-	parts.push({ keepSource: $keepSource, ofNoModel: $adviseOfNoModel, ofScale: $adviseOfScale, ofParent: $adviseOfParent });
+/** The adapter's warnings: see Model.$parts. */
+export function $warningsForAdapters() {
+	return { keepSource: $keepSource, ofNoModel: $adviseOfNoModel, ofScale: $adviseOfScale, ofParent: $adviseOfParent };
 }
 
 /** Keeps of which source a model was made. */

@@ -63,7 +63,6 @@ export function $warnOfAddition(collision, breed, otherBreed) {
 
 /** Warns of a handler that removeHandler cannot find: it was added for other breeds, or is another function with the same text. */
 export function $warnOfRemoval(collision, breed, otherBreed, handler) {
-	if (typeof handler !== "function") return;
 	const breeds = $breedsText(breed, otherBreed);
 	const added = $breedsOf.get(handler);
 	$additions.get(collision)?.delete(breeds);

@@ -49,8 +49,8 @@ export function $warnOfStale(queries, agents, mover) {
 	if ($hasWarned("stale")) return;
 	const kept = $keptOf($questions, queries, $newQuestions);
 	if (agents !== null) Object.assign(kept, { agents, updated: $updates, walker: null, walks: 0, places: null });
-	if (!Array.isArray(kept.agents)) return;
-	if (typeof mover?.shape === "string") $countMove(kept, mover);
+	if (kept.agents === null) return;
+	if (mover !== null) $countMove(kept, mover);
 	const frames = $updates - kept.updated;
 	if (Math.max(frames, kept.walks) < $LONG_WITHOUT_UPDATE) return;
 	kept.places ??= $placesOf(kept.agents.slice(0, $MOST_PLACES));

@@ -56,14 +56,9 @@ package flash.events
             check(listener, "listener");
             var all:Array = listenersTo(type);
             var place:int = indexOf(all, listener, useCapture);
-            if (place < 0)
+            if (place >= 0)
             {
-                return;
-            }
-            _listeners[type] = all.slice(0, place).concat(all.slice(place + 1));
-            if (type == Event.ENTER_FRAME && all.length == 1)
-            {
-                Machine.frameListeners.splice(Machine.frameListeners.indexOf(this), 1);
+                removeRecord(type, all[place]);
             }
         }
 
@@ -98,7 +93,7 @@ package flash.events
                 isHeard = true;
                 if (listener.isOnce)
                 {
-                    removeEventListener(event.type, listener.call, false);
+                    removeRecord(event.type, listener);
                 }
                 event.arrive(_target == null ? this : _target);
                 try
@@ -125,6 +120,22 @@ package flash.events
         private function listenersTo(type:String):Array
         {
             return _listeners.hasOwnProperty(type) ? _listeners[type] : [];
+        }
+
+        // Removes a listener, if it is still there: not one that the same function has become since.
+        private function removeRecord(type:String, listener:Listener):void
+        {
+            var all:Array = listenersTo(type);
+            var place:int = all.indexOf(listener);
+            if (place < 0)
+            {
+                return;
+            }
+            _listeners[type] = all.slice(0, place).concat(all.slice(place + 1));
+            if (type == Event.ENTER_FRAME && all.length == 1)
+            {
+                Machine.frameListeners.splice(Machine.frameListeners.indexOf(this), 1);
+            }
         }
 
         private static function indexOf(listeners:Array, call:Function, isCapturing:Boolean):int

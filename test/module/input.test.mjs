@@ -50,7 +50,7 @@ test("every number of an agent is a finite number", () => {
 	const traits = ["x", "y", "z", "heading", "pitch", "roll", "size", "color"];
 	for (const trait of traits) {
 		for (const [value, shown] of NO_NUMBERS) refused(() => (agent[trait] = value), trait, `agent ${agent.id}`, '"bears"', `not ${shown}`);
-		for (const value of NOT_FINITE) refused(() => (agent[trait] = value), trait, `agent ${agent.id}`, `not ${value}`);
+		for (const value of NOT_FINITE) refused(() => (agent[trait] = value), trait, `agent ${agent.id}`, String(value));
 	}
 	for (const method of ["moveTo", "jumpTo"]) {
 		for (const [value, shown] of NO_NUMBERS) {

@@ -6,7 +6,7 @@ export function $stateOf(object) {
 	const note = (name, value) => {
 		if (!/^[_$]/.test(name) && typeof value !== "function") state[name] = value;
 	};
-	for (const [name, { get, set }] of inheritedBy(object)) {
+	for (const [name, { get, set }] of $inheritedBy(object)) {
 		try {
 			const value = get?.call(object);
 			if (get && (set || typeof value !== "object" || value === null)) note(name, value);
@@ -19,9 +19,9 @@ export function $stateOf(object) {
 }
 
 /** The names and descriptors of what an object's classes have, those of the farthest base first. */
-function inheritedBy(object) {
+export function $inheritedBy(object) {
 	const type = Object.getPrototypeOf(object);
-	return type && type !== Object.prototype ? [...inheritedBy(type), ...Object.entries(Object.getOwnPropertyDescriptors(type))] : [];
+	return type && type !== Object.prototype ? [...$inheritedBy(type), ...Object.entries(Object.getOwnPropertyDescriptors(type))] : [];
 }
 
 /** What is shown of each object: always the same, so that tools see that an object names itself. */

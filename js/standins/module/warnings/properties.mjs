@@ -1,4 +1,5 @@
 /** Properties that a game sets and the engine does not read, and traits that a collision system does not look at. */
+import { $inheritedBy } from "../shown.mjs";
 import { $changesBetween } from "./spelling.mjs";
 import { $keptOf, $rounded, $warn } from "./warn.mjs";
 
@@ -188,9 +189,5 @@ function $isOfOwnClass(object, name, trait) {
 
 /** The names of an object's setters. */
 function $namesOfSetters(object) {
-	const names = [];
-	for (let type = Object.getPrototypeOf(object); type && type !== Object.prototype; type = Object.getPrototypeOf(type)) {
-		for (const [name, { set }] of Object.entries(Object.getOwnPropertyDescriptors(type))) if (set && !/^[_$]/.test(name)) names.push(name);
-	}
-	return names;
+	return $inheritedBy(object).filter(([name, { set }]) => set && !/^[_$]/.test(name)).map(([name]) => name);
 }

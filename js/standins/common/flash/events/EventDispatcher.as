@@ -55,11 +55,7 @@ package flash.events
             check(type, "type");
             check(listener, "listener");
             var all:Array = listenersTo(type);
-            var place:int = indexOf(all, listener, useCapture);
-            if (place >= 0)
-            {
-                removeRecord(type, all[place]);
-            }
+            removeRecord(type, all[indexOf(all, listener, useCapture)]);
         }
 
         public function hasEventListener(type:String):Boolean

@@ -168,6 +168,11 @@ test("count and nearest beyond the ground's diagonal are the client's; of radii 
 	assert.equal(Collisions.count(agents[0], "Fish", 143), 3);
 	assert.equal(Collisions.count(agents[0], "Everyone", 143), 4);
 	assert.equal(Collisions.count(agents[0], "Everyone", 142), 2);
+	// gone in the same tick, without an update
+	const { x } = agents[1].state;
+	agents[1].state.x = 49;
+	assert.equal(Collisions.count(agents[0], "Fish", 25), 1);
+	agents[1].state.x = x;
 	assert.equal(Collisions.count(agents[0], "Fish", 143, "size", 3), 1);
 	assert.equal(Collisions.nearest(agents[0], "Fish", 143), agents[1]);
 	for (const radius of [-1, NaN, "a", undefined]) {

@@ -142,8 +142,9 @@ export class Cells {
 	}
 
 	#distanceToRing(coordinate, index, rings) {
-		const low = index - rings;
-		const high = index + rings;
-		return Math.min(low <= 0 ? Infinity : coordinate - ((low - 1) * this.#width - this.#half), high >= LAST ? Infinity : high * this.#width - this.#half - coordinate);
+		const [low, high] = [index - rings, index + rings];
+		const below = low <= 0 ? Infinity : coordinate - ((low - 1) * this.#width - this.#half);
+		const above = high >= LAST ? Infinity : high * this.#width - this.#half - coordinate;
+		return Math.min(below, above);
 	}
 }

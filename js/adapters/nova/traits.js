@@ -1,7 +1,8 @@
 import { Agent } from "starlogo-collision";
 
+/** The structures that a trait names. */
+export const STRUCTURES = [Agent.TIGHTEST, Agent.SPHERE, Agent.BOX, Agent.CAPSULE, Agent.HULL];
 const BOOLEAN = { isValid: (value) => typeof value === "boolean", kind: "true or false" };
-const STRUCTURES = [Agent.TIGHTEST, Agent.SPHERE, Agent.BOX, Agent.CAPSULE, Agent.HULL];
 
 /** The traits: what each of them may be. */
 const TRAITS = {

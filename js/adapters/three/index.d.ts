@@ -71,8 +71,8 @@ export interface WireframeOptions extends LevelOptions {
  * Makes a model from a three.js object or geometry. It is one patch wide, unless `scaling` says otherwise: for a level take levelFromObject.
  *
  * For an object, all meshes count: also its children's, visible or not. They count in the present pose of their bones and morph targets,
- * with all instances of an InstancedMesh or a BatchedMesh, visible or not, and with the finest level of an LOD. The children's transforms count, including mirrors. The
- * object's own transform does not count, because it places the object in the world: see ThreeAgentBinding. Draw ranges count. If a mesh has
+ * with all instances of an InstancedMesh or a BatchedMesh, visible or not, and with the finest level of an LOD. The children's transforms count,
+ * including mirrors. The object's own transform does not count, because it places the object in the world: see ThreeAgentBinding. Draw ranges count. If a mesh has
  * several materials, the groups with a material count. Lines, points, sprites and meshes scaled to 0 are left out.
  *
  * Hits tell the mesh and the material of a triangle: see `faceOf`, `Model.meshNames` and `Model.materialNames`. A mesh has its own name, or its
@@ -334,4 +334,6 @@ export class TerrainGeometry extends BufferGeometry {
  * @throws ArgumentError if up is neither "y" nor "z"
  * @throws RangeError as Terrain's constructor, or if a height is too large
  */
-export function terrainFromMesh(source: Object3D | BufferGeometry, columns: number, rows: number, cellWidth?: number, x?: number, y?: number, options?: TerrainOptions): Terrain;
+export function terrainFromMesh(
+    source: Object3D | BufferGeometry, columns: number, rows: number, cellWidth?: number, x?: number, y?: number, options?: TerrainOptions
+): Terrain;

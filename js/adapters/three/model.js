@@ -79,9 +79,13 @@ function whatIsMissing(source) {
  */
 export function faceOf(model, triangle) {
 	const { meshes, isGeometry } = sources.get(model) ?? {};
-	if (!meshes || isGeometry) throw new ArgumentError(`faceOf: model must be one that modelFromObject or levelFromObject has made of an Object3D, not ${textOf(model)}`);
+	if (!meshes || isGeometry) {
+		throw new ArgumentError(`faceOf: model must be one that modelFromObject or levelFromObject has made of an Object3D, not ${textOf(model)}`);
+	}
 	const last = model.triangles.length / 3 - 1;
-	if (!(Number.isInteger(triangle) && triangle >= -1 && triangle <= last)) throw new RangeError(`faceOf: triangle must be a whole number from -1 to ${last}, not ${textOf(triangle)}`);
+	if (!(Number.isInteger(triangle) && triangle >= -1 && triangle <= last)) {
+		throw new RangeError(`faceOf: triangle must be a whole number from -1 to ${last}, not ${textOf(triangle)}`);
+	}
 	if (triangle === -1) return null;
 	const { object, instanceId, first, faceAt } = meshes.findLast((each) => each.first <= triangle);
 	return { object, faceIndex: faceAt(triangle - first), instanceId };

@@ -53,13 +53,11 @@ export class Checks {
 		const isPublic = (each) => each.isPublic && !each.isPrivate;
 		const member = kind === "function" ? type : type?.members.find((each) => each.name === name && each.kind === kind && isPublic(each));
 		const parameters = member?.parameters ?? [];
-		const numbers = parameters.filter((parameter) => parameter.type === "Number").map((parameter) => parameter.name);
-		if (COMPACT.has(qname) && member?.kind === "method" && numbers.length > 1) {
-			const others = parameters.filter((parameter) => parameter.type !== "Number");
-			const checks = others.flatMap((parameter) => this.#check(type, member, parameter));
-			return [`$checkNumbers("${type.name}.${name}: ${numbers.join(", ")}", ${numbers.join(", ")});`, ...checks];
-		}
-		const checks = parameters.flatMap((parameter) => this.#check(type, member, parameter));
+		const numbers = parameters.filter((parameter) => parameter.type === "Number");
+		const together = COMPACT.has(qname) && member?.kind === "method" && numbers.length > 1 ? numbers : [];
+		const names = together.map((parameter) => parameter.name).join(", ");
+		const checks = together.length > 0 ? [`$checkNumbers("${type.name}.${name}: ${names}", ${names});`] : [];
+		for (const parameter of parameters) if (!together.includes(parameter)) checks.push(...this.#check(type, member, parameter));
 		return [...switchesOf(type, member), ...checks, ...checkOfInner(type, member), ...warningsOf(qname, name, kind, parameters)];
 	}
 

@@ -57,11 +57,9 @@ export function $listen(target, type, listener, given, priority) {
 	$aBoolean("addEventListener: options.once", once);
 	$aSignal("addEventListener: options.signal", signal);
 	if (signal?.aborted) return;
-	const isOwn = (each) => each.call === listener && !each.isCapturing;
-	const isKnown = target.$listenersTo(type).some(isOwn);
+	if (target.$recordOf(type, listener, false) !== null) return;
 	target.addEventListener(type, listener, false, priority);
-	if (isKnown) return;
-	const added = target.$listenersTo(type).find(isOwn);
+	const added = target.$recordOf(type, listener, false);
 	added.isOnce = once;
 	signal?.addEventListener("abort", () => target.$removeRecord(type, added), { once: true });
 }

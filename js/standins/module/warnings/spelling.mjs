@@ -13,7 +13,10 @@ const $FILTER = ["breeds", "exceptBreeds", "except", "accepts"];
 export function $hintOfOptions(call, value, key, names) {
 	if (names.includes("filter") && $FILTER.includes(key)) return `a filter is one of them: { filter: { ${key}: ... } }; `;
 	const [kind] = /^(?:Contact|RayHit|ShapeHit)$/.exec(value.constructor?.name) ?? [];
-	if (kind && call.endsWith(": filter")) return `a ${kind} is the argument after the filter: ${call.slice(call.indexOf(".") + 1, -8)}(..., null, ${kind === "Contact" ? "contact" : "hit"}); `;
+	if (kind && call.endsWith(": filter")) {
+		const found = kind === "Contact" ? "contact" : "hit";
+		return `a ${kind} is the argument after the filter: ${call.slice(call.indexOf(".") + 1, -8)}(..., null, ${found}); `;
+	}
 	return "stands" in value ? "a Footing is the argument after the options: walk(agent, dx, dy, null, footing); " : $hintOfOption(key, names);
 }
 

@@ -31,11 +31,11 @@ package flash.events
         {
             check(type, "type");
             check(listener, "listener");
-            var all:Array = listenersTo(type);
-            if (indexOf(all, listener, useCapture) >= 0)
+            if (recordOf(type, listener, useCapture) != null)
             {
                 return;
             }
+            var all:Array = listenersTo(type);
             var place:int = 0;
             while (place < all.length && all[place].priority >= priority)
             {
@@ -54,8 +54,7 @@ package flash.events
         {
             check(type, "type");
             check(listener, "listener");
-            var all:Array = listenersTo(type);
-            removeRecord(type, all[indexOf(all, listener, useCapture)]);
+            removeRecord(type, recordOf(type, listener, useCapture));
         }
 
         public function hasEventListener(type:String):Boolean
@@ -134,16 +133,16 @@ package flash.events
             }
         }
 
-        private static function indexOf(listeners:Array, call:Function, isCapturing:Boolean):int
+        private function recordOf(type:String, call:Function, isCapturing:Boolean):Listener
         {
-            for (var i:int = 0; i < listeners.length; i++)
+            for each (var listener:Listener in listenersTo(type))
             {
-                if (listeners[i].call == call && listeners[i].isCapturing == isCapturing)
+                if (listener.call == call && listener.isCapturing == isCapturing)
                 {
-                    return i;
+                    return listener;
                 }
             }
-            return -1;
+            return null;
         }
 
         private static function check(value:Object, name:String):void

@@ -26,6 +26,8 @@ return { ModelData, ModelBuilder, vectorOf: $vector, checkedOptions: $options, t
 	 * @returns the model, which the receiver has by then
 	 * @throws ModelError, in the promise, if it can't be loaded; the signal's reason if that is aborted; an AbortError if cancel() is called
 	 */
-	loadAsync(name: string, url: string, options?: { upAxis?: UpAxis | undefined; scaling?: Scaling | undefined; signal?: ListenerOptions["signal"] }): Promise<Model>;`,
+	loadAsync(name: string, url: string, options?: {
+		upAxis?: UpAxis | undefined; scaling?: Scaling | undefined; signal?: ListenerOptions["signal"];
+	}): Promise<Model>;`,
 	},
 };

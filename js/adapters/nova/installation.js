@@ -133,8 +133,7 @@ class Installation {
 
 	/** Sets some of an agent's traits, as its blocks do. The others stay. */
 	changeTraits(agent, traits) {
-		const checked = checkTraits(traits);
-		if (!this.#traits.hasAll(agent, checked)) this.#giveTraits(agent, { ...this.#traits.ofAgents.get(agent), ...checked });
+		this.#giveTraits(agent, { ...this.#traits.ofAgents.get(agent), ...checkTraits(traits) });
 	}
 
 	/** Whether two agents touch now. */

@@ -162,24 +162,17 @@ export class Checks {
 	// checked and moved in loops.
 	#simpleCheck({ name, type: wanted }, member, type) {
 		const isNoNumber = `typeof ${name} !== "number"`;
-		switch (wanted) {
-			case "Number":
-				if (!member.isField && !CHECKED_HERE.has(type.name)) return ["$aNumber", isNoNumber, "a number"];
-				return ["$aFiniteNumber", `${isNoNumber} || ${name} - ${name} !== 0`, member.name === "color" ? "0xRRGGBB, a number" : "a number"];
-			case "int":
-				if (name === "offset") return ["$anOffset", `${isNoNumber} || ${name} !== (${name} & 0x7fffffff)`, "a whole number, 0 or more"];
-				return ["$anInt", `${isNoNumber} || ${name} !== (${name} | 0)`, "a whole number"];
-			case "uint":
-				return ["$aUint", `${isNoNumber} || ${name} !== ${name} >>> 0`, "a whole number"];
-			case "Boolean":
-				return ["$aBoolean", `typeof ${name} !== "boolean"`, "true or false"];
-			case "String":
-				return ["$aString", `typeof ${name} !== "string"`, "a string"];
-			case "Function":
-				return ["$aFunction", `typeof ${name} !== "function"`, "a function"];
-			default:
-				return null;
-		}
+		const isFinite = member.isField || CHECKED_HERE.has(type.name);
+		const number = isFinite ? ["$aFiniteNumber", `${isNoNumber} || ${name} - ${name} !== 0`] : ["$aNumber", isNoNumber];
+		const offset = ["$anOffset", `${isNoNumber} || ${name} !== (${name} & 0x7fffffff)`, "a whole number, 0 or more"];
+		return {
+			Number: [...number, member.name === "color" ? "0xRRGGBB, a number" : "a number"],
+			int: name === "offset" ? offset : ["$anInt", `${isNoNumber} || ${name} !== (${name} | 0)`, "a whole number"],
+			uint: ["$aUint", `${isNoNumber} || ${name} !== ${name} >>> 0`, "a whole number"],
+			Boolean: ["$aBoolean", `typeof ${name} !== "boolean"`, "true or false"],
+			String: ["$aString", `typeof ${name} !== "string"`, "a string"],
+			Function: ["$aFunction", `typeof ${name} !== "function"`, "a function"],
+		}[wanted];
 	}
 
 	#typeTest(typeName, name) {

@@ -47,8 +47,8 @@ export type Handler<ColliderAgent extends Agent = Agent, CollideeAgent extends A
 ) => void;
 
 /**
- * What is taken for an AgentFilter: one, or a literal with some of its properties. If `accepts` is a type guard, FoundAgent is its class. Name are the names
- * in `breeds`.
+ * What is taken for an AgentFilter: one, or a literal with some of its properties. The second type is the class of an `accepts` that is a type guard, the
+ * third one the names in `breeds`.
  */
 export interface AgentFilterInit<GameAgent extends Agent = Agent, FoundAgent extends GameAgent = GameAgent, Name extends string = string> {
 	/** Only agents of these breeds count. If the list is empty, no agent counts. */

@@ -117,7 +117,8 @@ function withValues(docs, { kind, parameters, result, initial }) {
 	return parameters.filter(({ value }) => value !== null && value !== "null").reduce((text, { name, value }) => {
 		const about = docOfParameter(name, text);
 		if (about === "" || /\bwithout it\b/.test(about)) return text;
-		return text.replace(`@param ${name} ${about}`, () => `@param ${name} ${about.replace(/\.?\s*$/, "")}. Default: ${value.replace("Number.NEGATIVE_INFINITY", "-Infinity")}`);
+		const shown = value.replace("Number.NEGATIVE_INFINITY", "-Infinity");
+		return text.replace(`@param ${name} ${about}`, () => `@param ${name} ${about.replace(/\.?\s*$/, "")}. Default: ${shown}`);
 	}, docs);
 }
 

@@ -140,7 +140,8 @@ export function $numbers(target, name, list, type, isNullable) {
 	const numbers = !isView ? list : type === "Number" ? $doubles(list.length) : $vector(list.length, 0);
 	for (let i = 0; i < list.length; i++) {
 		const value = list[i];
-		if (typeof value !== "number" || type !== "Number" && value !== (type === "int" ? value | 0 : value >>> 0)) $refuse(target, `${name}[${i}]`, value, $KINDS[type]);
+		const isOfType = typeof value === "number" && (type === "Number" || value === (type === "int" ? value | 0 : value >>> 0));
+		if (!isOfType) $refuse(target, `${name}[${i}]`, value, $KINDS[type]);
 		if (isView) numbers[i] = value;
 	}
 	return numbers;

@@ -56,22 +56,12 @@ export function $values(list) {
 	return typeof list[Symbol.iterator] === "function" ? list : Object.values(list);
 }
 
+const typeNames = /* @__PURE__ */ new Map([[String, "string"], [Number, "number"], [Boolean, "boolean"], [Function, "function"]]);
+
 /** `value is type`. */
 export function $is(value, type) {
-	switch (type) {
-		case Object:
-			return value != null;
-		case String:
-			return typeof value === "string";
-		case Number:
-			return typeof value === "number";
-		case Boolean:
-			return typeof value === "boolean";
-		case Function:
-			return typeof value === "function";
-		default:
-			return value instanceof type;
-	}
+	if (type === Object) return value != null;
+	return typeNames.has(type) ? typeof value === typeNames.get(type) : value instanceof type;
 }
 
 /** `value as type`. */

@@ -58,24 +58,19 @@ export function classNameOf(value) {
 	return value.constructor.name;
 }
 
-/** Fetches a file like fetchFile, but passes a ByteArray. */
-export function fetchBytes(url, onProgress, onDone, onError) {
-	return fetchFile(url, onProgress, (bytes) => onDone(new ByteArray(bytes)), onError);
-}
-
 /**
  * Fetches a file.
  *
  * @param url its address
  * @param onProgress called with the number of bytes that have arrived and of all bytes, 0 if that is not known
- * @param onDone called with the bytes, a Uint8Array
+ * @param onDone called with the bytes, a ByteArray
  * @param onError called with the problem
  * @returns a function that stops it
  */
 export function fetchFile(url, onProgress, onDone, onError) {
 	const controller = new AbortController();
 	read(url, controller.signal, onProgress).then(
-		(bytes) => controller.signal.aborted || onDone(bytes),
+		(bytes) => controller.signal.aborted || onDone(new ByteArray(bytes)),
 		(error) => controller.signal.aborted || onError(String(error?.message ?? error)),
 	);
 	return () => controller.abort();

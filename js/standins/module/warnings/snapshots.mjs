@@ -12,7 +12,6 @@ const $MOST_SNAPSHOTS = 10;
 /** Of a Collision: for each snapshot without traits the agents' ids and places. */
 const $withoutTraits = /* @__PURE__ */ new WeakMap();
 
-const $newList = () => [];
 
 /** Warns of a snapshot with traits before the first update, which has the traits of nobody; and keeps the places for one without. */
 export function $warnOfSnapshot(collision, withTraits) {
@@ -23,7 +22,7 @@ export function $warnOfSnapshot(collision, withTraits) {
 			+ "it is of the list of the last collision.update(agents)");
 		return;
 	}
-	const taken = $keptOf($withoutTraits, collision, $newList);
+	const taken = $keptOf($withoutTraits, collision, () => []);
 	if (taken.length <= $MOST_SNAPSHOTS) taken.push(agents.map(({ id, x, y, z }) => ({ id, x, y, z })));
 }
 

@@ -108,7 +108,6 @@ function weld(data, pieces, isYUp) {
 	const triangles = (data.triangles = vectorOf(pieces.reduce((count, { corners }) => count + corners.length, 0), 0));
 	const welder = new Welder(data.vertices, isYUp);
 	for (const piece of pieces) {
-		if (piece.corners.length === 0) continue;
 		piece.firstVertex = data.vertices.length / 3;
 		welder.begin(piece);
 		addTriangles(data.name, piece, welder, triangles);

@@ -9,7 +9,8 @@ import { Program } from "./translation/translate.mjs";
 const here = fileURLToPath(new URL(".", import.meta.url));
 const standins = join(here, "../standins/module");
 const FILES = ["checks.mjs", "literals.mjs", "shown.mjs", "language.mjs", "ByteArray.mjs", "machine.mjs", "contacts.mjs"];
-const WARNINGS = ["warn", "spelling", "properties", "arguments", "angles", "frames", "shots", "handlers", "questions", "snapshots", "walks", "drawn"].map((name) => `warnings/${name}.mjs`);
+const SUBJECTS = ["warn", "spelling", "properties", "arguments", "angles", "frames", "shots", "handlers", "questions", "snapshots", "walks", "drawn"];
+const WARNINGS = SUBJECTS.map((name) => `warnings/${name}.mjs`);
 
 /**
  * Translates the compiler's output in a folder.
@@ -39,7 +40,9 @@ export function standinsForUsers() {
 
 /** Some files as parts of one scope, without the comments at their heads. */
 function textOf(files) {
-	return files.map((file) => readFileSync(join(standins, file), "utf8").replace(/^\/\*\*[^]*?\*\/\n(?=\n|import )/, "").replaceAll(/^import .*\n/gm, "").replaceAll(/^export /gm, "")).join("\n");
+	const HEAD = /^\/\*\*[^]*?\*\/\n(?=\n|import )/;
+	const texts = files.map((file) => readFileSync(join(standins, file), "utf8").replace(HEAD, ""));
+	return texts.map((text) => text.replaceAll(/^import .*\n/gm, "").replaceAll(/^export /gm, "")).join("\n");
 }
 
 /** What users get of a line of the warnings: an empty function, if one begins there that is called from outside. */
@@ -57,7 +60,9 @@ function reachable(all, roots) {
 		const each = byName.get(open.pop());
 		if (!each || found.has(each)) continue;
 		found.add(each);
-		for (const [, listed, required] of each.source.matchAll(/Dependency List: ([^*]*)\*\/|^goog\.require\('([^']*)'\)/gm)) open.push(...(listed ?? required).trim().split(","));
+		for (const [, listed, required] of each.source.matchAll(/Dependency List: ([^*]*)\*\/|^goog\.require\('([^']*)'\)/gm)) {
+			open.push(...(listed ?? required).trim().split(","));
+		}
 	}
 	return all.filter((each) => found.has(each));
 }

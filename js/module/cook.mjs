@@ -45,7 +45,8 @@ const options = {
 const { values, folder } = readArguments();
 const out = resolve(values.out ?? folder);
 const manifestPath = join(out, "manifest.json");
-const settings = JSON.stringify([version, values.up, values.scaling, values.transforms, values.increment, values["min-vertices"], values.depth, values["by-mean"], values.hulls]);
+const { up, scaling, transforms, increment, "min-vertices": minVertices, depth, "by-mean": byMean, hulls } = values;
+const settings = JSON.stringify([version, up, scaling, transforms, increment, minVertices, depth, byMean, hulls]);
 await cookAll();
 
 /** Cooks the files of the folder, and writes the manifest. */
@@ -92,7 +93,8 @@ async function cookAll() {
 function isSource(file) {
 	const path = join(folder, file);
 	const isCopy = isIn(folder, out) && out !== folder && isIn(out, path);
-	return MODEL.test(file) && !isCopy && statSync(path, { throwIfNoEntry: false })?.isFile();
+	// a link that leads nowhere counts, and fails when it is read
+	return MODEL.test(file) && !isCopy && (statSync(path, { throwIfNoEntry: false })?.isFile() ?? true);
 }
 
 /** The options and the folder. Wrong arguments end the program with a message. */
@@ -116,7 +118,8 @@ function readArguments() {
 	if (!["x", "y", "z"].includes(values.up)) fail(`--up is x, y or z, not ${values.up}`);
 	if (!SCALINGS.includes(values.scaling)) fail(`--scaling is footprint, volume or "as given", not ${values.scaling}`);
 	if (!(Number(values.increment) >= 0.01 && Number(values.increment) <= 360)) fail(`--increment is a number of degrees of at least 0.01, not ${values.increment}`);
-	if (values.hulls !== undefined && !(/^\d{1,3}$/.test(values.hulls) && Number(values.hulls) >= 8)) fail(`--hulls is a whole number from 8 to 999, not ${values.hulls}`);
+	const isHulls = values.hulls === undefined || /^\d{1,3}$/.test(values.hulls) && Number(values.hulls) >= 8;
+	if (!isHulls) fail(`--hulls is a whole number from 8 to 999, not ${values.hulls}`);
 	for (const name of ["min-vertices", "depth"]) if (!/^[1-9]\d{0,5}$/.test(values[name])) fail(`--${name} is a whole number from 1 on, not ${values[name]}`);
 	return { values, folder };
 }

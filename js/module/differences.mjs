@@ -8,9 +8,7 @@ export const ONLY_IN_JAVASCRIPT = {
 	// for the adapters: to three.js, which fills the data of a model as a reader of files does; its warnings are not in the minified module
 	"starlogo.models.Model": {
 		text: `static get $parts() {
-const parts = [ModelData, ModelBuilder, $vector, $options, $named];
-$warnInAdapter(parts);
-return parts;
+return { ModelData, ModelBuilder, vectorOf: $vector, checkedOptions: $options, textOf: $named, warnings: $warningsForAdapters() };
 }`,
 		declaration: null,
 	},
@@ -28,6 +26,8 @@ return parts;
 	 * @returns the model, which the receiver has by then
 	 * @throws ModelError, in the promise, if it can't be loaded; the signal's reason if that is aborted; an AbortError if cancel() is called
 	 */
-	loadAsync(name: string, url: string, options?: { upAxis?: UpAxis | undefined; scaling?: Scaling | undefined; signal?: ListenerOptions["signal"] }): Promise<Model>;`,
+	loadAsync(name: string, url: string, options?: {
+		upAxis?: UpAxis | undefined; scaling?: Scaling | undefined; signal?: ListenerOptions["signal"];
+	}): Promise<Model>;`,
 	},
 };

@@ -55,8 +55,10 @@ function adapterTexts(folder) {
 export function minified(code, mangling, source) {
 	// as long as the mark, so that the columns of the map are right
 	const name = "__PURE_MARK__";
-	const options = { minifyWhitespace: true, minifyIdentifiers: true, ...mangling, format: "esm", target: "es2022", sourcemap: "external", sourcesContent: false, sourcefile: source };
-	const { code: written, map } = transformSync(code.replaceAll("/* @__PURE__ */", `${name}&&`), options);
+	const { code: written, map } = transformSync(code.replaceAll("/* @__PURE__ */", `${name}&&`), {
+		minifyWhitespace: true, minifyIdentifiers: true, ...mangling, format: "esm", target: "es2022",
+		sourcemap: "external", sourcesContent: false, sourcefile: source,
+	});
 	return { code: written.replaceAll(`${name}&&`, "/* @__PURE__ */"), map };
 }
 

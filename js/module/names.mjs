@@ -38,7 +38,7 @@ export const EXTERNALS = {
 	"standin.Machine.setTimeout": "setTimeout",
 	"standin.Machine.unheard": "unheard",
 	"standin.Machine.uncaught": "uncaught",
-	"standin.Network.fetch": "fetchBytes",
+	"standin.Network.fetch": "fetchFile",
 };
 
 /** Where the compiler writes its files, in the folder of a translation. */
@@ -75,7 +75,8 @@ export const PLATFORM_NAMES = new Set(["Event", "TextEvent", "ErrorEvent", "Prog
 /** The declarations that the module exports, by qualified name: the engine's public ones, and Flash's. */
 export function publicSignatures() {
 	const types = readSignatures(SOURCES);
-	const own = [...types.keys()].filter((qname) => qname.startsWith("starlogo.") && !qname.startsWith(AWAY3D) && !types.get(qname).isPrivate && !LEFT_OUT.has(qname));
+	const isOwn = (qname) => qname.startsWith("starlogo.") && !qname.startsWith(AWAY3D);
+	const own = [...types.keys()].filter((qname) => isOwn(qname) && !types.get(qname).isPrivate && !LEFT_OUT.has(qname));
 	return new Map([...own, ...FROM_FLASH].map((qname) => [qname, types.get(qname)]));
 }
 

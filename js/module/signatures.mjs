@@ -5,8 +5,11 @@ import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 
 const DOC = String.raw`(/\*\*(?:(?!\*/)[\s\S])*\*/\s*)?`;
-const TYPE = new RegExp(String.raw`^    ${DOC}((?:public|internal|final|dynamic|static)\s+)*(class|interface|function) (\w+)(?:(\([\s\S]*?\)):([\w.<>*]+))?(?: extends ([\w, ]+?))?(?:\s+implements ([\w, ]+?))?\s*$`, "m");
-const MEMBER = new RegExp(String.raw`^        ${DOC}((?:(?:override|public|protected|private|internal|engine|static|final|native)\s+)*)(function|var|const) (?:(get|set) )?(\w+)(\([\s\S]*?\))?(?::([\w.<>*]+))?(?: = ([^;\n]+);)?`, "gm");
+const SIGNATURE = String.raw`(\([\s\S]*?\))`;
+const BASES = String.raw`(?: extends ([\w, ]+?))?(?:\s+implements ([\w, ]+?))?`;
+const TYPE = new RegExp(String.raw`^    ${DOC}((?:public|internal|final|dynamic|static)\s+)*(class|interface|function) (\w+)(?:${SIGNATURE}:([\w.<>*]+))?${BASES}\s*$`, "m");
+const MODIFIERS = String.raw`((?:(?:override|public|protected|private|internal|engine|static|final|native)\s+)*)`;
+const MEMBER = new RegExp(String.raw`^        ${DOC}${MODIFIERS}(function|var|const) (?:(get|set) )?(\w+)${SIGNATURE}?(?::([\w.<>*]+))?(?: = ([^;\n]+);)?`, "gm");
 
 /** Classes of settings, which a literal stands for. Their constructors take one too. */
 export const TAKES_LITERAL = new Set(["starlogo.queries.AgentFilter", "starlogo.queries.WalkOptions"]);

@@ -68,7 +68,8 @@ function systemsOf(greatLand, models) {
 	trees.maxDepth = DEPTH;
 	return [
 		["BinCollider", "a sphere around each agent", new BinCollider(), () => unit, 1.2],
-		["TightestFitCollider", "the tightest sphere, box or capsule", new TightestFitCollider(greatLand), (name) => Wireframes.ofStructure(greatLand.boundingStructures.tightestFit(name)), 1.6],
+		["TightestFitCollider", "the tightest sphere, box or capsule", new TightestFitCollider(greatLand),
+			(name) => Wireframes.ofStructure(greatLand.boundingStructures.tightestFit(name)), 1.6],
 		["HierarchicalCollider", `a tree of boxes, ${DEPTH} levels deep`, trees, (name) => Wireframes.ofLevel(greatLand.hierarchies.root(name), DEPTH), 1],
 		["HierarchicalCollider, exact", "the triangles themselves", exactly, (name) => Wireframes.ofTriangles(models[name].vertices, models[name].triangles), 0.45],
 	];

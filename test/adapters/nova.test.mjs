@@ -82,10 +82,22 @@ test("options that cannot be are refused, and what is installed stays", () => {
 	assert.throws(() => installInto(window, { system: "spheres" }), /RangeError.*bins, tightest, hierarchical, combination, not spheres/s);
 	assert.throws(() => installation.exchange({ exact: true }), /exact is for hierarchical/);
 	assert.throws(() => installation.exchange({ breeds: { Fish: { deep: 3 } } }), /not deep/);
+	assert.throws(() => installation.exchange({ sweeps: "yes" }), /RangeError.*not yes/);
+	for (const options of [null, 3]) assert.throws(() => installInto(window, options), /options must be a literal/);
+	assert.throws(() => installation.exchange(), /options must be a literal/);
 	assert.throws(() => installation.setTraits("Fish", { structure: "cone" }), /not cone/);
-	assert.throws(() => installation.setTraits("Fish", { depth: -1 }), /not -1/);
+	for (const depth of [-1, 0.5, 2 ** 40, "2", null]) assert.throws(() => installation.setTraits("Fish", { depth }), /RangeError.*depth/);
+	for (const trait of ["hierarchical", "sweeps"]) {
+		for (const value of ["false", 1, null]) assert.throws(() => installation.setTraits("Fish", { [trait]: value }), /RangeError.*must be true or false/);
+	}
+	installation.setTraits("Fish", { hierarchical: undefined, depth: 2 });
+	installation.exchange({ system: undefined, exact: undefined });
+	assert.deepEqual(installation.options.breeds, { Fish: { depth: 2 } });
+	assert.throws(() => (installation.options.breeds.Fish.depth = -1), TypeError);
+	assert.throws(() => (installation.options.breeds.Fish = {}), TypeError);
 	assert.throws(() => installation.exchange({ sytem: "tightest" }), /^ArgumentError: options\.sytem is no option; .*there are system, exact, /);
-	assert.deepEqual(installation.options, { system: "bins", exact: false });
+	const { system, exact } = installation.options;
+	assert.deepEqual([system, exact], ["bins", false]);
 	assert.ok(installation.isInstalled);
 });
 
@@ -156,6 +168,11 @@ test("count and nearest beyond the ground's diagonal are the client's; of radii 
 	assert.equal(Collisions.count(agents[0], "Fish", 143), 3);
 	assert.equal(Collisions.count(agents[0], "Everyone", 143), 4);
 	assert.equal(Collisions.count(agents[0], "Everyone", 142), 2);
+	// gone in the same tick, without an update
+	const { x } = agents[1].state;
+	agents[1].state.x = 49;
+	assert.equal(Collisions.count(agents[0], "Fish", 25), 1);
+	agents[1].state.x = x;
 	assert.equal(Collisions.count(agents[0], "Fish", 143, "size", 3), 1);
 	assert.equal(Collisions.nearest(agents[0], "Fish", 143), agents[1]);
 	for (const radius of [-1, NaN, "a", undefined]) {

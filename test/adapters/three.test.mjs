@@ -444,6 +444,13 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 			assert.throws(() => new ThreeAgentBinding(new Agent("box"), other, model).updateModel(), /^ArgumentError: .* other meshes/);
 		}
 		assert.deepEqual([...model.vertices], before);
+		// two meshes that change places in their group
+		const pair = new THREE.Group().add(new THREE.Mesh(new THREE.BoxGeometry()), new THREE.Mesh(new THREE.BoxGeometry(2, 3, 4)));
+		const ofPair = modelFromObject("pair", pair);
+		const asMade = [...ofPair.vertices];
+		pair.children.reverse();
+		new ThreeAgentBinding(new Agent("pair"), pair, ofPair).updateModel();
+		assert.deepEqual([...ofPair.vertices], asMade);
 		assert.throws(() => new ThreeAgentBinding(new Agent("box"), source, new Model("own", model.vertices)).updateModel(), /modelFromObject/);
 		assert.throws(() => bindInstance(new Agent("box"), new THREE.InstancedMesh(source.geometry, source.material, 2), 1, model).updateModel(), /instance/);
 	});
@@ -593,6 +600,11 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 			walker.moveTo(1, 2, 3);
 			own.updateAgent();
 			assert.equal(walker.size, size);
+			walker.moveTo(0.1 * i, 1 / 3, 0.7 * i);
+			own.updateObject();
+			walker.color = i + 1;
+			own.updateAgent();
+			assert.deepEqual([walker.x, walker.y, walker.z], [0.1 * i, 1 / 3, 0.7 * i]);
 		}
 	});
 
@@ -604,6 +616,7 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 		later.pivot = object.pivot;
 		moved.moveTo(3, 0, 0);
 		for (const call of ["updateObject", "updateAgent"]) assert.throws(() => binding[call](), /^ArgumentError: ThreeAgentBinding: object "" must have no pivot/);
+		assert.deepEqual([moved.x, later.position.x], [3, 0]);
 		later.pivot = null;
 		binding.updateObject();
 		assert.equal(later.position.x, 3);
@@ -618,6 +631,12 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 		const copy = ground.clone();
 		assert.deepEqual(copy.attributes.position.array, ground.attributes.position.array);
 		assert.ok(copy instanceof TerrainGeometry && copy.terrain === ground.terrain && copy.attributes.position !== ground.attributes.position);
+		Object.assign(ground, { name: "ground", userData: { grass: 1 } });
+		assert.deepEqual([ground.clone().name, ground.clone().userData], ["ground", { grass: 1 }]);
+		const other = new TerrainGeometry(new Terrain(3, 3)).copy(ground);
+		ground.terrain.setHeight(1, 1, 2);
+		assert.ok(other.terrain === ground.terrain && other.update() && ground.update());
+		assert.deepEqual(other.attributes.position.array, ground.attributes.position.array);
 		const agent = new Agent("any");
 		const lines = new ThreeWireframe({ up: "z" }).showLines([0, 0, 0, 1, 1, 1], agent);
 		const scene = new THREE.Scene().add(lines).clone();
@@ -629,6 +648,7 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 		}
 		twin.clearLines().showLines([5, 5, 5, 6, 6, 6]);
 		assert.deepEqual([...lines.geometry.attributes.position.array.slice(0, 6)], [2, 0, 0, 3, 1, 1]);
+		assert.equal(lines.copy(lines).geometry.drawRange.count, 2);
 	});
 
 	test(`three ${version}: what an agent cannot be is refused, and leaves it as it was`, () => {

@@ -50,7 +50,7 @@ test("every number of an agent is a finite number", () => {
 	const traits = ["x", "y", "z", "heading", "pitch", "roll", "size", "color"];
 	for (const trait of traits) {
 		for (const [value, shown] of NO_NUMBERS) refused(() => (agent[trait] = value), trait, `agent ${agent.id}`, '"bears"', `not ${shown}`);
-		for (const value of NOT_FINITE) refused(() => (agent[trait] = value), trait, `agent ${agent.id}`, `not ${value}`);
+		for (const value of NOT_FINITE) refused(() => (agent[trait] = value), trait, `agent ${agent.id}`, String(value));
 	}
 	for (const method of ["moveTo", "jumpTo"]) {
 		for (const [value, shown] of NO_NUMBERS) {
@@ -903,4 +903,93 @@ test("an error that nothing catches shows a line, not the whole file", () => {
 	assert.ok(manifest.exports["."].node.endsWith("starlogo-collision.js"));
 	const longest = Math.max(...readFileSync(path.join(folder, "starlogo-collision.js"), "utf8").split("\n").map((line) => line.length));
 	assert.ok(longest < 3000, `the longest line has ${longest} characters`);
+});
+
+test("options are the setters of a class, also inherited ones", () => {
+	const collision = new Collision(new BinCollider());
+	const queries = new AgentQueries(collision);
+	const [sheep, wolf] = [new Agent("sphere", "sheep"), new Agent("sphere", "wolves")];
+	queries.update([sheep, wolf]);
+	for (const name of ["admits", "toString", "constructor", "hasOwnProperty"]) {
+		refused(() => queries.near(sheep, 5, { [name]: () => false }), `AgentQueries.near: filter.${name} is no option`);
+	}
+	class Wolves {
+		get breeds() {
+			return ["wolves"];
+		}
+	}
+	for (const filter of [Object.create({ breeds: ["wolves"] }), new Wolves(), new AgentFilter({ breeds: ["wolves"] }), new AgentFilter(new AgentFilter({ breeds: ["wolves"] }))]) {
+		assert.deepEqual(queries.near(sheep, 5, filter), [wolf]);
+		assert.deepEqual(queries.near(wolf, 5, filter), []);
+	}
+});
+
+test("a listener's options are checked before it is added, and what ends it ends it alone", () => {
+	const loader = new ModelLoader(new GreatLand());
+	let calls = 0;
+	const count = () => calls++;
+	const fire = () => loader.dispatchEvent(new Event(Event.COMPLETE));
+	refused(() => loader.addEventListener("complete", count, { signal: {} }), "addEventListener: options.signal must be an AbortSignal, not a plain object");
+	refused(() => loader.addEventListener("complete", count, { once: "no" }), 'addEventListener: options.once must be true or false, not "no"');
+	fire();
+	assert.equal(calls, 0);
+	const addAgain = () => {
+		loader.removeEventListener("complete", addAgain);
+		loader.removeEventListener("complete", count);
+		loader.addEventListener("complete", count);
+	};
+	loader.addEventListener("complete", addAgain, false, 5);
+	loader.addEventListener("complete", count, { once: true });
+	for (let i = 0; i < 3; i++) fire();
+	assert.equal(calls, 3);
+	loader.removeEventListener("complete", count);
+	const abort = new AbortController();
+	loader.addEventListener("complete", count, { signal: abort.signal });
+	loader.removeEventListener("complete", count);
+	loader.addEventListener("complete", count);
+	abort.abort();
+	fire();
+	assert.equal(calls, 4);
+});
+
+test("a model with wrong options is not fetched", async (context) => {
+	const fetched = context.mock.method(globalThis, "fetch", async () => new Response("v 0 0 0"));
+	for (const options of [{ scaling: "as_given" }, { upAxis: "Y" }]) {
+		await assert.rejects(new ModelLoader(new GreatLand()).loadAsync("model", "http://localhost/model.obj", options), /^ModelError: model "model": the (?:scaling|up axis) must be/);
+	}
+	await assert.rejects(new ModelLoader(new GreatLand()).loadAsync("model", "http://localhost/model.obj", { signal: {} }), /ModelLoader.loadAsync: options.signal must be an AbortSignal/);
+	assert.equal(fetched.mock.callCount(), 0);
+});
+
+test("an arrow function without parentheses takes no contact", async () => {
+	const { mayTakeContact } = await import("../../js/standins/module/contacts.mjs");
+	// eslint-disable-next-line arrow-parens
+	const plain = [a => { a.hit = true; }, async a => { a.hit = true; }, (a, b) => { a.hit = b; }, function (a) { a.hit = a == null; }];
+	for (const handler of plain) assert.equal(mayTakeContact(handler), false, String(handler));
+	for (const handler of [(...all) => all, (a, b, c) => c, (a, b = () => 1) => b, function () { return arguments[2]; }]) assert.equal(mayTakeContact(handler), true, String(handler));
+});
+
+test("the readable module refuses what the minified one refuses, before it warns", () => {
+	const code = `
+		import { Agent, AgentQueries, BinCollider, Collision } from ${JSON.stringify(pathToFileURL(path.join(folder, "starlogo-collision.js")))};
+		const warned = [];
+		console.warn = (text) => warned.push(text);
+		const shot = () => Object.assign(new Agent("sphere", "shots"), { sweeps: true });
+		const collision = new Collision(new BinCollider());
+		const queries = new AgentQueries(collision);
+		const agent = shot();
+		agent.moveTo(0, 0, 0);
+		agent.moveTo(9, 0, 0);
+		const symbol = Symbol("s");
+		const calls = [...[{ length: 1 }, new Set([agent]), 3].map((list) => () => collision.update(list)), () => collision.onCollision(10n, "a", () => {}),
+			() => collision.removeHandler("a", 10n, () => {}), () => queries.walk(agent, {}, 0), () => queries.walk(agent, 1, 0, { slopeDegrees: symbol })];
+		for (const call of calls) try { call(); console.log("accepted " + call); } catch (error) { if (error.name !== "ArgumentError") console.log(String(error)); }
+		const late = shot();
+		try { late.moveTo(NaN, 0, 0); } catch {}
+		late.moveTo(0, 0, 0);
+		late.moveTo(9, 0, 0);
+		collision.update([late]);
+		console.log(warned.filter((text) => /sweeps, and was moved/.test(text)).length);`;
+	const { stdout, stderr } = spawnSync(process.execPath, ["--input-type=module", "-e", code], { encoding: "utf8" });
+	assert.equal(stdout + stderr, "1\n");
 });

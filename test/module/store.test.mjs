@@ -229,6 +229,11 @@ test("the cook leaves what is there, cooks what has changed, and says what is wr
 	assert.match(broken.stderr, /broken\.obj: model "broken", line 1/);
 	assert.match(broken.stdout, /^0 cooked, 4 as they were, 1 that are no models$/m);
 	assert.match(run("--help").stdout, /--min-vertices N/);
+	symlinkSync(path.join(plain, "gone"), path.join(plain, "gone.obj"));
+	const dangling = run(plain, "--out", again, "--up", "y");
+	assert.match(dangling.stderr, /^gone\.obj: ENOENT/m);
+	assert.match(dangling.stdout, /^0 cooked, 4 as they were, 2 that are no models$/m);
+	rmSync(path.join(plain, "gone.obj"));
 	// the copies may be beside the folder's name
 	assert.match(run(plain, "--out", path.dirname(plain)).stdout, /^[1-9]\d* cooked/m);
 	// what belongs to a model counts as its source, and is copied with it

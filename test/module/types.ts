@@ -314,6 +314,9 @@ typedQueries.touching(agent, { breeds: [Collision.TERRAIN] })[0]!.size++;
 typedQueries.near(agent, 3, { breeds: ["coins"] })[0]!.life;
 // @ts-expect-error there is no such breed
 typedQueries.near(agent, 3, { breeds: ["coin"] });
+typedQueries.walk(agent, 1, 0, { filter: { breeds: ["coins"] } });
+// @ts-expect-error no breed of the game
+typedQueries.walk(agent, 1, 0, { filter: { breeds: ["coin"] } });
 // @ts-expect-error there is no such breed
 typedQueries.countNear(agent, 3, { breeds: ["coin"] });
 // @ts-expect-error a coin is no hero

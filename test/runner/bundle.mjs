@@ -32,7 +32,7 @@ ${standinsText()}
 flexunit.extendByteArray(ByteArray);
 let fetchFixture = null;
 
-/** Sets what stands in for fetch: a function like fetchFile of machine.mjs. */
+/** Sets what stands in for fetch: a function like fetchFile of machine.mjs, but with plain bytes. */
 export function setFetch(fetchFile) {
     fetchFixture = (url, onProgress, onDone, onError) => fetchFile(url, onProgress, (bytes) => onDone(new ByteArray(bytes)), onError);
 }

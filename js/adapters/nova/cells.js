@@ -4,7 +4,7 @@ const LAST = SIDE - 1;
 
 /**
  * Finds near agents of the client. It keeps each agent in a square cell of the ground, by its last known place. A question reads the
- * present places of its candidates. So it can miss only an agent that has left its cell and was not put in again. Height, breed and traits
+ * present places of its candidates. So it can miss only an agent that has moved to another cell and was not inserted again. Height, breed and traits
  * are always the present ones.
  */
 export class Cells {
@@ -12,9 +12,8 @@ export class Cells {
 	#width;
 	#cells = Array.from({ length: SIDE * SIDE }, () => []);
 
-	// the squares of the distances to a row and to its farther side
+	// the squares of the distances to a row
 	#nearest = new Float64Array(SIDE);
-	#farthest = new Float64Array(SIDE);
 
 	/** Creates cells for a ground from -half to half. */
 	constructor(half) {
@@ -22,31 +21,31 @@ export class Cells {
 		this.#width = 2 * half / (SIDE - 2);
 	}
 
-	/** Removes all entries. */
+	/** Removes all records. */
 	clear() {
 		for (const cell of this.#cells) cell.length = 0;
 	}
 
-	/** Puts an entry, { agent, cell, slot }, into the cell of its agent. The cell of a new entry is -1. */
-	put(entry) {
-		const { x, y } = entry.agent.state;
+	/** Inserts a record, { clientAgent, cell, slot }, into the cell of its agent. The cell of a new record is -1. */
+	insert(record) {
+		const { x, y } = record.clientAgent.state;
 		const cell = this.#index(x) * SIDE + this.#index(y);
-		if (cell === entry.cell) return;
-		this.take(entry);
-		entry.cell = cell;
-		entry.slot = this.#cells[cell].push(entry) - 1;
+		if (cell === record.cell) return;
+		this.remove(record);
+		record.cell = cell;
+		record.slot = this.#cells[cell].push(record) - 1;
 	}
 
-	/** Removes an entry, if it is present. */
-	take(entry) {
-		if (entry.cell < 0) return;
-		const list = this.#cells[entry.cell];
+	/** Removes a record, if it is present. */
+	remove(record) {
+		if (record.cell < 0) return;
+		const list = this.#cells[record.cell];
 		const last = list.pop();
-		if (last !== entry) {
-			list[entry.slot] = last;
-			last.slot = entry.slot;
+		if (last !== record) {
+			list[record.slot] = last;
+			last.slot = record.slot;
 		}
-		entry.cell = -1;
+		record.cell = -1;
 	}
 
 	/**
@@ -61,29 +60,21 @@ export class Cells {
 		const lowY = this.#index(y - radius);
 		const highY = this.#index(y + radius);
 		const nearest = this.#nearest;
-		const farthest = this.#farthest;
-		for (let row = lowY; row <= highY; row++) {
-			nearest[row] = this.#leastDistance(y, row) ** 2;
-			farthest[row] = this.#greatestDistance(y, row) ** 2;
-		}
+		for (let row = lowY; row <= highY; row++) nearest[row] = this.#leastDistance(y, row) ** 2;
 		let found = 0;
 		for (let column = lowX; column <= highX; column++) {
 			const near = reach - this.#leastDistance(x, column) ** 2;
-			const far = reach - this.#greatestDistance(x, column) ** 2;
 			for (let row = lowY; row <= highY; row++) {
 				if (nearest[row] > near) continue;
 				const list = this.#cells[column * SIDE + row];
-				const isInside = farthest[row] < far;
 				for (let i = 0; i < list.length; i++) {
-					const other = list[i].agent;
+					const other = list[i].clientAgent;
 					if ((breed !== null && other.breed !== breed) || other.isDead) continue;
 					const state = other.state;
+					const dx = x - state.x;
+					const dy = y - state.y;
 					const dz = z - state.z;
-					if (!isInside || dz !== 0) {
-						const dx = x - state.x;
-						const dy = y - state.y;
-						if (!(dx * dx + dy * dy + dz * dz <= reach)) continue;
-					}
+					if (!(dx * dx + dy * dy + dz * dz <= reach)) continue;
 					if (other !== asker && (accepts === null || accepts(other))) found++;
 				}
 			}
@@ -113,7 +104,7 @@ export class Cells {
 					if (j < 0) continue;
 					const list = this.#cells[i * SIDE + j];
 					for (let k = 0; k < list.length; k++) {
-						const other = list[k].agent;
+						const other = list[k].clientAgent;
 						if ((breed !== null && other.breed !== breed) || other.isDead || other === asker) continue;
 						const state = other.state;
 						const dx = x - state.x;
@@ -138,13 +129,6 @@ export class Cells {
 		return index >= LAST ? LAST : index > 0 ? index : 0;
 	}
 
-	/** The distance to the farther side of a column or row, a little larger because of rounding. */
-	#greatestDistance(coordinate, index) {
-		if (index === 0 || index === LAST) return Infinity;
-		const low = (index - 1) * this.#width - this.#half;
-		return Math.max(Math.abs(coordinate - low), Math.abs(coordinate - low - this.#width)) + 1e-9;
-	}
-
 	/** The distance to a column or row, a little smaller because of rounding. */
 	#leastDistance(coordinate, index) {
 		const low = index === 0 ? -Infinity : (index - 1) * this.#width - this.#half;
@@ -158,8 +142,9 @@ export class Cells {
 	}
 
 	#distanceToRing(coordinate, index, rings) {
-		const low = index - rings;
-		const high = index + rings;
-		return Math.min(low <= 0 ? Infinity : coordinate - ((low - 1) * this.#width - this.#half), high >= LAST ? Infinity : high * this.#width - this.#half - coordinate);
+		const [low, high] = [index - rings, index + rings];
+		const below = low <= 0 ? Infinity : coordinate - ((low - 1) * this.#width - this.#half);
+		const above = high >= LAST ? Infinity : high * this.#width - this.#half - coordinate;
+		return Math.min(below, above);
 	}
 }

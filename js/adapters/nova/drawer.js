@@ -1,13 +1,16 @@
 import { KEY } from "./installation.js";
+import { STRUCTURES } from "./traits.js";
 
 const YES_OR_NO = { options: ["true", "false"], read: (value) => `String(${value}) === "true"` };
 
 /** The blocks by name: their text, their choices, the trait that they set, and the JavaScript that makes the trait's value. */
 const BLOCKS = {
 	"starlogo-collision-hierarchical": { label: "hierarchical @value", trait: "hierarchical", ...YES_OR_NO },
-	"starlogo-collision-depth": { label: "collision depth @value", trait: "depth", read: (value) => `Math.min(99, Math.max(0, Math.round(${value}) || 0))` },
+	"starlogo-collision-depth": {
+		label: "collision depth @value", trait: "depth", read: (value) => `Math.min(99, Math.max(0, Math.round(${value}) || 0))`,
+	},
 	"starlogo-collision-sweeps": { label: "sweeping @value", trait: "sweeps", ...YES_OR_NO },
-	"starlogo-collision-structure": { label: "collide as @value", trait: "structure", options: ["tightest", "sphere", "box", "capsule", "hull"], read: (value) => value },
+	"starlogo-collision-structure": { label: "collide as @value", trait: "structure", options: STRUCTURES, read: (value) => value },
 };
 
 /**

@@ -1,95 +1,122 @@
-import { NovaCollisions } from "./collisions.js";
+import { Agent, BinCollider, Collision, CombinationCollider, GreatLand, HierarchicalCollider, Model, TightestFitCollider } from "starlogo-collision";
+import { Blocks } from "./blocks.js";
+import { Neighbours } from "./neighbours.js";
 import { Overlay, viewOf } from "./overlay.js";
-import { Replaced } from "./replaced.js";
+import { Patches } from "./patches.js";
+import { Record, firstSharedBin } from "./record.js";
+import { SPHERE, Shapes } from "./shapes.js";
+import { Traits, checkTraits } from "./traits.js";
 
-/** The methods of the client's Collisions that are replaced. */
-const METHODS = ["add", "remove", "update", "getCollisions", "empty", "reset"];
-const QUESTIONS = ["count", "nearest"];
+/** The engine's own check of options. */
+const { checkedOptions } = Model.$parts;
 
 /** The name of the symbol under which a client keeps its installation. Other copies of this script find it there too. */
 export const KEY = "starlogo-collision.nova";
 const INSTALLED = Symbol.for(KEY);
 
-/** The installation in the client of a window, or undefined. */
+const SYSTEMS = { bins: BinCollider, tightest: TightestFitCollider, hierarchical: HierarchicalCollider, combination: CombinationCollider };
+
+const DEFAULTS = {
+	system: "bins", exact: false, depth: undefined, sweeps: undefined, breeds: {}, shapes: null, overlay: false, manifest: null,
+};
+
+/**
+ * Larger than the rounding of places and sizes. So the engine finds all pairs that may touch by the client's rule, and the rule is then
+ * tested.
+ */
+const MARGIN = 1e-9;
+
+/** Agents beyond this coordinate take no part. Half a size farther away, an Agent can still exist. */
+const FARTHEST = Agent.LARGEST_COORDINATE - Agent.LARGEST_SIZE;
+
+/** The lower part of a key is the turn. No game has so many updates. */
+const TURN_RADIX = 2 ** 36;
+
+/** A key has room for this many breeds of a block. No game has so many. */
+const RANK_RADIX = 1024;
+
+/** The installation in the client of a window, or null. */
 export function installedIn(window) {
 	return window.Execution?.Collisions?.[INSTALLED] ?? null;
 }
 
 /** Replaces the collisions of the StarLogo Nova client in a window with the engine's. An earlier installation is uninstalled first. */
 export function installInto(window, options = {}) {
-	const client = window?.Execution?.Collisions;
-	if (!client || !window.Common?.State || !window.Execution.AgentController) throw new TypeError("the window has no StarLogo Nova client: Execution.Collisions is not there");
-	if (options.overlay) viewOf(window);
-	const collisions = new NovaCollisions(window, options);
-	installedIn(window)?.uninstall();
-	const installation = new Installation(window, client, collisions);
-	Object.defineProperty(client, INSTALLED, { value: installation, configurable: true });
-	return installation;
+	if (!window?.Execution?.Collisions || !window.Common?.State || !window.Execution.AgentController) {
+		throw new TypeError("the window has no StarLogo Nova client: Execution.Collisions is not there");
+	}
+	return new Installation(window, options);
 }
 
-/** An installation of the engine in a client. */
+/** An installation of the engine in a client: it finds the collisions of the client's agents in place of the client's Collisions. */
 class Installation {
 	#window;
 	#client;
-	#collisions;
+	#patches = new Patches();
 	#overlay;
-	#replaced = new Replaced();
+	#half;
+	#options;
+	#records = new Set();
+	#turn = 0;
+	#greatLand = new GreatLand();
+	#shapes;
+	#collider;
+	#collision;
+	#neighbours;
+	#blocks;
+	#engineAgents = [];
+	#drawAgent = new Agent(SPHERE);
+	#found = [];
+	#isSwept = false;
+	#traits = new Traits();
 
-	constructor(window, client, collisions) {
+	/** If an option is refused, nothing has changed. */
+	constructor(window, options) {
 		this.#window = window;
-		this.#client = client;
-		this.#collisions = collisions;
-		client.reset();
-		const { neighbours } = collisions;
-		for (const name of METHODS) this.#replaced.put(client, name, () => collisions[name].bind(collisions));
-		for (const name of QUESTIONS) this.#replaced.put(client, name, () => neighbours[name].bind(neighbours));
-		// it moves all agents without an update
-		if (typeof window.Execution.AgentController.scatterAllAgents === "function") {
-			this.#replaced.put(window.Execution.AgentController, "scatterAllAgents", (scatter) => function (...args) {
-				neighbours.forgetPlaces();
-				return scatter.apply(this, args);
-			});
-		}
+		this.#client = window.Execution.Collisions;
+		this.#half = window.Helper?.Constants?.MAPSIZE ?? 50.5;
+		this.#use(options, DEFAULTS);
+		const { shapes, manifest } = this.#options;
+		this.#shapes = new Shapes(this.#greatLand, window, { own: shapes, manifest });
+		this.#neighbours = new Neighbours(window, this.#half, this.#records);
+		this.#blocks = new Blocks(window.Common.State, (a, b) => this.#onPair(a.record, b.record));
+		this.#overlay = new Overlay(window, this.#greatLand, (part, call) => this.#forEachShown(part, call));
+		installedIn(window)?.uninstall();
+		this.#client.reset();
+		this.#patch();
 		this.#addAll();
-		this.#overlay = new Overlay(window, collisions);
-		this.#overlay.show(Boolean(collisions.options.overlay));
+		this.#overlay.show(Boolean(this.#options.overlay));
 	}
 
 	/** Whether it is still installed. */
 	get isInstalled() {
-		return this.#replaced.any;
+		return this.#patches.any;
 	}
 
 	/** The options in use. */
 	get options() {
-		return this.#collisions.options;
+		return this.#options;
 	}
 
 	/** The GreatLand with the models. */
 	get greatLand() {
-		return this.#collisions.greatLand;
+		return this.#greatLand;
 	}
 
 	/** The number of models that are still loading. */
 	get pendingCount() {
-		return this.#collisions.shapes.pendingCount;
+		return this.#shapes.pendingCount;
 	}
 
 	/** The models that could not be loaded, and why. */
 	get problems() {
-		return this.#collisions.shapes.problems;
+		return this.#shapes.problems;
 	}
 
-	/** Whether two agents touch now. */
-	areColliding(a, b) {
-		return this.#collisions.areColliding(a, b);
-	}
-
-	/** Changes options. */
+	/** Changes options. Options that are not named stay. */
 	exchange(options) {
-		if (options.overlay) viewOf(this.#window);
-		this.#collisions.exchange(options);
-		if (this.isInstalled) this.#overlay.show(Boolean(this.options.overlay));
+		this.#use(options, this.#options);
+		if (this.isInstalled) this.#overlay.show(Boolean(this.#options.overlay));
 	}
 
 	/** Shows or hides the colliding shapes in the client's view. */
@@ -97,26 +124,64 @@ class Installation {
 		this.exchange({ overlay: isOn });
 	}
 
-	/** Sets traits that the client has no blocks for. */
+	/** Sets the traits of a breed, by its name, or of an agent. They replace all traits set before; null removes them. */
 	setTraits(whose, traits) {
-		this.#collisions.setTraits(whose, traits);
+		const checked = checkTraits(traits ?? {});
+		if (typeof whose === "string") this.exchange({ breeds: { ...this.#options.breeds, [whose]: checked } });
+		else this.#giveTraits(whose, checked);
 	}
 
 	/** Sets some of an agent's traits, as its blocks do. The others stay. */
 	changeTraits(agent, traits) {
-		this.#collisions.changeTraits(agent, traits);
+		this.#giveTraits(agent, { ...this.#traits.ofAgents.get(agent), ...checkTraits(traits) });
+	}
+
+	/** Whether two agents touch now. */
+	areColliding(a, b) {
+		const [first, second] = [this.#currentRecordOf(a), this.#currentRecordOf(b)];
+		if (first === null || second === null || first === second) return false;
+		if (!this.#poseIfInWorld(first.engineAgent, a.state) || !this.#poseIfInWorld(second.engineAgent, b.state)) return false;
+		return this.#collider.areColliding(first.engineAgent, second.engineAgent) && (!this.#isBins || doSpheresMeet(a.state, b.state));
 	}
 
 	/** Gives the client its own collisions back, with all agents in its bins. */
 	uninstall() {
 		if (!this.isInstalled) return;
 		this.#overlay.show(false);
-		this.#replaced.giveBack();
-		delete this.#client[INSTALLED];
-		this.#collisions.shapes.stop();
-		this.#collisions.reset();
+		this.#patches.restore();
+		this.#shapes.stop();
+		this.#reset();
 		this.#client.reset();
 		this.#addAll();
+	}
+
+	get #isBins() {
+		return this.#options.system === "bins";
+	}
+
+	/** Puts methods in the place of the client's own. */
+	#patch() {
+		const neighbours = this.#neighbours;
+		const methods = {
+			add: (agent) => this.#add(agent),
+			remove: (agent) => this.#remove(agent),
+			update: (agent) => this.#update(agent),
+			getCollisions: () => this.#getCollisions(),
+			empty: (breedId) => this.#isEmpty(breedId),
+			reset: () => this.#reset(),
+			count: (...question) => neighbours.count(...question),
+			nearest: (...question) => neighbours.nearest(...question),
+		};
+		for (const [name, method] of Object.entries(methods)) this.#patches.apply(this.#client, name, () => method);
+		this.#patches.apply(this.#client, INSTALLED, () => this);
+		// it moves all agents without an update
+		const { AgentController } = this.#window.Execution;
+		if (typeof AgentController.scatterAllAgents === "function") {
+			this.#patches.apply(AgentController, "scatterAllAgents", (scatter) => function (...args) {
+				neighbours.forgetPlaces();
+				return scatter.apply(this, args);
+			});
+		}
 	}
 
 	#addAll() {
@@ -128,4 +193,243 @@ class Installation {
 			if (!agent.isDead) this.#client.add(agent);
 		}
 	}
+
+	/**
+	 * Calls a function for each agent that takes part:
+	 * with an Agent of the engine, the collider, and whether the last getCollisions found it in a pair.
+	 * `part` is the part of the way from the place in the last tick to the present place.
+	 */
+	#forEachShown(part, call) {
+		const { data, numAgents } = this.#window.Execution.AgentController;
+		const hit = new Set(this.#found.flatMap(({ a, b }) => [a, b]));
+		const drawAgent = this.#drawAgent;
+		this.#blocks.followState(this.#collision);
+		for (let i = 1; i < numAgents; i++) {
+			const record = this.#participant(data[i]);
+			if (record === null) continue;
+			const { clientAgent, engineAgent } = record;
+			const state = part < 1 && clientAgent.prevState ? between(clientAgent.prevState, clientAgent.state, part) : clientAgent.state;
+			if (!this.#poseIfInWorld(drawAgent, state)) continue;
+			drawAgent.hierarchical = engineAgent.hierarchical;
+			drawAgent.traversalDepth = engineAgent.traversalDepth;
+			drawAgent.collideAs = engineAgent.collideAs;
+			call(drawAgent, this.#collider, hit.has(clientAgent));
+		}
+	}
+
+	/** Adds an agent. */
+	#add(agent) {
+		let record = this.#recordOf(agent);
+		if (record === null) {
+			record = new Record(agent, SPHERE);
+			this.#records.add(record);
+			record.owner = this;
+			agent.jbins = [record];
+			this.#traits.inherit(agent);
+		}
+		this.#place(record);
+	}
+
+	/** Removes an agent. */
+	#remove(agent) {
+		const record = this.#recordOf(agent);
+		if (record !== null) {
+			this.#records.delete(record);
+			record.owner = null;
+			this.#neighbours.cells.remove(record);
+		}
+		agent.jbins = [];
+	}
+
+	/** Call it when an agent has moved or changed its size. */
+	#update(agent) {
+		const record = this.#recordOf(agent);
+		if (record === null) this.#add(agent);
+		else this.#place(record);
+	}
+
+	/** Removes all agents. */
+	#reset() {
+		for (const record of this.#records) record.owner = null;
+		this.#records.clear();
+		this.#neighbours.clear();
+		this.#engineAgents.length = 0;
+		this.#found = [];
+	}
+
+	/** Whether a breed has no agents. */
+	#isEmpty(breedId) {
+		for (const { clientAgent } of this.#records) if (clientAgent.breed.id === breedId) return false;
+		return true;
+	}
+
+	/** All colliding pairs that have a block, each once. They come in the client's order; with sweeps, in the order of time. */
+	#getCollisions() {
+		this.#blocks.followState(this.#collision);
+		this.#gather();
+		this.#found = [];
+		this.#collision.update(this.#engineAgents);
+		if (!this.#isSwept) this.#collect();
+		this.#neighbours.collided(this.#found);
+		return this.#found;
+	}
+
+	/** Changes options. Those that are not named, or undefined, are as before. */
+	#use(given, before) {
+		const options = checkedOptions(null, "options", given, { ...before }, 'a literal such as { system: "tightest" }');
+		const { system, exact, depth, overlay } = options;
+		if (!Object.hasOwn(SYSTEMS, system)) throw new RangeError(`the system must be one of ${Object.keys(SYSTEMS).join(", ")}, not ${system}`);
+		if (exact && (system === "bins" || system === "tightest")) throw new RangeError(`exact is for hierarchical and combination, not for ${system}`);
+		checkTraits({ sweeps: options.sweeps });
+		options.breeds = Object.freeze(Object.fromEntries(Object.entries(options.breeds ?? {}).map(([name, traits]) => [name, checkTraits(traits ?? {})])));
+		const collider = new SYSTEMS[system](this.#greatLand);
+		if (exact) collider.exact = exact;
+		if (depth !== undefined) collider.maxDepth = depth;
+		if (overlay) viewOf(this.#window);
+		this.#collider = collider;
+		this.#collision = new Collision(collider);
+		this.#options = Object.freeze(options);
+		this.#traits.ofBreeds = options.breeds;
+		for (const record of this.#records) record.traitsOf = null;
+	}
+
+	#giveTraits(agent, traits) {
+		this.#traits.ofAgents.set(agent, traits);
+		const record = this.#recordOf(agent);
+		if (record !== null) record.traitsOf = null;
+	}
+
+	#recordOf(agent) {
+		const record = agent.jbins?.[0];
+		return record instanceof Record && record.clientAgent === agent && record.owner === this ? record : null;
+	}
+
+	#place(record) {
+		record.bin(this.#half, ++this.#turn);
+		this.#neighbours.cells.insert(record);
+	}
+
+	/** Lists the engine's Agents for all agents that take part, and moves them there. */
+	#gather() {
+		const { data, numAgents } = this.#window.Execution.AgentController;
+		const engineAgents = this.#engineAgents;
+		let count = 0;
+		let isSwept = false;
+		for (let i = 1; i < numAgents; i++) {
+			const record = this.#participant(data[i]);
+			if (record === null || !this.#poseIfInWorld(record.engineAgent, data[i].state)) continue;
+			const { engineAgent } = record;
+			if (engineAgent.sweeps && wasSet(data[i])) engineAgent.jumpTo(engineAgent.x, engineAgent.y, engineAgent.z);
+			record.index = i;
+			// setting a length takes time
+			if (record.keys.length > 0) record.keys.length = record.others.length = 0;
+			if (engineAgent.sweeps) isSwept = true;
+			engineAgents[count++] = engineAgent;
+		}
+		engineAgents.length = count;
+		this.#isSwept = isSwept;
+	}
+
+	/**
+	 * Lists the pairs in the order in which the client would find them: by its list of agents, then by bins, by breeds of blocks, and by turns
+	 * in a bin.
+	 */
+	#collect() {
+		for (const { record } of this.#engineAgents) {
+			for (let i = 0; i < record.others.length; i++) this.#found.push(pairOf(record.clientAgent, record.others[i].clientAgent));
+		}
+	}
+
+	/** The record of an agent that has a block; otherwise null. */
+	#participant(agent) {
+		return agent && !agent.isDead && this.#blocks.breedsWithBlocks.has(agent.breed.id) ? this.#currentRecordOf(agent) : null;
+	}
+
+	/** The record of an agent, with its traits up to date; null if it has none. */
+	#currentRecordOf(agent) {
+		const record = this.#recordOf(agent);
+		if (record !== null && record.traitsOf !== agent.breed) this.#setTraits(record);
+		return record;
+	}
+
+	/** Gives an Agent the place, size and shape of a state, if an agent with this state can take part. Returns whether it can. */
+	#poseIfInWorld(engineAgent, { x, y, z, size, heading, shape }) {
+		if (!(Math.max(Math.abs(x), Math.abs(y), Math.abs(z)) <= FARTHEST && size >= 0 && size < Agent.LARGEST_SIZE)) return false;
+		if (this.#isBins) {
+			engineAgent.shape = SPHERE;
+			engineAgent.size = Math.min(Math.max(size + size * MARGIN + MARGIN, Agent.SMALLEST_SIZE), Agent.LARGEST_SIZE);
+			engineAgent.moveTo(x, y, z - engineAgent.size / 2);
+			return true;
+		}
+		if (!(size > Agent.SMALLEST_SIZE)) return false;
+		engineAgent.shape = this.#shapes.modelOf(shape);
+		engineAgent.size = size;
+		engineAgent.heading = Number.isFinite(heading) ? heading : 0;
+		engineAgent.moveTo(x, y, z);
+		return true;
+	}
+
+	#setTraits(record) {
+		const { clientAgent, engineAgent } = record;
+		const { hierarchical = false, depth = 0, sweeps = this.#options.sweeps ?? false, structure = Agent.TIGHTEST } = this.#traits.of(clientAgent);
+		engineAgent.hierarchical = hierarchical;
+		engineAgent.traversalDepth = depth;
+		engineAgent.sweeps = sweeps;
+		engineAgent.collideAs = structure;
+		engineAgent.breed = String(clientAgent.breed.id);
+		record.traitsOf = clientAgent.breed;
+	}
+
+	#onPair(a, b) {
+		const first = a.clientAgent;
+		const second = b.clientAgent;
+		const isSameBreed = first.breed.id === second.breed.id;
+		// a breed's handler for the breed itself is called from both sides
+		if (isSameBreed && a.index > b.index) return;
+		if (this.#isBins && !a.engineAgent.sweeps && !b.engineAgent.sweeps && !doSpheresMeet(first.state, second.state)) return;
+		if (this.#isSwept) {
+			this.#found.push(pairOf(first, second));
+			return;
+		}
+		const rank = isSameBreed && first.id > second.id ? -1 : this.#blocks.rank(first.breed.id, second.breed.id);
+		const otherRank = isSameBreed && second.id > first.id ? -1 : this.#blocks.rank(second.breed.id, first.breed.id);
+		if (rank >= 0 && (otherRank < 0 || a.index < b.index)) a.insertSorted(b, orderKey(a, b, rank));
+		else b.insertSorted(a, orderKey(b, a, otherRank));
+	}
+}
+
+/** A number for when the client, at one agent, would find another: by bins, by breeds of blocks, and by turns in a bin. */
+function orderKey(record, other, rank) {
+	return (firstSharedBin(record, other) * RANK_RADIX + rank) * TURN_RADIX + other.turn;
+}
+
+/** The state on the way between two states, as the client draws it. */
+function between(before, now, part) {
+	const turn = ((now.heading - before.heading) % 360 + 540) % 360 - 180;
+	return {
+		...now,
+		x: before.x + part * (now.x - before.x),
+		y: before.y + part * (now.y - before.y),
+		z: before.z + part * (now.z - before.z),
+		size: before.size + part * (now.size - before.size),
+		heading: before.heading + part * turn,
+	};
+}
+
+/** The client's rule: two agents touch if they are nearer than half the sum of their sizes. */
+function doSpheresMeet(a, b) {
+	const dx = a.x - b.x;
+	const dy = a.y - b.y;
+	const dz = a.z - b.z;
+	const reach = a.size + b.size;
+	return dx * dx + dy * dy + dz * dz < reach * reach / 4;
+}
+
+/** Whether an agent was set where it is, instead of moved: its last place is then the new one too. */
+function wasSet({ state, prevState: before }) {
+	return before && before.x === state.x && before.y === state.y && before.z === state.z;
+}
+
+function pairOf(a, b) {
+	return a.id < b.id ? { a, b } : { a: b, b: a };
 }

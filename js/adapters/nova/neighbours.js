@@ -12,28 +12,28 @@ export class Neighbours {
 	#state;
 	#equals;
 	#half;
-	#entries;
+	#records;
 
 	/** Where the agents were last. */
 	cells;
 
 	/** The tick in which all places were last read. */
 	#tick = NaN;
-	/** The tick whose collisions were last found, and the agents of their pairs. */
+	/** The pairs that collided last, whose blocks may move them, and the tick in which they did. */
+	#collided = [];
 	#collidedIn = NaN;
-	#suspects = [];
 
 	/**
 	 * @param window the client's
 	 * @param half half the width of its ground
-	 * @param entries those of all agents
+	 * @param records those of all agents
 	 */
-	constructor(window, half, entries) {
+	constructor(window, half, records) {
 		this.#execution = window.Execution;
 		this.#state = window.Common.State;
 		this.#equals = window.Helper?.Comparison?.equals ?? Object.is;
 		this.#half = half;
-		this.#entries = entries;
+		this.#records = records;
 		this.cells = new Cells(half);
 	}
 
@@ -54,10 +54,10 @@ export class Neighbours {
 		return (reach >= 0 ? this.cells.nearest(agent, breed, reach, this.#asks(trait, value)) : null) ?? agent;
 	}
 
-	/** Removes all entries. */
+	/** Removes all records. */
 	clear() {
 		this.cells.clear();
-		this.#suspects.length = 0;
+		this.#collided = [];
 	}
 
 	/** Makes the next question read all places again. */
@@ -65,18 +65,9 @@ export class Neighbours {
 		this.#tick = NaN;
 	}
 
-	/** Call it before collisions are found. */
-	beginCollisions() {
-		this.#suspects.length = 0;
-	}
-
-	/** Says that an agent collides, so its blocks may move it. */
-	suspect(entry) {
-		this.#suspects.push(entry);
-	}
-
-	/** Call it when collisions are found. The first question after this, and the first in the next tick, read all places. */
-	endCollisions() {
+	/** Call it with the pairs when collisions are found. The first question after this, and the first in the next tick, read all places. */
+	collided(pairs) {
+		this.#collided = pairs;
 		this.#collidedIn = this.#state.clock;
 		this.forgetPlaces();
 	}
@@ -85,10 +76,18 @@ export class Neighbours {
 	#refresh() {
 		if (this.#state.clock !== this.#tick) {
 			this.#tick = this.#state.clock;
-			for (const entry of this.#entries) this.cells.put(entry);
-			return;
+			for (const record of this.#records) this.cells.insert(record);
+		} else if (this.#collidedIn === this.#tick) {
+			for (const { a, b } of this.#collided) {
+				this.#reinsert(a);
+				this.#reinsert(b);
+			}
 		}
-		if (this.#collidedIn === this.#tick) for (const entry of this.#suspects) this.cells.put(entry);
+	}
+
+	/** Reads the place of an agent again, unless it was removed. */
+	#reinsert({ jbins: [record] }) {
+		if (record) this.cells.insert(record);
 	}
 
 	/** The breed with a name; null for all breeds. */

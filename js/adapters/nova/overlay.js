@@ -1,5 +1,5 @@
 import { CollisionLines } from "starlogo-collision";
-import { Replaced } from "./replaced.js";
+import { Patches } from "./patches.js";
 
 /** The line colours of agents that collide, and of agents that do not. */
 const COLORS = [0xff2020, 0xffcc00];
@@ -7,15 +7,20 @@ const COLORS = [0xff2020, 0xffcc00];
 /** A wireframe of the colliding shapes over the view of a window's client. It is hidden at first. */
 export class Overlay {
 	#window;
-	#collisions;
+	#forEachShown;
 	#lines;
 	#view = null;
 
-	/** Shows the shapes that NovaCollisions tests. */
-	constructor(window, collisions) {
+	/**
+	 * @param window the client's
+	 * @param greatLand has the models
+	 * @param forEachShown calls a function for each agent at a part of its way since the last tick: with an Agent of the engine, the collider, and whether
+	 * it collides
+	 */
+	constructor(window, greatLand, forEachShown) {
 		this.#window = window;
-		this.#collisions = collisions;
-		this.#lines = new CollisionLines(collisions.greatLand);
+		this.#forEachShown = forEachShown;
+		this.#lines = new CollisionLines(greatLand);
 	}
 
 	/** Shows or hides it. */
@@ -32,8 +37,7 @@ export class Overlay {
 	/** Draws the lines of each colour. `part` is the part of the agents' way since the last tick. */
 	#draw(part) {
 		const lists = COLORS.map(() => []);
-		const { collider } = this.#collisions;
-		this.#collisions.forEachBody(part, (body, isHit) => this.#lines.linesOf(body, collider, lists[isHit ? 0 : 1]));
+		this.#forEachShown(part, (agent, collider, isHit) => this.#lines.linesOf(agent, collider, lists[isHit ? 0 : 1]));
 		return lists;
 	}
 }
@@ -47,7 +51,7 @@ export function viewOf({ viewport, THREE }) {
 
 /** Draws into the three.js view. */
 class SolidView {
-	#replaced = new Replaced();
+	#patches = new Patches();
 	#scene;
 	#three;
 	#objects;
@@ -62,14 +66,14 @@ class SolidView {
 			this.#scene.add(object);
 			return object;
 		});
-		this.#replaced.put(viewport, "render", (render) => (part, ...others) => {
+		this.#patches.apply(viewport, "render", (render) => (part, ...others) => {
 			if (viewport.needsUpdate || viewport.terrain?.needsUpdate) draw(part ?? 1).forEach((lines, i) => this.#write(this.#objects[i], lines));
 			return render.call(viewport, part, ...others);
 		});
 	}
 
 	remove() {
-		this.#replaced.giveBack();
+		this.#patches.restore();
 		for (const object of this.#objects) {
 			this.#scene.remove(object);
 			object.geometry.dispose();
@@ -99,10 +103,10 @@ function geometryOf({ BufferGeometry, BufferAttribute }, length) {
 
 /** Draws into the two-dimensional view, which shows agents at their last places. */
 class FlatView {
-	#replaced = new Replaced();
+	#patches = new Patches();
 
 	constructor({ viewport }, draw) {
-		this.#replaced.put(viewport, "drawScene", (drawScene) => (...given) => {
+		this.#patches.apply(viewport, "drawScene", (drawScene) => (...given) => {
 			const result = drawScene.apply(viewport, given);
 			draw(1).forEach((lines, i) => strokeLines(viewport, lines, COLORS[i]));
 			return result;
@@ -110,7 +114,7 @@ class FlatView {
 	}
 
 	remove() {
-		this.#replaced.giveBack();
+		this.#patches.restore();
 	}
 }
 

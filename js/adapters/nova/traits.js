@@ -1,25 +1,29 @@
 import { Agent } from "starlogo-collision";
 
-/** The names of the traits. */
-const TRAITS = ["hierarchical", "depth", "sweeps", "structure"];
+/** The structures that a trait names. */
+export const STRUCTURES = [Agent.TIGHTEST, Agent.SPHERE, Agent.BOX, Agent.CAPSULE, Agent.HULL];
+const BOOLEAN = { isValid: (value) => typeof value === "boolean", kind: "true or false" };
+
+/** The traits: what each of them may be. */
+const TRAITS = {
+	hierarchical: BOOLEAN,
+	depth: { isValid: (value) => Number.isInteger(value) && value >= 0 && value < 2 ** 31, kind: "a whole number, 0 or more" },
+	sweeps: BOOLEAN,
+	structure: { isValid: (value) => STRUCTURES.includes(value), kind: "tightest, sphere, box, capsule or hull" },
+};
 
 /** The traits that the client itself does not know. An agent's own count more than those of its breed. */
 export class Traits {
 	/** The traits of breeds, by their names. */
-	ofBreeds = new Map();
+	ofBreeds = {};
 
 	/** The own traits of agents. */
 	ofAgents = new WeakMap();
 
 	/** All traits of an agent that are set. */
 	of(agent) {
-		return { ...this.ofBreeds.get(agent.breed.name), ...this.ofAgents.get(agent) };
-	}
-
-	/** Whether an agent has own traits, and among them these. */
-	hasAll(agent, traits) {
-		const own = this.ofAgents.get(agent);
-		return Boolean(own) && Object.keys(traits).every((name) => own[name] === traits[name]);
+		const { name } = agent.breed;
+		return { ...Object.hasOwn(this.ofBreeds, name) && this.ofBreeds[name], ...this.ofAgents.get(agent) };
 	}
 
 	/** Gives an agent that one of its own breed has made the traits of that one. The client does so with the traits that it knows. */
@@ -29,11 +33,12 @@ export class Traits {
 	}
 }
 
-/** A copy of traits. Throws a RangeError if one of them is wrong. */
+/** A copy of traits that does not change. Undefined ones count as left out. Throws a RangeError if one of them is wrong. */
 export function checkTraits(traits) {
-	for (const name of Object.keys(traits)) if (!TRAITS.includes(name)) throw new RangeError(`the traits are ${TRAITS.join(", ")}, not ${name}`);
-	const { depth = 0, structure = Agent.TIGHTEST } = traits;
-	if (!(Number.isInteger(depth) && depth >= 0)) throw new RangeError(`depth must be a whole number, 0 or more, not ${depth}`);
-	if (![Agent.TIGHTEST, Agent.SPHERE, Agent.BOX, Agent.CAPSULE, Agent.HULL].includes(structure)) throw new RangeError(`structure must be tightest, sphere, box, capsule or hull, not ${structure}`);
-	return { ...traits };
+	const given = Object.entries(traits).filter(([name, value]) => {
+		if (!Object.hasOwn(TRAITS, name)) throw new RangeError(`the traits are ${Object.keys(TRAITS).join(", ")}, not ${name}`);
+		if (value !== undefined && !TRAITS[name].isValid(value)) throw new RangeError(`${name} must be ${TRAITS[name].kind}, not ${String(value)}`);
+		return value !== undefined;
+	});
+	return Object.freeze(Object.fromEntries(given));
 }

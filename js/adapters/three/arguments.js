@@ -1,20 +1,28 @@
 import { ArgumentError, Model } from "starlogo-collision";
 
 /**
- * The engine's own: the record of what a model is made of, the work that makes a model of it, numbers in a list without gaps, the check of
- * options, the text for a value in an error, and warnings, which the minified module has not.
+ * The engine's own: the record of what a model is made of, the work that makes a model of it, numbers in a list without gaps, the text for a
+ * value in an error, and warnings, which the minified module has not.
  */
-export const [ModelData, ModelBuilder, vectorOf, checkedOptions, textOf, warnings] = Model.$parts;
+export const { ModelData, ModelBuilder, vectorOf, textOf, warnings } = Model.$parts;
 
 /**
- * The options of a call, with the defaults of those that are absent. Refuses options that there are not: a misspelt one would do nothing.
+ * The options of a call, with the defaults of those that are absent, and whether y is up. Refuses options that there are not: a misspelt one
+ * would do nothing.
  *
  * @param {string} call the function that has got them
- * @param {object} options what it has got
- * @param {object} defaults all options that there are
+ * @param {object} given what it has got
+ * @param {object} others all options that there are beside `up`, with their defaults
  */
-export function optionsOf(call, options, defaults) {
-	return checkedOptions(null, `${call}: options`, options, defaults, 'a literal such as { up: "y" }');
+export function optionsOf(call, given, others = {}) {
+	const options = Model.$parts.checkedOptions(null, `${call}: options`, given, { up: "y", ...others }, 'a literal such as { up: "y" }');
+	return { ...options, isYUp: isYUp(options.up) };
+}
+
+/** Whether y is up. The only other axis is z. */
+export function isYUp(up) {
+	if (up !== "y" && up !== "z") throw new ArgumentError(`up must be "y" or "z", not ${textOf(up)}`);
+	return up === "y";
 }
 
 /**

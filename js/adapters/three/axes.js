@@ -2,42 +2,54 @@ import { Quaternion, Vector3 } from "three";
 import { ArgumentError, Vector3D } from "starlogo-collision";
 import { requirePoint, textOf } from "./arguments.js";
 
-/** Whether y is up. The only other axis is z. */
-export function isYUp(up) {
-	if (up !== "y" && up !== "z") throw new ArgumentError(`up must be "y" or "z", not ${textOf(up)}`);
-	return up === "y";
+/**
+ * Turns a point, a direction or a quaternion from a scene's axes to the engine's, in place. The engine has z up. If the scene has y up, its (x, y, z)
+ * is the engine's (x, -z, y). That is a turn, so nothing is mirrored.
+ */
+export function turnToEngine(vector, isYUp) {
+	if (isYUp) {
+		const { y } = vector;
+		vector.y = 0 - vector.z; // not -0, which prints differently
+		vector.z = y;
+	}
+	return vector;
+}
+
+/** Turns a point, a direction or a quaternion from the engine's axes to a scene's, in place. */
+export function turnToScene(vector, isYUp) {
+	if (isYUp) {
+		const { y } = vector;
+		vector.y = vector.z;
+		vector.z = 0 - y;
+	}
+	return vector;
 }
 
 /** A point or direction of a scene with y up, in the engine's axes. */
 export function toEngine(vector, out = null) {
-	const { x, y, z } = requirePoint("toEngine", vector);
-	return put(out ?? new Vector3D(), x, -z, y);
+	return turnToEngine(copyTo(out ?? new Vector3D(), requirePoint("toEngine", vector)), true);
 }
 
 /** A point or direction of the engine, in the axes of a scene with y up. */
 export function toScene(vector, out = null) {
-	const { x, y, z } = requirePoint("toScene", vector);
-	return put(out ?? new Vector3(), x, z, -y);
+	return turnToScene(copyTo(out ?? new Vector3(), requirePoint("toScene", vector)), true);
 }
 
-// not -0, which prints differently
-function put(out, x, y, z) {
-	return Object.assign(out, { x: x + 0, y: y + 0, z: z + 0 });
-}
+const copyTo = (out, { x, y, z }) => Object.assign(out, { x: x + 0, y: y + 0, z: z + 0 });
 
-const turn = [0, 0, 0, 1];
+// for one call each: an agent's rotation as the engine has it, and a place or a rotation on its way to the other axes
+const numbers = [0, 0, 0, 1];
+const rotation = new Quaternion();
+const point = new Vector3();
 
-/**
- * An agent's place in a scene, in the scene's axes. The engine has z up. If the scene has y up, its (x, y, z) is the engine's (x, -z, y).
- * That is a turn, so nothing is mirrored.
- */
+/** Where an agent was when it was last read or written, in the axes of a scene. */
 export class AgentPlace {
 	agent;
 	position = new Vector3();
 	quaternion = new Quaternion();
 	size = 1;
 	#isYUp;
-	// the agent's revisions when it was last read: of everything, and of everything but the position
+	// the agent's revisions then: of everything, and of everything but the position
 	#revision = -1;
 	#bodyRevision = -1;
 
@@ -52,7 +64,7 @@ export class AgentPlace {
 		this.#isYUp = isYUp;
 	}
 
-	/** Whether the agent is elsewhere than it was last read. */
+	/** Whether the agent has changed since. */
 	get hasChanged() {
 		return this.agent.$revision !== this.#revision;
 	}
@@ -62,16 +74,12 @@ export class AgentPlace {
 		if (!this.hasChanged) return false;
 		const { agent } = this;
 		this.#revision = agent.$revision;
-		const placement = agent.$placement;
-		if (this.#isYUp) this.position.set(placement.x, placement.z, -placement.y);
-		else this.position.set(placement.x, placement.y, placement.z);
+		const { x, y, z, size } = agent.$placement;
+		turnToScene(this.position.set(x, y, z), this.#isYUp);
 		if (agent.$bodyRevision === this.#bodyRevision) return true;
 		this.#bodyRevision = agent.$bodyRevision;
-		this.size = placement.size;
-		// by indices, because destructuring the list is slower
-		agent.$freshPlacement().readQuaternion(turn);
-		if (this.#isYUp) this.quaternion.set(turn[0], turn[2], -turn[1], turn[3]);
-		else this.quaternion.set(turn[0], turn[1], turn[2], turn[3]);
+		this.size = size;
+		this.#readQuaternion(this.quaternion);
 		return true;
 	}
 
@@ -83,20 +91,26 @@ export class AgentPlace {
 	/** Moves the agent to a place in the scene. If it already has the rotation, up to rounding, its angles stay. */
 	write(position, quaternion, size) {
 		const { agent } = this;
-		this.takeChange();
-		if (this.#isYUp) agent.moveTo(position.x, -position.z, position.y);
-		else agent.moveTo(position.x, position.y, position.z);
+		const { x, y, z } = turnToEngine(point.copy(position), this.#isYUp);
+		agent.moveTo(x, y, z);
 		agent.size = size;
-		if (!isNear(quaternion, this.quaternion)) {
-			if (this.#isYUp) agent.setQuaternion(quaternion.x, -quaternion.z, quaternion.y, quaternion.w);
-			else agent.setQuaternion(quaternion.x, quaternion.y, quaternion.z, quaternion.w);
-			this.quaternion.copy(quaternion);
-		}
 		// the values that takeChange() would give, up to rounding
 		this.position.copy(position);
 		this.size = size;
+		if (isNear(quaternion, this.#readQuaternion(rotation))) {
+			this.quaternion.copy(rotation);
+		} else {
+			this.quaternion.copy(quaternion);
+			turnToEngine(rotation.copy(quaternion), this.#isYUp);
+			agent.setQuaternion(rotation.x, rotation.y, rotation.z, rotation.w);
+		}
 		this.#revision = agent.$revision;
 		this.#bodyRevision = agent.$bodyRevision;
+	}
+
+	#readQuaternion(out) {
+		this.agent.$freshPlacement().readQuaternion(numbers);
+		return turnToScene(out.fromArray(numbers), this.#isYUp);
 	}
 }
 

@@ -1,26 +1,23 @@
 import { Matrix4, Quaternion, Vector3 } from "three";
 import { Agent, ArgumentError } from "starlogo-collision";
-import { optionsOf, textOf, warnings } from "./arguments.js";
-import { AgentPlace, isYUp } from "./axes.js";
-import { isMadeOf, isPlaced, poseModel, upOf } from "./model.js";
+import { isYUp as isAxisY, optionsOf, textOf, warnings } from "./arguments.js";
+import { AgentPlace, turnToScene } from "./axes.js";
+import { isMadeOf, isModelYUp, isPlaced, poseModel } from "./model.js";
 
 /** The relative error that a scene's numbers may have, because many are of single precision. */
 const TOLERANCE = 1e-6;
 
+// for one call each
+const snapshot = new Float64Array(16);
+const composed = new Matrix4();
+const turn = new Quaternion();
+const offset = new Vector3();
+
 /**
- * What a call reads or writes; no call goes on with that of another one. The first four are where an object is in its land, and how large:
- * the matrix is what they were read from, if it was.
+ * What a transform is decomposed to, one for all calls: where an object is in its land, and how large. `isSimilar` says whether this describes the
+ * object's matrix completely.
  */
-const scratch = {
-	matrix: new Matrix4(),
-	position: new Vector3(),
-	quaternion: new Quaternion(),
-	scale: new Vector3(),
-	composed: new Matrix4(),
-	turn: new Quaternion(),
-	offset: new Vector3(),
-	numbers: new Float64Array(16),
-};
+const decomposed = { matrix: new Matrix4(), position: new Vector3(), quaternion: new Quaternion(), scale: new Vector3(), isSimilar: true };
 
 /**
  * Keeps an agent and an object, or an instance of an InstancedMesh, in the same place: position, rotation and size. The object's parent is
@@ -28,10 +25,10 @@ const scratch = {
  */
 export class ThreeAgentBinding {
 	#place;
-	#drawn;
+	#transform;
 	#model;
-	// the object's place at the last update of either side
-	#last = new Float64Array(16).fill(NaN);
+	// the object's transform at the last update of either side
+	#lastSnapshot = new Float64Array(16).fill(NaN);
 	// The model's place in the object, in the scene's axes: the model's origin at size 1 relative to the object's, the turn before the
 	// agent's, and the object's scale at size 1.
 	#origin = new Vector3();
@@ -49,33 +46,31 @@ export class ThreeAgentBinding {
 	 * the instance in an InstancedMesh
 	 */
 	constructor(agent, object, model = null, options = {}) {
-		const { up, modelUp, index } = optionsOf("ThreeAgentBinding", options, { up: "y", modelUp: undefined, index: null });
-		const isLandYUp = isYUp(up);
-		this.#place = new AgentPlace(agent, isLandYUp, "ThreeAgentBinding");
+		const { isYUp, modelUp, index } = optionsOf("ThreeAgentBinding", options, { modelUp: undefined, index: null });
+		this.#place = new AgentPlace(agent, isYUp, "ThreeAgentBinding");
 		if (!object?.isObject3D) throw new ArgumentError(`ThreeAgentBinding: object must be an Object3D, not ${textOf(object)}`);
-		this.#drawn = index === null ? new DrawnObject(agent, object) : new DrawnInstance(object, index, model);
+		this.#transform = index === null ? new ObjectTransform(agent, object) : new InstanceTransform(object, index, model);
 		this.#model = model;
-		if (model !== null) this.#setModel(model, isLandYUp);
+		if (model !== null) this.#setModel(model, isYUp);
 		else warnings?.ofNoModel(agent, object);
-		if (isYUp(modelUp === undefined ? upOf(model) ?? up : modelUp) !== isLandYUp) {
-			const turn = new Quaternion(isLandYUp ? -Math.SQRT1_2 : Math.SQRT1_2, 0, 0, Math.SQRT1_2);
-			this.#turn = this.#turn ? this.#turn.multiply(turn) : turn;
+		if ((modelUp === undefined ? isModelYUp(model) ?? isYUp : isAxisY(modelUp)) !== isYUp) {
+			const upright = new Quaternion(isYUp ? -Math.SQRT1_2 : Math.SQRT1_2, 0, 0, Math.SQRT1_2);
+			this.#turn = this.#turn ? this.#turn.multiply(upright) : upright;
 		}
 	}
 
-	#setModel(model, isLandYUp) {
+	#setModel(model, isYUp) {
 		if (!model.source?.matrix) throw new ArgumentError(`ThreeAgentBinding: model must be a Model or null, not ${textOf(model)}`);
 		if (isPlaced(model)) {
 			throw new ArgumentError(`model "${model.name}" is of levelFromObject and has its object's place in it: its agent stays at the origin, without a binding. `
 				+ "What moves has a model of modelFromObject(name, object, { scaling: Model.AS_GIVEN })");
 		}
-		const { matrix, position, quaternion, scale } = scratch;
-		matrix.fromArray(model.source.matrix.rawData);
-		if (!decompose()) throw new ArgumentError(`model "${model.name}" is mirrored or stretched in what it was made of: no object can be bound with it`);
-		const { x, y, z, w } = quaternion;
-		if (w !== 1) this.#turn = isLandYUp ? new Quaternion(x, z, -y, w) : quaternion.clone();
-		if (isLandYUp) this.#origin.set(position.x, position.z, -position.y);
-		else this.#origin.copy(position);
+		const { position, quaternion, scale, isSimilar } = decompose(decomposed.matrix.fromArray(model.source.matrix.rawData));
+		if (!isSimilar) {
+			throw new ArgumentError(`model "${model.name}" is mirrored or stretched in what it was made of: no object can be bound with it`);
+		}
+		if (quaternion.w !== 1) this.#turn = turnToScene(quaternion.clone(), isYUp);
+		turnToScene(this.#origin.copy(position), isYUp);
 		this.#scale = scale.x;
 	}
 
@@ -84,54 +79,56 @@ export class ThreeAgentBinding {
 	}
 
 	get object() {
-		return this.#drawn.object;
+		return this.#transform.object;
 	}
 
 	/** Gives the object the agent's place, size and rotation. */
 	updateObject() {
 		const place = this.#place;
-		if (!place.takeChange() && !this.#hasMoved()) return;
-		const { position, quaternion } = scratch;
+		const hasMoved = this.#hasMoved();
+		if (!place.takeChange() && !hasMoved) return;
+		const { position, quaternion } = decomposed;
 		position.copy(this.#origin).multiplyScalar(place.size).applyQuaternion(place.quaternion).add(place.position);
 		quaternion.copy(place.quaternion);
 		if (this.#turn) quaternion.multiply(this.#turn);
-		this.#drawn.write(position, quaternion, place.size * this.#scale);
-		this.#drawn.fill(this.#last);
+		this.#transform.compose(position, quaternion, place.size * this.#scale);
+		this.#transform.snapshotInto(this.#lastSnapshot);
 	}
 
 	/** Gives the agent the object's place, size and rotation. */
 	updateAgent() {
 		const place = this.#place;
-		if (!place.hasChanged && !this.#hasMoved()) return;
-		this.#readDrawn();
-		const { position, quaternion, scale, turn, offset } = scratch;
-		const size = place.sizeFor(scale.x / this.#scale);
-		if (this.#turn) quaternion.multiply(turn.copy(this.#turn).conjugate());
-		position.sub(offset.copy(this.#origin).multiplyScalar(size).applyQuaternion(quaternion));
-		this.#check(position, size);
-		place.write(position, quaternion, size);
-		this.#drawn.fill(this.#last);
+		if (this.#hasMoved()) {
+			const { position, quaternion, scale } = this.#decompose();
+			const size = place.sizeFor(scale.x / this.#scale);
+			if (this.#turn) quaternion.multiply(turn.copy(this.#turn).conjugate());
+			position.sub(offset.copy(this.#origin).multiplyScalar(size).applyQuaternion(quaternion));
+			this.#check(position, size);
+			place.write(position, quaternion, size);
+			this.#transform.snapshotInto(this.#lastSnapshot);
+		} else if (place.hasChanged) {
+			// where it was at the last update, without the rounding of a way back from the object
+			place.write(place.position, place.quaternion, place.size);
+		}
 	}
 
 	/** Gives the model the pose of the object. */
 	updateModel() {
 		if (this.#model === null) throw new ArgumentError("the binding has no model: pass it to the constructor");
-		if (this.#drawn instanceof DrawnInstance) throw new ArgumentError("an instance has no pose of its own");
+		if (this.#transform instanceof InstanceTransform) throw new ArgumentError("an instance has no pose of its own");
 		poseModel(this.#model, this.object);
 	}
 
-	/** Whether the object is elsewhere than at the last update. */
+	/** Whether the object is elsewhere than at the last update. Throws if it has got a pivot since. */
 	#hasMoved() {
-		const last = this.#last;
-		const { numbers } = scratch;
-		for (let i = this.#drawn.fill(numbers) - 1; i >= 0; i--) if (numbers[i] !== last[i]) return true;
+		const last = this.#lastSnapshot;
+		for (let i = this.#transform.snapshotInto(snapshot) - 1; i >= 0; i--) if (snapshot[i] !== last[i]) return true;
 		return false;
 	}
 
-	/** Reads the object's place. Throws if the scale is not positive and the same in x, y and z. */
-	#readDrawn() {
-		const isSimilar = this.#drawn.read();
-		const { matrix, quaternion, scale, turn } = scratch;
+	/** The object's transform. Throws if the scale is not positive and the same in x, y and z. */
+	#decompose() {
+		const { matrix, quaternion, scale, isSimilar } = this.#transform.decompose();
 		const { x, y, z } = scale;
 		// two mirrors are a turn
 		if (x * y * z > 0 && !(x > 0 && y > 0)) {
@@ -140,18 +137,24 @@ export class ThreeAgentBinding {
 		}
 		if (!isSimilar || !isEven(scale)) {
 			const found = isSimilar ? `scale ${x}, ${y}, ${z}` : `matrix ${matrix.elements.join(", ")}`;
-			throw new ArgumentError(`${this.agent} can't be as its object is: it must be turned, moved and evenly scaled, and nothing else, not ${found}`);
+			throw this.#error(`it must be turned, moved and evenly scaled, and nothing else, not ${found}`);
 		}
 		const length = quaternion.length();
-		if (!(Math.abs(length - 1) <= TOLERANCE)) throw new ArgumentError(`${this.agent} can't be as its object is: the quaternion must be of length 1, not ${length}`);
+		if (!(Math.abs(length - 1) <= TOLERANCE)) throw this.#error(`the quaternion must be of length 1, not ${length}`);
 		if (length !== 1) quaternion.normalize();
+		return decomposed;
 	}
 
 	#check({ x, y, z }, size) {
-		if (!Number.isFinite(x + y + z)) throw new ArgumentError(`${this.agent} can't be where its object is: the position must be finite numbers, not (${x}, ${y}, ${z})`);
-		if (!(size >= Agent.SMALLEST_SIZE && size <= Agent.LARGEST_SIZE && Math.max(Math.abs(x), Math.abs(y), Math.abs(z)) <= Agent.LARGEST_COORDINATE)) {
+		if (!Number.isFinite(x + y + z)) throw this.#error(`the position must be finite numbers, not (${x}, ${y}, ${z})`);
+		const farthest = Math.max(Math.abs(x), Math.abs(y), Math.abs(z));
+		if (!(size >= Agent.SMALLEST_SIZE && size <= Agent.LARGEST_SIZE && farthest <= Agent.LARGEST_COORDINATE)) {
 			throw new RangeError(`${this.agent} can't be of size ${size} at (${x}, ${y}, ${z}), as its object demands: see Agent's limits`);
 		}
+	}
+
+	#error(why) {
+		return new ArgumentError(`${this.agent} can't be as its object is: ${why}`);
 	}
 }
 
@@ -165,56 +168,56 @@ export class ThreeAgentBinding {
  * @param {object} options up and modelUp, as for ThreeAgentBinding
  */
 export function bindInstance(agent, mesh, index, model = null, options = {}) {
-	return new ThreeAgentBinding(agent, mesh, model, { ...optionsOf("bindInstance", options, { up: "y", modelUp: undefined }), index: index ?? NaN });
+	const { up, modelUp } = optionsOf("bindInstance", options, { modelUp: undefined });
+	return new ThreeAgentBinding(agent, mesh, model, { up, modelUp, index: index ?? NaN });
 }
 
 /** The position, quaternion and scale of an object. If three.js does not use these for it, its matrix is read. */
-class DrawnObject {
+class ObjectTransform {
 	constructor(agent, object) {
 		this.object = object;
-		this.fill(scratch.numbers);
+		this.snapshotInto(snapshot);
 		warnings?.ofScale(agent, object);
 	}
 
-	/** Writes the object's place into an array. Returns how many numbers it has. Throws if three.js would turn the object around a pivot. */
-	fill(numbers) {
+	/** Writes the numbers of the transform into an array. Returns how many there are. Throws if three.js would turn the object around a pivot. */
+	snapshotInto(out) {
 		const { object } = this;
-		if (object.pivot) throw new ArgumentError(`ThreeAgentBinding: object "${object.name}" must have no pivot: put it into a Group, and bind the group`);
+		if (object.pivot) {
+			throw new ArgumentError(`ThreeAgentBinding: object "${object.name}" must have no pivot: put it into a Group, and bind the group`);
+		}
 		if (!object.matrixAutoUpdate) {
-			object.matrix.toArray(numbers);
+			object.matrix.toArray(out);
 			return 16;
 		}
-		object.position.toArray(numbers, 0);
-		object.quaternion.toArray(numbers, 3);
-		object.scale.toArray(numbers, 7);
+		object.position.toArray(out, 0);
+		object.quaternion.toArray(out, 3);
+		object.scale.toArray(out, 7);
 		return 10;
 	}
 
-	/** Reads the object's place. Returns whether this describes the matrix completely. */
-	read() {
+	decompose() {
 		const { object } = this;
-		if (!object.matrixAutoUpdate) {
-			scratch.matrix.copy(object.matrix);
-			return decompose();
-		}
-		scratch.position.copy(object.position);
-		scratch.quaternion.copy(object.quaternion);
-		scratch.scale.copy(object.scale);
-		return true;
+		if (!object.matrixAutoUpdate) return decompose(object.matrix);
+		decomposed.position.copy(object.position);
+		decomposed.quaternion.copy(object.quaternion);
+		decomposed.scale.copy(object.scale);
+		decomposed.isSimilar = true;
+		return decomposed;
 	}
 
-	write(at, turn, factor) {
+	compose(position, quaternion, factor) {
 		const { object } = this;
-		object.position.copy(at);
+		object.position.copy(position);
 		object.scale.set(factor, factor, factor);
 		// three.js computes Euler angles on each change
-		if (!object.quaternion.equals(turn)) object.quaternion.copy(turn);
+		if (!object.quaternion.equals(quaternion)) object.quaternion.copy(quaternion);
 		if (!object.matrixAutoUpdate) object.updateMatrix();
 	}
 }
 
-/** The matrix of an instance of an InstancedMesh, with the methods of a DrawnObject. */
-class DrawnInstance {
+/** The matrix of an instance of an InstancedMesh, with the methods of an ObjectTransform. */
+class InstanceTransform {
 	constructor(mesh, index, model) {
 		if (!mesh.isInstancedMesh) throw new ArgumentError(`ThreeAgentBinding: object must be an InstancedMesh, not ${textOf(mesh)}`);
 		const { count } = mesh.instanceMatrix;
@@ -224,21 +227,21 @@ class DrawnInstance {
 		this.index = index;
 	}
 
-	fill(numbers) {
+	snapshotInto(out) {
 		const { array } = this.object.instanceMatrix;
 		const first = 16 * this.index;
-		for (let i = 0; i < 16; i++) numbers[i] = array[first + i];
+		for (let i = 0; i < 16; i++) out[i] = array[first + i];
 		return 16;
 	}
 
-	read() {
-		this.object.getMatrixAt(this.index, scratch.matrix);
-		return decompose();
+	decompose() {
+		this.object.getMatrixAt(this.index, composed);
+		return decompose(composed);
 	}
 
-	write(at, turn, factor) {
+	compose(position, quaternion, factor) {
 		const { object: mesh } = this;
-		mesh.setMatrixAt(this.index, scratch.composed.compose(at, turn, scratch.scale.setScalar(factor)));
+		mesh.setMatrixAt(this.index, composed.compose(position, quaternion, offset.setScalar(factor)));
 		mesh.instanceMatrix.needsUpdate = true;
 		// The bounding volumes would stay where the instances were, and three.js does not draw what they show off the screen.
 		mesh.boundingSphere = null;
@@ -246,12 +249,13 @@ class DrawnInstance {
 	}
 }
 
-/** Decomposes the matrix that was read. Returns whether it only rotates, scales evenly and translates. */
-function decompose() {
-	const { matrix, position, quaternion, scale, composed } = scratch;
-	matrix.decompose(position, quaternion, scale);
+/** Decomposes a matrix. */
+function decompose(matrix) {
+	const { position, quaternion, scale } = decomposed;
+	decomposed.matrix.copy(matrix).decompose(position, quaternion, scale);
 	composed.compose(position, quaternion, scale);
-	return isEven(scale) && areAlike(matrix.elements, composed.elements, TOLERANCE * scale.x);
+	decomposed.isSimilar = isEven(scale) && areAlike(decomposed.matrix.elements, composed.elements, TOLERANCE * scale.x);
+	return decomposed;
 }
 
 /** Whether the elements of two matrices differ by at most so much, those for the position aside. False for NaN. */

@@ -1,4 +1,4 @@
-import type { BufferGeometry, InstancedMesh, LineBasicMaterial, LineSegments, Mesh, Object3D, Vector3 } from "three";
+import type { BufferGeometry, ColorRepresentation, InstancedMesh, LineBasicMaterial, LineSegments, Mesh, Object3D, Vector3 } from "three";
 import type { Agent, BoundingStructure, Contact, HierarchyNode, Model, Point, PointTaker, RayHit, Scaling, Terrain, Vector3D } from "starlogo-collision";
 
 /** The axis that points up. With y up, a scene's (x, y, z) is the engine's (x, -z, y). With z up, both have the same axes. */
@@ -64,15 +64,15 @@ export interface ObjectBindingOptions extends BindingOptions {
 /** Options of a wireframe. */
 export interface WireframeOptions extends LevelOptions {
     /** The lines' colour: 0xrrggbb, or any colour that three.js accepts. The default is 0xffcc00. */
-    color?: number | string | undefined;
+    color?: ColorRepresentation | undefined;
 }
 
 /**
  * Makes a model from a three.js object or geometry. It is one patch wide, unless `scaling` says otherwise: for a level take levelFromObject.
  *
  * For an object, all meshes count: also its children's, visible or not. They count in the present pose of their bones and morph targets,
- * with all instances of an InstancedMesh or a BatchedMesh, visible or not, and with the finest level of an LOD. The children's transforms count, including mirrors. The
- * object's own transform does not count, because it places the object in the world: see ThreeAgentBinding. Draw ranges count. If a mesh has
+ * with all instances of an InstancedMesh or a BatchedMesh, visible or not, and with the finest level of an LOD. The children's transforms count,
+ * including mirrors. The object's own transform does not count, because it places the object in the world: see ThreeAgentBinding. Draw ranges count. If a mesh has
  * several materials, the groups with a material count. Lines, points, sprites and meshes scaled to 0 are left out.
  *
  * Hits tell the mesh and the material of a triangle: see `faceOf`, `Model.meshNames` and `Model.materialNames`. A mesh has its own name, or its
@@ -138,7 +138,7 @@ export function faceOf(model: Model, triangle: number): DrawnFace | null;
  * if nothing has changed. If an object's `matrixAutoUpdate` is false, its matrix is read. An object with a `pivot`, which three.js would turn it
  * around, is refused.
  */
-export class ThreeAgentBinding<A extends Agent = Agent> {
+export class ThreeAgentBinding<BoundAgent extends Agent = Agent> {
     /**
      * Creates a binding. It changes neither side.
      *
@@ -150,10 +150,11 @@ export class ThreeAgentBinding<A extends Agent = Agent> {
      * of levelFromObject and its object is not at the origin, or is of all instances of the InstancedMesh
      * @throws RangeError if the InstancedMesh has no such instance
      */
-    constructor(agent: A, object: Object3D, model?: Model | null, options?: ObjectBindingOptions);
+    constructor(agent: BoundAgent, object: InstancedMesh, model?: Model | null, options?: ObjectBindingOptions);
+    constructor(agent: BoundAgent, object: Object3D, model?: Model | null, options?: BindingOptions);
 
     /** The agent. */
-    get agent(): A;
+    get agent(): BoundAgent;
 
     /** The agent's object. For an instance, its InstancedMesh. */
     get object(): Object3D;
@@ -163,7 +164,7 @@ export class ThreeAgentBinding<A extends Agent = Agent> {
 
     /**
      * Gives the agent the object's place, size and rotation. If the agent already has the rotation or the size, up to rounding, its heading, pitch
-     * and roll or its size stay.
+     * and roll or its size stay. If the object has not changed since the last update of either side, the agent gets exactly what it had then.
      *
      * @throws ArgumentError if the object is mirrored, unevenly scaled or sheared, or one of its numbers is not finite; the agent is then
      * unchanged
@@ -176,7 +177,8 @@ export class ThreeAgentBinding<A extends Agent = Agent> {
      * it before the frame's `update()`, after the AnimationMixer's. All agents with the model have the pose: see `Model.pose`.
      *
      * The model must be one of `modelFromObject`, and the object its source or a clone of it, with the same meshes. Vertices that were at equal
-     * positions when the model was made stay one. If it throws, the model is unchanged.
+     * positions when the model was made stay one. The source's own meshes may have another order by now; those of a clone have the same. If it throws,
+     * the model is unchanged.
      *
      * @throws ArgumentError if the binding has no model or is one of an instance, if the model was made in another way or of other meshes, or if
      * a coordinate is not finite
@@ -198,7 +200,9 @@ export class ThreeAgentBinding<A extends Agent = Agent> {
  * @throws ArgumentError as ThreeAgentBinding's constructor
  * @throws RangeError if there is no such instance
  */
-export function bindInstance<A extends Agent>(agent: A, mesh: InstancedMesh, index: number, model?: Model | null, options?: BindingOptions): ThreeAgentBinding<A>;
+export function bindInstance<BoundAgent extends Agent>(
+    agent: BoundAgent, mesh: InstancedMesh, index: number, model?: Model | null, options?: BindingOptions
+): ThreeAgentBinding<BoundAgent>;
 
 /**
  * Draws structures, levels of hierarchies, contacts and rays as lines, all in one LineSegments, so three.js draws them in one call. Its
@@ -301,6 +305,9 @@ export class TerrainGeometry extends BufferGeometry {
     /** The terrain. */
     get terrain(): Terrain;
 
+    /** Becomes a geometry of another one's terrain, in the same axes. */
+    copy(source: this): this;
+
     /**
      * Follows the terrain: its heights, and whether it is blocks. If nothing has changed, it does nothing.
      *
@@ -327,4 +334,6 @@ export class TerrainGeometry extends BufferGeometry {
  * @throws ArgumentError if up is neither "y" nor "z"
  * @throws RangeError as Terrain's constructor, or if a height is too large
  */
-export function terrainFromMesh(source: Object3D | BufferGeometry, columns: number, rows: number, cellWidth?: number, x?: number, y?: number, options?: TerrainOptions): Terrain;
+export function terrainFromMesh(
+    source: Object3D | BufferGeometry, columns: number, rows: number, cellWidth?: number, x?: number, y?: number, options?: TerrainOptions
+): Terrain;

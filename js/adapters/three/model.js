@@ -1,19 +1,23 @@
 import { Vector3 } from "three";
 import { ArgumentError, Model, ModelError } from "starlogo-collision";
 import { ModelBuilder, optionsOf, textOf, warnings } from "./arguments.js";
+import { turnToEngine } from "./axes.js";
 import { countOf, eachMesh, identity, surfaceOf, updateMatrices } from "./surface.js";
 
-/** For each model: the up axis of its source, whether that is placed, and of which vertices and faces of which meshes it was made. */
+/**
+ * For each model: whether its source has y up, whether that is placed, of which vertices and faces of which meshes it was made, and by mesh the index of
+ * the first of these.
+ */
 const sources = new WeakMap();
 
-/** The up axis of a model's source, or undefined. */
-export const upOf = (model) => sources.get(model)?.up;
+/** Whether a model's source has y up, or undefined. */
+export const isModelYUp = (model) => sources.get(model)?.isYUp;
 
 /** Whether a model has its object's place in it, which is not the origin. */
 export const isPlaced = (model) => sources.get(model)?.isPlaced === true;
 
 /** Whether a mesh is one of those that a model was made of. */
-export const isMadeOf = (model, mesh) => sources.get(model)?.meshes.some(({ object }) => object === mesh) === true;
+export const isMadeOf = (model, mesh) => sources.get(model)?.indices.has(mesh) === true;
 
 const point = new Vector3();
 
@@ -25,9 +29,9 @@ const point = new Vector3();
  * @param {{up?: "y" | "z", scaling?: string}} options the up axis of the source, and how the model is scaled (Model's scalings)
  */
 export function modelFromObject(name, source, options = {}) {
-	const { up, scaling } = optionsOf("modelFromObject", options, { up: "y", scaling: Model.FOOTPRINT });
+	const { isYUp, scaling } = optionsOf("modelFromObject", options, { scaling: Model.FOOTPRINT });
 	requireName("modelFromObject", name);
-	return modelOf(name, source, surfaceOf(name, source, up), { up, isPlaced: false }, scaling);
+	return modelOf(name, source, surfaceOf(name, source, isYUp), { isYUp, isPlaced: false }, scaling);
 }
 
 /**
@@ -38,11 +42,11 @@ export function modelFromObject(name, source, options = {}) {
  * @param {{up?: "y" | "z"}} options the up axis of the land
  */
 export function levelFromObject(name, object, options = {}) {
-	const { up } = optionsOf("levelFromObject", options, { up: "y" });
+	const { isYUp } = optionsOf("levelFromObject", options);
 	requireName("levelFromObject", name);
-	const surface = surfaceOf(name, object, up, true);
+	const surface = surfaceOf(name, object, isYUp, true);
 	warnings?.ofParent(name, object);
-	return modelOf(name, object, surface, { up, isPlaced: object.isObject3D && !object.matrix.equals(identity) }, Model.AS_GIVEN);
+	return modelOf(name, object, surface, { isYUp, isPlaced: object.isObject3D && !object.matrix.equals(identity) }, Model.AS_GIVEN);
 }
 
 function requireName(call, name) {
@@ -53,7 +57,8 @@ function modelOf(name, source, { data, meshes }, made, scaling) {
 	if (data.vertices.length === 0) throw new ModelError(name, "", `no vertices: ${whatIsMissing(source)}`);
 	Object.assign(data, { scaling, isNormalised: scaling === Model.AS_GIVEN });
 	const model = new Model(name, null, null, null, new ModelBuilder(data).build());
-	sources.set(model, { ...made, meshes, isGeometry: !source.isObject3D, posed: null });
+	const indices = new Map(meshes.map(({ object }, i) => [object, i]).reverse());
+	sources.set(model, { ...made, meshes, indices, isGeometry: !source.isObject3D, posed: null });
 	warnings?.keepSource(source, model);
 	return model;
 }
@@ -74,9 +79,13 @@ function whatIsMissing(source) {
  */
 export function faceOf(model, triangle) {
 	const { meshes, isGeometry } = sources.get(model) ?? {};
-	if (!meshes || isGeometry) throw new ArgumentError(`faceOf: model must be one that modelFromObject or levelFromObject has made of an Object3D, not ${textOf(model)}`);
+	if (!meshes || isGeometry) {
+		throw new ArgumentError(`faceOf: model must be one that modelFromObject or levelFromObject has made of an Object3D, not ${textOf(model)}`);
+	}
 	const last = model.triangles.length / 3 - 1;
-	if (!(Number.isInteger(triangle) && triangle >= -1 && triangle <= last)) throw new RangeError(`faceOf: triangle must be a whole number from -1 to ${last}, not ${textOf(triangle)}`);
+	if (!(Number.isInteger(triangle) && triangle >= -1 && triangle <= last)) {
+		throw new RangeError(`faceOf: triangle must be a whole number from -1 to ${last}, not ${textOf(triangle)}`);
+	}
 	if (triangle === -1) return null;
 	const { object, instanceId, first, faceAt } = meshes.findLast((each) => each.first <= triangle);
 	return { object, faceIndex: faceAt(triangle - first), instanceId };
@@ -91,21 +100,19 @@ export function faceOf(model, triangle) {
 export function poseModel(model, object) {
 	const source = sources.get(model);
 	if (!source) throw new ArgumentError(`model "${model.name}" was not made of an object: modelFromObject makes models that objects can pose`);
-	const { meshes, isGeometry, up } = source;
+	const { meshes, indices, isGeometry, isYUp } = source;
 	const posed = source.posed ??= new Float64Array(model.vertices.length);
 	let number = 0;
-	let at = 0;
-	const poseMesh = (mesh, matrix) => {
+	const poseMesh = (mesh, matrix, instanceId = 0) => {
 		if (mesh.isBatchedMesh) throw new ArgumentError(`model "${model.name}" was made of a BatchedMesh, which has no pose`);
-		const { count, vertices } = meshes[number++] ?? refuse();
+		// the source's own meshes may have another order by now; those of a clone have the same
+		const index = indices.has(mesh) ? indices.get(mesh) + instanceId : number;
+		const { count, vertices, firstVertex } = meshes[index] ?? refuse();
 		if (count !== countOf(mesh)) refuse();
-		for (const vertex of vertices) {
-			mesh.getVertexPosition(vertex, point).applyMatrix4(matrix);
-			posed[at] = point.x;
-			posed[at + 1] = up === "y" ? -point.z : point.y;
-			posed[at + 2] = up === "y" ? point.y : point.z;
-			at += 3;
-		}
+		vertices.forEach((vertex, i) => {
+			turnToEngine(mesh.getVertexPosition(vertex, point).applyMatrix4(matrix), isYUp).toArray(posed, 3 * (firstVertex + i));
+		});
+		number++;
 	};
 	const refuse = () => {
 		throw new ArgumentError(`model "${model.name}" was made of other meshes than ${object.constructor.name} "${object.name}" has`);

@@ -2,7 +2,6 @@
 import { BufferAttribute, Matrix4, Mesh, Vector3 } from "three";
 import { ModelError } from "starlogo-collision";
 import { ModelData, textOf, vectorOf } from "./arguments.js";
-import { isYUp } from "./axes.js";
 import { Welder } from "./welder.js";
 
 /** The matrix of a source whose own transform does not count. */
@@ -39,124 +38,112 @@ export function eachMesh(object, matrix, visit) {
 	}
 }
 
-/** The vertices and triangles of an object or a geometry, z up. With `isPlaced` the object's own transform counts. */
-export function surfaceOf(name, source, up, isPlaced = false) {
-	const surface = new Surface(name, isYUp(up), source?.isObject3D);
-	if (source?.isBufferGeometry) surface.addMesh(new Mesh(source), identity);
-	else if (source?.isObject3D) {
-		updateMatrices(source);
-		eachMesh(source, isPlaced ? source.matrix : identity, (mesh, matrix, instance) => surface.addMesh(mesh, matrix, instance));
-	} else throw new ModelError(name, "", `expected an Object3D or a BufferGeometry, not ${textOf(source)}${source?.scene?.isObject3D ? ". Its scene is an Object3D" : ""}`);
-	return surface.weld();
+/**
+ * What a model of an object or a geometry is made of, z up. With `isPlaced` the object's own transform counts.
+ *
+ * @returns {{data: object, meshes: object[]}} the engine's own record; and for each mesh or instance, in the order of eachMesh: the mesh, the index of
+ * the instance, how many vertices the mesh has, those that have become the model's, the number of the first of these and of its first triangle, and the
+ * faces of its triangles
+ */
+export function surfaceOf(name, source, isYUp, isPlaced = false) {
+	const pieces = collect(name, source, isPlaced);
+	const data = new ModelData(name);
+	weld(data, pieces, isYUp);
+	if (source.isObject3D) label(data, pieces);
+	const meshes = pieces.map(({ object, instanceId, points, vertices, firstVertex, first, faceAt }) => (
+		{ object, instanceId, count: points.length / 3, vertices, firstVertex, first, faceAt }
+	));
+	return { data, meshes };
 }
 
-/** Reads meshes, as a reader of the engine reads a file. Each position becomes one vertex, z up. */
-class Surface {
-	/** What the model is made of: the engine's own record. */
-	data;
-	/**
-	 * For each mesh or instance, in the order of eachMesh: the mesh, the index of the instance, how many vertices the mesh has, those that have become
-	 * the model's next ones, the number of its first triangle, and the faces of its triangles.
-	 */
-	meshes = [];
-	#isYUp;
-	#isLabelled;
-	// of the meshes with triangles: { mesh, points, corners, matrix }, whose mesh is one of the list
-	#pieces = [];
-	#cornerCount = 0;
-	// the label of each mesh, and of each material
-	#meshLabels = new Map();
-	#materialLabels = new Map();
+/** What a source draws: for each mesh or instance its shape as shapeOf has it, with its matrix and the number of its first triangle. */
+function collect(name, source, isPlaced) {
+	const pieces = [];
+	let first = 0;
+	const add = (object, instanceId, shape, matrix) => {
+		// scaled to 0, as hidden instances often are
+		const corners = matrix.getMaxScaleOnAxis() === 0 ? [] : shape.corners;
+		pieces.push({ ...shape, corners, object, instanceId, matrix, first, firstVertex: 0, vertices: [] });
+		first += corners.length / 3;
+	};
 	// the last mesh, and what it draws: its instances draw the same
-	#mesh = null;
-	#shape;
-
-	/** @param {boolean} isLabelled whether hits tell the mesh and the material of a triangle */
-	constructor(name, isYUp, isLabelled) {
-		this.data = new ModelData(name);
-		this.#isYUp = isYUp;
-		this.#isLabelled = isLabelled;
-	}
-
-	/** Adds a mesh, or an instance of it. The matrix is that in the source. */
-	addMesh(mesh, matrix, instance = null) {
-		if (mesh.isBatchedMesh) {
-			this.#addBatch(mesh, matrix);
+	let mesh = null;
+	let shape;
+	const addMesh = (object, matrix, instanceId = null) => {
+		if (object.isBatchedMesh) {
+			eachInBatch(object, (i, ofInstance) => add(object, i, ofInstance, object.getMatrixAt(i, new Matrix4()).premultiply(matrix)));
 			return;
 		}
-		if (mesh !== this.#mesh) {
-			this.#mesh = mesh;
-			this.#shape = shapeOf(mesh);
+		if (object !== mesh) shape = shapeOf(object);
+		mesh = object;
+		add(object, instanceId, shape, matrix);
+	};
+	if (source?.isBufferGeometry) {
+		addMesh(new Mesh(source), identity);
+	} else if (source?.isObject3D) {
+		updateMatrices(source);
+		eachMesh(source, isPlaced ? source.matrix : identity, addMesh);
+	} else {
+		const hint = source?.scene?.isObject3D ? ". Its scene is an Object3D" : "";
+		throw new ModelError(name, "", `expected an Object3D or a BufferGeometry, not ${textOf(source)}${hint}`);
+	}
+	return pieces;
+}
+
+/** Calls a function for each instance of a BatchedMesh, visible or not, with its index and its shape: a part of the mesh's geometry. */
+function eachInBatch(mesh, visit) {
+	const shapes = new Map();
+	let left = mesh.instanceCount;
+	for (let i = 0; left > 0 && i < mesh.maxInstanceCount; i++) {
+		const id = geometryOf(mesh, i);
+		if (id < 0) continue;
+		left--;
+		if (!shapes.has(id)) shapes.set(id, shapeInBatch(mesh, id));
+		visit(i, shapes.get(id));
+	}
+}
+
+/** Makes vertices and triangles of pieces. A list that has its length at once is made in a quarter of the time of one that grows. */
+function weld(data, pieces, isYUp) {
+	const triangles = (data.triangles = vectorOf(pieces.reduce((count, { corners }) => count + corners.length, 0), 0));
+	const welder = new Welder(data.vertices, isYUp);
+	for (const piece of pieces) {
+		piece.firstVertex = data.vertices.length / 3;
+		welder.begin(piece);
+		addTriangles(data.name, piece, welder, triangles);
+		if (piece.matrix.determinant() < 0) turnOver(triangles, 3 * piece.first, 3 * piece.first + piece.corners.length);
+	}
+}
+
+/** Writes the triangles of a piece. */
+function addTriangles(name, { object, points, corners, first }, welder, triangles) {
+	// the model's vertex at each point, -1 before it is known
+	const numbers = new Int32Array(points.length / 3).fill(-1);
+	for (let i = 0; i < corners.length; i++) {
+		const corner = corners[i];
+		let number = numbers[corner];
+		if (number === undefined) {
+			const title = titleOf(object);
+			throw new ModelError(name, title && `mesh "${title}"`, `a triangle names vertex ${corner}, the last one is ${numbers.length - 1}`);
 		}
-		this.#add(mesh, instance, this.#shape, matrix);
+		if (number < 0) number = numbers[corner] = welder.vertexAt(corner);
+		triangles[3 * first + i] = number;
 	}
+}
 
-	/** Adds all instances of a BatchedMesh, visible or not. Each draws a part of the mesh's geometry. */
-	#addBatch(mesh, matrix) {
-		const shapes = new Map();
-		let left = mesh.instanceCount;
-		for (let i = 0; left > 0 && i < mesh.maxInstanceCount; i++) {
-			const id = geometryOf(mesh, i);
-			if (id < 0) continue;
-			left--;
-			if (!shapes.has(id)) shapes.set(id, shapeInBatch(mesh, id));
-			this.#add(mesh, i, shapes.get(id), mesh.getMatrixAt(i, new Matrix4()).premultiply(matrix));
-		}
-	}
-
-	/** Adds what a mesh or an instance draws, as shapeOf has it. */
-	#add(object, instanceId, { points, corners, runs, faceAt }, matrix) {
-		const mesh = { object, instanceId, count: points.length / 3, vertices: [], first: this.#cornerCount / 3, faceAt };
-		this.meshes.push(mesh);
-		// scaled to 0, as hidden instances often are
-		if (matrix.getMaxScaleOnAxis() === 0 || corners.length === 0) return;
-		if (this.#isLabelled) this.#label(object, runs);
-		this.#pieces.push({ mesh, points, corners, matrix });
-		this.#cornerCount += corners.length;
-	}
-
-	/** Labels the triangles that come next. */
-	#label(mesh, runs) {
-		const { meshes, materials } = this.data;
-		let first = this.#cornerCount / 3;
-		meshes.beginRun(labelOf(mesh, titleOf(mesh), this.#meshLabels, meshes), first);
+/** Labels the triangles of pieces by their meshes and materials, which hits tell. */
+function label({ meshes, materials }, pieces) {
+	const meshLabels = new Map();
+	const materialLabels = new Map();
+	for (const { object, corners, runs, first } of pieces) {
+		if (corners.length === 0) continue;
+		meshes.beginRun(labelOf(object, titleOf(object), meshLabels, meshes), first);
+		let next = first;
 		for (const { material, count } of runs) {
 			if (count === 0) continue;
-			materials.beginRun(labelOf(material, material?.name, this.#materialLabels, materials), first);
-			first += count;
+			materials.beginRun(labelOf(material, material?.name, materialLabels, materials), next);
+			next += count;
 		}
-	}
-
-	/** Makes vertices and triangles of all that was added. A list that has its length at once is made in a quarter of the time of one that grows. */
-	weld() {
-		const triangles = (this.data.triangles = vectorOf(this.#cornerCount, 0));
-		const welder = new Welder(this.data.vertices);
-		let first = 0;
-		for (const { mesh, points, corners, matrix } of this.#pieces) {
-			welder.begin(points, matrix, this.#isYUp, mesh.vertices);
-			this.#addTriangles(mesh.object, points, corners, welder, triangles, first);
-			first += corners.length;
-			if (matrix.determinant() < 0) turnOver(triangles, first - corners.length, first);
-		}
-		return this;
-	}
-
-	/** Writes triangles from a first place on. */
-	#addTriangles(mesh, points, corners, welder, triangles, first) {
-		// the model's vertex at each point, -1 before it is known
-		const numbers = new Int32Array(points.length / 3).fill(-1);
-		for (let i = 0; i < corners.length; i++) {
-			const corner = corners[i];
-			let number = numbers[corner];
-			if (number === undefined) throw this.#error(mesh, `a triangle names vertex ${corner}, the last one is ${numbers.length - 1}`);
-			if (number < 0) number = numbers[corner] = welder.vertexAt(corner);
-			triangles[first + i] = number;
-		}
-	}
-
-	#error(mesh, problem) {
-		const title = titleOf(mesh);
-		return new ModelError(this.data.name, title && `mesh "${title}"`, problem);
 	}
 }
 

@@ -1,11 +1,13 @@
-import { BufferAttribute, BufferGeometry } from "three";
+import { BufferAttribute, BufferGeometry, Vector3 } from "three";
 import { ArgumentError, Terrain, TerrainSurface } from "starlogo-collision";
 import { optionsOf, textOf } from "./arguments.js";
-import { isYUp } from "./axes.js";
+import { turnToScene } from "./axes.js";
 import { surfaceOf } from "./surface.js";
 
 /** How far outside of a triangle a place may be and still count, as a part of the triangle: so rounding leaves no gap between two. */
 const ROUNDING = 1e-9;
+
+const point = new Vector3();
 
 /** The surface of a terrain, as a geometry in the axes of the land. */
 export class TerrainGeometry extends BufferGeometry {
@@ -18,12 +20,16 @@ export class TerrainGeometry extends BufferGeometry {
 	 * @param {{up?: "y" | "z"}} options the up axis of the land
 	 */
 	constructor(terrain, options = {}) {
-		const { up } = optionsOf("TerrainGeometry", options, { up: "y" });
+		const { isYUp } = optionsOf("TerrainGeometry", options);
 		super();
 		if (!(terrain instanceof Terrain)) throw new ArgumentError(`a Terrain is needed, not ${textOf(terrain)}`);
+		this.#follow(terrain, isYUp);
+	}
+
+	#follow(terrain, isYUp) {
 		this.#terrain = terrain;
 		this.#surface = new TerrainSurface(terrain);
-		this.#isYUp = isYUp(up);
+		this.#isYUp = isYUp;
 		this.update();
 	}
 
@@ -31,7 +37,14 @@ export class TerrainGeometry extends BufferGeometry {
 
 	/** A geometry of the same ground. */
 	clone() {
-		return new this.constructor(this.#terrain, { up: this.#isYUp ? "y" : "z" });
+		return new this.constructor(this.#terrain).copy(this);
+	}
+
+	/** Becomes a geometry of another one's ground. */
+	copy(source) {
+		super.copy(source);
+		this.#follow(source.#terrain, source.#isYUp);
+		return this;
 	}
 
 	/** Takes over the heights. Returns whether the ground has changed. */
@@ -49,8 +62,8 @@ export class TerrainGeometry extends BufferGeometry {
 	}
 
 	#attributeOf(numbers) {
-		const array = Float32Array.from(numbers);
-		for (let i = 0; this.#isYUp && i < array.length; i += 3) [array[i + 1], array[i + 2]] = [numbers[i + 2], -numbers[i + 1]];
+		const array = new Float32Array(numbers.length);
+		for (let i = 0; i < array.length; i += 3) turnToScene(point.fromArray(numbers, i), this.#isYUp).toArray(array, i);
 		return new BufferAttribute(array, 3);
 	}
 }
@@ -68,9 +81,9 @@ export class TerrainGeometry extends BufferGeometry {
  * @param {{up?: "y" | "z"}} options the up axis of the land
  */
 export function terrainFromMesh(source, columns, rows, cellWidth = 1, x = 0, y = 0, options = {}) {
-	const { up } = optionsOf("terrainFromMesh", options, { up: "y" });
+	const { isYUp } = optionsOf("terrainFromMesh", options);
 	const terrain = new Terrain(columns, rows, cellWidth, x, y);
-	const { vertices, triangles } = surfaceOf("terrain", source, up, true).data;
+	const { vertices, triangles } = surfaceOf("terrain", source, isYUp, true).data;
 	const heights = new Array(columns * rows).fill(-Infinity);
 	// the corners, counted in cells from the first height
 	const cornerOf = (i) => ({ x: (vertices[3 * i] - x) / cellWidth, y: (vertices[3 * i + 1] - y) / cellWidth, z: vertices[3 * i + 2] });

@@ -4,29 +4,32 @@ export class Welder {
 	#slots = new Int32Array(1024).fill(-1); // by hash: a vertex. The next free slot is taken if several have one hash
 	#bits = new Float64Array(3);
 	#words = new Int32Array(this.#bits.buffer);
+	#isYUp;
 	// of the mesh at hand
 	#points;
 	#elements;
-	#isYUp;
 	#takenCorners;
 
-	/** @param {number[]} vertices x, y, z, ...: new positions are appended */
-	constructor(vertices) {
+	/**
+	 * @param {number[]} vertices x, y, z, ...: new positions are appended
+	 * @param {boolean} isYUp whether the points have y up
+	 */
+	constructor(vertices, isYUp) {
 		this.#vertices = vertices;
+		this.#isYUp = isYUp;
 	}
 
 	/** Begins a mesh: its points, its matrix, and the list that gets the corners that become vertices. */
-	begin(points, matrix, isYUp, takenCorners) {
+	begin({ points, matrix, vertices }) {
 		this.#points = points;
 		this.#elements = matrix.elements;
-		this.#isYUp = isYUp;
-		this.#takenCorners = takenCorners;
+		this.#takenCorners = vertices;
 		// at most half of the slots are taken in the end
 		const needed = 2 * ((this.#vertices.length + points.length) / 3);
 		if (needed > this.#slots.length) this.#grow(2 ** Math.ceil(Math.log2(2 * needed)));
 	}
 
-	/** The vertex at a point, which is new if its position is. This is Vector3.applyMatrix4, and -0 becomes 0. */
+	/** The vertex at a point, which is new if its position is. This is Vector3.applyMatrix4 and turnToEngine, in half of the time; -0 becomes 0. */
 	vertexAt(corner) {
 		const points = this.#points;
 		const e = this.#elements;

@@ -1,7 +1,7 @@
 import { BufferAttribute, BufferGeometry, LineBasicMaterial, LineSegments, Matrix4, Vector3 } from "three";
 import { ArgumentError, Wireframes } from "starlogo-collision";
 import { optionsOf, requirePoint, textOf } from "./arguments.js";
-import { AgentPlace, isYUp } from "./axes.js";
+import { AgentPlace, turnToScene } from "./axes.js";
 
 const matrix = new Matrix4();
 const scale = new Vector3();
@@ -26,9 +26,9 @@ export class ThreeWireframe extends LineSegments {
 	 * @param {{color?: number | string, up?: "y" | "z"}} options the lines' colour, and the up axis of the land
 	 */
 	constructor(options = {}) {
-		const { color, up } = optionsOf("ThreeWireframe", options, { color: 0xffcc00, up: "y" });
+		const { color, isYUp } = optionsOf("ThreeWireframe", options, { color: 0xffcc00 });
 		super(new BufferGeometry(), new LineBasicMaterial({ color }));
-		this.#isYUp = isYUp(up);
+		this.#isYUp = isYUp;
 		this.frustumCulled = false;
 		this.clearLines();
 	}
@@ -59,11 +59,16 @@ export class ThreeWireframe extends LineSegments {
 		requirePoint("ThreeWireframe.showRay", direction);
 		if (hit) requirePoint("ThreeWireframe.showRay", hit.normal);
 		const length = Math.hypot(direction.x, direction.y, direction.z);
-		if (!(length > 0 && length < Infinity)) throw new ArgumentError(`the direction must be finite and not 0, not (${direction.x}, ${direction.y}, ${direction.z})`);
+		if (!(length > 0 && length < Infinity)) {
+			throw new ArgumentError(`the direction must be finite and not 0, not (${direction.x}, ${direction.y}, ${direction.z})`);
+		}
 		const far = (hit ? hit.distance : reach) / length;
 		const end = [x + direction.x * far, y + direction.y * far, z + direction.z * far];
 		const lines = [x, y, z, ...end];
-		if (hit) lines.push(...crossAt(...end), ...end, end[0] + hit.normal.x * 4 * CROSS, end[1] + hit.normal.y * 4 * CROSS, end[2] + hit.normal.z * 4 * CROSS);
+		if (hit) {
+			const { normal } = hit;
+			lines.push(...crossAt(...end), ...end, end[0] + normal.x * 4 * CROSS, end[1] + normal.y * 4 * CROSS, end[2] + normal.z * 4 * CROSS);
+		}
 		return this.showLines(lines);
 	}
 
@@ -103,8 +108,9 @@ export class ThreeWireframe extends LineSegments {
 		super.copy(source, isRecursive);
 		this.geometry = new BufferGeometry();
 		this.#isYUp = source.#isYUp;
+		const parts = source.#parts;
 		this.clearLines();
-		for (const { place, lines } of source.#parts) this.showLines(lines, place?.agent);
+		for (const { place, lines } of parts) this.showLines(lines, place?.agent);
 		return this;
 	}
 
@@ -131,9 +137,7 @@ export class ThreeWireframe extends LineSegments {
 		if (place) matrix.compose(place.position, place.quaternion, scale.setScalar(place.size));
 		else matrix.identity();
 		for (let i = 0; i < lines.length; i += 3) {
-			if (this.#isYUp) point.set(lines[i], lines[i + 2], -lines[i + 1]);
-			else point.set(lines[i], lines[i + 1], lines[i + 2]);
-			point.applyMatrix4(matrix);
+			turnToScene(point.fromArray(lines, i), this.#isYUp).applyMatrix4(matrix);
 			attribute.setXYZ(first + i / 3, point.x, point.y, point.z);
 		}
 		attribute.needsUpdate = true;

@@ -103,7 +103,7 @@ export class Bodies {
 
 	/** The text of an expression or a statement. */
 	text(node) {
-		const special = this.#special(node);
+		const special = Bodies.#WRITERS[node.type]?.(this, node) ?? null;
 		if (special !== null) return special;
 		const source = this.#scopes.unit.source;
 		let text = "";
@@ -115,37 +115,31 @@ export class Bodies {
 		return text + gap(source.slice(at, node.end));
 	}
 
-	#special(node) {
-		switch (node.type) {
-			case "Literal":
-				return this.#scopes.unit.source.slice(node.start, node.end);
-			case "BlockStatement":
-				return this.#blockText(node);
-			case "FunctionExpression":
-				return `function${this.functionText(node, "")}`;
-			case "FunctionDeclaration":
-				return `function ${node.id.name}${this.functionText(node, "")}`;
-			case "SwitchCase":
-				return `${node.test ? `case ${this.text(node.test)}` : "default"}:\n${this.statements(node.consequent).map(indent).join("\n")}`;
-			case "CatchClause":
-				return this.#catchText(node);
-			case "Identifier":
-				return this.#identifierText(node);
-			case "Property":
-				return node.shorthand ? null : `${node.computed ? `[${this.text(node.key)}]` : this.#scopes.unit.source.slice(node.key.start, node.key.end)}: ${this.text(node.value)}`;
-			case "MemberExpression":
-				return this.#memberText(node);
-			case "NewExpression":
-				return this.#newText(node);
-			case "CallExpression":
-				return this.#callText(node);
-			case "ExpressionStatement":
-				return this.#earlyFieldText(node);
-			case "AssignmentExpression":
-				return this.#assignmentText(node);
-			default:
-				return null;
-		}
+	/** Writes the nodes that are special, by their types. A writer returns null for a node that is as the compiler has it. */
+	static #WRITERS = {
+		Literal: (bodies, node) => bodies.#scopes.unit.source.slice(node.start, node.end),
+		BlockStatement: (bodies, node) => bodies.#blockText(node),
+		FunctionExpression: (bodies, node) => `function${bodies.functionText(node, "")}`,
+		FunctionDeclaration: (bodies, node) => `function ${node.id.name}${bodies.functionText(node, "")}`,
+		SwitchCase: (bodies, node) => bodies.#caseText(node),
+		CatchClause: (bodies, node) => bodies.#catchText(node),
+		Identifier: (bodies, node) => bodies.#identifierText(node),
+		Property: (bodies, node) => (node.shorthand ? null : bodies.#propertyText(node)),
+		MemberExpression: (bodies, node) => bodies.#memberText(node),
+		NewExpression: (bodies, node) => bodies.#newText(node),
+		CallExpression: (bodies, node) => bodies.#callText(node),
+		ExpressionStatement: (bodies, node) => bodies.#earlyFieldText(node),
+		AssignmentExpression: (bodies, node) => bodies.#assignmentText(node),
+	};
+
+	#caseText(node) {
+		const label = node.test ? `case ${this.text(node.test)}` : "default";
+		return `${label}:\n${this.statements(node.consequent).map(indent).join("\n")}`;
+	}
+
+	#propertyText({ computed, key, value }) {
+		const name = computed ? `[${this.text(key)}]` : this.#scopes.unit.source.slice(key.start, key.end);
+		return `${name}: ${this.text(value)}`;
 	}
 
 	#blockText(node) {
@@ -249,7 +243,8 @@ export class Bodies {
 		const operator = [" || ", " && "].find((each) => value.startsWith(target + each));
 		if (node.operator !== "=" || !operator) return null;
 		const inner = parseExpressionAt(value, target.length + operator.length, { ecmaVersion: 2022, preserveParens: true });
-		const isAsWritten = node.right.type === "LogicalExpression" && node.right.operator === operator.trim() && source.slice(node.right.left.start, node.right.left.end) === target;
+		const { type, operator: written, left } = node.right;
+		const isAsWritten = type === "LogicalExpression" && written === operator.trim() && source.slice(left.start, left.end) === target;
 		if (isAsWritten) return null;
 		const withThisValue = Object.create(this.#scopes.unit, { source: { value } });
 		return { operator: operator.trim(), text: this.#scopes.within(withThisValue, () => this.text(inner)) };

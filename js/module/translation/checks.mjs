@@ -5,8 +5,7 @@
  *
  * Numbers, strings, Booleans and functions are checked by small functions, which take little of a bundle and which V8 inlines. Where an
  * error names the object too, as for agents, they are checked in place. null is accepted if the documentation mentions it, and for
- * names and files. Numbers that are not finite are accepted if the documentation mentions errors. In these cases the engine itself
- * throws the error.
+ * names and files. In these cases the engine itself throws the error, as it does for numbers that are not finite.
  */
 import { TAKES_LITERAL, docOf, docOfParameter, endingBooleans, isWritten, mayHaveNull } from "../signatures.mjs";
 import { warningsOf, warningsOfMember } from "./warnings.mjs";
@@ -22,6 +21,9 @@ const PLAIN = new Set([
 	"BoundingStructure", "Box", "Capsule", "CastHit", "CollisionStatistics", "Contact", "Cylinder", "ErrorEvent", "Footing", "HierarchyNode",
 	"Matrix3D", "Placement", "ProgressEvent", "RayHit", "ShapeHit", "Sphere", "TextEvent", "Vector3D",
 ]);
+
+/** Classes whose methods would take a number that is not finite, as fields would. All others refuse it themselves, or have an answer for it. */
+const CHECKED_HERE = new Set(["FrameTimes", "Placement"]);
 
 /** Types that the engine itself throws an error about null for, because it says more: of names, and of files. */
 const ANSWERED = new Set(["ByteArray", "String"]);
@@ -45,20 +47,18 @@ export class Checks {
 		this.#byName = new Map([...signatures.values()].map((type) => [type.name, type]));
 	}
 
-	/** The statements at the beginning of a member. */
+	/** The statements at the beginning of a member: its checks, and then its warnings, which take the arguments to be as they have to be. */
 	of(qname, name, kind) {
 		const type = this.#signatures.get(qname);
 		const isPublic = (each) => each.isPublic && !each.isPrivate;
 		const member = kind === "function" ? type : type?.members.find((each) => each.name === name && each.kind === kind && isPublic(each));
 		const parameters = member?.parameters ?? [];
-		const numbers = parameters.filter((parameter) => parameter.type === "Number").map((parameter) => parameter.name);
-		if (COMPACT.has(qname) && member?.kind === "method" && numbers.length > 1) {
-			const others = parameters.filter((parameter) => parameter.type !== "Number");
-			const checks = others.flatMap((parameter) => this.#check(type, member, parameter));
-			return [`$checkNumbers("${type.name}.${name}: ${numbers.join(", ")}", ${numbers.join(", ")});`, ...checks];
-		}
-		const checks = parameters.flatMap((parameter) => this.#check(type, member, parameter));
-		return [...warningsOf(qname, name, kind, parameters), ...switchesOf(type, member), ...checks, ...checkOfInner(type, member)];
+		const numbers = parameters.filter((parameter) => parameter.type === "Number");
+		const together = COMPACT.has(qname) && member?.kind === "method" && numbers.length > 1 ? numbers : [];
+		const names = together.map((parameter) => parameter.name).join(", ");
+		const checks = together.length > 0 ? [`$checkNumbers("${type.name}.${name}: ${names}", ${names});`] : [];
+		for (const parameter of parameters) if (!together.includes(parameter)) checks.push(...this.#check(type, member, parameter));
+		return [...switchesOf(type, member), ...checks, ...checkOfInner(type, member), ...warningsOf(qname, name, kind, parameters)];
 	}
 
 	/** The public fields of a class that only its users write: { name, type }. */
@@ -70,9 +70,9 @@ export class Checks {
 
 	/** The statements that check a new value of such a field. */
 	ofSetting(qname, field) {
-		const member = { ...field, kind: "set", parameters: [] };
+		const member = { ...field, kind: "set", parameters: [], isField: true };
 		const value = { name: "value", type: field.result, value: field.initial, isRest: false };
-		return [...warningsOfMember(qname, field.name), ...this.#check(this.#signatures.get(qname), member, value)];
+		return [...this.#check(this.#signatures.get(qname), member, value), ...warningsOfMember(qname, field.name)];
 	}
 
 	/** The statements at the end of a constructor, which may take its settings as a literal. */
@@ -93,44 +93,44 @@ export class Checks {
 		const getter = given.kind === "set" ? type.members.find((each) => each.kind === "get" && each.name === given.name) : null;
 		const member = { ...given, doc: `${docOf(type, given, this.#byName)}\n${getter?.doc ?? ""}` };
 		const isNullable = mayBeNull(parameter, member, type);
-		const { where, said, isInPlace } = this.#placeOf(type, member, name);
-		const refuse = (kind) => `$refuse(${where}, ${name}, ${kind});`;
+		const { receiver, qualifiedName, inline } = this.#placeOf(type, member, name);
+		const refuse = (kind) => `$refuse(${receiver}, ${name}, ${kind});`;
 		const unlessNull = isNullable && !/^(Number|u?int|Boolean)$/.test(parameter.type) ? `${name} != null && ` : "";
 		const vector = /^Vector\.<(.*)>$/.exec(parameter.type)?.[1];
 		// options as for the platform's own listeners, not only for Flash's class
 		if (name === "useCapture") return [...optionsOf(member), `if (typeof ${name} !== "boolean") ${refuse('"true, false or options"')}`];
-		if (name === "buffers") return [`${name} = $bytesByName(${where}, ${name});`];
+		if (name === "buffers") return [`${name} = $bytesByName(${receiver}, ${name});`];
 		if (parameter.isRest || parameter.type === "*" || parameter.type === "Object") return [];
 		if (vector) {
 			const hasNulls = mayHaveNull(docOfParameter(name, member.doc));
-			return this.#vectorCheck(parameter, vector, isNullable, where, hasNulls, member.kind === "set");
+			return this.#vectorCheck(parameter, vector, isNullable, receiver, hasNulls, member.kind === "set");
 		}
 		const simple = this.#simpleCheck(parameter, member, type);
 		if (simple) {
 			const [helper, test, kind] = simple;
-			if (isInPlace) return [`if (${unlessNull}${test}) ${refuse(JSON.stringify(kind))}`];
-			return [`${unlessNull === "" ? "" : `if (${name} != null) `}${helper}(${said}, ${name});`];
+			if (inline) return [`if (${unlessNull}${test}) ${refuse(JSON.stringify(kind))}`];
+			return [`${unlessNull === "" ? "" : `if (${name} != null) `}${helper}(${qualifiedName}, ${name});`];
 		}
 		switch (parameter.type) {
 			case "ByteArray":
-				return [`${name} = $bytes(${where}, ${name}, ${isNullable});`];
+				return [`${name} = $bytes(${receiver}, ${name}, ${isNullable});`];
 			case "Vector3D": {
 				// what the engine writes into stays what it is
 				const isRead = !isWritten(docOfParameter(name, member.doc)) && !type.qname.startsWith("flash.");
-				return [`${isNullable ? `if (${name} != null) ` : ""}${isRead ? `${name} = ` : ""}$point(${where}, ${name});`];
+				return [`${isNullable ? `if (${name} != null) ` : ""}${isRead ? `${name} = ` : ""}$point(${receiver}, ${name});`];
 			}
 			case "AgentPredicate": {
 				const filter = this.#reference("starlogo.queries.AgentFilter");
-				const read = `$options(${where}, ${name}, new ${filter}(), ${JSON.stringify(article("AgentFilter"))})`;
+				const read = `$options(${receiver}, ${name}, new ${filter}(), ${JSON.stringify(article("AgentFilter"))})`;
 				return [`if (${name} != null && !${this.#typeTest(parameter.type, name)}) ${name} = ${read};`];
 			}
 			case "AgentFilter":
 			case "WalkOptions": {
 				const options = this.#reference(`starlogo.queries.${parameter.type}`);
 				return [
-					...parameter.type === "WalkOptions" ? [`$warnOfUnits(${name});`] : [],
 					`if (${name} instanceof ${options}) $warnOfUnknownProperties(${name});`,
-					`else if (${name} != null) ${name} = $options(${where}, ${name}, new ${options}(), ${JSON.stringify(article(parameter.type))});`,
+					`else if (${name} != null) ${name} = $options(${receiver}, ${name}, new ${options}(), ${JSON.stringify(article(parameter.type))});`,
+					...parameter.type === "WalkOptions" ? [`$warnOfUnits(${name});`] : [],
 				];
 			}
 			default: {
@@ -141,8 +141,8 @@ export class Checks {
 	}
 
 	/**
-	 * What an error says about where an argument was passed, as text of the module: where has the object's text too, if it has one. said is a
-	 * constant, unless the check has to be written in place.
+	 * What an error says about where an argument was passed, as text of the module: the receiver, if its text identifies it, with the argument's name;
+	 * and the name with that of the member, which is a constant unless the check has to be written in place.
 	 */
 	#placeOf(type, member, name) {
 		const isStatic = member.isStatic || member.kind === "function";
@@ -154,32 +154,25 @@ export class Checks {
 		const what = member.kind === "set" ? member.name : name;
 		// the game knows a setting as that of the class that it made, which may extend this one
 		const isExtended = member.kind === "set" && !isStatic && [...this.#byName.values()].some((each) => each.bases.includes(type.name));
-		const said = isExtended ? `\`\${this.constructor.name}.${member.name}\`` : `"${member.kind === "set" ? path : `${path}: ${name}`}"`;
-		return { where: isNamed ? `this, "${what}"` : `null, ${said}`, said, isInPlace: isNamed || isExtended };
+		const qualifiedName = isExtended ? `\`\${this.constructor.name}.${member.name}\`` : `"${member.kind === "set" ? path : `${path}: ${name}`}"`;
+		return { receiver: isNamed ? `this, "${what}"` : `null, ${qualifiedName}`, qualifiedName, inline: isNamed || isExtended };
 	}
 
 	// The function of the stand-ins for a type, the same check in place, and the required kind. Agents get the check in place, because they are
 	// checked and moved in loops.
-	#simpleCheck({ name, type: wanted, value }, member, type) {
+	#simpleCheck({ name, type: wanted }, member, type) {
 		const isNoNumber = `typeof ${name} !== "number"`;
-		switch (wanted) {
-			case "Number":
-				if (takesInfinity({ name, value }, member, type) || type.qname.startsWith("flash.")) return ["$aNumber", isNoNumber, "a number"];
-				return ["$aFiniteNumber", `${isNoNumber} || ${name} - ${name} !== 0`, member.name === "color" ? "0xRRGGBB, a number" : "a number"];
-			case "int":
-				if (name === "offset") return ["$anOffset", `${isNoNumber} || ${name} !== (${name} & 0x7fffffff)`, "a whole number, 0 or more"];
-				return ["$anInt", `${isNoNumber} || ${name} !== (${name} | 0)`, "a whole number"];
-			case "uint":
-				return ["$aUint", `${isNoNumber} || ${name} !== ${name} >>> 0`, "a whole number"];
-			case "Boolean":
-				return ["$aBoolean", `typeof ${name} !== "boolean"`, "true or false"];
-			case "String":
-				return ["$aString", `typeof ${name} !== "string"`, "a string"];
-			case "Function":
-				return ["$aFunction", `typeof ${name} !== "function"`, "a function"];
-			default:
-				return null;
-		}
+		const isFinite = member.isField || CHECKED_HERE.has(type.name);
+		const number = isFinite ? ["$aFiniteNumber", `${isNoNumber} || ${name} - ${name} !== 0`] : ["$aNumber", isNoNumber];
+		const offset = ["$anOffset", `${isNoNumber} || ${name} !== (${name} & 0x7fffffff)`, "a whole number, 0 or more"];
+		return {
+			Number: [...number, member.name === "color" ? "0xRRGGBB, a number" : "a number"],
+			int: name === "offset" ? offset : ["$anInt", `${isNoNumber} || ${name} !== (${name} | 0)`, "a whole number"],
+			uint: ["$aUint", `${isNoNumber} || ${name} !== ${name} >>> 0`, "a whole number"],
+			Boolean: ["$aBoolean", `typeof ${name} !== "boolean"`, "true or false"],
+			String: ["$aString", `typeof ${name} !== "string"`, "a string"],
+			Function: ["$aFunction", `typeof ${name} !== "function"`, "a function"],
+		}[wanted];
 	}
 
 	#typeTest(typeName, name) {
@@ -188,16 +181,16 @@ export class Checks {
 		return MARKED.has(type.qname) ? `$isMarked(${name}, "$is${type.name}")` : `(${name} instanceof ${this.#reference(type.qname)})`;
 	}
 
-	#vectorCheck({ name }, element, isNullable, where, hasNulls, isSetting) {
+	#vectorCheck({ name }, element, isNullable, receiver, hasNulls, isSetting) {
 		const unlessNull = isNullable ? `if (${name} != null) ` : "";
 		// The engine checks the agents of a frame when it first meets them. That is once, as long as a list stays the same.
-		if (name === "out" || element === "Agent" && !isSetting) return [`${unlessNull}$checkList(${where}, ${name});`];
-		if (/^(Number|int|uint)$/.test(element)) return [`${name} = $numbers(${where}, ${name}, "${element}", ${isNullable});`];
-		const checked = (kind, test) => [`${unlessNull}$checkList(${where}, ${name}, "${kind}", (each) => ${test});`];
+		if (name === "out" || element === "Agent" && !isSetting) return [`${unlessNull}$checkList(${receiver}, ${name});`];
+		if (/^(Number|int|uint)$/.test(element)) return [`${name} = $numbers(${receiver}, ${name}, "${element}", ${isNullable});`];
+		const checked = (kind, test) => [`${unlessNull}$checkList(${receiver}, ${name}, "${kind}", (each) => ${test});`];
 		if (element === "String") return checked("a string", `${hasNulls ? "each === null || " : ""}typeof each === "string"`);
 		if (element === "Vector3D") return checked("a Vector3D", `each instanceof ${this.#reference("flash.geom.Vector3D")}`);
 		const test = this.#typeTest(element, "each");
-		if (!test) return [`${unlessNull}$checkList(${where}, ${name});`];
+		if (!test) return [`${unlessNull}$checkList(${receiver}, ${name});`];
 		// nobody among agents does no harm: a shot may have no shooter
 		const orNobody = element === "Agent" ? "each == null || " : "";
 		return checked(article(element), `${orNobody}${test}`);
@@ -219,13 +212,13 @@ function switchesOf(type, member) {
 	const taken = booleans.map(({ name }) => `"${name}": ${name}`).join(", ");
 	const initial = booleans.map(({ name, value }) => `"${name}": ${value}`).join(", ");
 	const read = `$options(null, "${type.name}.${member.name}: options", ${first}, { ${initial} }, "true, false or options")`;
-	return [`if ($areOptions(${first})) ({ ${taken} } = ${read});`];
+	return [`if ($isObject(${first})) ({ ${taken} } = ${read});`];
 }
 
 function optionsOf({ name }) {
-	const asListener = "if ($areOptions(useCapture)) return $listen(this, type, listener, useCapture, priority);";
+	const asListener = "if ($isObject(useCapture)) return $listen(this, type, listener, useCapture, priority);";
 	if (name === "addEventListener") return ["$warnOfEvent(this, type);", asListener];
-	return name === "removeEventListener" ? ["if ($areOptions(useCapture)) useCapture = false;"] : [];
+	return name === "removeEventListener" ? ["if ($isObject(useCapture)) useCapture = false;"] : [];
 }
 
 /** Where a literal is likely to be passed, the text says how such an object is made. */
@@ -248,11 +241,4 @@ function mayBeNull(parameter, member, type) {
 	const isAnswered = /^(?:flash|starlogo\.blocks)\./.test(type.qname) || /^Vector\.<(?:Number|u?int)>$/.test(parameter.type);
 	if (isAnswered) return /\bnull\b/.test(member.doc) || /^(?:Agent|ByteArray|Function|Model|String)$/.test(parameter.type);
 	return ANSWERED.has(parameter.type) || /\bnull\b/.test(member.kind === "set" ? member.doc : docOfParameter(parameter.name, member.doc));
-}
-
-/** Whether a number may be infinite, for example a distance without limit, or is checked by the engine. */
-function takesInfinity(parameter, member, type) {
-	const isInfinite = (each) => each.name === parameter.name && /Infinity/.test(each.value ?? "");
-	if (type.members.some((each) => each.parameters.some(isInfinite))) return true;
-	return /Infinity/.test(parameter.value ?? "") || /\bInfinity\b|\binfinite\b|@throws \w*Error/.test(member.doc);
 }

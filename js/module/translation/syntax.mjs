@@ -93,7 +93,8 @@ export function forEach(first, second) {
 	if (second?.type !== "ForInStatement") throw new Error("a \"for each\" is not as expected");
 	const [variable, ...rest] = second.body.body;
 	const isDeclared = variable.type === "VariableDeclaration";
-	return { variable: isDeclared ? variable.declarations[0].id : variable.expression.left, isDeclared, over: declared.init, body: { type: "BlockStatement", body: rest, start: second.body.start, end: second.body.end } };
+	const body = { type: "BlockStatement", body: rest, start: second.body.start, end: second.body.end };
+	return { variable: isDeclared ? variable.declarations[0].id : variable.expression.left, isDeclared, over: declared.init, body };
 }
 
 /** A comment without the parts that only describe types to the compiler. */

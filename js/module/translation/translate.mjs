@@ -36,7 +36,8 @@ export class Program {
 	 * @param files the compiler's files: { file, source }
 	 * @param externals names from elsewhere: { "flash.utils.ByteArray": "ByteArray" }
 	 * @param signatures the public declarations, by qualified name. Their parameters are checked, and accept more forms than in ActionScript
-	 * @param isForTests whether it is for the engine's own tests, which are ActionScript: all statics are accessible, casts stay checked, methods return ByteArrays
+	 * @param isForTests whether it is for the engine's own tests, which are ActionScript: all statics are accessible, casts stay checked, methods
+	 * return ByteArrays
 	 */
 	constructor(files, externals, signatures = new Map(), isForTests = false) {
 		this.externals = externals;
@@ -139,7 +140,9 @@ export class Program {
 	#definitionText(unit) {
 		const doc = this.#docOf(unit, unit.doc);
 		if (unit.kind === "interface") return this.#interfaceText(unit);
-		if (unit.kind === "function") return `${doc}function ${this.shortName(unit.qname)}${this.#bodies.functionText(unit.main, unit.doc)}${this.#wrapperText(unit)}`;
+		if (unit.kind === "function") {
+			return `${doc}function ${this.shortName(unit.qname)}${this.#bodies.functionText(unit.main, unit.doc)}${this.#wrapperText(unit)}`;
+		}
 		const text = unit.base === "Error" ? withPrivateFields(this.#classText(unit)) : this.#classText(unit);
 		return `${this.#showsState(unit) ? `const ${this.shortName(unit.qname)} = /* @__PURE__ */ $shown(${text});` : doc + text}${this.#functionsText(unit)}`;
 	}
@@ -218,7 +221,8 @@ export class Program {
 			} else {
 				const taken = this.#checks.of(unit.qname, member.name, member.kind);
 				const text = this.#bodies.functionText(member.node, member.doc, taken);
-				lines.push(`${this.#docOf(unit, member.doc)}${prefix}${name}${!this.isForTests && RETURNS_UINT8ARRAY.has(`${unit.qname}.${member.name}`) ? asPlainBytes(text) : text}`);
+				const returnsBytes = !this.isForTests && RETURNS_UINT8ARRAY.has(`${unit.qname}.${member.name}`);
+				lines.push(`${this.#docOf(unit, member.doc)}${prefix}${name}${returnsBytes ? asPlainBytes(text) : text}`);
 			}
 		}
 		if (ONLY_IN_JAVASCRIPT[unit.qname]) lines.push(ONLY_IN_JAVASCRIPT[unit.qname].text);
@@ -266,7 +270,8 @@ export class Program {
 	/** The definition of the class that declares a static which is a variable or function of the module: the named class, or one that it extends; or null. */
 	ownerOf(qname, name) {
 		for (let unit = this.#units.get(qname); unit; unit = this.#units.get(unit.base)) {
-			if (unit.staticValues.some((field) => field.name === name) || unit.members.some((member) => member.name === name && this.#isFunction(unit, member))) return unit;
+			const isValue = unit.staticValues.some((field) => field.name === name);
+			if (isValue || unit.members.some((member) => member.name === name && this.#isFunction(unit, member))) return unit;
 		}
 		return null;
 	}

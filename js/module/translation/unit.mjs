@@ -1,6 +1,6 @@
 /** Reads the definitions in one of the compiler's files. */
 import { parse } from "acorn";
-import { caughtIn } from "./caught.mjs";
+import { caughtIn } from "./catches.mjs";
 import { isWithin, lazyValue, nameOf, pathOf } from "./syntax.mjs";
 
 /**

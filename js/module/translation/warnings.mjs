@@ -3,7 +3,7 @@
  * ../../standins/module/warnings.
  */
 
-/** What a method or a setting calls first. addModel looks at its object's properties, because settings are often made just before. */
+/** What a method or a setting calls after its checks. addModel looks at its object's properties, because settings are often made just before. */
 const WARNINGS = new Map([
 	...sameFor(["GreatLand.addModel", "queries.LevelShapes.addModel"], [
 		"$warnOfUnknownProperties(this, true);",
@@ -13,9 +13,9 @@ const WARNINGS = new Map([
 	["queries.LevelShapes.addStructure", ["$warnOfUnknownProperties(this, true);"]],
 	["collision.Collision.update", [
 		"$warnOfTime(\"Collision.update\", arguments);",
+		"$warnOfNewAgents(this, agents);",
 		"$warnOfSilence(this, agents);",
 		"$warnOfShots(agents);",
-		"$warnOfNewAgents(this, agents);",
 		"$warnOfLaterProperties(this, agents);",
 	]],
 	...sameFor(["collision.Collision.onCollision", "collision.Collision.onCollisionStart", "collision.Collision.onCollisionEnd"], [
@@ -53,7 +53,7 @@ const ASKING = /^starlogo\.queries\.Agent(?:Places|Queries|Rays)$/;
 /** The angles that an agent is turned by. */
 const ANGLES = /^starlogo\.agents\.Agent\.(?:heading|pitch|roll)$/;
 
-/** What a member says first, about what is allowed and probably a mistake. */
+/** What a member says after its checks, about what is allowed and probably a mistake. */
 export function warningsOf(qname, name, kind, parameters) {
 	if (kind === "constructor") return warningsOfConstructor(qname, name, parameters);
 	if (kind === "set" && ANGLES.test(`${qname}.${name}`)) return [`$warnOfAngle(this, "${name}", value);`];
@@ -62,7 +62,7 @@ export function warningsOf(qname, name, kind, parameters) {
 	return [...isQuestion ? ["$warnOfStale(this._seen, null, null);"] : [], ...warningsOfMember(qname, name)];
 }
 
-/** What a method, or a setting that gets another value, says first. */
+/** What a method, or a setting that gets another value, says then. */
 export function warningsOfMember(qname, name) {
 	return WARNINGS.get(`${qname}.${name}`) ?? [];
 }

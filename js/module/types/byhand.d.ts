@@ -35,50 +35,55 @@ export type UpAxis = "x" | "y" | "z" | ModelTransform;
 /** How a model is scaled. */
 export type Scaling = typeof Model.FOOTPRINT | typeof Model.VOLUME | typeof Model.AS_GIVEN;
 
-/** The type F, where the compiler must not infer it. */
-export type Uninferred<F> = [F][F extends unknown ? 0 : never];
+/** A type, where the compiler must not infer it. */
+export type NoInfer<Type> = [Type][Type extends unknown ? 0 : never];
 
-/** A list that a question fills with agents of class F. A list of only some of them is refused: it would hold the others too. */
-export type Filled<F> = (Uninferred<F>[] & { push: (...agents: Uninferred<F>[]) => number }) | never[];
+/** A list that a question fills with agents of a class. A list of only some of them is refused: it would hold the others too. */
+export type Filled<FoundAgent> = (NoInfer<FoundAgent>[] & { push: (...agents: NoInfer<FoundAgent>[]) => number }) | never[];
+
+/** What is taken for a handler of collisions. Those of ends get null in place of the contact. */
+export type Handler<ColliderAgent extends Agent = Agent, CollideeAgent extends Agent = Agent> = (
+	collider: ColliderAgent, collidee: CollideeAgent, contact: Contact
+) => void;
 
 /**
- * What is taken for an AgentFilter: one, or a literal with some of its properties. If `accepts` is a type guard, F is its class. N are the names in
- * `breeds`.
+ * What is taken for an AgentFilter: one, or a literal with some of its properties. The second type is the class of an `accepts` that is a type guard, the
+ * third one the names in `breeds`.
  */
-export interface AgentFilterInit<A extends Agent = Agent, F extends A = A, N extends string = string> {
+export interface AgentFilterInit<GameAgent extends Agent = Agent, FoundAgent extends GameAgent = GameAgent, Name extends string = string> {
 	/** Only agents of these breeds count. If the list is empty, no agent counts. */
-	breeds?: readonly N[] | null | undefined;
+	breeds?: readonly Name[] | null | undefined;
 	/** Agents of these breeds do not count. */
 	exceptBreeds?: readonly string[] | null | undefined;
 	/** These agents do not count. Null among them is nobody. */
 	except?: readonly (Agent | null | undefined)[] | null | undefined;
 	/** Returns true if an agent counts. It is called last, for as few agents as the answer needs: see {@link AgentFilter.accepts}. */
-	accepts?: ((agent: A) => agent is F) | { accept(agent: A): boolean }["accept"] | null | undefined;
+	accepts?: ((agent: GameAgent) => agent is FoundAgent) | { accept(agent: GameAgent): boolean }["accept"] | null | undefined;
 }
 
 /** What is taken for WalkOptions: an object of this class, or a literal with some of its properties. */
-export type WalkOptionsInit<A extends Agent = Agent> = {
-	[K in keyof WalkOptions]?: (K extends "filter" ? AgentFilterInit<A> | null : WalkOptions[K]) | undefined;
+export type WalkOptionsInit<GameAgent extends Agent = Agent, Name extends string = string> = {
+	[Key in keyof WalkOptions]?: (Key extends "filter" ? AgentFilterInit<GameAgent, GameAgent, Name> | null : WalkOptions[Key]) | undefined;
 };
 
 /** The agents of a game, for their class or for the classes of its breeds: `{ heroes: Hero; coins: Coin }`. Of `object` nothing is known. */
-export type AgentsOf<B> = B extends Agent ? B : [keyof B] extends [never] ? Agent : Extract<B[keyof B], Agent>;
+export type AgentsOf<Breeds> = Breeds extends Agent ? Breeds : [keyof Breeds] extends [never] ? Agent : Extract<Breeds[keyof Breeds], Agent>;
 
 /** The names that handlers take for breeds: those that have classes and the engine's own, or any if it is not known which there are. */
-export type BreedOf<B> = B extends Agent ? string : (keyof B & string) | "*" | "*terrain" | "*edge";
+export type BreedOf<Breeds> = Breeds extends Agent ? string : (keyof Breeds & string) | "*" | "*terrain" | "*edge";
 
 /** The agents of a breed, or of any breed. Those of the ground and of the edges of the world are of no class of the game's. */
-export type AgentOf<B, N> = N extends "*terrain" | "*edge" ? Agent : B extends Agent ? B : N extends keyof B ? Extract<B[N], Agent>
-	: N extends "*" ? AgentsOf<B> : Agent;
+export type AgentOf<Breeds, Name> = Name extends "*terrain" | "*edge" ? Agent : Breeds extends Agent ? Breeds
+	: Name extends keyof Breeds ? Extract<Breeds[Name], Agent> : Name extends "*" ? AgentsOf<Breeds> : Agent;
 
 /** A name in a filter's `breeds`. A name that the compiler knows has to be one of the game's breeds, if their classes are known. */
-export type NamedBreed<B, N extends string> = string extends N ? N : [N] extends [BreedOf<B>] ? N : BreedOf<B>;
+export type NamedBreed<Breeds, Name extends string> = string extends Name ? Name : [Name] extends [BreedOf<Breeds>] ? Name : BreedOf<Breeds>;
 
-/** What a question finds: agents of class F, and if the compiler knows the names in the filter's `breeds`, only those of these breeds. */
-export type Found<F, B, N> = string extends N ? F : Extract<F, AgentOf<B, N>>;
+/** What a question finds: agents of a class, and if the compiler knows the names in the filter's `breeds`, only those of these breeds. */
+export type Found<FoundAgent, Breeds, Name> = string extends Name ? FoundAgent : Extract<FoundAgent, AgentOf<Breeds, Name>>;
 
 /** An agent of the game, or the ground's, which is a plain Agent: `terrain.agent`. If the game has classes, `instanceof` tells them apart. */
-export type OrGround<A extends Agent = Agent> = A | Agent;
+export type OrGround<GameAgent extends Agent = Agent> = GameAgent | Agent;
 
 /** What is called with an event, which may be of a class of its own. */
 export type Listener = { listen(event: Event): void }["listen"];

@@ -17,8 +17,8 @@ const BY_NAME = new Map([
 	["TERRAIN", '"*terrain"'],
 	["buffers", "Record<string, Bytes>"],
 	["getQuaternion", "[x: number, y: number, z: number, w: number]"],
-	["collisionOrShapes", "Collision<B, A> | CollisionSystem | LevelShapes"],
-	["collisionOrSystem", "Collision<B, A> | CollisionSystem"],
+	["collisionOrShapes", "Collision<Breeds, GameAgent> | CollisionSystem | LevelShapes"],
+	["collisionOrSystem", "Collision<Breeds, GameAgent> | CollisionSystem"],
 	["edgeNames", "string[]"],
 	["picture", "Picture"],
 	["scaling", "Scaling"],
@@ -44,31 +44,38 @@ const NULL_IF_EMPTY = /\bnull only in an empty hit\b/;
 const HANDLER = /<code>function\(collider:Agent, collidee:Agent\):void<\/code>|@param handler\s+as in onCollision\b/;
 
 /** The type parameters of a class for a client's agents, of one with handlers, which may know a class for each breed, and of one with questions. */
-const OF_AGENTS = "<A extends Agent = Agent>";
-const OF_BREEDS = "<B extends Agent | { [K in keyof B]: Agent } = Agent, A extends Agent = AgentsOf<B>>";
-const OF_QUESTIONS = "<A extends Agent = Agent, B extends Agent | { [K in keyof B]: Agent } = A>";
+const OF_AGENTS = "<GameAgent extends Agent = Agent>";
+const OF_BREEDS = "<Breeds extends Agent | { [Name in keyof Breeds]: Agent } = Agent, GameAgent extends Agent = AgentsOf<Breeds>>";
+const OF_QUESTIONS = "<GameAgent extends Agent = Agent, Breeds extends Agent | { [Name in keyof Breeds]: Agent } = GameAgent>";
 
 /**
  * The type parameters of methods: the agents of a list, the breeds and agents of a handler, the agent of a footing, the breeds that a filter names,
  * and what a question finds. A method that took breeds without type parameters of its own would make a Collision with classes for breeds unfit for a
  * plain `Collision`.
  */
-const PICKING = "<A extends Agent>";
-const NAMING = "N extends BreedOf<B> = BreedOf<B>, M extends BreedOf<B> = BreedOf<B>>";
-const HANDLING = `<C extends AgentOf<B, N>, D extends AgentOf<B, M>, ${NAMING}`;
-const FILLING = "<O extends Agent = Agent>";
-const FILTERING = "N extends string = string>";
-const findingOf = (agent) => `<F extends ${agent} = ${agent}, ${FILTERING}`;
+const PICKING = "<GameAgent extends Agent>";
+const NAMING = "Name extends BreedOf<Breeds> = BreedOf<Breeds>, OtherName extends BreedOf<Breeds> = BreedOf<Breeds>>";
+const HANDLING = `<ColliderAgent extends AgentOf<Breeds, Name>, CollideeAgent extends AgentOf<Breeds, OtherName>, ${NAMING}`;
+const FILTERING = "Name extends string = string>";
+const FILLING = `<FootingAgent extends Agent = Agent, ${FILTERING}`;
+const findingOf = (agent) => `<FoundAgent extends ${agent} = ${agent}, ${FILTERING}`;
 
 /** What a question finds, and its filter. */
-const FOUND = "Found<F, B, N>";
-const filterOf = (agent, found) => `AgentFilterInit<${agent}, ${found}, NamedBreed<B, N>>`;
+const FOUND = "Found<FoundAgent, Breeds, Name>";
+const filterOf = (agent, found) => `AgentFilterInit<${agent}, ${found}, NamedBreed<Breeds, Name>>`;
+
+/** A Footing that a walk fills. */
+const ANY_FOOTING = "(Footing<FootingAgent> & ([Agent] extends [FootingAgent] ? unknown "
+	+ ': "a Footing of Agent, because a walker may stand on all agents and on the ground")) | null';
 
 /** Questions about places never find the ground. All others with a filter may. */
 const OF_PLACES = /^(?:n|countN)ear|^inCone$/;
 
 /** An agent that such a question finds. */
-const OR_GROUND = "OrGround<A>";
+const OR_GROUND = "OrGround<GameAgent>";
+
+/** The classes that a class has the questions of. */
+const PARTS = { AgentQueries: ["AgentPlaces", "AgentRays", "AgentMotions"] };
 
 /**
  * The text of index.d.ts.
@@ -110,7 +117,8 @@ function withValues(docs, { kind, parameters, result, initial }) {
 	return parameters.filter(({ value }) => value !== null && value !== "null").reduce((text, { name, value }) => {
 		const about = docOfParameter(name, text);
 		if (about === "" || /\bwithout it\b/.test(about)) return text;
-		return text.replace(`@param ${name} ${about}`, () => `@param ${name} ${about.replace(/\.?\s*$/, "")}. Default: ${value.replace("Number.NEGATIVE_INFINITY", "-Infinity")}`);
+		const shown = value.replace("Number.NEGATIVE_INFINITY", "-Infinity");
+		return text.replace(`@param ${name} ${about}`, () => `@param ${name} ${about.replace(/\.?\s*$/, "")}. Default: ${shown}`);
 	}, docs);
 }
 
@@ -135,7 +143,9 @@ class Writer {
 		if (type.kind === "function") {
 			return `${docComment(type.doc, "")}export function ${type.name}(${this.#parameters(type)}): ${this.#type(type.result)};\n`;
 		}
-		const members = this.#membersOf(type).map((member) => this.#memberText(type, member));
+		const parts = (PARTS[type.name] ?? []).map((name) => this.#exported.get(name));
+		const ofParts = new Set(parts.flatMap((part) => this.#memberTexts(part)));
+		const members = this.#memberTexts(type).filter((text) => !ofParts.has(text));
 		const interfaces = type.interfaces.filter((name) => this.#exported.has(name));
 		const heritage = listText(" extends ", this.#basesOf(type)) + listText(" implements ", interfaces);
 		const hasHandlers = type.members.some((member) => HANDLER.test(docOf(type, member, this.#exported)));
@@ -144,12 +154,18 @@ class Writer {
 		if (ONLY_IN_JAVASCRIPT[type.qname]?.declaration) members.push(ONLY_IN_JAVASCRIPT[type.qname].declaration);
 		const modifiers = `${PLATFORM_NAMES.has(type.name) ? "declare" : "export"} ${isAbstract(type) ? "abstract " : ""}`;
 		const head = `${modifiers}${type.kind} ${type.name}${parameters}${heritage}`;
-		return `${this.#eventsText(type)}${docComment(type.doc, "")}${head} {\n${members.join("\n")}\n}\n`;
+		const merged = listText(" extends ", parts.map(({ name }) => `${name}<GameAgent, Breeds>`));
+		const partsText = merged && `\nexport interface ${type.name}${parameters}${merged} {}\n`;
+		return `${this.#eventsText(type)}${docComment(type.doc, "")}${head} {\n${members.join("\n")}\n}\n${partsText}`;
+	}
+
+	#memberTexts(type) {
+		return this.#membersOf(type).map((member) => this.#memberText(type, member));
 	}
 
 	#basesOf(type) {
 		const isKnown = (name) => this.#exported.has(name) || name === "Error";
-		return type.bases.filter(isKnown).map((name) => (this.#isGeneric(this.#exported.get(name)) ? `${name}<A>` : name));
+		return type.bases.filter(isKnown).map((name) => (this.#isGeneric(this.#exported.get(name)) ? `${name}<GameAgent>` : name));
 	}
 
 	#eventsText(type) {
@@ -177,7 +193,7 @@ class Writer {
 	#memberText(type, member) {
 		const isStatic = member.isStatic ? "static " : "";
 		const visible = member.isProtected ? "protected " : "";
-		this.#agent = this.#isGeneric(type) && !member.isStatic ? (this.#mayFindGround(member) ? OR_GROUND : "A") : "Agent";
+		this.#agent = this.#isGeneric(type) && !member.isStatic ? (this.#mayFindGround(member) ? OR_GROUND : "GameAgent") : "Agent";
 		const docs = docOf(type, member, this.#exported);
 		const takesLiteral = member.kind === "constructor" && TAKES_LITERAL.has(type.qname);
 		const text = docComment(takesLiteral ? `${docs}\n\n@param settings a literal with some of its properties` : withValues(docs, member), "\t");
@@ -187,7 +203,7 @@ class Writer {
 		}
 		const generic = this.#genericOf(member, docs);
 		// agents from a list of a client's agents have the client's class
-		if (generic === PICKING) this.#agent = "A";
+		if (generic === PICKING) this.#agent = "GameAgent";
 		const result = this.#resultOf(type, member, docs, generic === findingOf(this.#agent));
 		switch (member.kind) {
 			case "constructor":
@@ -207,7 +223,7 @@ class Writer {
 				return `${visible}\t${isStatic}set ${member.name}(value: ${union ?? this.#parameterType(member.parameters[0]) + orNull});`;
 			}
 			default:
-				if (member.result === "AgentPredicate") return `${text}\tget ${member.name}(): ${result};\n\tset ${member.name}(value: AgentFilterInit<A> | ${result});`;
+				if (member.result === "AgentPredicate") return `${text}\tget ${member.name}(): ${result};\n\tset ${member.name}(value: AgentFilterInit<GameAgent> | ${result});`;
 				if (member.kind === "var" && /^Vector\.<(?!Number|u?int)/.test(member.result) && !member.isStatic) {
 					// what is set may be a list that its owner does not change
 					return `${text}\tget ${member.name}(): ${result};\n\tset ${member.name}(value: readonly ${result});`;
@@ -245,7 +261,7 @@ class Writer {
 	/** What a question finds. The agents' class is not inferred from where they are stored: that would be a cast that nobody sees. */
 	#foundType(type) {
 		const [, list, found] = /^(Vector\.<)?(\w+)/.exec(type);
-		return (found === "Agent" ? `Uninferred<${FOUND}>` : `${found}<Uninferred<${FOUND}>>`) + (list ? "[]" : "");
+		return (found === "Agent" ? `NoInfer<${FOUND}>` : `${found}<NoInfer<${FOUND}>>`) + (list ? "[]" : "");
 	}
 
 	// "null for a mesh without a name" makes null an element
@@ -282,10 +298,11 @@ class Writer {
 		return member.parameters.map((parameter) => {
 			const { name, type, value, isRest } = parameter;
 			if (isRest) return `...${name}: string[]`;
-			if (generic.endsWith(NAMING) && /breed$/i.test(name)) return `${name}: ${name === "breed" ? "N" : "M"}`;
-			const isFinding = generic.startsWith("<F ");
+			if (generic.endsWith(NAMING) && /breed$/i.test(name)) return `${name}: ${name === "breed" ? "Name" : "OtherName"}`;
+			const isFinding = generic.startsWith("<FoundAgent ");
 			if (isFinding && type === "Vector.<Agent>") return `${name}?: Filled<${FOUND}> | null`;
-			if (generic.endsWith(FILTERING) && type === "AgentFilter") return `${name}?: ${filterOf(this.#agent, isFinding ? "F" : this.#agent)} | null`;
+			if (generic.endsWith(FILTERING) && type === "AgentFilter") return `${name}?: ${filterOf(this.#agent, isFinding ? "FoundAgent" : this.#agent)} | null`;
+			if (generic === FILLING && type === "WalkOptions") return `${name}?: WalkOptionsInit<${this.#agent}, NamedBreed<Breeds, Name>> | null`;
 			const text = this.#parameterType(parameter, this.#docsOf(member, parameter, owner));
 			return `${name}${value === null ? "" : "?"}: ${text}${parameter === booleans[0] ? literal : ""}`;
 		}).join(", ");
@@ -301,7 +318,7 @@ class Writer {
 
 	#parameterType(parameter, docs = "") {
 		// what is filled has to take the ground, too
-		if (parameter.type === "Footing" && this.#agent !== "Agent") return '(Footing<O> & ([Agent] extends [O] ? unknown : "a Footing of Agent, because a walker may stand on all agents and on the ground")) | null';
+		if (parameter.type === "Footing" && this.#agent !== "Agent") return ANY_FOOTING;
 		// who asks a question need not be in the list, and what it fills may have been made for any class of agents before
 		const agent = this.#agent;
 		const isForAny = parameter.type !== "SeenAgents" && this.#isGeneric(this.#exported.get(/^(?:Vector\.<)?(\w+)>?$/.exec(parameter.type)?.[1]));
@@ -337,7 +354,7 @@ class Writer {
 		const [, list, result] = /^\(([^)]*)\):(\S+)/.exec(text) ?? [null, "", "unknown"];
 		const parameters = list.split(",").filter((word) => word.trim() !== "").map((word) => {
 			const [name, type] = word.trim().split(":");
-			const own = this.#agent === "A" ? { collider: "C", collidee: "D" }[name] : undefined;
+			const own = this.#agent === "GameAgent" ? { collider: "ColliderAgent", collidee: "CollideeAgent" }[name] : undefined;
 			return `${name}: ${own ?? (type === "null" ? type : this.#type(type))}`;
 		});
 		return `(${parameters.join(", ")}) => ${this.#type(result)}`;
@@ -348,7 +365,7 @@ class Writer {
 		if (element) return `${this.#type(element)}[]`;
 		if (type === "Agent") return this.#agent;
 		const isOfAgents = this.#agent !== "Agent" && this.#isGeneric(this.#exported.get(type));
-		if (isOfAgents) return `${type}<${this.#agent}${hasQuestions(this.#exported.get(type)) ? ", B" : ""}>`;
+		if (isOfAgents) return `${type}<${this.#agent}${hasQuestions(this.#exported.get(type)) ? ", Breeds" : ""}>`;
 		return PRIMITIVES[type] ?? (this.#exported.has(type) || type === "ByteArray" ? type : "unknown");
 	}
 }

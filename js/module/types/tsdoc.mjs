@@ -13,8 +13,10 @@ const OF_PLAYERS = /Ruffle|Adobe|Flash|Away3D|SWF|SWC|avmshell|mxmlc|ASDoc|E4X/;
 function forJavaScript(text) {
 	const sentences = text.split(/(?<=\.)(?=\s)|(?=\n@)|(?=<p>)|(?<=<\/p>)/);
 	return sentences.filter((sentence) => !OF_PLAYERS.test(sentence.replaceAll(/<\/?p>/g, ""))).join("")
-		.replaceAll(/\s*\((?:the\s+)?(?:thesis\s+)?§[^)]*\)/g, "").replaceAll(/,? ?(?:in |of |as in )?(?:the )?thesis,? §[\d.]+/g, "").replaceAll(/\s*\(?§\s?[\d.]+[^\s)]*\)?/g, "")
-		.replaceAll(/\bflash\.\w+\.(?=[A-Z])/g, "").replaceAll(/\.\/antw cook/g, "npx starlogo-cook").replaceAll(/\bVector\.<(?:Number|int|uint)>/g, "an array of numbers").replaceAll(/\ba Vector\b/g, "an array")
+		.replaceAll(/\s*\((?:the\s+)?(?:thesis\s+)?§[^)]*\)/g, "")
+		.replaceAll(/,? ?(?:in |of |as in )?(?:the )?thesis,? §[\d.]+/g, "").replaceAll(/\s*\(?§\s?[\d.]+[^\s)]*\)?/g, "")
+		.replaceAll(/\bflash\.\w+\.(?=[A-Z])/g, "").replaceAll(/\.\/antw cook/g, "npx starlogo-cook")
+		.replaceAll(/\bVector\.<(?:Number|int|uint)>/g, "an array of numbers").replaceAll(/\ba Vector\b/g, "an array")
 		.replaceAll(/<code>(?:function)?\(([^)<]*)\):(\w+)<\/code>/g, (_, list, result) => `<code>(${list.replaceAll(/:(\w+)/g, (_, name) => `: ${nameHere(name)}`)}) => ${nameHere(result)}</code>`)
 		.replaceAll(/<listing[^>]*>[\s\S]*?<\/listing>/g, sampleForJavaScript);
 }
@@ -22,7 +24,8 @@ function forJavaScript(text) {
 /** A sample in JavaScript: without types, modifiers and the constants of events. */
 function sampleForJavaScript(code) {
 	return code.replaceAll(/(?<=[\w)]):(?:[A-Z][\w.]*|int|uint|void)(?:&lt;\w+&gt;)?/g, "")
-		.replaceAll(/\bfor \(var /g, "for (let ").replaceAll(/\bvar (\w+)( = [^;]*;)/g, (_, name, rest) => `${isAssignedLater(code, name) ? "let" : "const"} ${name}${rest}`)
+		.replaceAll(/\bfor \(var /g, "for (let ")
+		.replaceAll(/\bvar (\w+)( = [^;]*;)/g, (_, name, rest) => `${isAssignedLater(code, name) ? "let" : "const"} ${name}${rest}`)
 		.replaceAll(/\bnew &lt;\w+&gt;\[/g, "[").replaceAll(/\bpublic class\b/g, "class").replaceAll(/\b(?:(?:override|public|protected|private) )+function /g, "")
 		.replaceAll(/\b\w*Event\.([A-Z_]+)\b/g, (_, constant) => JSON.stringify(camelCase(constant)));
 }

@@ -26,7 +26,7 @@ export class ByteArray {
 
 	/** A ByteArray with the bytes of a ByteArray, an ArrayBuffer or a view of one. */
 	static from(source) {
-		return source === null || source === undefined || source instanceof ByteArray ? source : new ByteArray(source);
+		return source == null || source instanceof ByteArray ? source : new ByteArray(source);
 	}
 
 	/** The byte order of numbers: "bigEndian" or "littleEndian". */

@@ -38,10 +38,9 @@ export function $named(value, wanted = "") {
 
 /** Whether an object's class has the wanted name, but belongs to another copy of the engine. three.js's Sphere has no internal fields. */
 function isOfOtherCopy(value, wanted) {
-	const names = wanted.match(/\b[A-Z]\w*/g)?.filter((name) => name !== "ArrayBuffer") ?? [];
-	if (names.length === 0 || typeof value !== "object") return false;
-	for (let each = value; each !== null; each = Object.getPrototypeOf(each)) {
-		const type = Object.hasOwn(each, "constructor") ? each.constructor : null;
+	const names = wanted.match(/\b[A-Z]\w*/g) ?? [];
+	for (let each = value; each != null; each = Object.getPrototypeOf(each)) {
+		const type = Object.hasOwn(each, "constructor") && each.constructor;
 		if (names.includes(type?.name) && type !== globalThis[type.name] && Object.keys(value).some((key) => key.startsWith("_"))) return true;
 	}
 	return false;
@@ -107,7 +106,7 @@ export function $checkNumbers(names, ...values) {
 
 /** Whether an object's class has such a mark, in this copy of the engine. */
 export function $isMarked(value, mark) {
-	return typeof value === "object" && value !== null && value[mark] === $copy;
+	return value?.[mark] === $copy;
 }
 
 /** Throws if the value is no array, or if an element fails the test. `kind` is the required kind of an element, for example "an Agent". */
@@ -120,7 +119,9 @@ export function $checkList(target, name, list, kind = "", test = null) {
 
 /** A point or a vector that a public method takes: a Vector3D, or one with the x, y and z that something else has at the call. */
 export function $point(target, name, value) {
-	if (typeof value !== "object" || value === null || !("x" in value && "y" in value && "z" in value)) $refuse(target, name, value, "a Vector3D, or anything with x, y and z");
+	if (typeof value !== "object" || value === null || !("x" in value && "y" in value && "z" in value)) {
+		$refuse(target, name, value, "a Vector3D, or anything with x, y and z");
+	}
 	if (typeof value.x !== "number") $refuse(target, `${name}.x`, value.x, "a number");
 	if (typeof value.y !== "number") $refuse(target, `${name}.y`, value.y, "a number");
 	if (typeof value.z !== "number") $refuse(target, `${name}.z`, value.z, "a number");
@@ -132,14 +133,15 @@ const $KINDS = { Number: "a number", int: "an integer from -2147483648 to 214748
 
 /** The numbers for a Vector argument of a public method: an array, or a copy of a typed array as an array. */
 export function $numbers(target, name, list, type, isNullable) {
-	if (isNullable && (list === null || list === undefined)) return null;
+	if (isNullable && (list == null)) return null;
 	const isView = ArrayBuffer.isView(list) && !(list instanceof DataView);
 	if (!isView && !Array.isArray(list)) $refuse(target, name, list, "an array of numbers");
 	// Array.from takes three times as long
 	const numbers = !isView ? list : type === "Number" ? $doubles(list.length) : $vector(list.length, 0);
 	for (let i = 0; i < list.length; i++) {
 		const value = list[i];
-		if (typeof value !== "number" || type !== "Number" && value !== (type === "int" ? value | 0 : value >>> 0)) $refuse(target, `${name}[${i}]`, value, $KINDS[type]);
+		const isOfType = typeof value === "number" && (type === "Number" || value === (type === "int" ? value | 0 : value >>> 0));
+		if (!isOfType) $refuse(target, `${name}[${i}]`, value, $KINDS[type]);
 		if (isView) numbers[i] = value;
 	}
 	return numbers;
@@ -147,7 +149,7 @@ export function $numbers(target, name, list, type, isNullable) {
 
 /** The bytes for an argument of a public method: a ByteArray. An ArrayBuffer or a view of one is converted to one. */
 export function $bytes(target, name, value, isNullable) {
-	if (isNullable && (value === null || value === undefined)) return null;
+	if (isNullable && (value == null)) return null;
 	const areBytes = value instanceof ByteArray || ArrayBuffer.isView(value) || /ArrayBuffer\]$/.test(Object.prototype.toString.call(value));
 	if (!areBytes) $refuse(target, name, value, "an ArrayBuffer, a view of one, or a ByteArray");
 	return ByteArray.from(value);
@@ -155,7 +157,7 @@ export function $bytes(target, name, value, isNullable) {
 
 /** The bytes by name for an argument of a public method: a ByteArray under each name, or null if there are none. */
 export function $bytesByName(target, name, value) {
-	if (value === null || value === undefined) return null;
+	if (value == null) return null;
 	if (typeof value !== "object") $refuse(target, name, value, "an object with bytes under each name");
 	return Object.fromEntries(Object.entries(value).map(([key, bytes]) => [key, $bytes(target, `${name}[${JSON.stringify(key)}]`, bytes, true)]));
 }

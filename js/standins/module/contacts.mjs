@@ -14,9 +14,14 @@ function mayTakeMore(handler) {
 	return /\.\.\.|=/.test(parametersOf(text)) || /^[\s*]*(?:async\b[\s*]*)?\[|\barguments\b|\[native code\]/.test(text);
 }
 
-/** What is between the parentheses of a function's parameters, of which default values may have others. Comments, quoted names and texts are left out. */
+/**
+ * A function's parameters: what is between their parentheses, of which default values may have others, or the one of an arrow function without them.
+ * Comments, quoted names and texts are left out.
+ */
 export function parametersOf(code) {
 	const text = code.replaceAll(/\/\*[^]*?\*\/|\/\/.*|"(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])*'/g, "");
+	const [head] = text.split("=>");
+	if (!head.includes("(")) return head;
 	const start = text.indexOf("(");
 	let end = start;
 	for (let depth = 0; end < text.length; end++) {

@@ -52,26 +52,16 @@ export function $resize(vector, length, zero) {
 /** The values for a `for each`: the elements of an array, or the values of an object. Nothing for null. */
 export function $values(list) {
 	if (Array.isArray(list)) return list;
-	if (list === null || list === undefined) return [];
+	if (list == null) return [];
 	return typeof list[Symbol.iterator] === "function" ? list : Object.values(list);
 }
 
+const typeNames = /* @__PURE__ */ new Map([[String, "string"], [Number, "number"], [Boolean, "boolean"], [Function, "function"]]);
+
 /** `value is type`. */
 export function $is(value, type) {
-	switch (type) {
-		case Object:
-			return value !== null && value !== undefined;
-		case String:
-			return typeof value === "string";
-		case Number:
-			return typeof value === "number";
-		case Boolean:
-			return typeof value === "boolean";
-		case Function:
-			return typeof value === "function";
-		default:
-			return value instanceof type;
-	}
+	if (type === Object) return value != null;
+	return typeNames.has(type) ? typeof value === typeNames.get(type) : value instanceof type;
 }
 
 /** `value as type`. */
@@ -81,7 +71,7 @@ export function $as(value, type) {
 
 /** `Type(value)`. */
 export function $cast(value, type) {
-	if (value === null || value === undefined) return null;
+	if (value == null) return null;
 	if (value instanceof type) return value;
 	throw new TypeError(`Error #1034: Type Coercion failed: cannot convert ${value} to ${type.name}.`);
 }
@@ -135,7 +125,7 @@ export function $taken(object, name) {
 
 /** Converts a value for a variable of type String. */
 export function $string(value) {
-	return value === null || value === undefined ? null : String(value);
+	return value == null ? null : String(value);
 }
 
 const DESCENDING = 2;

@@ -1,11 +1,15 @@
 /** Members that take a literal in JavaScript: options, filters, and what the platform passes to addEventListener. */
-import { $refuse } from "./checks.mjs";
+import { $aBoolean, $refuse } from "./checks.mjs";
 import { ArgumentError } from "./language.mjs";
 import { $stateOf } from "./shown.mjs";
-import { $hintOfOption, $hintOfOptions, $hintOfSetting } from "./warnings/spelling.mjs";
+import { $hintOfOptions, $refuseSetting } from "./warnings/spelling.mjs";
+
+/** The names of the options that objects of a class have. */
+const $optionNames = /* @__PURE__ */ new WeakMap();
 
 /**
- * Options or a filter that a public method receives as a literal: a copy, whose setters check the values. An undefined value counts as absent.
+ * Options or a filter that a public method receives as a literal: a copy, whose setters check the values. An undefined value counts as absent, and an
+ * inherited one as given.
  *
  * @param given the literal
  * @param defaults an object of the class that has the options; it receives the values
@@ -13,38 +17,51 @@ import { $hintOfOption, $hintOfOptions, $hintOfSetting } from "./warnings/spelli
  */
 export function $options(target, name, given, defaults, kind) {
 	const where = target === null ? name : `${target}: ${name}`;
-	if (typeof given !== "object" || given === null || Array.isArray(given)) $refuse(null, where, given, kind);
+	if (!$isObject(given) || Array.isArray(given)) $refuse(null, where, given, kind);
+	const type = defaults.constructor;
+	const names = type !== Object && $optionNames.get(type) || Object.keys($stateOf(defaults));
+	$optionNames.set(type, names);
 	for (const key of Object.keys(given)) {
-		if (!(key in defaults)) {
-			if (/^[_$]/.test(key)) $refuse(null, where, given, kind);
-			const names = Object.keys($stateOf(defaults));
-			throw new ArgumentError(`${where}.${key} is no option; ${$hintOfOptions(name, given, key, names) || $hintOfOption(key, names)}there are ${names.join(", ")}`);
-		}
-		if (given[key] === undefined) continue;
+		// an object of the same class has fields of its own
+		const isInner = /^[_$]/.test(key);
+		if (names.includes(key) || isInner && key in defaults) continue;
+		if (isInner) $refuse(null, where, given, kind);
+		throw new ArgumentError(`${where}.${key} is no option; ${$hintOfOptions(name, given, key, names)}there are ${names.join(", ")}`);
+	}
+	for (const key of names) {
+		const value = given[key];
+		if (value === undefined) continue;
 		try {
-			defaults[key] = given[key];
+			defaults[key] = value;
 		} catch (error) {
-			throw $hintOfSetting(where, error) || error;
+			$refuseSetting(where, error);
+			throw error;
 		}
 	}
 	return defaults;
 }
 
-/** Whether an object was passed instead of a Boolean: the options of the platform's own addEventListener. */
-export function $areOptions(value) {
+/** Whether an argument is an object. In place of a Boolean it has options. */
+export function $isObject(value) {
 	return typeof value === "object" && value !== null;
+}
+
+/** Refuses what is no AbortSignal and not null. */
+function $aSignal(name, value) {
+	if (value !== null && typeof value.addEventListener !== "function") $refuse(null, name, value, "an AbortSignal");
 }
 
 /** `addEventListener(type, listener, { once, capture, signal }, priority)`. Events have no phases, so capture is ignored. */
 export function $listen(target, type, listener, given, priority) {
 	const { once, signal } = $options(null, "addEventListener: options", given, { once: false, capture: false, signal: null }, "a literal such as { once: true }");
+	$aBoolean("addEventListener: options.once", once);
+	$aSignal("addEventListener: options.signal", signal);
 	if (signal?.aborted) return;
-	const isOwn = (each) => each.call === listener && !each.isCapturing;
-	const isKnown = target.$listenersTo(type).some(isOwn);
+	if (target.$recordOf(type, listener, false) !== null) return;
 	target.addEventListener(type, listener, false, priority);
-	if (isKnown) return;
-	target.$listenersTo(type).find(isOwn).isOnce = once;
-	signal?.addEventListener("abort", () => target.removeEventListener(type, listener), { once: true });
+	const added = target.$recordOf(type, listener, false);
+	added.isOnce = once;
+	signal?.addEventListener("abort", () => target.$removeRecord(type, added), { once: true });
 }
 
 /** `loader.loadAsync(name, url, { upAxis, scaling, signal })`. */
@@ -52,6 +69,7 @@ export function $loadAsync(loader, name, url, given) {
 	return new Promise((resolve, reject) => {
 		const defaults = { upAxis: "z", scaling: "footprint", signal: null };
 		const { upAxis, scaling, signal } = $options("ModelLoader.loadAsync", "options", given, defaults, "a literal such as { upAxis: \"y\" }");
+		$aSignal("ModelLoader.loadAsync: options.signal", signal);
 		signal?.throwIfAborted();
 		loader.load(name, url, upAxis, scaling);
 		const load = loader._loads.at(-1);

@@ -58,24 +58,19 @@ export function classNameOf(value) {
 	return value.constructor.name;
 }
 
-/** Fetches a file like fetchFile, but passes a ByteArray. */
-export function fetchBytes(url, onProgress, onDone, onError) {
-	return fetchFile(url, onProgress, (bytes) => onDone(new ByteArray(bytes)), onError);
-}
-
 /**
  * Fetches a file.
  *
  * @param url its address
  * @param onProgress called with the number of bytes that have arrived and of all bytes, 0 if that is not known
- * @param onDone called with the bytes, a Uint8Array
+ * @param onDone called with the bytes, a ByteArray
  * @param onError called with the problem
  * @returns a function that stops it
  */
 export function fetchFile(url, onProgress, onDone, onError) {
 	const controller = new AbortController();
 	read(url, controller.signal, onProgress).then(
-		(bytes) => controller.signal.aborted || onDone(bytes),
+		(bytes) => controller.signal.aborted || onDone(new ByteArray(bytes)),
 		(error) => controller.signal.aborted || onError(String(error?.message ?? error)),
 	);
 	return () => controller.abort();
@@ -84,7 +79,8 @@ export function fetchFile(url, onProgress, onDone, onError) {
 async function read(url, signal, onProgress) {
 	const response = await fetch(url, { signal }).catch((error) => {
 		// a page has an address that others may be relative to
-		throw typeof location === "object" || /^[a-z][a-z\d+.-]*:/i.test(url) ? error : new Error("an address has to be absolute here; read the file, and give its bytes to loadBytes()");
+		if (typeof location === "object" || /^[a-z][a-z\d+.-]*:/i.test(url)) throw error;
+		throw new Error("an address has to be absolute here; read the file, and give its bytes to loadBytes()");
 	});
 	if (!response.ok) throw new Error(`${response.status} ${response.statusText}`.trim());
 	const total = Number(response.headers.get("content-length") ?? 0);
@@ -109,35 +105,34 @@ async function read(url, signal, onProgress) {
 
 /** Reads bytes from the page's local storage; null if there are none, or no storage. */
 export function readLocal(name) {
-	try {
-		const text = localStorageOfPage()?.getItem(name) ?? null;
+	return withStorage((storage) => {
+		const text = storage.getItem(name);
 		return text === null ? null : new ByteArray(Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0)));
-	} catch {
-		return null;
-	}
+	}, null);
 }
 
 /** Writes bytes to the page's local storage. Returns whether they are stored. */
 export function writeLocal(name, bytes) {
-	try {
-		const storage = localStorageOfPage();
-		storage?.setItem(name, btoa(Array.from(bytes.toUint8Array(), (byte) => String.fromCharCode(byte)).join("")));
-		return storage !== null;
-	} catch {
-		return false;
-	}
+	return withStorage((storage) => {
+		storage.setItem(name, btoa(Array.from(bytes.toUint8Array(), (byte) => String.fromCharCode(byte)).join("")));
+		return true;
+	}, false);
 }
 
 /** Removes an entry from the page's local storage. */
 export function removeLocal(name) {
-	try {
-		localStorageOfPage()?.removeItem(name);
-	} catch {
-		// storage is switched off, so there is no entry
-	}
+	withStorage((storage) => storage.removeItem(name));
 }
 
-/** Node's own storage is shared by all programs of a machine, so it is not used. */
-function localStorageOfPage() {
-	return typeof document === "object" ? globalThis.localStorage : null;
+/**
+ * Uses the page's local storage, which may be absent, switched off or full. Node's own storage is shared by all programs of a machine, so it is not
+ * used.
+ */
+function withStorage(use, otherwise) {
+	try {
+		const storage = typeof document === "object" ? globalThis.localStorage : null;
+		return storage ? use(storage) : otherwise;
+	} catch {
+		return otherwise;
+	}
 }

@@ -6,10 +6,7 @@ export function $stateOf(object) {
 	const note = (name, value) => {
 		if (!/^[_$]/.test(name) && typeof value !== "function") state[name] = value;
 	};
-	const chain = [];
-	let type = object;
-	while ((type = Object.getPrototypeOf(type)) && type !== Object.prototype) chain.unshift(type);
-	for (const [name, { get, set }] of chain.flatMap((each) => Object.entries(Object.getOwnPropertyDescriptors(each)))) {
+	for (const [name, { get, set }] of $inheritedBy(object)) {
 		try {
 			const value = get?.call(object);
 			if (get && (set || typeof value !== "object" || value === null)) note(name, value);
@@ -19,6 +16,12 @@ export function $stateOf(object) {
 	}
 	for (const name of Object.keys(object)) note(name, object[name]);
 	return state;
+}
+
+/** The names and descriptors of what an object's classes have, those of the farthest base first. */
+export function $inheritedBy(object) {
+	const type = Object.getPrototypeOf(object);
+	return type && type !== Object.prototype ? [...$inheritedBy(type), ...Object.entries(Object.getOwnPropertyDescriptors(type))] : [];
 }
 
 /** What is shown of each object: always the same, so that tools see that an object names itself. */
@@ -38,9 +41,8 @@ export function $shown(type) {
 function shownOf(object) {
 	let state = shown.get(object);
 	if (state === undefined) {
-		const Shown = class {};
-		Object.defineProperty(Shown, "name", { value: object.constructor.name });
-		state = new Shown();
+		const { name } = object.constructor;
+		state = new ({ [name]: class {} }[name])(); // which gives the class its name
 		shown.set(object, state);
 	}
 	for (const key of Object.keys(state)) delete state[key];

@@ -22,7 +22,7 @@ export function $warnOfAngle(agent, name, value) {
  */
 function $lookAtAngle(agent, name, value) {
 	const before = agent[name];
-	if (typeof value !== "number" || value === 0 || before === value) return;
+	if (value === 0 || before === value) return;
 	$anglesSeen.count++;
 	$anglesSeen.least = Math.min($anglesSeen.least, value);
 	$anglesSeen.most = Math.max($anglesSeen.most, value);

@@ -24,22 +24,20 @@ export function $warnOfMore(name, given, taken) {
 
 /** Warns of what is given to an update beside the list, probably the time. */
 export function $warnOfTime(name, given) {
-	if (given.length <= 1 || !Array.isArray(given[0])) return;
+	if (given.length <= 1) return;
 	$warn(`${name} takes the list alone: the engine knows no time and moves nothing. `
 		+ "Move an agent by its speed, multiplied by the time since the last frame");
 }
 
 /** Refuses what is no agent in the list of an update, and names the call: the engine says only where in the list it is. */
 export function $refuseNoAgent(call, agents) {
-	if (!Array.isArray(agents)) return;
 	for (let i = 0; i < agents.length; i++) {
 		if (agents[i]?.id === undefined) $refuse(null, `${call}: agents[${i}]`, agents[i], "an Agent");
 	}
 }
 
 /** Refuses a ray's direction, and names the call. */
-export function $refuseNoDirection(call, direction) {
-	const { x, y, z } = direction ?? {};
+export function $refuseNoDirection(call, { x, y, z }) {
 	if (x === 0 && y === 0 && z === 0) throw new ArgumentError(`${call}: direction must not be 0: (0, 0, 0) leads nowhere`);
 }
 

@@ -4,9 +4,9 @@ import { $rounded, $warn } from "./warn.mjs";
 /** For each source of a model: the name of the last one, and its place in the source. */
 const $sources = /* @__PURE__ */ new WeakMap();
 
-/** Gives the adapter its warnings: see Model.$parts. */
-export function $warnInAdapter(parts) {
-	parts.push({ keepSource: $keepSource, ofNoModel: $adviseOfNoModel, ofScale: $adviseOfScale, ofParent: $adviseOfParent });
+/** The adapter's warnings: see Model.$parts. */
+export function $warningsForAdapters() {
+	return { keepSource: $keepSource, ofNoModel: $adviseOfNoModel, ofScale: $adviseOfScale, ofParent: $adviseOfParent };
 }
 
 /** Keeps of which source a model was made. */
@@ -37,7 +37,8 @@ function $adviseOfParent(name, object) {
 	const [x, y, z] = [12, 13, 14].map((i) => elements[i]);
 	const scale = object.parent.matrixWorld.getMaxScaleOnAxis();
 	if (Math.hypot(x, y, z) < 1e-6 && Math.abs(scale - 1) < 1e-6) return;
-	$warn(`levelFromObject(${JSON.stringify(name)}): the object's parent is moved or scaled in the scene, to (${[x, y, z].map($rounded).join(", ")}) and ${$rounded(scale)} times its size, `
+	const place = [x, y, z].map($rounded).join(", ");
+	$warn(`levelFromObject(${JSON.stringify(name)}): the object's parent is moved or scaled in the scene, to (${place}) and ${$rounded(scale)} times its size, `
 		+ "and the model does not have that: one unit of the parent is a patch. If one unit of the scene should be, put the object into the scene itself, "
 		+ "or pass an object that stands in it");
 }

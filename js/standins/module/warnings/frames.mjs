@@ -44,7 +44,7 @@ export function $isUpdated(collision) {
 
 /**
  * Warns of a Collision that has called no handler in its first frames, if a breed that is named has no agents. A breed may come late. So
- * a game whose handlers run hears nothing. This is the first warning of an update, and counts it.
+ * a game whose handlers run hears nothing. It counts the updates.
  */
 export function $warnOfSilence(collision, agents) {
 	$updates++;
@@ -52,7 +52,7 @@ export function $warnOfSilence(collision, agents) {
 	const frames = kept.silentFrames;
 	if (frames > $LONG_SILENCE) return;
 	kept.silentFrames = collision.statistics.handlerCalls > 0 ? Infinity : frames + 1;
-	if (frames === $LONG_SILENCE && Array.isArray(agents)) $warnOfMissing(frames, collision.breedsWithoutAgents, agents);
+	if (frames === $LONG_SILENCE) $warnOfMissing(frames, collision.breedsWithoutAgents, agents);
 }
 
 /** Warns of breeds that handlers name and nobody has. */
@@ -62,7 +62,7 @@ function $warnOfMissing(frames, missing, agents) {
 		if (missing.includes(breed)) $warn(`${since} handlers for ${name} need the Collision's ${setting}, which is null`);
 	}
 	const missingOfAgents = missing.filter((name) => !$WORLD_BREEDS.has(name)).map((name) => JSON.stringify(name));
-	const breeds = [...new Set(agents.map((agent) => agent?.breed))].slice(0, 5).map((name) => JSON.stringify(name));
+	const breeds = [...new Set(agents.map((agent) => agent.breed))].slice(0, 5).map((name) => JSON.stringify(name));
 	if (missingOfAgents.length === 0 || breeds.length === 0) return;
 	$warn(`${since} no agent is of the breed ${missingOfAgents.join(" or ")}. The agents' breeds are ${breeds.join(", ")}`);
 }
@@ -102,13 +102,13 @@ function $warnOfBreed(breed, breeds, agents) {
 
 /**
  * Warns of lists whose agents are all made anew in each frame: starts and ends of touches, sweeps and walks are about the same agents.
- * Ids grow, so each agent of a list then has a greater one than all of the list before.
+ * Ids grow, so each agent of a list then has a greater one than all of the list before. It comes first, and refuses what is no agent.
  */
 export function $warnOfNewAgents(collision, agents) {
 	const kept = $keptOf($collisions, collision, $newCollision);
 	let least = Infinity;
 	let greatest = -Infinity;
-	for (let i = 0; i < agents?.length; i++) {
+	for (let i = 0; i < agents.length; i++) {
 		const id = agents[i]?.id;
 		if (id === undefined) $refuseNoAgent("Collision.update", agents);
 		if (id < least) least = id;

@@ -17,8 +17,6 @@ const $breedsOf = /* @__PURE__ */ new WeakMap();
 /** Of a Collision, by the text of two breeds: the update before their handlers were added, and in how many frames in turn they were. */
 const $additions = /* @__PURE__ */ new WeakMap();
 
-const $newSet = () => new Set();
-const $newMap = () => new Map();
 
 /**
  * Warns of a handler with more parameters than it gets arguments, with the contact before the agents, or of one that uses the contact
@@ -27,7 +25,7 @@ const $newMap = () => new Map();
 export function $warnOfHandler(breed, otherBreed, handler, moment) {
 	const breeds = $breedsText(breed, otherBreed);
 	const name = `the handler ${handler.name || "without a name"} for ${breeds}`;
-	$keptOf($breedsOf, handler, $newSet).add(breeds);
+	$keptOf($breedsOf, handler, () => new Set()).add(breeds);
 	if (handler.length > 3) $warn(`${name} has ${handler.length} parameters, and gets three arguments: the two agents and the contact`);
 	const text = Function.prototype.toString.call(handler);
 	const [first, second, third] = parametersOf(text).split(",").map((each) => each.trim());
@@ -51,7 +49,7 @@ function $readsBlindly(text, name) {
 /** Warns of handlers of two breeds that are added in each frame, at the last of many in turn. */
 export function $warnOfAddition(collision, breed, otherBreed) {
 	const breeds = $breedsText(breed, otherBreed);
-	const additions = $keptOf($additions, collision, $newMap);
+	const additions = $keptOf($additions, collision, () => new Map());
 	const before = additions.get(breeds);
 	if (before?.update === $updates) return;
 	const frames = $updates - before?.update <= $MOST_COLLISIONS ? before.frames + 1 : 1;
@@ -63,7 +61,6 @@ export function $warnOfAddition(collision, breed, otherBreed) {
 
 /** Warns of a handler that removeHandler cannot find: it was added for other breeds, or is another function with the same text. */
 export function $warnOfRemoval(collision, breed, otherBreed, handler) {
-	if (typeof handler !== "function") return;
 	const breeds = $breedsText(breed, otherBreed);
 	const added = $breedsOf.get(handler);
 	$additions.get(collision)?.delete(breeds);

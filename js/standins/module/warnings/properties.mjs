@@ -1,4 +1,5 @@
 /** Properties that a game sets and the engine does not read, and traits that a collision system does not look at. */
+import { $inheritedBy } from "../shown.mjs";
 import { $changesBetween } from "./spelling.mjs";
 import { $keptOf, $rounded, $warn } from "./warn.mjs";
 
@@ -82,7 +83,7 @@ export function $warnOfLaterProperties(updated, agents) {
 	const looks = $keptOf($lookedAgain, updated, $newLooks);
 	looks.updates++;
 	const isPowerOfTwo = (looks.updates & (looks.updates - 1)) === 0;
-	if (!isPowerOfTwo || !Array.isArray(agents)) return;
+	if (!isPowerOfTwo) return;
 	$lookAtProperties(updated);
 	$lookAtProperties(collisionSystem);
 	const few = agents.slice(0, $MOST_AGENTS_AGAIN);
@@ -102,7 +103,7 @@ function $lookForTriangles(collisionSystem, agents) {
 	const isOfTrees = $typeOf(collisionSystem) === "HierarchicalCollider";
 	const greatLand = $greatLandOf(collisionSystem);
 	const hasNone = ({ shape }) => greatLand?.hasModel(shape) && !(greatLand.modelOf(shape).triangles?.length > 0);
-	const agent = agents.find((each) => (isOfTrees || each?.hierarchical) && hasNone(each));
+	const agent = agents.find((each) => (isOfTrees || each.hierarchical) && hasNone(each));
 	if (!agent) return;
 	$warn(`${agent} has gaps: with exact triangles decide, and its model has only vertices. If each three of these are a triangle, `
 		+ "say so: new Model(name, vertices, vertices.map((_, i) => i).slice(0, vertices.length / 3)). Of an object of three.js levelFromObject "
@@ -112,7 +113,7 @@ function $lookForTriangles(collisionSystem, agents) {
 /** Warns of a level that is one patch wide: it stays where a new agent is, and its model was much larger before it was normalised. */
 function $lookAtLevels(collisionSystem, agents) {
 	const greatLand = $greatLandOf(collisionSystem);
-	const level = agents.find((agent) => agent?.hierarchical && agent.size === 1 && agent.x === 0 && agent.y === 0 && agent.z === 0
+	const level = agents.find((agent) => agent.hierarchical && agent.size === 1 && agent.x === 0 && agent.y === 0 && agent.z === 0
 		&& $unitsOf(greatLand?.modelOf(agent.shape)) > $LARGE);
 	if (!level) return;
 	$warn(`${level} is one patch wide, and its model was ${$rounded($unitsOf(greatLand.modelOf(level.shape)))} units wide before it was normalised. If it is a `
@@ -146,7 +147,7 @@ function $lookAtTraits(collisionSystem, agents) {
 	const type = $typeOf(collisionSystem);
 	for (const trait of $IDLE_TRAITS[type] ?? []) {
 		const { first, systems } = $TRAITS[trait];
-		const agent = agents.find((each) => each?.[trait] !== undefined && each[trait] !== first);
+		const agent = agents.find((each) => each[trait] !== undefined && each[trait] !== first);
 		if (agent) $warn(`${trait} of ${agent} does nothing in a ${type}: it is for ${systems}`, type + trait);
 	}
 }
@@ -188,9 +189,5 @@ function $isOfOwnClass(object, name, trait) {
 
 /** The names of an object's setters. */
 function $namesOfSetters(object) {
-	const names = [];
-	for (let type = Object.getPrototypeOf(object); type && type !== Object.prototype; type = Object.getPrototypeOf(type)) {
-		for (const [name, { set }] of Object.entries(Object.getOwnPropertyDescriptors(type))) if (set && !/^[_$]/.test(name)) names.push(name);
-	}
-	return names;
+	return $inheritedBy(object).filter(([name, { set }]) => set && !/^[_$]/.test(name)).map(([name]) => name);
 }

@@ -49,11 +49,15 @@ export function $warnOfStale(queries, agents, mover) {
 	if ($hasWarned("stale")) return;
 	const kept = $keptOf($questions, queries, $newQuestions);
 	if (agents !== null) Object.assign(kept, { agents, updated: $updates, walker: null, walks: 0, places: null });
-	if (!Array.isArray(kept.agents)) return;
-	if (typeof mover?.shape === "string") $countMove(kept, mover);
+	if (kept.agents === null) return;
+	if (mover !== null) {
+		kept.movers.add(mover);
+		kept.walker ??= mover;
+		if (mover === kept.walker) kept.walks++;
+	}
 	const frames = $updates - kept.updated;
 	if (Math.max(frames, kept.walks) < $LONG_WITHOUT_UPDATE) return;
-	kept.places ??= $placesOf(kept.agents.slice(0, $MOST_PLACES));
+	kept.places ??= kept.agents.slice(0, $MOST_PLACES).filter((agent) => agent).map((agent) => ({ agent, x: agent.x, y: agent.y, z: agent.z }));
 	const moved = kept.places.find(({ agent, x, y, z }) => !kept.movers.has(agent) && (agent.x !== x || agent.y !== y || agent.z !== z));
 	if (!moved) return;
 	const since = frames < $LONG_WITHOUT_UPDATE ? `${kept.walks} motions of ${kept.walker}` : `${frames} frames`;
@@ -66,16 +70,6 @@ function $warnOfLateGround(queries) {
 	if (!queries._isUpdated || queries.$table.listed.agentsByRow[0] !== null) return; // ListedAgents.GROUND_ROW
 	$warn("the ground was set after the last queries.update(agents), so questions do not see it: "
 		+ "set it before, or update them again", "ground");
-}
-
-function $countMove(kept, mover) {
-	kept.movers.add(mover);
-	kept.walker ??= mover;
-	if (mover === kept.walker) kept.walks++;
-}
-
-function $placesOf(agents) {
-	return agents.filter((agent) => agent).map((agent) => ({ agent, x: agent.x, y: agent.y, z: agent.z }));
 }
 
 /**

@@ -8,21 +8,25 @@ const $MOST_PLACED = 100;
 /** A way of more sizes of the agent than this may lead through a wall. */
 const $FAR = 0.5;
 
+/** Farther from the origin may be too far for an Agent: see Agent.LARGEST_COORDINATE. */
+const $FARTHEST = 1e9;
+
 /** Where agents have been put first since the last frame. */
 const $placed = /* @__PURE__ */ new Map();
 
 /** Keeps where an agent is put, if no way leads there: a new one by moveTo, or any by jumpTo. */
 export function $warnOfPlace(agent, x, y, z, isJump) {
 	if (!isJump && (agent.id <= $greatestId || $placed.has(agent)) || $placed.size >= $MOST_PLACED) return;
+	if (!(Math.hypot(x, y, z) <= $FARTHEST)) return; // the engine refuses it
 	$placed.set(agent, { x, y, z });
 }
 
-/** Warns of agents of a list that sweep, and have been moved since. This comes before $warnOfNewAgents. */
+/** Warns of agents of a list that sweep, and have been moved since. */
 export function $warnOfShots(agents) {
 	if ($placed.size === 0) return;
 	for (const [agent, { x, y, z }] of $placed) {
 		const way = Math.hypot(agent.x - x, agent.y - y, agent.z - z);
-		if (!agent.sweeps || !(way > $FAR * agent.size) || !agents?.includes(agent)) continue;
+		if (!agent.sweeps || !(way > $FAR * agent.size) || !agents.includes(agent)) continue;
 		$warn(`${agent} sweeps, and was moved by ${$rounded(way)} between its place (${[x, y, z].map($rounded).join(", ")}) and its first frame. `
 			+ "This part of its way is not tested: put a shot into the muzzle in one frame, and move it from the next one on", "shot");
 	}

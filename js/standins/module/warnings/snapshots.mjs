@@ -1,5 +1,4 @@
 /** Snapshots that have less than is probably meant: of no agents, or without the traits that a game does not put back itself. */
-import { ByteArray } from "../ByteArray.mjs";
 import { $isUpdated } from "./frames.mjs";
 import { $keptOf, $rounded, $warn } from "./warn.mjs";
 
@@ -13,26 +12,24 @@ const $MOST_SNAPSHOTS = 10;
 /** Of a Collision: for each snapshot without traits the agents' ids and places. */
 const $withoutTraits = /* @__PURE__ */ new WeakMap();
 
-const $newList = () => [];
 
 /** Warns of a snapshot with traits before the first update, which has the traits of nobody; and keeps the places for one without. */
-export function $warnOfSnapshot(collision, given) {
+export function $warnOfSnapshot(collision, withTraits) {
 	const agents = [...collision.lastAgents];
-	if (given === true || given?.withTraits === true) {
+	if (withTraits) {
 		if (agents.length > 0 || $isUpdated(collision)) return;
 		$warn("a snapshot before the first update has no agents, so restore() puts nobody back: "
 			+ "it is of the list of the last collision.update(agents)");
 		return;
 	}
-	const taken = $keptOf($withoutTraits, collision, $newList);
+	const taken = $keptOf($withoutTraits, collision, () => []);
 	if (taken.length <= $MOST_SNAPSHOTS) taken.push(agents.map(({ id, x, y, z }) => ({ id, x, y, z })));
 }
 
 /** Warns of going back by a snapshot without traits if an agent is elsewhere than at any such snapshot: the game has not put it back. */
 export function $warnOfRestore(collision, bytes, agents) {
 	const taken = $withoutTraits.get(collision);
-	if (!taken || taken.length > $MOST_SNAPSHOTS || !Array.isArray(agents)) return;
-	if (ByteArray.from(bytes)?.byteAt($CONTENTS) & $HAS_TRAITS) return;
+	if (!taken || taken.length > $MOST_SNAPSHOTS || bytes?.byteAt($CONTENTS) & $HAS_TRAITS) return;
 	const ofThese = taken.filter((places) => places.length === agents.length && places.every(({ id }, i) => id === agents[i]?.id));
 	const movedSince = ofThese.map((places) => places.findIndex(({ x, y, z }, i) => agents[i].x !== x || agents[i].y !== y || agents[i].z !== z));
 	if (movedSince.length === 0 || movedSince.includes(-1)) return;

@@ -9,17 +9,20 @@ export function $hintOfName(name, names) {
 /** The options of a filter. */
 const $FILTER = ["breeds", "exceptBreeds", "except", "accepts"];
 
-/** What an error says about options that are something else, or that have an option of a filter. */
+/** What an error says about options that are something else, that have an option of a filter, or a misspelt one. */
 export function $hintOfOptions(call, value, key, names) {
 	if (names.includes("filter") && $FILTER.includes(key)) return `a filter is one of them: { filter: { ${key}: ... } }; `;
 	const [kind] = /^(?:Contact|RayHit|ShapeHit)$/.exec(value.constructor?.name) ?? [];
-	if (kind && call.endsWith(": filter")) return `a ${kind} is the argument after the filter: ${call.slice(call.indexOf(".") + 1, -8)}(..., null, ${kind === "Contact" ? "contact" : "hit"}); `;
-	return "stands" in value ? "a Footing is the argument after the options: walk(agent, dx, dy, null, footing); " : "";
+	if (kind && call.endsWith(": filter")) {
+		const found = kind === "Contact" ? "contact" : "hit";
+		return `a ${kind} is the argument after the filter: ${call.slice(call.indexOf(".") + 1, -8)}(..., null, ${found}); `;
+	}
+	return "stands" in value ? "a Footing is the argument after the options: walk(agent, dx, dy, null, footing); " : $hintOfOption(key, names);
 }
 
-/** A setter's error about an option, with the name of the call: the setter names only its class. */
-export function $hintOfSetting(where, error) {
-	return new error.constructor(`${where}.${error.message.replace(/^\w+\./, "")}`);
+/** Throws a setter's error about an option with the name of the call: the setter names only its class. */
+export function $refuseSetting(where, error) {
+	throw new error.constructor(`${where}.${error.message.replace(/^\w+\./, "")}`);
 }
 
 /** What an error says about an option that is not among the names of all: the nearest one. */

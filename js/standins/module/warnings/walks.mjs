@@ -37,7 +37,6 @@ const $stops = /* @__PURE__ */ new Map();
  * ground that it walks on. And of many walks in turn that are probably each the way of a second.
  */
 export function $warnOfFall(agent, dx, dy) {
-	if (typeof agent?.z !== "number") return;
 	const walker = $keptOf($walkers, agent, $newWalker);
 	const way = Math.hypot(dx, dy);
 	$countStride(walker, agent, way);

@@ -122,7 +122,7 @@ package starlogo.models.building
             refuseFileIf(_data.name == "", _data.name, "a model needs a name that is not empty");
             refuseFileIf(count == 0, _data.name, "no vertices: a model needs at least one");
             refuseFileIf(count % 3 != 0, _data.name, "vertices have three coordinates each, but there are " + count + " in all");
-            refuseFileIf(Model.SCALINGS.indexOf(_data.scaling) < 0, _data.name, "the scaling must be Model.FOOTPRINT, VOLUME or AS_GIVEN, not \"" + _data.scaling + "\"");
+            ModelData.requireScaling(_data.name, _data.scaling);
         }
 
         private function addParts():void

@@ -80,6 +80,12 @@ package starlogo.models.building
             return data;
         }
 
+        /** Throws a ModelError if a scaling is none of Model's. */
+        public static function requireScaling(name:String, scaling:String):void
+        {
+            refuseFileIf(Model.SCALINGS.indexOf(scaling) < 0, name, "the scaling must be Model.FOOTPRINT, VOLUME or AS_GIVEN, not \"" + scaling + "\"");
+        }
+
         /** Throws a ModelError if an up axis is not "x", "y" or "z", or a ModelTransform in its place. */
         public static function requireUpAxis(name:String, upAxis:Object):void
         {

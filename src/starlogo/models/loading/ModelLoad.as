@@ -7,6 +7,7 @@ package starlogo.models.loading
     import starlogo.models.ModelReceiver;
     import starlogo.models.ModelTransform;
     import starlogo.models.building.ModelBuilder;
+    import starlogo.models.building.ModelData;
     import starlogo.models.cooked.CookedFile;
     import starlogo.models.cooked.CookedReader;
     import starlogo.models.files.FileUrl;
@@ -111,6 +112,20 @@ package starlogo.models.loading
         {
             _url = url || "";
             _usesTransforms = usesTransforms && !(_upAxis is ModelTransform);
+            try
+            {
+                ModelData.requireUpAxis(name, _upAxis);
+                ModelData.requireScaling(name, _scaling);
+            }
+            catch (problem:ModelError)
+            {
+                // nothing is fetched, and the load fails as it does for a wrong file
+                call(function():void
+                    {
+                        throw problem;
+                    });
+                return;
+            }
             if (manifest == null || !FileUrl.hasFolder(_url))
             {
                 fetchFile();

@@ -31,11 +31,11 @@ package flash.events
         {
             check(type, "type");
             check(listener, "listener");
-            var all:Array = listenersTo(type);
-            if (indexOf(all, listener, useCapture) >= 0)
+            if (recordOf(type, listener, useCapture) != null)
             {
                 return;
             }
+            var all:Array = listenersTo(type);
             var place:int = 0;
             while (place < all.length && all[place].priority >= priority)
             {
@@ -54,17 +54,7 @@ package flash.events
         {
             check(type, "type");
             check(listener, "listener");
-            var all:Array = listenersTo(type);
-            var place:int = indexOf(all, listener, useCapture);
-            if (place < 0)
-            {
-                return;
-            }
-            _listeners[type] = all.slice(0, place).concat(all.slice(place + 1));
-            if (type == Event.ENTER_FRAME && all.length == 1)
-            {
-                Machine.frameListeners.splice(Machine.frameListeners.indexOf(this), 1);
-            }
+            removeRecord(type, recordOf(type, listener, useCapture));
         }
 
         public function hasEventListener(type:String):Boolean
@@ -98,7 +88,7 @@ package flash.events
                 isHeard = true;
                 if (listener.isOnce)
                 {
-                    removeEventListener(event.type, listener.call, false);
+                    removeRecord(event.type, listener);
                 }
                 event.arrive(_target == null ? this : _target);
                 try
@@ -127,16 +117,32 @@ package flash.events
             return _listeners.hasOwnProperty(type) ? _listeners[type] : [];
         }
 
-        private static function indexOf(listeners:Array, call:Function, isCapturing:Boolean):int
+        // Removes a listener, if it is still there: not one that the same function has become since.
+        private function removeRecord(type:String, listener:Listener):void
         {
-            for (var i:int = 0; i < listeners.length; i++)
+            var all:Array = listenersTo(type);
+            var place:int = all.indexOf(listener);
+            if (place < 0)
             {
-                if (listeners[i].call == call && listeners[i].isCapturing == isCapturing)
+                return;
+            }
+            _listeners[type] = all.slice(0, place).concat(all.slice(place + 1));
+            if (type == Event.ENTER_FRAME && all.length == 1)
+            {
+                Machine.frameListeners.splice(Machine.frameListeners.indexOf(this), 1);
+            }
+        }
+
+        private function recordOf(type:String, call:Function, isCapturing:Boolean):Listener
+        {
+            for each (var listener:Listener in listenersTo(type))
+            {
+                if (listener.call == call && listener.isCapturing == isCapturing)
                 {
-                    return i;
+                    return listener;
                 }
             }
-            return -1;
+            return null;
         }
 
         private static function check(value:Object, name:String):void

@@ -9,12 +9,15 @@ const FOLDERS = [...SOURCES, join(ROOT, "test")];
 export function caughtIn(file, written) {
 	const path = FOLDERS.map((folder) => join(folder, file.replace(/js$/, "as"))).find(existsSync);
 	const source = path ? readFileSync(path, "utf8") : "";
-	const caught = [...source.matchAll(/\bcatch \((\w+):([\w*]+)\)/g)].map(([, name, type]) => ({ name, type: /^(Error|\*)$/.test(type) ? null : qualified(type, source) }));
+	const caught = [...source.matchAll(/\bcatch \((\w+):([\w*]+)\)/g)].map(([, name, type]) => ({ name, type: qualified(type, source) }));
 	const names = [...written.matchAll(/\bcatch \((\w+)\)/g)].map((match) => match[1]);
 	if (String(names) !== String(caught.map(({ name }) => name))) throw new Error(`${file}: what it catches is not in the order of its source`);
 	return caught;
 }
 
 function qualified(name, source) {
-	return new RegExp(String.raw`^\s*import ([\w.]+\.${name});`, "m").exec(source)?.[1] ?? (/^(ArgumentError|RangeError|TypeError)$/.test(name) ? name : `${/^package ([\w.]+)/.exec(source)[1]}.${name}`);
+	if (/^(Error|\*)$/.test(name)) return null;
+	if (/^(ArgumentError|RangeError|TypeError)$/.test(name)) return name;
+	const imported = new RegExp(String.raw`^\s*import ([\w.]+\.${name});`, "m").exec(source)?.[1];
+	return imported ?? `${/^package ([\w.]+)/.exec(source)[1]}.${name}`;
 }

@@ -5,15 +5,15 @@ const BIN_WIDTH = 10;
 const LAST_BIN = 9;
 
 /** The engine's Agent for an agent of the client. */
-class Body extends Agent {
-	constructor(entry, shape) {
+class EngineAgent extends Agent {
+	constructor(record, shape) {
 		super(shape);
-		this.entry = entry;
+		this.record = record;
 	}
 }
 
-/** The data of an agent while it can collide. The agent's jbins refers to it. */
-export class Entry {
+/** The data of an agent of the client while it can collide. The agent's jbins refers to it. */
+export class Record {
 	// set by Cells
 	cell = -1;
 	slot = -1;
@@ -28,36 +28,31 @@ export class Entry {
 	keys = [];
 	others = [];
 
-	// the breed whose traits the body has; the NovaCollisions that contains it
+	// the breed whose traits the engine's Agent has; the Installation that contains the record
 	traitsOf = null;
 	owner = null;
 
-	/** Creates an entry of an agent. `shape` is a model that always exists. */
-	constructor(agent, shape) {
-		this.agent = agent;
-		this.body = new Body(this, shape);
+	/** Creates a record of an agent. `shape` is a model that always exists. */
+	constructor(clientAgent, shape) {
+		this.clientAgent = clientAgent;
+		this.engineAgent = new EngineAgent(this, shape);
 	}
 
 	/** Stores the bin and the turn that the client would give the agent. */
 	bin(half, turn) {
-		const { x, y, size } = this.agent.state;
+		const { x, y, size } = this.clientAgent.state;
 		this.binX = lowestBin(x - size / 2 + half);
 		this.binY = lowestBin(y - size / 2 + half);
 		this.turn = turn;
 	}
 
-	/** Adds another agent with which it was found, in the order of the keys. */
-	keep(other, key) {
+	/** Adds another record with which it was found, in the order of the keys. */
+	insertSorted(other, key) {
 		const { keys, others } = this;
 		let place = keys.length;
 		while (place > 0 && keys[place - 1] > key) place--;
-		if (place === keys.length) {
-			keys.push(key);
-			others.push(other);
-		} else {
-			keys.splice(place, 0, key);
-			others.splice(place, 0, other);
-		}
+		keys.splice(place, 0, key);
+		others.splice(place, 0, other);
 	}
 }
 
@@ -65,7 +60,7 @@ function lowestBin(coordinate) {
 	return Math.min(LAST_BIN, Math.max(0, Math.floor(coordinate / BIN_WIDTH)));
 }
 
-/** A number for the first bin that two entries share. The client visits bins with smaller numbers first. */
+/** A number for the first bin that two records share. The client visits bins with smaller numbers first. */
 export function firstSharedBin(a, b) {
 	return Math.max(a.binX, b.binX) * (LAST_BIN + 1) + Math.max(a.binY, b.binY);
 }

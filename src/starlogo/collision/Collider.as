@@ -142,10 +142,11 @@ package starlogo.collision
         /**
          * Computes how two agents touch. If both were in the last search, it takes them as they were then. Otherwise it takes them as they are now.
          * The last search is a frame of the collider's Collision, or a call of <code>findCollisions</code>. While handlers run, and after them until
-         * the next search, it is the frame's, even if a handler has called <code>findCollisions</code>.
+         * the next search, it is the frame's, even if a handler has called <code>findCollisions</code>. <code>reset()</code> and
+         * <code>restore()</code> of the Collision forget it, and so does another Collision that begins to use the collider.
          *
          * <p>The ground and the edges of the world count as they are now. In a handler they count as the frame has seen them, also after a handler
-         * has changed them.</p>
+         * has changed them. Only a model's pose counts at once.</p>
          *
          * @param collider the normal points to it
          * @param collidee another agent

@@ -46,7 +46,7 @@ package starlogo.search
 
         /**
          * Finds the contact of two agents that touch. It takes them where the last search saw them, or where they are now if the last search did
-         * not see both. The ground and the edges of the world count as they are now, or as the last search has read them while they are held.
+         * not see both. The ground and the edges of the world count as the table has read them.
          *
          * @param motion receives the motion of the first relative to the second, with the time of the touch: 1 if neither sweeps
          * @param out receives the contact. Its normal points from the second agent to the first
@@ -58,24 +58,36 @@ package starlogo.search
             {
                 throw new ArgumentError("the ground and the edges of the world have no contact with each other");
             }
-            var rowA:int = _table.listed.rowOf(a);
-            var rowB:int = _table.listed.rowOf(b);
-            if (_table.listed.rankOf(a, rowA) > _table.listed.rankOf(b, rowB))
+            // they get the order that the pairs of a search have, so rounding is the same however a game asks
+            if (_table.listed.rankOf(a) > _table.listed.rankOf(b))
             {
-                // they get the order that the pairs of a search have, so rounding is the same however a game asks
-                findContact(b, a, motion, out);
+                findContactInOrder(b, a, motion, out);
                 out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
                 motion.endAfter(-motion.x, -motion.y, -motion.z);
                 return;
             }
-            var areSeen:Boolean = rowA >= 0 && rowB >= 0 && _table.shapes[rowA] != null && _table.shapes[rowB] != null;
-            if (areSeen && _sweptTests.isSwept)
+            findContactInOrder(a, b, motion, out);
+        }
+
+        // Finds the contact of an agent of the game with another agent, or with the ground or the edges of the world.
+        private function findContactInOrder(a:Agent, b:Agent, motion:RelativeMotion, out:ContactPoint):void
+        {
+            var rowA:int = _table.listed.rowOf(a);
+            var rowB:int = _table.listed.rowOf(b);
+            var isSeenB:Boolean = _table.isSeen(rowB);
+            var areSeen:Boolean = isSeenB && _table.isSeen(rowA);
+            if (areSeen)
             {
-                _sweptTests.findContact(rowA, rowB, motion, out);
-                return;
+                _table.followPose(rowA);
+                _table.followPose(rowB);
+                if (_sweptTests.isSwept)
+                {
+                    _sweptTests.findContact(rowA, rowB, motion, out);
+                    return;
+                }
             }
             var bodyA:Body = areSeen ? _table.bodyOf(rowA) : _table.currentBodyOf(a, _bodyA);
-            var bodyB:Body = areSeen ? _table.bodyOf(rowB) : _table.currentBodyOf(b, _bodyB);
+            var bodyB:Body = areSeen || isSeenB && b.isOfWorld ? _table.bodyOf(rowB) : _table.currentBodyOf(b, _bodyB);
             if (bodyA.shape == null || bodyB.shape == null)
             {
                 var loading:Agent = bodyA.shape == null ? a : b;

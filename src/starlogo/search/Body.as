@@ -139,6 +139,16 @@ package starlogo.search
             }
         }
 
+        /** Takes the extents of the shape's tree, whose boxes a pose may have moved. */
+        public function followPose():void
+        {
+            if (shape.tree != null)
+            {
+                shape.setTree(shape.tree);
+                findExtents();
+            }
+        }
+
         /** Moves the body to the place of a row. */
         public function moveToRow(row:int, places:Points):void
         {

@@ -135,7 +135,6 @@ package starlogo.search
         public function forgetSearch():void
         {
             _haveCells = false;
-            _motions.isSwept = false;
         }
 
         // Reads the input into the table. The motions are read before the table reads the places, because they begin at

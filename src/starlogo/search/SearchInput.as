@@ -146,7 +146,8 @@ package starlogo.search
             filter.checkNames(agents);
             for (var i:int = 0; i < agents.length; i++)
             {
-                admitted[i] = agents[i] == null || filter.admits(agents[i]);
+                // in JavaScript a filter may answer with any value
+                admitted[i] = agents[i] == null || Boolean(filter.admits(agents[i]));
             }
         }
     }

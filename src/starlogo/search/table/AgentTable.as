@@ -178,7 +178,7 @@ package starlogo.search.table
         /** Lets no motion of any agent begin at its place, as if the last search had not seen it. */
         public function forgetMotionStarts():void
         {
-            for (var row:int = 0; row < revisions.length; row++)
+            for (var row:int = ListedAgents.FIRST_LISTED; row < revisions.length; row++)
             {
                 _startRevisions[row] = NO_START;
                 revisions[row] = NOT_READ;
@@ -244,8 +244,24 @@ package starlogo.search.table
             }
             var ofWorld:WorldAgent = agent as WorldAgent;
             spare.setToAgent(agent, ofWorld == null ? _choice.shapeOf(agent) : ofWorld.requireSurface());
-            spare.rank = listed.rankOf(agent, row);
+            spare.rank = listed.rankOf(agent);
             return spare;
+        }
+
+        /** Whether the last search has seen the agent of a row, as the row has it. Pass the answer of <code>ListedAgents.rowOf()</code>. */
+        public function isSeen(row:int):Boolean
+        {
+            return row >= 0 && shapes[row] != null && revisions[row] != NOT_READ;
+        }
+
+        /** Gives the body of a row that is seen the extents of its model's present pose. */
+        public function followPose(row:int):void
+        {
+            _choice.forgetReplaced();
+            if (shapes[row].isVoid)
+            {
+                _bodies[row].followPose();
+            }
         }
 
         /** The body of a row whose model is not loading, as the last search has read it. */

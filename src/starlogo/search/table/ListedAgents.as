@@ -86,15 +86,14 @@ package starlogo.search.table
         /**
          * The rank of an agent: its index in the list. Agents that are not listed come after these, the older ones first. The ground and the
          * edges of the world come last. In <code>ranks</code> they come right after the list.
-         *
-         * @param row the answer of <code>rowOf()</code>
          */
-        public function rankOf(agent:Agent, row:int):int
+        public function rankOf(agent:Agent):int
         {
             if (agent.isOfWorld)
             {
                 return int.MAX_VALUE;
             }
+            var row:int = rowOf(agent);
             return row >= 0 ? ranks[row] : FIRST_UNLISTED_RANK + agent.idNumber;
         }
 

@@ -62,7 +62,7 @@ package starlogo.collision
         {
             _pairs = pairs;
             _system = system;
-            _gameList.begin(agents);
+            _gameList.begin(agents, pairs.listed);
             _count = 0;
             _tracker = tracker.count > 0 || _table.tracksTouches ? tracker : null;
             var starting:IntList = _tracker == null ? null : tracker.beginFrame(pairs, _table);
@@ -109,29 +109,28 @@ package starlogo.collision
             }
         }
 
-        // Makes all calls: a step less than 0 is a touch that has ended, another one a chosen pair. Null stands for all pairs. After an error the same step
-        // goes on with the next handler. The try is around the steps and not around each call, because a method with a try makes an object for each of its
-        // calls in Adobe's VM, and takes longer than most handlers.
+        // Makes all calls: for the ended touches, then for chosen pairs. Null stands for all pairs. After an error the calls go on where they were, with the
+        // next handler. The try is around the loops and not around each call, because a method with a try makes an object for each of its calls in
+        // Adobe's VM, and takes longer than most handlers.
         private function callAll(chosen:IntList, errors:Vector.<Error>):void
         {
             var endedCount:int = _tracker == null ? 0 : _tracker.endedCount;
             var pairCount:int = chosen == null ? _pairs.count : chosen.count;
-            var step:int = -endedCount;
+            var ended:int = 0;
+            var i:int = 0;
             _handlersOfPair = null;
-            while (step < pairCount)
+            while (ended < endedCount || i < pairCount)
             {
                 try
                 {
-                    for (; step < pairCount; step++)
+                    for (; ended < endedCount; ended++)
                     {
-                        if (step < 0)
-                        {
-                            callForEnded(_tracker.endedAt(endedCount + step));
-                        }
-                        else
-                        {
-                            callForPair(chosen == null ? step : chosen.values[step]);
-                        }
+                        callForEnded(_tracker.endedAt(ended));
+                        _handlersOfPair = null;
+                    }
+                    for (; i < pairCount; i++)
+                    {
+                        callForPair(chosen == null ? i : chosen.values[i]);
                         _handlersOfPair = null;
                     }
                 }

@@ -22,9 +22,6 @@ package starlogo.handlers
         // In place of the index of a pair's touch: there is none, or none yet.
         private static const NO_TOUCH:int = -1;
 
-        // In place of a version of pairs: it is not known which touches pairs have.
-        private static const NO_VERSION:int = -1;
-
         // In place of the last frame of a touch: it has ended.
         private static const NO_FRAME:int = int.MAX_VALUE;
 
@@ -49,9 +46,9 @@ package starlogo.handlers
         // The number of touches that ever began.
         private var _startedCount:Number = 0;
 
-        // The pairs of the frame, and their version.
+        // The pairs of the frame, and their version; null if it is not known which touches they have.
         private var _pairs:FoundPairs = null;
-        private var _version:int = NO_VERSION;
+        private var _version:int = 0;
 
         // By pair: the index of its touch, or NO_TOUCH. There may be more entries than pairs.
         private var _touchOfPair:Vector.<int> = new Vector.<int>();
@@ -200,7 +197,7 @@ package starlogo.handlers
         /** Forgets which touches the pairs have, because the calls of a frame have failed. */
         public function forgetPairs():void
         {
-            _version = NO_VERSION;
+            _pairs = null;
         }
 
         /** Returns all touches, in the order in which they began. Call it between two frames. */

@@ -106,21 +106,20 @@ package starlogo.search
             narrowPhase.counts.clear();
             // A search keeps the cells only if it is like the one before, because the next is then probably like it too. So the third of three like
             // searches is the first that begins with the pairs of the last one.
-            var areSame:Boolean = noteConditions(input);
-            var keepsCells:Boolean = areSame && areFew(changeCount, input);
-            if (keepsCells && hadCells && moveChanged(input))
+            if (!(noteConditions(input) && areFew(changeCount, input)))
+            {
+                findOfAll(input);
+                return _pairs;
+            }
+            if (hadCells && moveChanged(input))
             {
                 findOfChanged(input);
             }
             else
             {
-                var members:IntList = findOfAll(input);
-                if (keepsCells)
-                {
-                    _changedRows.begin(members);
-                }
+                _changedRows.begin(findOfAll(input));
             }
-            _haveCells = keepsCells;
+            _haveCells = true;
             return _pairs;
         }
 

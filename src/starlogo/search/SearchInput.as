@@ -77,24 +77,11 @@ package starlogo.search
          */
         public function takeFilterOf(frame:SearchInput):void
         {
-            if (frame.admitted == null)
-            {
-                return;
-            }
-            var count:int = 0;
-            for (var i:int = 0; i < frame.agents.length; i++)
-            {
-                if (!frame.admitted[i])
+            var all:Vector.<Agent> = frame.admittedAgents;
+            if (all.length == agents.length && all.every(function(agent:Agent, index:int, ...ignored):Boolean
                 {
-                    continue;
-                }
-                if (count == agents.length || agents[count] !== frame.agents[i])
-                {
-                    return;
-                }
-                count++;
-            }
-            if (count == agents.length)
+                    return agent === agents[index];
+                }))
             {
                 agents = frame.agents;
                 admitted = frame.admitted;

@@ -68,16 +68,12 @@ package starlogo.collision.snapshots
         public function write(frame:LastFrame, search:CollisionSearch, ground:WorldAgent, edges:WorldAgent, withTraits:Boolean,
                 withGround:Boolean):ByteArray
         {
-            if (frame.hasFailed)
-            {
-                throw new IllegalOperationError("the last frame has refused its list or failed: there is nothing to take a snapshot of");
-            }
             var agents:Vector.<Agent> = frame.agents;
             var table:AgentTable = (frame.search || search).table;
             if (agents.length > 0 && (frame.search == null || !table.listed.isListed(agents)))
             {
                 throw new IllegalOperationError(frame.search == null
-                        ? "the last frame had a collision system of the game's own: there is nothing to take a snapshot of"
+                        ? "the last frame has refused its list, failed, or had a collision system of the game's own: there is nothing to take a snapshot of"
                         : "the collision system has searched another list since the last frame");
             }
             var hasHeights:Boolean = withGround && ground != null;
@@ -145,7 +141,6 @@ package starlogo.collision.snapshots
             frame.tracker = parts.touches;
             frame.agents = copyAgents(agents, frame.agents);
             frame.search = search;
-            frame.hasFailed = false;
         }
 
         // Puts the agents back: their traits, which the bytes have next if they are in the snapshot, and their places in the last frame. If that

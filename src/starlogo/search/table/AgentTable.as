@@ -105,11 +105,7 @@ package starlogo.search.table
         {
             _choice.forgetReplaced();
             listed.leftOrReordered.count = 0;
-            var isSame:Boolean = listed.isAccepted && agents.length == listed.rows.count;
-            if (isSame)
-            {
-                isSame = tryFindChanged(agents, listed.rows);
-            }
+            var isSame:Boolean = listed.isAccepted && agents.length == listed.rows.count && tryFindChanged(agents, listed.rows);
             if (!isSame)
             {
                 listed.propose(agents);

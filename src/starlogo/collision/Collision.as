@@ -268,7 +268,7 @@ package starlogo.collision
          */
         public function removeHandler(breed:String, otherBreed:String, handler:Function, kind:String = null):Boolean
         {
-            return _handlers.remove(breed, otherBreed, handler, CollisionHandler.momentsNamed(kind));
+            return _handlers.remove(breed, otherBreed, handler, CollisionHandler.phasesNamed(kind));
         }
 
         /**

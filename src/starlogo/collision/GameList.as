@@ -17,10 +17,10 @@ package starlogo.collision
         {
             _agents = agents;
             var indices:Vector.<int> = _indices;
-            var ranks:Vector.<int> = listed.ranks;
-            for (var row:int = 0; row < ranks.length; row++)
+            var listIndices:Vector.<int> = listed.listIndices;
+            for (var row:int = 0; row < listIndices.length; row++)
             {
-                indices[row] = ranks[row];
+                indices[row] = listIndices[row];
             }
         }
 

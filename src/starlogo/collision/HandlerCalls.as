@@ -66,7 +66,7 @@ package starlogo.collision
             _count = 0;
             _tracker = tracker.count > 0 || _table.tracksTouches ? tracker : null;
             var starting:IntList = _tracker == null ? null : tracker.beginFrame(pairs, _table);
-            if (_table.contactMoments != 0)
+            if (_table.contactPhases != 0)
             {
                 // before touches end, because a game's own contactOf may throw. Then the next frame ends them
                 _contacts.begin();
@@ -76,7 +76,7 @@ package starlogo.collision
             {
                 tracker.endOthers();
             }
-            callAll((_table.moments & CollisionHandler.COLLISION) == 0 ? starting : null, errors);
+            callAll((_table.phases & CollisionHandler.COLLISION) == 0 ? starting : null, errors);
             return _count;
         }
 
@@ -96,13 +96,13 @@ package starlogo.collision
         // Computes the contacts that handlers take, before a handler moves an agent. Handlers for starts take none of a touch that goes on.
         private function findContacts(starting:IntList):void
         {
-            var chosen:IntList = (_table.contactMoments & CollisionHandler.COLLISION) == 0 ? starting : null;
+            var chosen:IntList = (_table.contactPhases & CollisionHandler.COLLISION) == 0 ? starting : null;
             var end:int = chosen == null ? _pairs.count : chosen.count;
             for (var i:int = 0; i < end; i++)
             {
                 var pair:int = chosen == null ? i : chosen.values[i];
-                var moments:int = _table.handlersOfPair(_pairs, pair).contactMoments;
-                if ((moments & CollisionHandler.COLLISION) != 0 || moments != 0 && _tracker.touchAt(pair) == null)
+                var phases:int = _table.handlersOfPair(_pairs, pair).contactPhases;
+                if ((phases & CollisionHandler.COLLISION) != 0 || phases != 0 && _tracker.touchAt(pair) == null)
                 {
                     _contacts.compute(pair, _pairs, _system);
                 }
@@ -207,16 +207,16 @@ package starlogo.collision
             }
         }
 
-        // Calls the handlers of the moments from _next on, up to an index. In the first frame of a touch, those for starts come before those for every
+        // Calls the handlers of the phases from _next on, up to an index. In the first frame of a touch, those for starts come before those for every
         // frame. An ended touch has no contact, and its agents may have left the list: pass NO_PAIR. For a pair it stops when one of the two has left.
-        private function callRest(pair:int, first:Agent, second:Agent, moments:int, end:int):void
+        private function callRest(pair:int, first:Agent, second:Agent, phases:int, end:int):void
         {
             var handlers:Vector.<CollisionHandler> = _handlersOfPair.handlers;
             var firstCount:int = _handlersOfPair.firstCount;
             while (_next < end)
             {
                 var handler:CollisionHandler = handlers[_next];
-                var isMeant:Boolean = (handler.moment & moments) != 0;
+                var isMeant:Boolean = (handler.phase & phases) != 0;
                 if (isMeant && pair != NO_PAIR && !_gameList.hasBoth(_pairs, pair))
                 {
                     return;

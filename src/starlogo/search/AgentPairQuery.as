@@ -59,7 +59,7 @@ package starlogo.search
                 throw new ArgumentError("the ground and the edges of the world have no contact with each other");
             }
             // they get the order that the pairs of a search have, so rounding is the same however a game asks
-            if (_table.listed.rankOf(a) > _table.listed.rankOf(b))
+            if (_table.listed.orderKeyOf(a) > _table.listed.orderKeyOf(b))
             {
                 findContactInOrder(b, a, motion, out);
                 out.setNormal(-out.normalX, -out.normalY, -out.normalZ);

@@ -36,8 +36,11 @@ package starlogo.search
         /** The shape's place, rotation and size in the world. */
         public var placement:Placement = new Placement();
 
-        /** The agent's rank (ListedAgents.rankOf); 0 without an agent. That of the ground or the edges may be of an earlier list: no test reads it. */
-        public var rank:int = 0;
+        /**
+         * Says which of two bodies comes first (ListedAgents.orderKeyOf); 0 without an agent. That of the ground or the edges may be of an earlier
+         * list: no test reads it.
+         */
+        public var orderKey:int = 0;
 
         /** The agent's own limit for the levels of its tree, or 0. */
         public var depthLimit:int = 0;
@@ -61,7 +64,7 @@ package starlogo.search
         // By the kind of structure: what _placed was before, for later use.
         private var _spares:Vector.<BoundingStructure> = null;
 
-        /** Becomes the body of an agent as it is now, except for the rank. While the model is loading, the shape is null, and only the place counts. */
+        /** Becomes the body of an agent as it is now, except for the order key. While the model is loading, the shape is null, and only the place counts. */
         public function setToAgent(agent:Agent, shape:ModelShape):void
         {
             placement.x = agent.placement.x;
@@ -96,7 +99,7 @@ package starlogo.search
         {
             shape = other.shape;
             form = other.form;
-            rank = other.rank;
+            orderKey = other.orderKey;
             depthLimit = other.depthLimit;
             placement.copyFrom(other.placement);
             offsetX = other.offsetX;
@@ -259,7 +262,7 @@ package starlogo.search
 
         /**
          * Whether tests take another body first. They have an order so that rounding errors are the same however the bodies come: a tree before a
-         * structure, then by the agents' ranks, and the ground and the edges of the world last.
+         * structure, then by the agents' order keys, and the ground and the edges of the world last.
          */
         public function comesAfter(other:Body):Boolean
         {
@@ -272,7 +275,7 @@ package starlogo.search
             {
                 return !isTree;
             }
-            return rank > other.rank;
+            return orderKey > other.orderKey;
         }
 
         /** Takes a shape. The extents and the rest stay. */

@@ -32,9 +32,6 @@ package starlogo.search
         // Changed rows are few if there are at least this many rows for each of them.
         private static const ROWS_PER_CHANGE:int = 8;
 
-        // The same if a search of all rows is fast, because all shapes are spheres, or only some breeds have handlers.
-        private static const ROWS_PER_CHANGE_IF_FAST:int = 20;
-
         /** The agents of the last search. */
         public var table:AgentTable;
 
@@ -106,7 +103,7 @@ package starlogo.search
             narrowPhase.counts.clear();
             // A search keeps the cells only if it is like the one before, because the next is then probably like it too. So the third of three like
             // searches is the first that begins with the pairs of the last one.
-            if (!(noteConditions(input) && areFew(changeCount, input)))
+            if (!(noteConditions(input) && areFew(changeCount)))
             {
                 findOfAll(input);
                 return _pairs;
@@ -127,7 +124,7 @@ package starlogo.search
         private function moveChanged(input:SearchInput):Boolean
         {
             _changedRows.find(input);
-            return areFew(_changedRows.rows.count, input) && _changedRows.moveToCells(input);
+            return areFew(_changedRows.rows.count) && _changedRows.moveToCells(input);
         }
 
         /** The table was read without a search: the next search is one of all rows. */
@@ -171,10 +168,9 @@ package starlogo.search
         }
 
         // Whether so few rows have changed that a search of these is faster than a search of all.
-        private function areFew(changes:int, input:SearchInput):Boolean
+        private function areFew(changes:int):Boolean
         {
-            var rowsPerChange:int = narrowPhase.choice.areSpheres || !input.interests.includesAllOfAgents ? ROWS_PER_CHANGE_IF_FAST : ROWS_PER_CHANGE;
-            return rowsPerChange * changes <= table.listed.rows.count;
+            return ROWS_PER_CHANGE * changes <= table.listed.rows.count;
         }
 
         // Finds the pairs of all members. Returns the members.

@@ -122,7 +122,7 @@ package starlogo.search
         public function isMember(row:int, table:AgentTable):Boolean
         {
             return table.shapes[row] != null && interests.representativeOf(table.breeds[row]) >= 0
-                && (admitted == null || admitted[table.listed.ranks[row]]);
+                && (admitted == null || admitted[table.listed.listIndices[row]]);
         }
 
         // Asks a filter which agents take part. An entry that is null does, because the collision system refuses it.

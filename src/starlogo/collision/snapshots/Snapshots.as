@@ -199,7 +199,7 @@ package starlogo.collision.snapshots
                 var second:int;
                 if (!touch.second.isOfWorld)
                 {
-                    second = table.listed.ranks[table.listed.rowOf(touch.second)];
+                    second = table.listed.listIndices[table.listed.rowOf(touch.second)];
                 }
                 else if (touch.second === ground || touch.second === edges)
                 {
@@ -211,7 +211,7 @@ package starlogo.collision.snapshots
                     formerWorld[indexInWorld] = touch.second;
                     second = table.listed.rows.count + formerWorld.length + indexInWorld;
                 }
-                bytes.writeInt(table.listed.ranks[table.listed.rowOf(touch.first)]);
+                bytes.writeInt(table.listed.listIndices[table.listed.rowOf(touch.first)]);
                 bytes.writeInt(second);
                 bytes.writeInt(names.ofBreed(touch.firstBreed));
                 bytes.writeInt(names.ofBreed(touch.secondBreed));

@@ -127,7 +127,7 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function roundingGapOf(a:Body, b:Body):Number
+        override public function marginOf(a:Body, b:Body):Number
         {
             // the margin of the body counts twice, as if another agent stood at its place
             return 2 * a.margin;

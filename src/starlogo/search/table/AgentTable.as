@@ -126,8 +126,8 @@ package starlogo.search.table
         /** Reads the rows that have changed. Throws nothing. */
         public function readChanges():void
         {
-            readPlaces();
-            takeShapes();
+            writePlaces();
+            writeShapes();
         }
 
         /**
@@ -142,17 +142,17 @@ package starlogo.search.table
             var agent:Agent = listed.agentsByRow[row];
             if (!isBodyCurrent(row))
             {
-                takeShape(row, _choice.shapeOf(agent));
+                writeShape(row, _choice.shapeOf(agent));
             }
-            readPlace(row, agent);
+            writePlace(row, agent);
         }
 
         /**
-         * Sets the place of a row in the last search, as if the search had seen the agent there.
+         * Writes the place of a row in the last search, as if the search had seen the agent there.
          *
          * @param hasMotion whether the agent's next motion begins there
          */
-        public function setLastPlace(row:int, x:Number, y:Number, z:Number, hasMotion:Boolean):void
+        public function writeLastPlace(row:int, x:Number, y:Number, z:Number, hasMotion:Boolean):void
         {
             places.x[row] = x;
             places.y[row] = y;
@@ -205,23 +205,23 @@ package starlogo.search.table
             {
                 breeds[row] = agent.breedNumber;
                 revisions[row] = agent.revision;
-                readSurface(row);
+                writeSurface(row);
             }
         }
 
         /** Reads the ground and the edges of the last search again, as they are now. */
         public function refreshWorld():void
         {
-            readSurface(ListedAgents.GROUND_ROW);
-            readSurface(ListedAgents.EDGES_ROW);
+            writeSurface(ListedAgents.GROUND_ROW);
+            writeSurface(ListedAgents.EDGES_ROW);
         }
 
-        private function readSurface(row:int):void
+        private function writeSurface(row:int):void
         {
             var agent:WorldAgent = WorldAgent(listed.agentsByRow[row]);
             if (agent != null && shapes[row] !== agent.surface)
             {
-                takeShape(row, agent.surface);
+                writeShape(row, agent.surface);
             }
         }
 
@@ -240,7 +240,7 @@ package starlogo.search.table
             }
             var ofWorld:WorldAgent = agent as WorldAgent;
             spare.setToAgent(agent, ofWorld == null ? _choice.shapeOf(agent) : ofWorld.requireSurface());
-            spare.rank = listed.rankOf(agent);
+            spare.orderKey = listed.orderKeyOf(agent);
             return spare;
         }
 
@@ -325,7 +325,7 @@ package starlogo.search.table
             }
             for (i = 0; i < listed.rows.count; i++)
             {
-                _bodies[listed.rows.values[i]].rank = i;
+                _bodies[listed.rows.values[i]].orderKey = i;
             }
         }
 
@@ -372,8 +372,8 @@ package starlogo.search.table
             }
         }
 
-        // Reads the places and the breeds of the rows that have changed, and moves their extents.
-        private function readPlaces():void
+        // Writes the places and the breeds of the rows that have changed, and moves their extents.
+        private function writePlaces():void
         {
             for (var i:int = 0; i < changed.count; i++)
             {
@@ -381,7 +381,7 @@ package starlogo.search.table
                 var agent:Agent = listed.agentsByRow[row];
                 _startRevisions[row] = agent.revision;
                 breeds[row] = agent.breedNumber;
-                readPlace(row, agent);
+                writePlace(row, agent);
                 // a new row has no level, and its extents are not known yet
                 if (extents.level[row] != 0)
                 {
@@ -390,8 +390,8 @@ package starlogo.search.table
             }
         }
 
-        // Reads the place of one agent as it is now.
-        private function readPlace(row:int, agent:Agent):void
+        // Writes the place of one agent as it is now.
+        private function writePlace(row:int, agent:Agent):void
         {
             revisions[row] = agent.revision;
             places.x[row] = agent.placement.x;
@@ -400,8 +400,8 @@ package starlogo.search.table
             moveExtents(row);
         }
 
-        // Reads the extents of a row's body, which has another shape, turn or size than before.
-        private function readExtents(row:int, body:Body):void
+        // Writes the extents of a row's body, which has another shape, turn or size than before.
+        private function writeExtents(row:int, body:Body):void
         {
             _offsets.x[row] = body.offsetX;
             _offsets.y[row] = body.offsetY;
@@ -423,12 +423,12 @@ package starlogo.search.table
         }
 
         // Gives rows the shapes that findShapes has found, and reads their bodies. Rows whose models are loading are read again in every search.
-        private function takeShapes():void
+        private function writeShapes():void
         {
             loadingCount = 0;
             for (var i:int = 0; i < _reshaped.count; i++)
             {
-                takeShape(_reshaped.values[i], _newShapes[i]);
+                writeShape(_reshaped.values[i], _newShapes[i]);
                 if (_newShapes[i] == null)
                 {
                     loadingCount++;
@@ -439,7 +439,7 @@ package starlogo.search.table
         }
 
         // Gives a row its shape, and reads the body with it, and the extents of the body. The shape is null while the model is loading.
-        private function takeShape(row:int, shape:ModelShape):void
+        private function writeShape(row:int, shape:ModelShape):void
         {
             shapes[row] = shape;
             if (shape == null)
@@ -449,8 +449,8 @@ package starlogo.search.table
             var agent:Agent = listed.agentsByRow[row];
             var body:Body = _bodies[row];
             body.setToAgent(agent, shape);
-            body.rank = listed.ranks[row];
-            readExtents(row, body);
+            body.orderKey = listed.listIndices[row];
+            writeExtents(row, body);
             _bodyRevisions[row] = agent.bodyRevision;
         }
     }

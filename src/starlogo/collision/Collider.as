@@ -98,7 +98,7 @@ package starlogo.collision
         override public function areColliding(a:Agent, b:Agent):Boolean
         {
             requireTwo(a, b);
-            return search.pairQuery.areColliding(a, b);
+            return search.areColliding(a, b);
         }
 
         /** @inheritDoc */
@@ -166,7 +166,7 @@ package starlogo.collision
             {
                 inSearch.table.refreshWorld();
             }
-            inSearch.pairQuery.findContact(collider, collidee, motion, point);
+            inSearch.findContact(collider, collidee, motion, point);
             contact.setFromPoint(point);
             contact.time = motion.time;
             contact.approachSpeed = Math.max(0, -(motion.x * point.normalX + motion.y * point.normalY + motion.z * point.normalZ));

@@ -7,12 +7,14 @@
 // 4. PairOrder puts the FoundPairs into the order of the list. The pairs of changed rows are put between those of the last search.
 // A Body is a shape (ModelShape) at a place. A BaseShapeChoice says which shape a model has, SearchInput who takes part, BreedInterests which breeds
 // count.
-// Read this file first, then AgentTable, CandidateTests and NarrowPhase. AgentPairQuery answers about two agents, with PenetrationSearch (penetration/) for depths.
+// Read this file first, then AgentTable, CandidateTests and NarrowPhase. Contacts get their depths from PenetrationSearch (penetration/).
 package starlogo.search
 {
     import flash.errors.IllegalOperationError;
     import starlogo.agents.Agent;
     import starlogo.broadphase.Bins;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
     import starlogo.data.IntList;
     import starlogo.engine;
     import starlogo.search.table.AgentTable;
@@ -24,6 +26,9 @@ package starlogo.search
      * Finds the pairs of agents that touch: the search that all colliders share. It reads the agents into a table. The bins find the pairs of
      * rows that are near each other (thesis §3.7). Of these it keeps those that touch and whose breeds are of interest, and puts them into order. If
      * few agents have changed, it takes the pairs of the others from the last search.
+     *
+     * <p>It also tells whether and how two agents touch. <code>areColliding()</code> takes the two as they are now, <code>findContact()</code> as the
+     * last search saw them, if it saw both. Both change no place and no motion of the search.</p>
      *
      * @private
      */
@@ -38,12 +43,10 @@ package starlogo.search
         /** Tests their bodies. It may have other searches too. */
         public var narrowPhase:NarrowPhase;
 
-        /** Tells whether and how two of these agents touch. */
-        public var pairQuery:AgentPairQuery;
-
         private var _bins:Bins = new Bins();
         private var _tests:CandidateTests;
         private var _motions:RowMotions;
+        private var _sweptTests:SweptTests;
         private var _changedRows:ChangedRows;
         private var _order:PairOrder = new PairOrder();
 
@@ -66,15 +69,18 @@ package starlogo.search
         // The members of a search in which some rows are no members.
         private var _members:IntList = new IntList();
 
+        // The bodies of agents that have changed since the search.
+        private var _bodyA:Body = new Body();
+        private var _bodyB:Body = new Body();
+
         /** @param narrowPhase chooses the shapes of the agents, and tests their bodies */
         public function CollisionSearch(narrowPhase:NarrowPhase)
         {
             this.narrowPhase = narrowPhase;
             table = new AgentTable(narrowPhase.choice);
             _motions = new RowMotions(table);
-            var sweptTests:SweptTests = new SweptTests(table, narrowPhase, _motions);
-            pairQuery = new AgentPairQuery(table, narrowPhase, sweptTests);
-            _tests = new CandidateTests(table, narrowPhase, sweptTests);
+            _sweptTests = new SweptTests(table, narrowPhase, _motions);
+            _tests = new CandidateTests(table, narrowPhase, _sweptTests);
             _changedRows = new ChangedRows(table, _motions, _bins.levels);
             _pairs = new FoundPairs(table.listed);
             _pairsOfChanged = new FoundPairs(table.listed);
@@ -125,6 +131,66 @@ package starlogo.search
         {
             _changedRows.find(input);
             return areFew(_changedRows.rows.count) && _changedRows.moveToCells(input);
+        }
+
+        /** Whether two agents touch where they are now. See CollisionSystem.areColliding. */
+        public function areColliding(a:Agent, b:Agent):Boolean
+        {
+            var bodyA:Body = table.currentBodyOf(a, _bodyA);
+            var bodyB:Body = table.currentBodyOf(b, _bodyB);
+            return bodyA.shape != null && bodyB.shape != null && narrowPhase.areTouching(bodyA, bodyB);
+        }
+
+        /**
+         * Finds the contact of two agents that touch. It takes them where the last search saw them, or where they are now if the last search did
+         * not see both. The ground and the edges of the world count as the table has read them.
+         *
+         * @param motion receives the motion of the first relative to the second, with the time of the touch: 1 if neither sweeps
+         * @param out receives the contact. Its normal points from the second agent to the first
+         * @throws ArgumentError if a model is unknown or still loading, or if both stand for the ground or the edges of the world
+         */
+        public function findContact(a:Agent, b:Agent, motion:RelativeMotion, out:ContactPoint):void
+        {
+            if (a.isOfWorld && b.isOfWorld)
+            {
+                throw new ArgumentError("the ground and the edges of the world have no contact with each other");
+            }
+            // they get the order that the pairs of a search have, so rounding is the same however a game asks
+            if (table.listed.orderKeyOf(a) > table.listed.orderKeyOf(b))
+            {
+                findContactInOrder(b, a, motion, out);
+                out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
+                motion.endAfter(-motion.x, -motion.y, -motion.z);
+                return;
+            }
+            findContactInOrder(a, b, motion, out);
+        }
+
+        // Finds the contact of an agent of the game with another agent, or with the ground or the edges of the world.
+        private function findContactInOrder(a:Agent, b:Agent, motion:RelativeMotion, out:ContactPoint):void
+        {
+            var rowA:int = table.listed.rowOf(a);
+            var rowB:int = table.listed.rowOf(b);
+            var isSeenB:Boolean = table.isSeen(rowB);
+            var areSeen:Boolean = isSeenB && table.isSeen(rowA);
+            if (areSeen)
+            {
+                table.followPose(rowA);
+                table.followPose(rowB);
+                if (_sweptTests.isSwept)
+                {
+                    _sweptTests.findContact(rowA, rowB, motion, out);
+                    return;
+                }
+            }
+            var bodyA:Body = areSeen ? table.bodyOf(rowA) : table.currentBodyOf(a, _bodyA);
+            var bodyB:Body = areSeen || isSeenB && b.isOfWorld ? table.bodyOf(rowB) : table.currentBodyOf(b, _bodyB);
+            if (bodyA.shape == null || bodyB.shape == null)
+            {
+                var loading:Agent = bodyA.shape == null ? a : b;
+                throw new ArgumentError(loading + ": its model is still loading");
+            }
+            narrowPhase.pairTestsFor(bodyA, bodyB).findContact(bodyA, bodyB, motion, out);
         }
 
         /** The table was read without a search: the next search is one of all rows. */

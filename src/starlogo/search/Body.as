@@ -30,8 +30,8 @@ package starlogo.search
         /** The shape; null while the agent's model is loading. */
         public var shape:ModelShape = null;
 
-        /** The shape's form. */
-        public var form:int = 0;
+        /** The shape's kind. */
+        public var kind:int = 0;
 
         /** The shape's place, rotation and size in the world. */
         public var placement:Placement = new Placement();
@@ -98,7 +98,7 @@ package starlogo.search
         public function copyFrom(other:Body):void
         {
             shape = other.shape;
-            form = other.form;
+            kind = other.kind;
             orderKey = other.orderKey;
             depthLimit = other.depthLimit;
             placement.copyFrom(other.placement);
@@ -180,7 +180,7 @@ package starlogo.search
         /** Whether it is the body of the ground or of the edges of the world. */
         public function get isOfWorld():Boolean
         {
-            return form >= ModelShape.GROUND;
+            return kind >= ModelShape.GROUND;
         }
 
         /** The middle of the extents. */
@@ -214,7 +214,7 @@ package starlogo.search
             {
                 // not margin, because V8 makes an object for the Number of a getter
                 var widening:Number = Touching.marginOfPlace(placement.x, placement.y, placement.z);
-                if (form == BoundingStructure.SPHERE)
+                if (kind == BoundingStructure.SPHERE)
                 {
                     // the test of two spheres has no tolerance of its own, so the sphere is widened by it. Tests of a sphere and another structure
                     // have one
@@ -229,7 +229,7 @@ package starlogo.search
         /** The radius of a circle on the ground around the middle that encloses the extents, or the sphere. */
         engine function get groundRadius():Number
         {
-            if (form == BoundingStructure.SPHERE)
+            if (kind == BoundingStructure.SPHERE)
             {
                 return halfX;
             }
@@ -270,8 +270,8 @@ package starlogo.search
             {
                 return isOfWorld && !other.isOfWorld;
             }
-            var isTree:Boolean = form == ModelShape.TREE;
-            if (isTree != (other.form == ModelShape.TREE))
+            var isTree:Boolean = kind == ModelShape.TREE;
+            if (isTree != (other.kind == ModelShape.TREE))
             {
                 return !isTree;
             }
@@ -283,7 +283,7 @@ package starlogo.search
         {
             _isPlaced = false;
             this.shape = shape;
-            form = shape.form;
+            kind = shape.kind;
         }
 
         // Finds the extents of the shape, turned and scaled as the placement says.
@@ -302,12 +302,12 @@ package starlogo.search
         // Puts a structure into the world, in an object of its kind: _placed.
         private function putIntoWorld(structure:BoundingStructure, at:Placement):BoundingStructure
         {
-            var kind:int = structure.kind;
-            if (_placed != null && _placed.kind != kind)
+            var next:int = structure.kind;
+            if (_placed != null && _placed.kind != next)
             {
                 _spares ||= new Vector.<BoundingStructure>(BoundingStructure.KIND_COUNT, true);
                 _spares[_placed.kind] = _placed;
-                _placed = _spares[kind];
+                _placed = _spares[next];
             }
             _placed = structure.place(at, _placed);
             return _placed;

@@ -14,7 +14,7 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * Tests two bodies by their forms: whether they touch, when they touch, and how. Each collider and each LevelShapes has one such object. It
+     * Tests two bodies by their kinds: whether they touch, when they touch, and how. Each collider and each LevelShapes has one such object. It
      * also has the settings of that collider: the choice of shapes, and how far trees are tested.
      *
      * <p>The tests of each kind of pairs add themselves (<code>addTo()</code>), so a game loads only what it needs: the choice of shapes adds those of
@@ -92,7 +92,7 @@ package starlogo.search
         }
 
         /**
-         * The tests for two bodies, by their forms.
+         * The tests for two bodies, by their kinds.
          *
          * @param a a body of an agent or a structure
          * @param b any body
@@ -100,7 +100,7 @@ package starlogo.search
          */
         public function pairTestsFor(a:Body, b:Body):PairTests
         {
-            var last:int = a.form > b.form ? a.form : b.form;
+            var last:int = a.kind > b.kind ? a.kind : b.kind;
             if (last >= ModelShape.GROUND)
             {
                 return worldTestsOf(b);
@@ -121,7 +121,7 @@ package starlogo.search
         // The tests with the ground or the edges of the world. If this is the first such pair, the shape of the ground or the edges adds them.
         private function worldTestsOf(body:Body):PairTests
         {
-            var isGround:Boolean = body.form == ModelShape.GROUND;
+            var isGround:Boolean = body.kind == ModelShape.GROUND;
             if (isGround ? groundTests == null : edgeTests == null)
             {
                 body.shape.addWorldTests(this);

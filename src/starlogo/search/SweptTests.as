@@ -150,7 +150,7 @@ package starlogo.search
 
         private function sweep(a:int, b:int, level:BinLevel):void
         {
-            var areSpheres:Boolean = _table.shapes[a].form == BoundingStructure.SPHERE && _table.shapes[b].form == BoundingStructure.SPHERE;
+            var areSpheres:Boolean = _table.shapes[a].kind == BoundingStructure.SPHERE && _table.shapes[b].kind == BoundingStructure.SPHERE;
             if (!areSpheres && !overlapOnMotions(a, b, level))
             {
                 return;

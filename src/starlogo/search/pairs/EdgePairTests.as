@@ -185,7 +185,7 @@ package starlogo.search.pairs
                 var radius:Number = Math.abs(along(edge, body.halfX, body.halfY, body.halfZ));
                 var beyond:Number = radius + (along(edge, body.middleX, body.middleY, body.middleZ) - coordinate);
                 _penetrations[edge] = beyond;
-                if (body.form == ModelShape.TREE && (beyond >= -tolerance || beyond - along(edge, motion.x, motion.y, motion.z) >= -tolerance))
+                if (body.kind == ModelShape.TREE && (beyond >= -tolerance || beyond - along(edge, motion.x, motion.y, motion.z) >= -tolerance))
                 {
                     _supportSearch.find(body, OUTWARDS[edge], _farthest);
                     _penetrations[edge] = _farthest.support - coordinate;

@@ -115,7 +115,7 @@ package starlogo.search.pairs
 
         private static function areStructures(a:Body, b:Body):Boolean
         {
-            return a.form < ModelShape.TREE && b.form < ModelShape.TREE;
+            return a.kind < ModelShape.TREE && b.kind < ModelShape.TREE;
         }
 
         /**

@@ -48,7 +48,7 @@ package starlogo.blocks
         public static function checkAgent(block:String, agent:Agent):void
         {
             checkGiven(block, agent);
-            if (agent.isOfWorld)
+            if (agent.isEnvironment)
             {
                 throw new BlockError(block, "needs an agent, but got the ground or the edges of the world.");
             }
@@ -62,7 +62,7 @@ package starlogo.blocks
             {
                 throw new BlockError(block, "needs another agent, but got " + (other == null ? "nothing" + HINT : "the same."));
             }
-            checkAgent(block, agent.isOfWorld ? other : agent);
+            checkAgent(block, agent.isEnvironment ? other : agent);
         }
 
         /** Throws a BlockError if a value is not a finite number. @param what the value is for */

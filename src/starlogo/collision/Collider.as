@@ -164,7 +164,7 @@ package starlogo.collision
             var point:ContactPoint = _point;
             if (frameStep != HANDLING)
             {
-                inSearch.table.refreshWorld();
+                inSearch.table.refreshEnvironment();
             }
             inSearch.findContact(collider, collidee, motion, point);
             contact.setFromPoint(point);

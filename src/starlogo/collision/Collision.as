@@ -26,7 +26,7 @@ package starlogo.collision
     import starlogo.search.SearchInput;
     import starlogo.search.NarrowPhase;
     import starlogo.search.PairReader;
-    import starlogo.search.WorldAgent;
+    import starlogo.search.EnvironmentAgent;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
 
@@ -431,14 +431,14 @@ package starlogo.collision
             return collider;
         }
 
-        private function get ground():WorldAgent
+        private function get ground():EnvironmentAgent
         {
-            return terrain == null ? null : terrain.worldAgent;
+            return terrain == null ? null : terrain.environmentAgent;
         }
 
-        private function get edges():WorldAgent
+        private function get edges():EnvironmentAgent
         {
-            return bounds == null ? null : bounds.worldAgent;
+            return bounds == null ? null : bounds.environmentAgent;
         }
     }
 }

@@ -64,7 +64,7 @@ package starlogo.handlers
             requireArguments(breed, otherBreed, callback);
             requireParameters(breed, otherBreed, callback, phase);
             var handler:CollisionHandler = new CollisionHandler(breed, otherBreed, callback, phase, _revision);
-            if (Breeds.isOfWorld(handler.colliderBreed) && Breeds.isOfWorld(handler.collideeBreed))
+            if (Breeds.isEnvironment(handler.colliderBreed) && Breeds.isEnvironment(handler.collideeBreed))
             {
                 throw new ArgumentError("TERRAIN and EDGE do not collide with each other");
             }
@@ -201,7 +201,7 @@ package starlogo.handlers
         // The numbers of breeds whose handlers count for an agent of a breed. Any breed does not stand for the ground and the edges.
         private static function withAny(breed:int):Array
         {
-            return Breeds.isOfWorld(breed) ? [breed] : [breed, Breeds.ANY];
+            return Breeds.isEnvironment(breed) ? [breed] : [breed, Breeds.ANY];
         }
 
         // The list for just two breeds, by their numbers; null if there is none.

@@ -76,7 +76,7 @@ package starlogo.search
                 return;
             }
             var size:Number = agent.placement.size;
-            if (agent.isOfWorld)
+            if (agent.isEnvironment)
             {
                 // the structures of the ground and of the edges are not scaled
                 size = 1;
@@ -178,7 +178,7 @@ package starlogo.search
         }
 
         /** Whether it is the body of the ground or of the edges of the world. */
-        public function get isOfWorld():Boolean
+        public function get isEnvironment():Boolean
         {
             return kind >= ModelShape.GROUND;
         }
@@ -266,9 +266,9 @@ package starlogo.search
          */
         public function comesAfter(other:Body):Boolean
         {
-            if (isOfWorld || other.isOfWorld)
+            if (isEnvironment || other.isEnvironment)
             {
-                return isOfWorld && !other.isOfWorld;
+                return isEnvironment && !other.isEnvironment;
             }
             var isTree:Boolean = kind == ModelShape.TREE;
             if (isTree != (other.kind == ModelShape.TREE))

@@ -151,7 +151,7 @@ package starlogo.search
          */
         public function findContact(a:Agent, b:Agent, motion:RelativeMotion, out:ContactPoint):void
         {
-            if (a.isOfWorld && b.isOfWorld)
+            if (a.isEnvironment && b.isEnvironment)
             {
                 throw new ArgumentError("the ground and the edges of the world have no contact with each other");
             }
@@ -184,7 +184,7 @@ package starlogo.search
                 }
             }
             var bodyA:Body = areSeen ? table.bodyOf(rowA) : table.currentBodyOf(a, _bodyA);
-            var bodyB:Body = areSeen || isSeenB && b.isOfWorld ? table.bodyOf(rowB) : table.currentBodyOf(b, _bodyB);
+            var bodyB:Body = areSeen || isSeenB && b.isEnvironment ? table.bodyOf(rowB) : table.currentBodyOf(b, _bodyB);
             if (bodyA.shape == null || bodyB.shape == null)
             {
                 var loading:Agent = bodyA.shape == null ? a : b;
@@ -209,7 +209,7 @@ package starlogo.search
                 _motions.read(isAnySweeping(input.agents));
             }
             table.readChanges();
-            table.readWorld(input.ground, input.edges);
+            table.readEnvironment(input.ground, input.edges);
         }
 
         // Notes what the pairs of a search depend on, besides agents, ground and edges. Returns whether it is the same as in the last search.
@@ -246,8 +246,8 @@ package starlogo.search
             _motions.findExtents(table.listed.rows);
             _tests.begin(input, _pairs);
             _bins.findPairs(_motions.searchExtents, members, _tests);
-            _tests.testWithWorldAgent(ListedAgents.GROUND_ROW, members);
-            _tests.testWithWorldAgent(ListedAgents.EDGES_ROW, members);
+            _tests.testWithEnvironment(ListedAgents.GROUND_ROW, members);
+            _tests.testWithEnvironment(ListedAgents.EDGES_ROW, members);
             _order.putInOrder(_pairs);
             narrowPhase.counts.members = members.count;
             return members;
@@ -259,8 +259,8 @@ package starlogo.search
         {
             _tests.begin(input, _pairsOfChanged);
             _changedRows.findPairs(_tests);
-            _tests.testWithWorldAgent(ListedAgents.GROUND_ROW, _changedRows.rowsToTestWith(ListedAgents.GROUND_ROW));
-            _tests.testWithWorldAgent(ListedAgents.EDGES_ROW, _changedRows.rowsToTestWith(ListedAgents.EDGES_ROW));
+            _tests.testWithEnvironment(ListedAgents.GROUND_ROW, _changedRows.rowsToTestWith(ListedAgents.GROUND_ROW));
+            _tests.testWithEnvironment(ListedAgents.EDGES_ROW, _changedRows.rowsToTestWith(ListedAgents.EDGES_ROW));
             var earlyCount:int = _order.putInOrder(_pairsOfChanged);
             _pairs.replacePairsOf(_changedRows.rowSet, _pairsOfChanged, earlyCount);
             narrowPhase.counts.members = _changedRows.memberCount;

@@ -68,7 +68,7 @@ package starlogo.search
          * @private For the ground and the edges: adds the tests of pairs with them to a narrow phase, so a game without them does not load the
          *     code. <code>function(narrowPhase:NarrowPhase):void</code>
          */
-        engine var addWorldTests:Function = null;
+        engine var addEnvironmentTests:Function = null;
 
         /**
          * For colliders only.
@@ -89,9 +89,9 @@ package starlogo.search
          *
          * @param grid the heights of the ground, or null
          * @param edges the edges, or null
-         * @param addWorldTests adds the tests of pairs with them to a narrow phase
+         * @param addEnvironmentTests adds the tests of pairs with them to a narrow phase
          */
-        engine static function ofWorld(grid:HeightGrid, edges:Vector.<Number>, addWorldTests:Function):ModelShape
+        engine static function ofEnvironment(grid:HeightGrid, edges:Vector.<Number>, addEnvironmentTests:Function):ModelShape
         {
             var isGround:Boolean = grid != null;
             var shape:ModelShape = new ModelShape(isGround ? Breeds.TERRAIN : Breeds.EDGE, ONLY_VARIANT, 0);
@@ -100,7 +100,7 @@ package starlogo.search
             shape.ignoresRotation = true;
             shape.grid = grid;
             shape.edges = edges;
-            shape.addWorldTests = addWorldTests;
+            shape.addEnvironmentTests = addEnvironmentTests;
             return shape;
         }
 

@@ -60,15 +60,15 @@ package starlogo.search
         /** Whether two bodies touch. They may come in either order, the ground and the edges of the world too. */
         public function areTouching(a:Body, b:Body):Boolean
         {
-            if (a.isOfWorld)
+            if (a.isEnvironment)
             {
-                return !b.isOfWorld && areTouching(b, a);
+                return !b.isEnvironment && areTouching(b, a);
             }
             return pairTestsFor(a, b).areTouching(a, b);
         }
 
         /**
-         * Finds the distance between two bodies, which is 0 if they touch. They may come in either order. Not both are of the world.
+         * Finds the distance between two bodies, which is 0 if they touch. They may come in either order. Not both are of the environment.
          *
          * @param withPoints whether the closest points are needed if they touch
          * @param out receives the distance and the closest points, in the world
@@ -103,7 +103,7 @@ package starlogo.search
             var last:int = a.kind > b.kind ? a.kind : b.kind;
             if (last >= ModelShape.GROUND)
             {
-                return worldTestsOf(b);
+                return environmentTestsOf(b);
             }
             if (last == ModelShape.TREE)
             {
@@ -115,16 +115,16 @@ package starlogo.search
         /** The tests with the ground. */
         public function groundTestsOf(ground:Body):GroundPairTests
         {
-            return GroundPairTests(worldTestsOf(ground));
+            return GroundPairTests(environmentTestsOf(ground));
         }
 
         // The tests with the ground or the edges of the world. If this is the first such pair, the shape of the ground or the edges adds them.
-        private function worldTestsOf(body:Body):PairTests
+        private function environmentTestsOf(body:Body):PairTests
         {
             var isGround:Boolean = body.kind == ModelShape.GROUND;
             if (isGround ? groundTests == null : edgeTests == null)
             {
-                body.shape.addWorldTests(this);
+                body.shape.addEnvironmentTests(this);
             }
             return isGround ? groundTests : edgeTests;
         }

@@ -87,7 +87,7 @@ package starlogo.search
         private function findStarts(pairs:FoundPairs, side:int):void
         {
             // the ground and the edges of the world have the indices after those of the agents
-            var indexCount:int = pairs.listed.rows.count + ListedAgents.WORLD_ROW_COUNT;
+            var indexCount:int = pairs.listed.rows.count + ListedAgents.ENVIRONMENT_ROW_COUNT;
             if (_next.length < indexCount)
             {
                 _next.length = indexCount;

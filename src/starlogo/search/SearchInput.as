@@ -28,10 +28,10 @@ package starlogo.search
         public var interests:BreedInterests = null;
 
         /** The ground, or null. Read only. */
-        public var ground:WorldAgent = null;
+        public var ground:EnvironmentAgent = null;
 
         /** The edges of the world, or null. Read only. */
-        public var edges:WorldAgent = null;
+        public var edges:EnvironmentAgent = null;
 
         // The copy of the list, if there is a filter.
         private var _copy:Vector.<Agent> = new Vector.<Agent>();
@@ -49,7 +49,7 @@ package starlogo.search
          * @param filter is asked which agents take part; null if all do
          * @throws Error what the filter throws
          */
-        public function begin(agents:Vector.<Agent>, interests:BreedInterests, ground:WorldAgent, edges:WorldAgent, filter:AgentPredicate):void
+        public function begin(agents:Vector.<Agent>, interests:BreedInterests, ground:EnvironmentAgent, edges:EnvironmentAgent, filter:AgentPredicate):void
         {
             this.agents = agents;
             this.interests = interests;

@@ -11,7 +11,7 @@ package starlogo.search.table
     import starlogo.search.BaseShapeChoice;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
-    import starlogo.search.WorldAgent;
+    import starlogo.search.EnvironmentAgent;
 
     use namespace engine;
 
@@ -58,8 +58,8 @@ package starlogo.search.table
         /** The rows that <code>readChanges()</code> reads, because their agents have changed. */
         engine var changed:IntList = new IntList();
 
-        /** The rows of the ground and the edges of the world, if the last <code>readWorld()</code> found others, or found them changed. */
-        engine var changedOfWorld:IntList = new IntList();
+        /** The rows of the ground and the edges of the world, if the last <code>readEnvironment()</code> found others, or found them changed. */
+        engine var changedEnvironment:IntList = new IntList();
 
         // Chooses the shapes of the agents. It may have other tables too.
         private var _choice:BaseShapeChoice;
@@ -182,24 +182,24 @@ package starlogo.search.table
         }
 
         /** Reads the ground and the edges of the world for a search. Either may be null. */
-        public function readWorld(ground:WorldAgent, edges:WorldAgent):void
+        public function readEnvironment(ground:EnvironmentAgent, edges:EnvironmentAgent):void
         {
-            changedOfWorld.count = 0;
-            readWorldAgent(ListedAgents.GROUND_ROW, ground);
-            readWorldAgent(ListedAgents.EDGES_ROW, edges);
+            changedEnvironment.count = 0;
+            readEnvironmentAgent(ListedAgents.GROUND_ROW, ground);
+            readEnvironmentAgent(ListedAgents.EDGES_ROW, edges);
         }
 
-        private function readWorldAgent(row:int, agent:WorldAgent):void
+        private function readEnvironmentAgent(row:int, agent:EnvironmentAgent):void
         {
             if (listed.agentsByRow[row] !== agent)
             {
                 listed.agentsByRow[row] = agent;
                 shapes[row] = null;
-                changedOfWorld.add(row);
+                changedEnvironment.add(row);
             }
             else if (agent != null && agent.revision != revisions[row])
             {
-                changedOfWorld.add(row);
+                changedEnvironment.add(row);
             }
             if (agent != null)
             {
@@ -210,7 +210,7 @@ package starlogo.search.table
         }
 
         /** Reads the ground and the edges of the last search again, as they are now. */
-        public function refreshWorld():void
+        public function refreshEnvironment():void
         {
             writeSurface(ListedAgents.GROUND_ROW);
             writeSurface(ListedAgents.EDGES_ROW);
@@ -218,7 +218,7 @@ package starlogo.search.table
 
         private function writeSurface(row:int):void
         {
-            var agent:WorldAgent = WorldAgent(listed.agentsByRow[row]);
+            var agent:EnvironmentAgent = EnvironmentAgent(listed.agentsByRow[row]);
             if (agent != null && shapes[row] !== agent.surface)
             {
                 writeShape(row, agent.surface);
@@ -238,8 +238,8 @@ package starlogo.search.table
             {
                 return bodyOf(row);
             }
-            var ofWorld:WorldAgent = agent as WorldAgent;
-            spare.setToAgent(agent, ofWorld == null ? _choice.shapeOf(agent) : ofWorld.requireSurface());
+            var environment:EnvironmentAgent = agent as EnvironmentAgent;
+            spare.setToAgent(agent, environment == null ? _choice.shapeOf(agent) : environment.requireSurface());
             spare.orderKey = listed.orderKeyOf(agent);
             return spare;
         }

@@ -26,11 +26,11 @@ package starlogo.search.table
         /** The row of the agent of the edges of the world, which is given beside the list too. */
         public static const EDGES_ROW:int = 1;
 
-        /** How many rows stand for the world: the ground and the edges. */
-        public static const WORLD_ROW_COUNT:int = 2;
+        /** How many rows stand for the environment: the ground and the edges. */
+        public static const ENVIRONMENT_ROW_COUNT:int = 2;
 
         /** The first row for agents of a list. */
-        public static const FIRST_LISTED:int = WORLD_ROW_COUNT;
+        public static const FIRST_LISTED:int = ENVIRONMENT_ROW_COUNT;
 
         // In place of a list index: the agent of the row is not listed.
         private static const UNLISTED:int = -1;
@@ -75,7 +75,7 @@ package starlogo.search.table
         /** The row of an agent; -1 if it is not listed. The ground and the edges of the world have their rows from the last search on. */
         public function rowOf(agent:Agent):int
         {
-            if (agent.isOfWorld)
+            if (agent.isEnvironment)
             {
                 return agentsByRow[GROUND_ROW] === agent ? GROUND_ROW : agentsByRow[EDGES_ROW] === agent ? EDGES_ROW : -1;
             }
@@ -89,7 +89,7 @@ package starlogo.search.table
          */
         public function orderKeyOf(agent:Agent):int
         {
-            if (agent.isOfWorld)
+            if (agent.isEnvironment)
             {
                 return int.MAX_VALUE;
             }
@@ -189,7 +189,7 @@ package starlogo.search.table
             {
                 throw new ArgumentError("agents[" + index + "] " + (agent === null ? "is null" : "must be an Agent, not " + textOf(agent, "an Agent")));
             }
-            if (agent.isOfWorld)
+            if (agent.isEnvironment)
             {
                 throw new ArgumentError("agents[" + index + "] must be an agent of the game, not " + agent
                         + ", which stands for the ground or the edges of the world");

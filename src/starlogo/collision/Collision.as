@@ -342,7 +342,8 @@ package starlogo.collision
          * @return the bytes, about 25 for each agent of the list, 79 for its traits, and 17 for each pair that touches and has handlers for starts
          *     or ends
          * @throws IllegalOperationError if called from a handler or the filter, if the collision system is not one of the engine's or has searched
-         *     another list since the last frame, or if the last frame refused its list or failed because a contact could not be computed
+         *     another list since the last frame, or if the last frame refused its list or failed because a contact could not be computed. Before
+         *     any frame has taken a list, the snapshot is that of no agents
          */
         public function snapshot(withTraits:Boolean = false, withGround:Boolean = true):ByteArray
         {

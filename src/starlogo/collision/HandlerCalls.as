@@ -27,7 +27,7 @@ package starlogo.collision
         private var _pairs:FoundPairs = null;
         private var _system:BaseCollider = null;
 
-        // Knows the touches; null if there are none and no handler is for starts or ends.
+        // Knows the touches; null between frames.
         private var _tracker:TouchTracker = null;
 
         // The handlers of the present pair or ended touch; null before its calls begin.
@@ -64,18 +64,15 @@ package starlogo.collision
             _system = system;
             _gameList.begin(agents, pairs.listed);
             _count = 0;
-            _tracker = tracker.count > 0 || _table.tracksTouches ? tracker : null;
-            var starting:IntList = _tracker == null ? null : tracker.beginFrame(pairs, _table);
+            _tracker = tracker;
+            var starting:IntList = tracker.beginFrame(pairs, _table);
             if (_table.contactPhases != 0)
             {
                 // before touches end, because a game's own contactOf may throw. Then the next frame ends them
                 _contacts.begin();
                 findContacts(starting);
             }
-            if (_tracker != null)
-            {
-                tracker.endOthers();
-            }
+            tracker.endOthers();
             callAll((_table.phases & CollisionHandler.COLLISION) == 0 ? starting : null, errors);
             return _count;
         }
@@ -114,7 +111,7 @@ package starlogo.collision
         // Adobe's VM, and takes longer than most handlers.
         private function callAll(chosen:IntList, errors:Vector.<Error>):void
         {
-            var endedCount:int = _tracker == null ? 0 : _tracker.endedCount;
+            var endedCount:int = _tracker.endedCount;
             var pairCount:int = chosen == null ? _pairs.count : chosen.count;
             var ended:int = 0;
             var i:int = 0;
@@ -147,11 +144,8 @@ package starlogo.collision
         {
             if (_running == null)
             {
-                if (_tracker != null)
-                {
-                    // the present pair may have got its touch without all calls
-                    _tracker.forgetPairs();
-                }
+                // the present pair may have got its touch without all calls
+                _tracker.forgetPairs();
                 throw thrown;
             }
             errors.push(nameBreeds(thrown, _running));

@@ -63,13 +63,19 @@ package starlogo.handlers
         private var _ended:SortableIntList = new SortableIntList();
 
         /**
-         * Begins a frame: the touches of pairs that touched before go on. No touch has ended yet.
+         * Begins a frame: the touches of pairs that touched before go on. No touch has ended yet. If there are no touches, and no handler is for starts
+         * or ends, it does not look at the pairs.
          *
          * @param table the handlers
          * @return the pairs without a touch, until the next call. Their touches may begin, if they have handlers for starts or ends then
          */
         public function beginFrame(pairs:FoundPairs, table:HandlerTable):IntList
         {
+            _starting.count = 0;
+            if (count == 0 && !table.tracksTouches)
+            {
+                return _starting;
+            }
             var isIncremental:Boolean = pairs === _pairs && pairs.isIncremental && pairs.revision == _pairsRevision + 1;
             var before:Vector.<int> = _touchOfPair;
             _touchOfPair = _touchOfPairBefore;
@@ -82,7 +88,6 @@ package starlogo.handlers
             _pairs = pairs;
             _pairsRevision = pairs.revision;
             frame++;
-            _starting.count = 0;
             for (var pair:int = 0; pair < pairs.count; pair++)
             {
                 var touch:int = isIncremental && pairs.previousIndices[pair] != FoundPairs.NEW ? before[pairs.previousIndices[pair]] : NO_TOUCH;

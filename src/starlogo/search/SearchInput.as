@@ -79,9 +79,9 @@ package starlogo.search
         {
             var all:Vector.<Agent> = frame.admittedAgents;
             if (all.length == agents.length && all.every(function(agent:Agent, index:int, ...ignored):Boolean
-                {
-                    return agent === agents[index];
-                }))
+                    {
+                        return agent === agents[index];
+                    }))
             {
                 agents = frame.agents;
                 admitted = frame.admitted;

@@ -471,6 +471,18 @@ test("a literal serves as a filter", () => {
 	for (const wrong of [3, "sheep", ["sheep"], wolf]) refused(() => (collision.filter = wrong), 'Collision.filter must be an AgentFilter, or a literal such as { breeds: ["sheep"] }, not ');
 });
 
+test("a filter may answer with any values: those that count as true are true", () => {
+	const agents = Array.from({ length: 40 }, (_, i) => Object.assign(new Agent("cube"), { x: 0.9 * i }));
+	const [candidates, ofBooleans] = [["yes", undefined], [true, false]].map(([yes, no]) => {
+		const collision = new Collision(new BinCollider());
+		collision.onCollision("*", "*", () => {});
+		collision.filter = new (class extends AgentPredicate { admits = (agent) => (agent.x < 20 ? yes : no); })();
+		for (let frame = 0; frame < 5; frame++) collision.update(agents);
+		return collision.statistics.candidatePairs;
+	});
+	assert.equal(candidates, ofBooleans);
+});
+
 test("null is refused by the call that gets it", () => {
 	const land = makeLand();
 	const queries = new AgentQueries(new TightestFitCollider(land));

@@ -152,9 +152,9 @@ package starlogo.agents
         }
 
         /** @private Whether it stands for the ground or the edges of the world. */
-        engine function get isOfWorld():Boolean
+        engine function get isEnvironment():Boolean
         {
-            return Breeds.isOfWorld(breedNumber);
+            return Breeds.isEnvironment(breedNumber);
         }
 
         /** A number that no other agent of this run has. The first is 1. Those of the edges of the world have negative numbers. */

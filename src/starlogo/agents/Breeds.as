@@ -19,14 +19,14 @@ package starlogo.agents
         /** The numbers of the names of breeds. The first names are reserved. */
         public static const NAMES:NameNumbers = new NameNumbers(new <String>[TERRAIN, EDGE, ANY_BREED]);
 
-        /** The number of the name that stands for any breed of agents. Lower numbers are of the world, higher ones of agents. */
+        /** The number of the name that stands for any breed of agents. Lower numbers are of the environment, higher ones of agents. */
         public static const ANY:int = NAMES.knownNumberOf(ANY_BREED);
 
         /** How often agents have got other breeds. What is computed from the breeds of agents holds until it is another number. */
         public static var changes:int = 0;
 
         /** Whether a number is that of the breed of the ground or of the edges. No other agent may have these breeds. */
-        public static function isOfWorld(number:int):Boolean
+        public static function isEnvironment(number:int):Boolean
         {
             return number < ANY;
         }

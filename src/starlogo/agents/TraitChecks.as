@@ -18,11 +18,11 @@ package starlogo.agents
             }
         }
 
-        /** Throws an ArgumentError if the agent may not have the breed, which is reserved or no name. The agents of the world may have no other breed. */
+        /** Throws an ArgumentError if the agent may not have the breed, which is reserved or no name. The environment may have no other breed. */
         public static function requireBreed(agent:Agent, value:String):void
         {
             requireName(agent, "breed", value);
-            if (Breeds.isReserved(value) || (agent.idNumber != 0 && agent.isOfWorld))
+            if (Breeds.isReserved(value) || (agent.idNumber != 0 && agent.isEnvironment))
             {
                 var reason:String = value == Breeds.ANY_BREED ? "it stands for any breed" : "the ground and the edges of the world have their own breeds";
                 throw new ArgumentError(agent + ": breed must not be \"" + value + "\": " + reason);

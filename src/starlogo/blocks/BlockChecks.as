@@ -49,7 +49,7 @@ package starlogo.blocks
         public static function requirePlacedAgent(block:String, agent:Agent):void
         {
             requireAgent(block, agent);
-            if (agent.isOfWorld)
+            if (agent.isEnvironment)
             {
                 throw new BlockError(block, "needs an agent, but got the ground or the edges of the world.");
             }
@@ -63,7 +63,7 @@ package starlogo.blocks
             {
                 throw new BlockError(block, "needs another agent, but got " + (other == null ? "nothing" + HINT : "the same."));
             }
-            requirePlacedAgent(block, agent.isOfWorld ? other : agent);
+            requirePlacedAgent(block, agent.isEnvironment ? other : agent);
         }
 
         /** Throws a BlockError if a value is not a number, or is more than any place or height either way. @param what the value is for */

@@ -76,22 +76,17 @@ package starlogo.broadphase
             var fromPlace:Number = distanceFromPlace[row];
             var distanceSquared:Number = Math.max(middleX * middleX + middleY * middleY + middleZ * middleZ, fromPlace * fromPlace);
             var least:Number = Math.max(2 * half, Math.sqrt(distanceSquared) / BinLevel.MAX_DISTANCE);
-            if (!isFinestFor(least, level[row]))
+            level[row] = finestFor(least, level[row]);
+        }
+
+        // The finest level whose width is at least this large. It looks from a level on, because most rows keep theirs.
+        private function finestFor(least:Number, from:int):int
+        {
+            var index:int = from == 0 ? 1 : from;
+            while (index > 1 && levelWidths[index - 1] >= least)
             {
-                level[row] = finestFor(least);
+                index--;
             }
-        }
-
-        // Whether a level is what finestFor() returns. Most rows keep their level, and this is quicker.
-        private function isFinestFor(least:Number, index:int):Boolean
-        {
-            return index > 0 && levelWidths[index] >= least && (index == 1 || levelWidths[index - 1] < least);
-        }
-
-        // The finest level whose width is at least this large.
-        private function finestFor(least:Number):int
-        {
-            var index:int = 1;
             while (levelWidths[index] < least && levelWidths[index] < Infinity)
             {
                 if (index + 1 == levelWidths.length)

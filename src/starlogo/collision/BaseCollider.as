@@ -161,24 +161,6 @@ package starlogo.collision
             return pairs;
         }
 
-        /** @private A phase of the owner's frame begins, for the engine's collider within. @param input what the frame searches among, while it searches */
-        engine function beginPhase(phase:int, input:SearchInput = null):void
-        {
-            if (inner != null)
-            {
-                inner.beginPhase(phase, input);
-            }
-        }
-
-        /** @private Lets no agent have a motion in the next frame, in the engine's collider within. */
-        engine function forgetMotions():void
-        {
-            if (inner != null)
-            {
-                inner.forgetMotions();
-            }
-        }
-
         /** @private Called when a Collision's frame is over, handlers included, with the Collision's statistics. */
         engine function onFrame(statistics:CollisionStatistics):void
         {

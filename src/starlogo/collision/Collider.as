@@ -32,10 +32,10 @@ package starlogo.collision
      */
     public class Collider extends BaseCollider
     {
-        // Phases of a frame. While it searches, it calls findCollisions of the collider, or of a system around it. While its handlers run, contacts stay
+        // Steps of a frame. While it searches, it calls findCollisions of the collider, or of a system around it. While its handlers run, contacts stay
         // those of the frame.
 
-        /** @private No frame is under way. */
+        /** @private No frame is under way, or its filter is asked. */
         engine static const IDLE:int = 0;
 
         /** @private A frame searches for its pairs. */
@@ -52,11 +52,6 @@ package starlogo.collision
 
         // The Collision that owns the collider, or null. It keeps its motions and contacts in the collider.
         private var _owner:Collision = null;
-
-        private var _phase:int = IDLE;
-
-        // What the frame searches among, or null.
-        private var _frameInput:SearchInput = null;
 
         // The search for the game's own calls of findCollisions while a Collision owns the collider, or null.
         private var _extraSearch:CollisionSearch = null;
@@ -103,7 +98,7 @@ package starlogo.collision
         override public function areColliding(a:Agent, b:Agent):Boolean
         {
             requireTwo(a, b);
-            return search.pairQuery.areColliding(a, b);
+            return search.areColliding(a, b);
         }
 
         /** @inheritDoc */
@@ -117,7 +112,8 @@ package starlogo.collision
         {
             requireGiven("agents", agents);
             var inSearch:CollisionSearch = search;
-            if (_owner != null && _phase != SEARCHING)
+            var step:int = frameStep;
+            if (_owner != null && step != SEARCHING)
             {
                 // The next frame's motions begin where the last frame saw the agents, so a game's own call must not change that. While a Collision
                 // searches it is no call of the game's: a BaseCollider around this collider makes it
@@ -126,9 +122,9 @@ package starlogo.collision
             }
             var found:Vector.<Agent> = out || new Vector.<Agent>();
             _input.begin(agents, interests || BreedInterests.ALL, null, null, null);
-            if (_frameInput != null)
+            if (step == SEARCHING)
             {
-                _input.takeFilterOf(_frameInput);
+                _input.takeFilterOf(_owner.frameInput);
             }
             var pairs:FoundPairs = find(inSearch, _input);
             if (found.length > 2 * pairs.count)
@@ -142,10 +138,11 @@ package starlogo.collision
         /**
          * Computes how two agents touch. If both were in the last search, it takes them as they were then. Otherwise it takes them as they are now.
          * The last search is a frame of the collider's Collision, or a call of <code>findCollisions</code>. While handlers run, and after them until
-         * the next search, it is the frame's, even if a handler has called <code>findCollisions</code>.
+         * the next search, it is the frame's, even if a handler has called <code>findCollisions</code>. <code>reset()</code> and
+         * <code>restore()</code> of the Collision forget it, and so does another Collision that begins to use the collider.
          *
          * <p>The ground and the edges of the world count as they are now. In a handler they count as the frame has seen them, also after a handler
-         * has changed them.</p>
+         * has changed them. Only a model's pose counts at once.</p>
          *
          * @param collider the normal points to it
          * @param collidee another agent
@@ -165,11 +162,11 @@ package starlogo.collision
         {
             var motion:RelativeMotion = _motion;
             var point:ContactPoint = _point;
-            if (_phase != HANDLING)
+            if (frameStep != HANDLING)
             {
-                inSearch.table.refreshWorld();
+                inSearch.table.refreshEnvironment();
             }
-            inSearch.pairQuery.findContact(collider, collidee, motion, point);
+            inSearch.findContact(collider, collidee, motion, point);
             contact.setFromPoint(point);
             contact.time = motion.time;
             contact.approachSpeed = Math.max(0, -(motion.x * point.normalX + motion.y * point.normalY + motion.z * point.normalZ));
@@ -209,15 +206,8 @@ package starlogo.collision
             _owner = null;
         }
 
-        /** @private */
-        override engine function beginPhase(phase:int, input:SearchInput = null):void
-        {
-            _phase = phase;
-            _frameInput = input;
-        }
-
-        /** @private */
-        override engine function forgetMotions():void
+        /** @private Lets no agent have a motion in the next frame. */
+        engine function forgetMotions():void
         {
             search.table.forgetMotionStarts();
         }
@@ -230,11 +220,17 @@ package starlogo.collision
             return pairs;
         }
 
+        // The step of the owner's frame, if this collider finds its pairs.
+        private function get frameStep():int
+        {
+            return _owner == null || _owner.systemOfFrame.innerCollider !== this ? IDLE : _owner.frameStep;
+        }
+
         private function find(inSearch:CollisionSearch, input:SearchInput):FoundPairs
         {
             var start:Number = getTimer();
             var pairs:FoundPairs = inSearch.find(input);
-            if (_phase != HANDLING)
+            if (frameStep != HANDLING)
             {
                 contactSearch = inSearch;
             }

@@ -26,7 +26,7 @@ package starlogo.collision
     import starlogo.search.SearchInput;
     import starlogo.search.NarrowPhase;
     import starlogo.search.PairReader;
-    import starlogo.search.WorldAgent;
+    import starlogo.search.EnvironmentAgent;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
 
@@ -87,6 +87,12 @@ package starlogo.collision
          */
         public var filter:AgentPredicate = null;
 
+        /** @private The step of the frame: Collider.IDLE, SEARCHING or HANDLING. Read only. */
+        engine var frameStep:int = Collider.IDLE;
+
+        /** @private What the frame searches among. Read only. */
+        engine var frameInput:SearchInput = new SearchInput();
+
         // The collision system as the game has given it.
         private var _givenSystem:CollisionSystem;
 
@@ -103,7 +109,6 @@ package starlogo.collision
         private var _handlers:HandlerTable = new HandlerTable();
         private var _calls:HandlerCalls = new HandlerCalls(_handlers);
         private var _handlerErrors:Vector.<Error> = new Vector.<Error>();
-        private var _input:SearchInput = new SearchInput();
         private var _pairReader:PairReader = new PairReader();
         private var _snapshots:Snapshots = new Snapshots();
         private var _lastFrame:LastFrame = new LastFrame();
@@ -263,7 +268,7 @@ package starlogo.collision
          */
         public function removeHandler(breed:String, otherBreed:String, handler:Function, kind:String = null):Boolean
         {
-            return _handlers.remove(breed, otherBreed, handler, CollisionHandler.momentsNamed(kind));
+            return _handlers.remove(breed, otherBreed, handler, CollisionHandler.phasesNamed(kind));
         }
 
         /**
@@ -275,8 +280,13 @@ package starlogo.collision
             _handlers.clear();
             // a handler may call this, and the frame under way goes on with its own
             _lastFrame = new LastFrame();
-            _system.forgetMotions();
-            systemOfFrame.forgetMotions();
+            for each (var system:BaseCollider in [_system, systemOfFrame])
+            {
+                if (system.innerCollider != null)
+                {
+                    system.innerCollider.forgetMotions();
+                }
+            }
         }
 
         /**
@@ -303,7 +313,7 @@ package starlogo.collision
             finally
             {
                 _calls.endFrame();
-                system.beginPhase(Collider.IDLE);
+                frameStep = Collider.IDLE;
                 _frameSystem = null;
                 releaseUnused(system);
                 if (_heldGround != null)
@@ -332,7 +342,8 @@ package starlogo.collision
          * @return the bytes, about 25 for each agent of the list, 79 for its traits, and 17 for each pair that touches and has handlers for starts
          *     or ends
          * @throws IllegalOperationError if called from a handler or the filter, if the collision system is not one of the engine's or has searched
-         *     another list since the last frame, or if the last frame refused its list or failed because a contact could not be computed
+         *     another list since the last frame, or if the last frame refused its list or failed because a contact could not be computed. Before
+         *     any frame has taken a list, the snapshot is that of no agents
          */
         public function snapshot(withTraits:Boolean = false, withGround:Boolean = true):ByteArray
         {
@@ -383,23 +394,22 @@ package starlogo.collision
         {
             var tracker:TouchTracker = _lastFrame.tracker;
             _handlers.begin(agents);
-            _input.begin(agents, _handlers.interests, ground, edges, filter);
+            frameInput.begin(agents, _handlers.interests, ground, edges, filter);
             // The filter may have called reset(), which forgets the frames before this one. The touches of this frame do not count then
             var lastFrame:LastFrame = _lastFrame;
-            lastFrame.hasFailed = true;
-            system.beginPhase(Collider.SEARCHING, _input);
-            var pairs:FoundPairs = system.findPairs(_input, _pairReader, _statistics);
-            system.beginPhase(Collider.HANDLING);
-            var searched:Collider = system.samePairsCollider;
-            lastFrame.agents = copyAgents(_input.agents, lastFrame.agents);
-            lastFrame.search = searched == null ? null : searched.search;
-            if (_input.ground != null)
+            lastFrame.search = null;
+            frameStep = Collider.SEARCHING;
+            var pairs:FoundPairs = system.findPairs(frameInput, _pairReader, _statistics);
+            frameStep = Collider.HANDLING;
+            lastFrame.agents = copyAgents(frameInput.agents, lastFrame.agents);
+            if (frameInput.ground != null)
             {
-                _heldGround = _input.ground.surface.grid;
+                _heldGround = frameInput.ground.surface.grid;
                 _heldGround.hold();
             }
             _statistics.handlerCalls = _calls.callHandlers(pairs, system, tracker, agents, _handlerErrors);
-            lastFrame.hasFailed = false;
+            var searched:Collider = system.samePairsCollider;
+            lastFrame.search = searched == null ? null : searched.search;
         }
 
         private function requireIdle(what:String):void
@@ -422,14 +432,14 @@ package starlogo.collision
             return collider;
         }
 
-        private function get ground():WorldAgent
+        private function get ground():EnvironmentAgent
         {
-            return terrain == null ? null : terrain.worldAgent;
+            return terrain == null ? null : terrain.environmentAgent;
         }
 
-        private function get edges():WorldAgent
+        private function get edges():EnvironmentAgent
         {
-            return bounds == null ? null : bounds.worldAgent;
+            return bounds == null ? null : bounds.environmentAgent;
         }
     }
 }

@@ -9,17 +9,19 @@ package starlogo.collision
     {
         private var _agents:Vector.<Agent> = null;
 
-        // By row, unless the list is unchanged: the last known index, or -1 once the agent was missing.
+        // By row: the last known index, or -1 once the agent was missing.
         private var _indices:Vector.<int> = new Vector.<int>();
 
-        // Whether all agents that were looked for were at their ranks.
-        private var _isUnchanged:Boolean = true;
-
-        /** Begins a frame with its list. */
-        public function begin(agents:Vector.<Agent>):void
+        /** Begins a frame with its list. @param listed the agents as the frame has found them in the list */
+        public function begin(agents:Vector.<Agent>, listed:ListedAgents):void
         {
             _agents = agents;
-            _isUnchanged = true;
+            var indices:Vector.<int> = _indices;
+            var listIndices:Vector.<int> = listed.listIndices;
+            for (var row:int = 0; row < listIndices.length; row++)
+            {
+                indices[row] = listIndices[row];
+            }
         }
 
         /** Ends a frame. */
@@ -41,17 +43,9 @@ package starlogo.collision
         private function findIndex(list:ListedAgents, row:int):int
         {
             var agent:Agent = list.agentsByRow[row];
-            var index:int = _isUnchanged ? list.ranks[row] : _indices[row];
+            var index:int = _indices[row];
             if (index >= 0 && (index >= _agents.length || _agents[index] !== agent))
             {
-                if (_isUnchanged)
-                {
-                    _isUnchanged = false;
-                    for (var other:int = 0; other < list.ranks.length; other++)
-                    {
-                        _indices[other] = list.ranks[other];
-                    }
-                }
                 index = _agents.lastIndexOf(agent, index);
                 if (index < 0)
                 {

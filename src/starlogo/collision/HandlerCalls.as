@@ -27,7 +27,7 @@ package starlogo.collision
         private var _pairs:FoundPairs = null;
         private var _system:BaseCollider = null;
 
-        // Knows the touches; null if there are none and no handler is for starts or ends.
+        // Knows the touches; null between frames.
         private var _tracker:TouchTracker = null;
 
         // The handlers of the present pair or ended touch; null before its calls begin.
@@ -62,21 +62,18 @@ package starlogo.collision
         {
             _pairs = pairs;
             _system = system;
-            _gameList.begin(agents);
+            _gameList.begin(agents, pairs.listed);
             _count = 0;
-            _tracker = tracker.count > 0 || _table.tracksTouches ? tracker : null;
-            var starting:IntList = _tracker == null ? null : tracker.beginFrame(pairs, _table);
-            if (_table.contactMoments != 0)
+            _tracker = tracker;
+            var starting:IntList = tracker.beginFrame(pairs, _table);
+            if (_table.contactPhases != 0)
             {
                 // before touches end, because a game's own contactOf may throw. Then the next frame ends them
                 _contacts.begin();
                 findContacts(starting);
             }
-            if (_tracker != null)
-            {
-                tracker.endOthers();
-            }
-            callAll((_table.moments & CollisionHandler.COLLISION) == 0 ? starting : null, errors);
+            tracker.endOthers();
+            callAll((_table.phases & CollisionHandler.COLLISION) == 0 ? starting : null, errors);
             return _count;
         }
 
@@ -96,42 +93,41 @@ package starlogo.collision
         // Computes the contacts that handlers take, before a handler moves an agent. Handlers for starts take none of a touch that goes on.
         private function findContacts(starting:IntList):void
         {
-            var chosen:IntList = (_table.contactMoments & CollisionHandler.COLLISION) == 0 ? starting : null;
+            var chosen:IntList = (_table.contactPhases & CollisionHandler.COLLISION) == 0 ? starting : null;
             var end:int = chosen == null ? _pairs.count : chosen.count;
             for (var i:int = 0; i < end; i++)
             {
                 var pair:int = chosen == null ? i : chosen.values[i];
-                var moments:int = _table.handlersOfPair(_pairs, pair).contactMoments;
-                if ((moments & CollisionHandler.COLLISION) != 0 || moments != 0 && _tracker.touchAt(pair) == null)
+                var phases:int = _table.handlersOfPair(_pairs, pair).contactPhases;
+                if ((phases & CollisionHandler.COLLISION) != 0 || phases != 0 && _tracker.touchAt(pair) == null)
                 {
                     _contacts.compute(pair, _pairs, _system);
                 }
             }
         }
 
-        // Makes all calls: a step less than 0 is a touch that has ended, another one a chosen pair. Null stands for all pairs. After an error the same step
-        // goes on with the next handler. The try is around the steps and not around each call, because a method with a try makes an object for each of its
-        // calls in Adobe's VM, and takes longer than most handlers.
+        // Makes all calls: for the ended touches, then for chosen pairs. Null stands for all pairs. After an error the calls go on where they were, with the
+        // next handler. The try is around the loops and not around each call, because a method with a try makes an object for each of its calls in
+        // Adobe's VM, and takes longer than most handlers.
         private function callAll(chosen:IntList, errors:Vector.<Error>):void
         {
-            var endedCount:int = _tracker == null ? 0 : _tracker.endedCount;
+            var endedCount:int = _tracker.endedCount;
             var pairCount:int = chosen == null ? _pairs.count : chosen.count;
-            var step:int = -endedCount;
+            var ended:int = 0;
+            var i:int = 0;
             _handlersOfPair = null;
-            while (step < pairCount)
+            while (ended < endedCount || i < pairCount)
             {
                 try
                 {
-                    for (; step < pairCount; step++)
+                    for (; ended < endedCount; ended++)
                     {
-                        if (step < 0)
-                        {
-                            callForEnded(_tracker.endedAt(endedCount + step));
-                        }
-                        else
-                        {
-                            callForPair(chosen == null ? step : chosen.values[step]);
-                        }
+                        callForEnded(_tracker.endedAt(ended));
+                        _handlersOfPair = null;
+                    }
+                    for (; i < pairCount; i++)
+                    {
+                        callForPair(chosen == null ? i : chosen.values[i]);
                         _handlersOfPair = null;
                     }
                 }
@@ -148,11 +144,8 @@ package starlogo.collision
         {
             if (_running == null)
             {
-                if (_tracker != null)
-                {
-                    // the present pair may have got its touch without all calls
-                    _tracker.forgetPairs();
-                }
+                // the present pair may have got its touch without all calls
+                _tracker.forgetPairs();
                 throw thrown;
             }
             errors.push(nameBreeds(thrown, _running));
@@ -208,16 +201,16 @@ package starlogo.collision
             }
         }
 
-        // Calls the handlers of the moments from _next on, up to an index. In the first frame of a touch, those for starts come before those for every
+        // Calls the handlers of the phases from _next on, up to an index. In the first frame of a touch, those for starts come before those for every
         // frame. An ended touch has no contact, and its agents may have left the list: pass NO_PAIR. For a pair it stops when one of the two has left.
-        private function callRest(pair:int, first:Agent, second:Agent, moments:int, end:int):void
+        private function callRest(pair:int, first:Agent, second:Agent, phases:int, end:int):void
         {
             var handlers:Vector.<CollisionHandler> = _handlersOfPair.handlers;
             var firstCount:int = _handlersOfPair.firstCount;
             while (_next < end)
             {
                 var handler:CollisionHandler = handlers[_next];
-                var isMeant:Boolean = (handler.moment & moments) != 0;
+                var isMeant:Boolean = (handler.phase & phases) != 0;
                 if (isMeant && pair != NO_PAIR && !_gameList.hasBoth(_pairs, pair))
                 {
                     return;

@@ -11,11 +11,11 @@ package starlogo.collision
      */
     public final class LastFrame
     {
-        /** The search that has read the list; null before the first frame, and for a system that is not the engine's. */
+        /**
+         * The search that has read the list. It is null before the first frame, while a frame runs, after a frame that has refused its list or could not
+         * compute a contact, and for a system that is not the engine's. Errors of handlers do not count.
+         */
         public var search:CollisionSearch = null;
-
-        /** True while a frame runs, and after a frame that has refused its list or could not compute a contact. Errors of handlers do not count. */
-        public var hasFailed:Boolean = false;
 
         /** The list. A game gets it, and must not change it. */
         public var agents:Vector.<Agent> = new Vector.<Agent>();

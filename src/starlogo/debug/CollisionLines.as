@@ -66,7 +66,7 @@ package starlogo.debug
             var choice:BaseShapeChoice = collider == null ? _tightest : collider.narrowPhase.choice;
             var all:Vector.<Number> = out || new Vector.<Number>();
             // a BinCollider may be without models, and its agents have any shapes
-            if (agent.isOfWorld || choice.greatLand != null && !choice.greatLand.hasModel(agent.shape))
+            if (agent.isEnvironment || choice.greatLand != null && !choice.greatLand.hasModel(agent.shape))
             {
                 return all;
             }

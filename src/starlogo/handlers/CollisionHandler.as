@@ -6,13 +6,13 @@ package starlogo.handlers
     use namespace engine;
 
     /**
-     * A handler function, with the two breeds and the moment for which the game has added it.
+     * A handler function, with the two breeds and the phase for which the game has added it.
      *
      * @private
      */
     public final class CollisionHandler
     {
-        /** When handlers are called: in the first frame of a touch. Each moment is a bit, so that moments can be added up. */
+        /** When handlers are called: in the first frame of a touch. Each phase of a touch is a bit, so that phases can be added up. */
         public static const START:int = 1;
 
         /** When handlers are called: in every frame of a touch; in its first frame, after the handlers for starts. */
@@ -21,11 +21,11 @@ package starlogo.handlers
         /** When handlers are called: in the first frame after a touch. */
         public static const END:int = 4;
 
-        // The names of the moments, as games give them: in the order of the bits.
-        private static const MOMENT_NAMES:Array = ["start", "collision", "end"];
+        // The names of the phases, as games give them: in the order of the bits.
+        private static const PHASE_NAMES:Array = ["start", "collision", "end"];
 
         /** When it is called: START, COLLISION or END. */
-        public var moment:int;
+        public var phase:int;
 
         /** The number of the collider's breed; Breeds.ANY for any breed. */
         public var colliderBreed:int;
@@ -39,26 +39,26 @@ package starlogo.handlers
         /** Whether it takes a contact, or may read one: see mayTakeContact. */
         public var takesContact:Boolean;
 
-        /** When it was added, by the clock of the HandlerTable. */
-        public var serial:int;
+        /** The revision of the HandlerTable at which it was added. */
+        public var addedAt:int;
 
         /** Whether it was removed, perhaps by another handler. A removed handler is not called. */
         public var isRemoved:Boolean = false;
 
-        public function CollisionHandler(breed:String, otherBreed:String, callback:Function, moment:int, serial:int)
+        public function CollisionHandler(breed:String, otherBreed:String, callback:Function, phase:int, addedAt:int)
         {
-            this.moment = moment;
+            this.phase = phase;
             this.callback = callback;
-            this.serial = serial;
+            this.addedAt = addedAt;
             colliderBreed = Breeds.NAMES.numberOf(breed);
             collideeBreed = Breeds.NAMES.numberOf(otherBreed);
             takesContact = mayTakeContact(callback);
         }
 
-        /** The moment with a name; all moments for null. @throws ArgumentError if there is no such moment */
-        public static function momentsNamed(name:String):int
+        /** The phase with a name; all phases for null. @throws ArgumentError if there is no such phase */
+        public static function phasesNamed(name:String):int
         {
-            var index:int = MOMENT_NAMES.indexOf(name);
+            var index:int = PHASE_NAMES.indexOf(name);
             if (name != null && index < 0)
             {
                 throw new ArgumentError("kind must be \"collision\", \"start\", \"end\" or null, not \"" + name + "\"");
@@ -69,7 +69,7 @@ package starlogo.handlers
         /** Whether its calls need a contact. At the end of a touch there is none. */
         public function get needsContact():Boolean
         {
-            return takesContact && moment != END;
+            return takesContact && phase != END;
         }
     }
 }

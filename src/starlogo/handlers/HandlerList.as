@@ -23,15 +23,15 @@ package starlogo.handlers
          * Removes the handler with a function that was added first. It compares one function after the other, because a function has no hash in
          * ActionScript.
          *
-         * @param moments the moments that count: a sum
+         * @param phases the phases that count: a sum
          * @return whether it was there
          */
-        public function remove(callback:Function, moments:int):Boolean
+        public function remove(callback:Function, phases:int):Boolean
         {
             for (var i:int = _removedCount; i < _handlers.length; i++)
             {
                 var handler:CollisionHandler = _handlers[i];
-                if (handler.callback == callback && (handler.moment & moments) != 0)
+                if (handler.callback == callback && (handler.phase & phases) != 0)
                 {
                     handler.isRemoved = true;
                     if (i == _removedCount)
@@ -61,11 +61,11 @@ package starlogo.handlers
         /**
          * Appends the handlers to a list.
          *
-         * @param end only handlers whose serial number is less
+         * @param end the revision before which handlers were added that count
          */
         public function appendTo(list:Vector.<CollisionHandler>, end:int):void
         {
-            for (var i:int = _removedCount; i < _handlers.length && _handlers[i].serial < end; i++)
+            for (var i:int = _removedCount; i < _handlers.length && _handlers[i].addedAt < end; i++)
             {
                 list.push(_handlers[i]);
             }

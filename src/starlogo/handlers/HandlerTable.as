@@ -24,11 +24,11 @@ package starlogo.handlers
         /** The pairs of breeds that have handlers. Each frame after a change of the handlers has another object. */
         public var interests:BreedInterests = new BreedInterests();
 
-        /** The moments of the handlers: a sum of CollisionHandler.START and so on. */
-        public var moments:int = 0;
+        /** The phases of the handlers: a sum of CollisionHandler.START and so on. */
+        public var phases:int = 0;
 
-        /** The moments of the handlers that take the contact of a touch. */
-        public var contactMoments:int = 0;
+        /** The phases of the handlers that take the contact of a touch. */
+        public var contactPhases:int = 0;
 
         // What the game has added: a list for each two breeds.
         private var _lists:Vector.<HandlerList> = new Vector.<HandlerList>();
@@ -42,43 +42,43 @@ package starlogo.handlers
         // By the numbers of the first agent's breed and of the second's: the index of what the frame calls for them.
         private var _pairIndices:IntPairMap = new IntPairMap();
 
-        // A clock: each change of the handlers advances it. A handler's serial number is the time at which it was added.
-        private var _clock:int = 0;
+        // Counts the changes of the handlers.
+        private var _revision:int = 0;
 
-        // The time at which the frame began. It calls the handlers that were there before.
-        private var _frameTime:int = 0;
+        // The revision at which the frame began. It calls the handlers that were there before.
+        private var _frameRevision:int = 0;
 
         /** Whether a handler is for starts or ends, so that touches have to be tracked. */
         public function get tracksTouches():Boolean
         {
-            return (moments & ~CollisionHandler.COLLISION) != 0;
+            return (phases & ~CollisionHandler.COLLISION) != 0;
         }
 
         /**
-         * Adds a handler for a moment.
+         * Adds a handler for a phase.
          *
          * @throws ArgumentError as Collision.onCollision does
          */
-        public function add(breed:String, otherBreed:String, callback:Function, moment:int):void
+        public function add(breed:String, otherBreed:String, callback:Function, phase:int):void
         {
             requireArguments(breed, otherBreed, callback);
-            requireParameters(breed, otherBreed, callback, moment);
-            var handler:CollisionHandler = new CollisionHandler(breed, otherBreed, callback, moment, _clock);
-            if (Breeds.isOfWorld(handler.colliderBreed) && Breeds.isOfWorld(handler.collideeBreed))
+            requireParameters(breed, otherBreed, callback, phase);
+            var handler:CollisionHandler = new CollisionHandler(breed, otherBreed, callback, phase, _revision);
+            if (Breeds.isEnvironment(handler.colliderBreed) && Breeds.isEnvironment(handler.collideeBreed))
             {
                 throw new ArgumentError("TERRAIN and EDGE do not collide with each other");
             }
             addToList(handler);
-            _clock++;
+            _revision++;
         }
 
-        /** Removes a handler for one of some moments, a sum: see Collision.removeHandler. */
-        public function remove(breed:String, otherBreed:String, callback:Function, moments:int):Boolean
+        /** Removes a handler for one of some phases, a sum: see Collision.removeHandler. */
+        public function remove(breed:String, otherBreed:String, callback:Function, phases:int):Boolean
         {
             requireArguments(breed, otherBreed, callback);
             var list:HandlerList = listFor(Breeds.NAMES.knownNumberOf(breed), Breeds.NAMES.knownNumberOf(otherBreed));
-            var isRemoved:Boolean = list != null && list.remove(callback, moments);
-            _clock += isRemoved ? 1 : 0;
+            var isRemoved:Boolean = list != null && list.remove(callback, phases);
+            _revision += isRemoved ? 1 : 0;
             return isRemoved;
         }
 
@@ -90,8 +90,8 @@ package starlogo.handlers
                 list.clear();
             }
             interests = new BreedInterests();
-            moments = contactMoments = 0;
-            _clock++;
+            phases = contactPhases = 0;
+            _revision++;
         }
 
         /**
@@ -101,34 +101,34 @@ package starlogo.handlers
          */
         public function begin(agents:Vector.<Agent>):void
         {
-            if (_clock == _frameTime)
+            if (_revision == _frameRevision)
             {
                 return;
             }
             var all:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
             for each (var list:HandlerList in _lists)
             {
-                list.appendTo(all, _clock);
+                list.appendTo(all, _revision);
             }
             _lists.length = _pairs.length = 0;
             _listIndices.clear();
             _pairIndices.clear();
             interests = new BreedInterests();
-            moments = contactMoments = 0;
+            phases = contactPhases = 0;
             var newNames:Vector.<String> = new Vector.<String>();
             for each (var handler:CollisionHandler in all)
             {
                 addToList(handler);
                 interests.addNumbers(handler.colliderBreed, handler.collideeBreed);
-                moments |= handler.moment;
-                contactMoments |= handler.needsContact ? handler.moment : 0;
-                if (handler.serial >= _frameTime)
+                phases |= handler.phase;
+                contactPhases |= handler.needsContact ? handler.phase : 0;
+                if (handler.addedAt >= _frameRevision)
                 {
                     newNames.push(Breeds.NAMES.nameOf(handler.colliderBreed), Breeds.NAMES.nameOf(handler.collideeBreed));
                 }
             }
             warnOfMissingBreeds(newNames, agents);
-            _frameTime = _clock;
+            _frameRevision = _revision;
         }
 
         /**
@@ -191,7 +191,7 @@ package starlogo.handlers
                     var list:HandlerList = listFor(collider, collidee);
                     if (list != null)
                     {
-                        list.appendTo(found, _frameTime);
+                        list.appendTo(found, _frameRevision);
                     }
                 }
             }
@@ -201,7 +201,7 @@ package starlogo.handlers
         // The numbers of breeds whose handlers count for an agent of a breed. Any breed does not stand for the ground and the edges.
         private static function withAny(breed:int):Array
         {
-            return Breeds.isOfWorld(breed) ? [breed] : [breed, Breeds.ANY];
+            return Breeds.isEnvironment(breed) ? [breed] : [breed, Breeds.ANY];
         }
 
         // The list for just two breeds, by their numbers; null if there is none.

@@ -8,14 +8,14 @@ package starlogo.handlers
      */
     public final class PairHandlers
     {
-        /** The handlers of all moments, in the order of their calls. */
+        /** The handlers of all phases, in the order of their calls. */
         public var handlers:Vector.<CollisionHandler>;
 
         /** The number of handlers whose collider is the first agent. */
         public var firstCount:int;
 
-        /** The moments of the handlers that take the contact of a touch: a sum of CollisionHandler.START and COLLISION. */
-        public var contactMoments:int = 0;
+        /** The phases of the handlers that take the contact of a touch: a sum of CollisionHandler.START and COLLISION. */
+        public var contactPhases:int = 0;
 
         /** Whether any handler is for starts or ends of touches. */
         public var tracksTouches:Boolean = false;
@@ -30,15 +30,15 @@ package starlogo.handlers
             firstCount = ofFirst.length;
             for each (var handler:CollisionHandler in handlers)
             {
-                contactMoments |= handler.needsContact ? handler.moment : 0;
-                tracksTouches ||= handler.moment != CollisionHandler.COLLISION;
+                contactPhases |= handler.needsContact ? handler.phase : 0;
+                tracksTouches ||= handler.phase != CollisionHandler.COLLISION;
             }
         }
 
-        // By moment, and then by the order in which they were added.
+        // By phase, and then by the order in which they were added.
         private static function compare(a:CollisionHandler, b:CollisionHandler):Number
         {
-            return a.moment == b.moment ? a.serial - b.serial : a.moment - b.moment;
+            return a.phase == b.phase ? a.addedAt - b.addedAt : a.phase - b.phase;
         }
     }
 }

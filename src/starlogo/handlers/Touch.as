@@ -22,7 +22,7 @@ package starlogo.handlers
         public var secondBreed:int;
 
         /** How many touches began before it. */
-        public var serial:Number;
+        public var order:Number;
 
         /** Its index in the TouchTracker. */
         public var index:int;

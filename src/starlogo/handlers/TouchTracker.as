@@ -22,9 +22,6 @@ package starlogo.handlers
         // In place of the index of a pair's touch: there is none, or none yet.
         private static const NO_TOUCH:int = -1;
 
-        // In place of a version of pairs: it is not known which touches pairs have.
-        private static const NO_VERSION:int = -1;
-
         // In place of the last frame of a touch: it has ended.
         private static const NO_FRAME:int = int.MAX_VALUE;
 
@@ -49,14 +46,14 @@ package starlogo.handlers
         // The number of touches that ever began.
         private var _startedCount:Number = 0;
 
-        // The pairs of the frame, and their version.
+        // The pairs of the frame, and their revision; null if it is not known which touches they have.
         private var _pairs:FoundPairs = null;
-        private var _version:int = NO_VERSION;
+        private var _pairsRevision:int = 0;
 
         // By pair: the index of its touch, or NO_TOUCH. There may be more entries than pairs.
         private var _touchOfPair:Vector.<int> = new Vector.<int>();
 
-        // The same for the version before.
+        // The same for the revision before.
         private var _touchOfPairBefore:Vector.<int> = new Vector.<int>();
 
         // The pairs whose touches may begin.
@@ -66,14 +63,20 @@ package starlogo.handlers
         private var _ended:SortableIntList = new SortableIntList();
 
         /**
-         * Begins a frame: the touches of pairs that touched before go on. No touch has ended yet.
+         * Begins a frame: the touches of pairs that touched before go on. No touch has ended yet. If there are no touches, and no handler is for starts
+         * or ends, it does not look at the pairs.
          *
          * @param table the handlers
          * @return the pairs without a touch, until the next call. Their touches may begin, if they have handlers for starts or ends then
          */
         public function beginFrame(pairs:FoundPairs, table:HandlerTable):IntList
         {
-            var isUpdate:Boolean = pairs === _pairs && pairs.isUpdate && pairs.version == _version + 1;
+            _starting.count = 0;
+            if (count == 0 && !table.tracksTouches)
+            {
+                return _starting;
+            }
+            var isIncremental:Boolean = pairs === _pairs && pairs.isIncremental && pairs.revision == _pairsRevision + 1;
             var before:Vector.<int> = _touchOfPair;
             _touchOfPair = _touchOfPairBefore;
             _touchOfPairBefore = before;
@@ -83,12 +86,11 @@ package starlogo.handlers
                 _touchOfPair.length = pairs.count + (pairs.count >> 3);
             }
             _pairs = pairs;
-            _version = pairs.version;
+            _pairsRevision = pairs.revision;
             frame++;
-            _starting.count = 0;
             for (var pair:int = 0; pair < pairs.count; pair++)
             {
-                var touch:int = isUpdate && pairs.origins[pair] != FoundPairs.NEW ? before[pairs.origins[pair]] : NO_TOUCH;
+                var touch:int = isIncremental && pairs.previousIndices[pair] != FoundPairs.NEW ? before[pairs.previousIndices[pair]] : NO_TOUCH;
                 if (touch == NO_TOUCH)
                 {
                     touch = touchToContinue(pair, table);
@@ -117,7 +119,7 @@ package starlogo.handlers
                     _indices.remove(touch.first.idNumber, touch.second.idNumber);
                     _lastFrames[index] = NO_FRAME;
                     count--;
-                    _ended.add(index, touch.serial);
+                    _ended.add(index, touch.order);
                 }
             }
             _ended.sortFirst(_ended.count);
@@ -183,7 +185,7 @@ package starlogo.handlers
             touch.firstBreed = firstBreed;
             touch.secondBreed = secondBreed;
             touch.isComplete = false;
-            touch.serial = _startedCount;
+            touch.order = _startedCount;
             _lastFrames[touch.index] = frame;
             _startedCount++;
             count++;
@@ -200,25 +202,25 @@ package starlogo.handlers
         /** Forgets which touches the pairs have, because the calls of a frame have failed. */
         public function forgetPairs():void
         {
-            _version = NO_VERSION;
+            _pairs = null;
         }
 
         /** Returns all touches, in the order in which they began. Call it between two frames. */
         public function inOrder():Vector.<Touch>
         {
-            var order:SortableIntList = new SortableIntList();
+            var indices:SortableIntList = new SortableIntList();
             for (var i:int = 0; i < _all.length; i++)
             {
                 if (_all[i].first != null)
                 {
-                    order.add(i, _all[i].serial);
+                    indices.add(i, _all[i].order);
                 }
             }
-            order.sortFirst(order.count);
+            indices.sortFirst(indices.count);
             var ordered:Vector.<Touch> = new Vector.<Touch>();
-            for (i = 0; i < order.count; i++)
+            for (i = 0; i < indices.count; i++)
             {
-                ordered.push(_all[order.values[i]]);
+                ordered.push(_all[indices.values[i]]);
             }
             return ordered;
         }

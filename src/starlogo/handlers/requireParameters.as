@@ -7,12 +7,12 @@ package starlogo.handlers
      * because it may have a rest parameter. If it has none, Adobe's player cannot call it, so a line is traced. In JavaScript a function takes
      * any number of arguments. The ES module has its own version, which warns.
      *
-     * @param moment CollisionHandler.COLLISION, START or END
+     * @param phase CollisionHandler.COLLISION, START or END
      * @throws ArgumentError if the function has one parameter, or more than three
      *
      * @private
      */
-    public function requireParameters(breed:String, otherBreed:String, callback:Function, moment:int):void
+    public function requireParameters(breed:String, otherBreed:String, callback:Function, phase:int):void
     {
         var count:int = callback.length;
         if (count == 0)
@@ -25,7 +25,7 @@ package starlogo.handlers
         {
             var allowed:String = "two agents, or two agents and a contact: function(collider:Agent, collidee:Agent):void or "
                 + "function(collider:Agent, collidee:Agent, contact:Contact):void";
-            if (moment == CollisionHandler.END)
+            if (phase == CollisionHandler.END)
             {
                 allowed = "two agents: function(collider:Agent, collidee:Agent):void";
             }

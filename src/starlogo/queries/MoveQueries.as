@@ -195,7 +195,7 @@ package starlogo.queries
         private function writeHit(touch:TouchResult, hit:ShapeHit):ShapeHit
         {
             var body:Body = _seen.table.bodyOf(touch.row);
-            if (body.form != ModelShape.TREE)
+            if (body.kind != ModelShape.TREE)
             {
                 // it may be a triangle of what is cast
                 touch.contact.triangle = -1;

@@ -130,7 +130,7 @@ package starlogo.queries
             next.setList(agents);
             findRises(next);
             next.readChanges();
-            next.readWorld(terrain == null ? null : terrain.worldAgent, null);
+            next.readEnvironment(terrain == null ? null : terrain.environmentAgent, null);
             table = next;
             narrowPhase = newPhase;
             if (isOther)
@@ -250,7 +250,7 @@ package starlogo.queries
         engine function requirePlaced(agent:Agent):void
         {
             requireGiven("agent", agent);
-            if (agent.isOfWorld)
+            if (agent.isEnvironment)
             {
                 throw new ArgumentError(agent + " has no place, and does not move: it stands for the ground or the edges of the world");
             }
@@ -300,7 +300,7 @@ package starlogo.queries
          */
         engine function treeOfExtents():RowTree
         {
-            table.refreshWorld();
+            table.refreshEnvironment();
             return prepare(_extentTree, table.extents, table.extents);
         }
 

@@ -93,8 +93,8 @@ package starlogo.queries
         {
             Collider.requireTwo(a, b);
             // a handler may have changed the ground
-            _seen.table.refreshWorld();
-            if (a.isOfWorld && b.isOfWorld)
+            _seen.table.refreshEnvironment();
+            if (a.isEnvironment && b.isEnvironment)
             {
                 throw new ArgumentError("the ground and the edges of the world have no distance from each other");
             }

@@ -177,12 +177,12 @@ package starlogo.search
             {
                 isBinding = false;
             }
-            if (shape.form < 0)
+            if (shape.kind < 0)
             {
                 throw new ArgumentError(agent + ": its model has no shape, because bind() of the shape choice has not called setStructure()");
             }
             requireExtents(shape, agent);
-            areSpheres = areSpheres && shape.form == BoundingStructure.SPHERE;
+            areSpheres = areSpheres && shape.kind == BoundingStructure.SPHERE;
             _indices.set (agent.modelNumber, variant, _shapes.push(shape) - 1);
             return shape;
         }

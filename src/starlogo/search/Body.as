@@ -30,14 +30,17 @@ package starlogo.search
         /** The shape; null while the agent's model is loading. */
         public var shape:ModelShape = null;
 
-        /** The shape's form. */
-        public var form:int = 0;
+        /** The shape's kind. */
+        public var kind:int = 0;
 
         /** The shape's place, rotation and size in the world. */
         public var placement:Placement = new Placement();
 
-        /** The agent's rank (ListedAgents.rankOf); 0 without an agent. That of the ground or the edges may be of an earlier list: no test reads it. */
-        public var rank:int = 0;
+        /**
+         * Says which of two bodies comes first (ListedAgents.orderKeyOf); 0 without an agent. That of the ground or the edges may be of an earlier
+         * list: no test reads it.
+         */
+        public var orderKey:int = 0;
 
         /** The agent's own limit for the levels of its tree, or 0. */
         public var depthLimit:int = 0;
@@ -61,7 +64,7 @@ package starlogo.search
         // By the kind of structure: what _placed was before, for later use.
         private var _spares:Vector.<BoundingStructure> = null;
 
-        /** Becomes the body of an agent as it is now, except for the rank. While the model is loading, the shape is null, and only the place counts. */
+        /** Becomes the body of an agent as it is now, except for the order key. While the model is loading, the shape is null, and only the place counts. */
         public function setToAgent(agent:Agent, shape:ModelShape):void
         {
             placement.x = agent.placement.x;
@@ -73,7 +76,7 @@ package starlogo.search
                 return;
             }
             var size:Number = agent.placement.size;
-            if (agent.isOfWorld)
+            if (agent.isEnvironment)
             {
                 // the structures of the ground and of the edges are not scaled
                 size = 1;
@@ -95,8 +98,8 @@ package starlogo.search
         public function copyFrom(other:Body):void
         {
             shape = other.shape;
-            form = other.form;
-            rank = other.rank;
+            kind = other.kind;
+            orderKey = other.orderKey;
             depthLimit = other.depthLimit;
             placement.copyFrom(other.placement);
             offsetX = other.offsetX;
@@ -139,6 +142,16 @@ package starlogo.search
             }
         }
 
+        /** Takes the extents of the shape's tree, whose boxes a pose may have moved. */
+        public function followPose():void
+        {
+            if (shape.tree != null)
+            {
+                shape.setTree(shape.tree);
+                findExtents();
+            }
+        }
+
         /** Moves the body to the place of a row. */
         public function moveToRow(row:int, places:Points):void
         {
@@ -165,9 +178,9 @@ package starlogo.search
         }
 
         /** Whether it is the body of the ground or of the edges of the world. */
-        public function get isOfWorld():Boolean
+        public function get isEnvironment():Boolean
         {
-            return form >= ModelShape.GROUND;
+            return kind >= ModelShape.GROUND;
         }
 
         /** The middle of the extents. */
@@ -201,7 +214,7 @@ package starlogo.search
             {
                 // not margin, because V8 makes an object for the Number of a getter
                 var widening:Number = Touching.marginOfPlace(placement.x, placement.y, placement.z);
-                if (form == BoundingStructure.SPHERE)
+                if (kind == BoundingStructure.SPHERE)
                 {
                     // the test of two spheres has no tolerance of its own, so the sphere is widened by it. Tests of a sphere and another structure
                     // have one
@@ -216,7 +229,7 @@ package starlogo.search
         /** The radius of a circle on the ground around the middle that encloses the extents, or the sphere. */
         engine function get groundRadius():Number
         {
-            if (form == BoundingStructure.SPHERE)
+            if (kind == BoundingStructure.SPHERE)
             {
                 return halfX;
             }
@@ -249,20 +262,20 @@ package starlogo.search
 
         /**
          * Whether tests take another body first. They have an order so that rounding errors are the same however the bodies come: a tree before a
-         * structure, then by the agents' ranks, and the ground and the edges of the world last.
+         * structure, then by the agents' order keys, and the ground and the edges of the world last.
          */
         public function comesAfter(other:Body):Boolean
         {
-            if (isOfWorld || other.isOfWorld)
+            if (isEnvironment || other.isEnvironment)
             {
-                return isOfWorld && !other.isOfWorld;
+                return isEnvironment && !other.isEnvironment;
             }
-            var isTree:Boolean = form == ModelShape.TREE;
-            if (isTree != (other.form == ModelShape.TREE))
+            var isTree:Boolean = kind == ModelShape.TREE;
+            if (isTree != (other.kind == ModelShape.TREE))
             {
                 return !isTree;
             }
-            return rank > other.rank;
+            return orderKey > other.orderKey;
         }
 
         /** Takes a shape. The extents and the rest stay. */
@@ -270,7 +283,7 @@ package starlogo.search
         {
             _isPlaced = false;
             this.shape = shape;
-            form = shape.form;
+            kind = shape.kind;
         }
 
         // Finds the extents of the shape, turned and scaled as the placement says.
@@ -289,12 +302,12 @@ package starlogo.search
         // Puts a structure into the world, in an object of its kind: _placed.
         private function putIntoWorld(structure:BoundingStructure, at:Placement):BoundingStructure
         {
-            var kind:int = structure.kind;
-            if (_placed != null && _placed.kind != kind)
+            var next:int = structure.kind;
+            if (_placed != null && _placed.kind != next)
             {
                 _spares ||= new Vector.<BoundingStructure>(BoundingStructure.KIND_COUNT, true);
                 _spares[_placed.kind] = _placed;
-                _placed = _spares[kind];
+                _placed = _spares[next];
             }
             _placed = structure.place(at, _placed);
             return _placed;

@@ -102,8 +102,8 @@ package starlogo.search
         public function includes(number:int, otherNumber:int):Boolean
         {
             // ANY_BREED does not stand for the ground or the edges. -1 is in no pair, and is no breed of agents
-            var anyOfFirst:int = Breeds.isOfWorld(number) ? -1 : Breeds.ANY;
-            var anyOfOther:int = Breeds.isOfWorld(otherNumber) ? -1 : Breeds.ANY;
+            var anyOfFirst:int = Breeds.isEnvironment(number) ? -1 : Breeds.ANY;
+            var anyOfOther:int = Breeds.isEnvironment(otherNumber) ? -1 : Breeds.ANY;
             return has(number, otherNumber) || has(number, anyOfOther) || has(anyOfFirst, otherNumber) || has(anyOfFirst, anyOfOther);
         }
 
@@ -117,7 +117,7 @@ package starlogo.search
             {
                 return breed;
             }
-            return !isNamed(Breeds.ANY) || Breeds.isOfWorld(breed) ? -1 : Breeds.ANY;
+            return !isNamed(Breeds.ANY) || Breeds.isEnvironment(breed) ? -1 : Breeds.ANY;
         }
 
         /**
@@ -136,7 +136,7 @@ package starlogo.search
                 return count;
             }
             // ANY_BREED does not stand for the ground or the edges
-            var mayBeAny:Boolean = isNamed(Breeds.ANY) && !Breeds.isOfWorld(own);
+            var mayBeAny:Boolean = isNamed(Breeds.ANY) && !Breeds.isEnvironment(own);
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {

@@ -30,7 +30,7 @@ package starlogo.search
         private var _times:Vector.<Number> = new Vector.<Number>();
 
         // The members that are tested with the ground or the edges of the world.
-        private var _worldCandidates:IntList = new IntList();
+        private var _environmentCandidates:IntList = new IntList();
 
         /**
          * @param table has the rows
@@ -71,19 +71,19 @@ package starlogo.search
         /**
          * Tests the members among some rows with the ground, or with the edges of the world, if there are any and handlers for them.
          *
-         * @param worldRow GROUND_ROW or EDGES_ROW of ListedAgents
+         * @param environmentRow GROUND_ROW or EDGES_ROW of ListedAgents
          * @param rows the rows; those that are no members are left out
          */
-        public function testWithWorldAgent(worldRow:int, rows:IntList):void
+        public function testWithEnvironment(environmentRow:int, rows:IntList):void
         {
-            if (_table.listed.agentsByRow[worldRow] == null || !_input.interests.isNamed(_table.breeds[worldRow]))
+            if (_table.listed.agentsByRow[environmentRow] == null || !_input.interests.isNamed(_table.breeds[environmentRow]))
             {
                 return;
             }
-            _input.copyMembers(rows, _table, _worldCandidates);
-            var others:Vector.<int> = _worldCandidates.values;
-            var count:int = _input.interests.keepOfInterest(_table.breeds, worldRow, others, _worldCandidates.count);
-            addTouching(worldRow, others, count, BinLevel.ANY_GAP);
+            _input.copyMembers(rows, _table, _environmentCandidates);
+            var others:Vector.<int> = _environmentCandidates.values;
+            var count:int = _input.interests.keepOfInterest(_table.breeds, environmentRow, others, _environmentCandidates.count);
+            addTouching(environmentRow, others, count, BinLevel.ANY_GAP);
         }
 
         // Adds the pairs of a row with those candidates that touch it.

@@ -74,9 +74,9 @@ package starlogo.search
                 addFiltered(input);
             }
             // the ground and the edges are no members, but their pairs change with them
-            for (var i:int = 0; i < _table.changedOfWorld.count; i++)
+            for (var i:int = 0; i < _table.changedEnvironment.count; i++)
             {
-                rowSet.add(_table.changedOfWorld.values[i]);
+                rowSet.add(_table.changedEnvironment.values[i]);
             }
         }
 
@@ -116,9 +116,9 @@ package starlogo.search
         }
 
         /** The rows whose pairs with the ground or the edges may have changed: all rows if the ground or the edges have. */
-        public function rowsToTestWith(worldRow:int):IntList
+        public function rowsToTestWith(environmentRow:int):IntList
         {
-            return rowSet.has(worldRow) ? _table.listed.rows : rows;
+            return rowSet.has(environmentRow) ? _table.listed.rows : rows;
         }
 
         private function addAll(added:IntList):void

@@ -7,12 +7,14 @@
 // 4. PairOrder puts the FoundPairs into the order of the list. The pairs of changed rows are put between those of the last search.
 // A Body is a shape (ModelShape) at a place. A BaseShapeChoice says which shape a model has, SearchInput who takes part, BreedInterests which breeds
 // count.
-// Read this file first, then AgentTable, CandidateTests and NarrowPhase. AgentPairQuery answers about two agents, with PenetrationSearch (penetration/) for depths.
+// Read this file first, then AgentTable, CandidateTests and NarrowPhase. Contacts get their depths from PenetrationSearch (penetration/).
 package starlogo.search
 {
     import flash.errors.IllegalOperationError;
     import starlogo.agents.Agent;
     import starlogo.broadphase.Bins;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
     import starlogo.data.IntList;
     import starlogo.engine;
     import starlogo.search.table.AgentTable;
@@ -25,6 +27,9 @@ package starlogo.search
      * rows that are near each other (thesis §3.7). Of these it keeps those that touch and whose breeds are of interest, and puts them into order. If
      * few agents have changed, it takes the pairs of the others from the last search.
      *
+     * <p>It also tells whether and how two agents touch. <code>areColliding()</code> takes the two as they are now, <code>findContact()</code> as the
+     * last search saw them, if it saw both. Both change no place and no motion of the search.</p>
+     *
      * @private
      */
     public final class CollisionSearch
@@ -32,21 +37,16 @@ package starlogo.search
         // Changed rows are few if there are at least this many rows for each of them.
         private static const ROWS_PER_CHANGE:int = 8;
 
-        // The same if a search of all rows is fast, because all shapes are spheres, or only some breeds have handlers.
-        private static const ROWS_PER_CHANGE_IF_FAST:int = 20;
-
         /** The agents of the last search. */
         public var table:AgentTable;
 
         /** Tests their bodies. It may have other searches too. */
         public var narrowPhase:NarrowPhase;
 
-        /** Tells whether and how two of these agents touch. */
-        public var pairQuery:AgentPairQuery;
-
         private var _bins:Bins = new Bins();
         private var _tests:CandidateTests;
         private var _motions:RowMotions;
+        private var _sweptTests:SweptTests;
         private var _changedRows:ChangedRows;
         private var _order:PairOrder = new PairOrder();
 
@@ -69,15 +69,18 @@ package starlogo.search
         // The members of a search in which some rows are no members.
         private var _members:IntList = new IntList();
 
+        // The bodies of agents that have changed since the search.
+        private var _bodyA:Body = new Body();
+        private var _bodyB:Body = new Body();
+
         /** @param narrowPhase chooses the shapes of the agents, and tests their bodies */
         public function CollisionSearch(narrowPhase:NarrowPhase)
         {
             this.narrowPhase = narrowPhase;
             table = new AgentTable(narrowPhase.choice);
             _motions = new RowMotions(table);
-            var sweptTests:SweptTests = new SweptTests(table, narrowPhase, _motions);
-            pairQuery = new AgentPairQuery(table, narrowPhase, sweptTests);
-            _tests = new CandidateTests(table, narrowPhase, sweptTests);
+            _sweptTests = new SweptTests(table, narrowPhase, _motions);
+            _tests = new CandidateTests(table, narrowPhase, _sweptTests);
             _changedRows = new ChangedRows(table, _motions, _bins.levels);
             _pairs = new FoundPairs(table.listed);
             _pairsOfChanged = new FoundPairs(table.listed);
@@ -106,21 +109,20 @@ package starlogo.search
             narrowPhase.counts.clear();
             // A search keeps the cells only if it is like the one before, because the next is then probably like it too. So the third of three like
             // searches is the first that begins with the pairs of the last one.
-            var areSame:Boolean = noteConditions(input);
-            var keepsCells:Boolean = areSame && areFew(changeCount, input);
-            if (keepsCells && hadCells && moveChanged(input))
+            if (!(noteConditions(input) && areFew(changeCount)))
+            {
+                findOfAll(input);
+                return _pairs;
+            }
+            if (hadCells && moveChanged(input))
             {
                 findOfChanged(input);
             }
             else
             {
-                var members:IntList = findOfAll(input);
-                if (keepsCells)
-                {
-                    _changedRows.begin(members);
-                }
+                _changedRows.begin(findOfAll(input));
             }
-            _haveCells = keepsCells;
+            _haveCells = true;
             return _pairs;
         }
 
@@ -128,14 +130,73 @@ package starlogo.search
         private function moveChanged(input:SearchInput):Boolean
         {
             _changedRows.find(input);
-            return areFew(_changedRows.rows.count, input) && _changedRows.moveToCells(input);
+            return areFew(_changedRows.rows.count) && _changedRows.moveToCells(input);
+        }
+
+        /** Whether two agents touch where they are now. See CollisionSystem.areColliding. */
+        public function areColliding(a:Agent, b:Agent):Boolean
+        {
+            var bodyA:Body = table.currentBodyOf(a, _bodyA);
+            var bodyB:Body = table.currentBodyOf(b, _bodyB);
+            return bodyA.shape != null && bodyB.shape != null && narrowPhase.areTouching(bodyA, bodyB);
+        }
+
+        /**
+         * Finds the contact of two agents that touch. It takes them where the last search saw them, or where they are now if the last search did
+         * not see both. The ground and the edges of the world count as the table has read them.
+         *
+         * @param motion receives the motion of the first relative to the second, with the time of the touch: 1 if neither sweeps
+         * @param out receives the contact. Its normal points from the second agent to the first
+         * @throws ArgumentError if a model is unknown or still loading, or if both stand for the ground or the edges of the world
+         */
+        public function findContact(a:Agent, b:Agent, motion:RelativeMotion, out:ContactPoint):void
+        {
+            if (a.isEnvironment && b.isEnvironment)
+            {
+                throw new ArgumentError("the ground and the edges of the world have no contact with each other");
+            }
+            // they get the order that the pairs of a search have, so rounding is the same however a game asks
+            if (table.listed.orderKeyOf(a) > table.listed.orderKeyOf(b))
+            {
+                findContactInOrder(b, a, motion, out);
+                out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
+                motion.endAfter(-motion.x, -motion.y, -motion.z);
+                return;
+            }
+            findContactInOrder(a, b, motion, out);
+        }
+
+        // Finds the contact of an agent of the game with another agent, or with the ground or the edges of the world.
+        private function findContactInOrder(a:Agent, b:Agent, motion:RelativeMotion, out:ContactPoint):void
+        {
+            var rowA:int = table.listed.rowOf(a);
+            var rowB:int = table.listed.rowOf(b);
+            var isSeenB:Boolean = table.isSeen(rowB);
+            var areSeen:Boolean = isSeenB && table.isSeen(rowA);
+            if (areSeen)
+            {
+                table.followPose(rowA);
+                table.followPose(rowB);
+                if (_sweptTests.isSwept)
+                {
+                    _sweptTests.findContact(rowA, rowB, motion, out);
+                    return;
+                }
+            }
+            var bodyA:Body = areSeen ? table.bodyOf(rowA) : table.currentBodyOf(a, _bodyA);
+            var bodyB:Body = areSeen || isSeenB && b.isEnvironment ? table.bodyOf(rowB) : table.currentBodyOf(b, _bodyB);
+            if (bodyA.shape == null || bodyB.shape == null)
+            {
+                var loading:Agent = bodyA.shape == null ? a : b;
+                throw new ArgumentError(loading + ": its model is still loading");
+            }
+            narrowPhase.pairTestsFor(bodyA, bodyB).findContact(bodyA, bodyB, motion, out);
         }
 
         /** The table was read without a search: the next search is one of all rows. */
         public function forgetSearch():void
         {
             _haveCells = false;
-            _motions.isSwept = false;
         }
 
         // Reads the input into the table. The motions are read before the table reads the places, because they begin at
@@ -148,7 +209,7 @@ package starlogo.search
                 _motions.read(isAnySweeping(input.agents));
             }
             table.readChanges();
-            table.readWorld(input.ground, input.edges);
+            table.readEnvironment(input.ground, input.edges);
         }
 
         // Notes what the pairs of a search depend on, besides agents, ground and edges. Returns whether it is the same as in the last search.
@@ -173,10 +234,9 @@ package starlogo.search
         }
 
         // Whether so few rows have changed that a search of these is faster than a search of all.
-        private function areFew(changes:int, input:SearchInput):Boolean
+        private function areFew(changes:int):Boolean
         {
-            var rowsPerChange:int = narrowPhase.choice.areSpheres || !input.interests.includesAllOfAgents ? ROWS_PER_CHANGE_IF_FAST : ROWS_PER_CHANGE;
-            return rowsPerChange * changes <= table.listed.rows.count;
+            return ROWS_PER_CHANGE * changes <= table.listed.rows.count;
         }
 
         // Finds the pairs of all members. Returns the members.
@@ -186,8 +246,8 @@ package starlogo.search
             _motions.findExtents(table.listed.rows);
             _tests.begin(input, _pairs);
             _bins.findPairs(_motions.searchExtents, members, _tests);
-            _tests.testWithWorldAgent(ListedAgents.GROUND_ROW, members);
-            _tests.testWithWorldAgent(ListedAgents.EDGES_ROW, members);
+            _tests.testWithEnvironment(ListedAgents.GROUND_ROW, members);
+            _tests.testWithEnvironment(ListedAgents.EDGES_ROW, members);
             _order.putInOrder(_pairs);
             narrowPhase.counts.members = members.count;
             return members;
@@ -199,8 +259,8 @@ package starlogo.search
         {
             _tests.begin(input, _pairsOfChanged);
             _changedRows.findPairs(_tests);
-            _tests.testWithWorldAgent(ListedAgents.GROUND_ROW, _changedRows.rowsToTestWith(ListedAgents.GROUND_ROW));
-            _tests.testWithWorldAgent(ListedAgents.EDGES_ROW, _changedRows.rowsToTestWith(ListedAgents.EDGES_ROW));
+            _tests.testWithEnvironment(ListedAgents.GROUND_ROW, _changedRows.rowsToTestWith(ListedAgents.GROUND_ROW));
+            _tests.testWithEnvironment(ListedAgents.EDGES_ROW, _changedRows.rowsToTestWith(ListedAgents.EDGES_ROW));
             var earlyCount:int = _order.putInOrder(_pairsOfChanged);
             _pairs.replacePairsOf(_changedRows.rowSet, _pairsOfChanged, earlyCount);
             narrowPhase.counts.members = _changedRows.memberCount;

@@ -31,20 +31,20 @@ package starlogo.search
         /** By pair, if they have times: the time of the touch. It is valid until the pairs are in order. */
         internal var times:Vector.<Number> = new Vector.<Number>();
 
-        /** Has the agent of each row, and its rank in the list of the search. */
+        /** Has the agent of each row, and its index in the list of the search. */
         public var listed:ListedAgents;
 
-        /** In place of the origin of a pair: it was not among the pairs before. */
+        /** In place of a previous index: it was not among the pairs before. */
         public static const NEW:int = -1;
 
         /** How often the pairs were found or updated. */
-        public var version:int = 0;
+        public var revision:int = 0;
 
-        /** Whether the pairs are those of the version before, except for some that were replaced. Only then they have origins. */
-        public var isUpdate:Boolean = false;
+        /** Whether the pairs are those of the revision before, except for some that were replaced. Only then they have previous indices. */
+        public var isIncremental:Boolean = false;
 
-        /** By pair: the index that it had in the version before, or NEW. Kept pairs keep their order. */
-        public var origins:Vector.<int> = new Vector.<int>();
+        /** By pair: the index that it had in the revision before, or NEW. Kept pairs keep their order. */
+        public var previousIndices:Vector.<int> = new Vector.<int>();
 
         /** The list to which pairs are written when they or their order change: see <code>exchangeLists()</code>. */
         internal var spareRows:Vector.<int> = new Vector.<int>();
@@ -63,8 +63,8 @@ package starlogo.search
         {
             this.haveTimes = haveTimes;
             count = 0;
-            version++;
-            isUpdate = false;
+            revision++;
+            isIncremental = false;
         }
 
         /**
@@ -104,32 +104,32 @@ package starlogo.search
             count = kept + added;
         }
 
-        // Begins to write another version of the pairs to the spare lists, with so many pairs at most.
+        // Begins to write the next revision of the pairs to the spare lists, with so many pairs at most.
         private function beginUpdate(maxCount:int):void
         {
-            version++;
-            isUpdate = true;
+            revision++;
+            isIncremental = true;
             makeRoom(maxCount);
-            if (origins.length < maxCount)
+            if (previousIndices.length < maxCount)
             {
-                origins.length = maxCount + (maxCount >> 3);
+                previousIndices.length = maxCount + (maxCount >> 3);
             }
         }
 
-        // Writes a pair of two rows to the spare list, with its origin.
-        private function write(to:int, a:int, b:int, origin:int):void
+        // Writes a pair of two rows to the spare list, with the index that it had before.
+        private function write(to:int, a:int, b:int, previousIndex:int):void
         {
             spareRows[int(2 * to)] = a;
             spareRows[int(2 * to + 1)] = b;
-            origins[to] = origin;
+            previousIndices[to] = previousIndex;
         }
 
         // Whether a pair comes before a pair of two rows in the order of the list.
         private function isBefore(pair:int, a:int, b:int):Boolean
         {
-            var ranks:Vector.<int> = listed.ranks;
-            var rank:int = ranks[rows[int(2 * pair)]];
-            return rank < ranks[a] || rank == ranks[a] && ranks[rows[int(2 * pair + 1)]] < ranks[b];
+            var listIndices:Vector.<int> = listed.listIndices;
+            var index:int = listIndices[rows[int(2 * pair)]];
+            return index < listIndices[a] || index == listIndices[a] && listIndices[rows[int(2 * pair + 1)]] < listIndices[b];
         }
 
         /** Makes room for a number of pairs in the spare lists. */
@@ -182,12 +182,12 @@ package starlogo.search
                 }
             }
             var to:int = 2 * count;
-            var ranks:Vector.<int> = listed.ranks;
-            var rank:int = ranks[row];
+            var listIndices:Vector.<int> = listed.listIndices;
+            var index:int = listIndices[row];
             for (var i:int = 0; i < othersCount; i++)
             {
                 // all bits of swaps are set if the other is first. Half of them are, so a branch would be mispredicted
-                var swaps:int = (ranks[others[i]] - rank) >> 31;
+                var swaps:int = (listIndices[others[i]] - index) >> 31;
                 var change:int = (row ^ others[i]) & swaps;
                 rows[to] = row ^ change;
                 rows[int(to + 1)] = others[i] ^ change;

@@ -18,11 +18,11 @@ package starlogo.search
     public final class ModelShape
     {
         /**
-         * @private The form of a tree. The forms of structures are lower: BoundingStructure.SPHERE to HULL.
+         * @private The kind of a tree. The kinds of structures are lower: BoundingStructure.SPHERE to HULL.
          */
         engine static const TREE:int = 16;
 
-        /** @private The forms of the ground and of the edges of the world. The forms of agents are lower. */
+        /** @private The kinds of the ground and of the edges of the world. The kinds of agents are lower. */
         engine static const GROUND:int = 17;
 
         /** @private @copy #GROUND */
@@ -44,7 +44,7 @@ package starlogo.search
         engine var isVoid:Boolean = false;
 
         /** @private The kind of the structure, or TREE, GROUND or EDGES. */
-        engine var form:int = -1;
+        engine var kind:int = -1;
 
         /** @private The structure, or the structure around the tree. */
         engine var structure:BoundingStructure = null;
@@ -68,7 +68,7 @@ package starlogo.search
          * @private For the ground and the edges: adds the tests of pairs with them to a narrow phase, so a game without them does not load the
          *     code. <code>function(narrowPhase:NarrowPhase):void</code>
          */
-        engine var addWorldTests:Function = null;
+        engine var addEnvironmentTests:Function = null;
 
         /**
          * For colliders only.
@@ -89,18 +89,18 @@ package starlogo.search
          *
          * @param grid the heights of the ground, or null
          * @param edges the edges, or null
-         * @param addWorldTests adds the tests of pairs with them to a narrow phase
+         * @param addEnvironmentTests adds the tests of pairs with them to a narrow phase
          */
-        engine static function ofWorld(grid:HeightGrid, edges:Vector.<Number>, addWorldTests:Function):ModelShape
+        engine static function ofEnvironment(grid:HeightGrid, edges:Vector.<Number>, addEnvironmentTests:Function):ModelShape
         {
             var isGround:Boolean = grid != null;
             var shape:ModelShape = new ModelShape(isGround ? Breeds.TERRAIN : Breeds.EDGE, ONLY_VARIANT, 0);
             shape.structure = new Sphere(new Vector3D(), 0);
-            shape.form = isGround ? GROUND : EDGES;
+            shape.kind = isGround ? GROUND : EDGES;
             shape.ignoresRotation = true;
             shape.grid = grid;
             shape.edges = edges;
-            shape.addWorldTests = addWorldTests;
+            shape.addEnvironmentTests = addEnvironmentTests;
             return shape;
         }
 
@@ -114,7 +114,7 @@ package starlogo.search
         {
             requireStructure(structure);
             this.structure = structure;
-            form = structure.kind;
+            kind = structure.kind;
         }
 
         /** @private Throws an ArgumentError if a structure is null, or not a sphere, box, capsule or hull. */
@@ -131,7 +131,7 @@ package starlogo.search
         {
             this.tree = tree;
             structure = tree.root.bounds;
-            form = TREE;
+            kind = TREE;
         }
     }
 }

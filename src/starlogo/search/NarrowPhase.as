@@ -14,7 +14,7 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * Tests two bodies by their forms: whether they touch, when they touch, and how. Each collider and each LevelShapes has one such object. It
+     * Tests two bodies by their kinds: whether they touch, when they touch, and how. Each collider and each LevelShapes has one such object. It
      * also has the settings of that collider: the choice of shapes, and how far trees are tested.
      *
      * <p>The tests of each kind of pairs add themselves (<code>addTo()</code>), so a game loads only what it needs: the choice of shapes adds those of
@@ -60,15 +60,15 @@ package starlogo.search
         /** Whether two bodies touch. They may come in either order, the ground and the edges of the world too. */
         public function areTouching(a:Body, b:Body):Boolean
         {
-            if (a.isOfWorld)
+            if (a.isEnvironment)
             {
-                return !b.isOfWorld && areTouching(b, a);
+                return !b.isEnvironment && areTouching(b, a);
             }
             return pairTestsFor(a, b).areTouching(a, b);
         }
 
         /**
-         * Finds the distance between two bodies, which is 0 if they touch. They may come in either order. Not both are of the world.
+         * Finds the distance between two bodies, which is 0 if they touch. They may come in either order. Not both are of the environment.
          *
          * @param withPoints whether the closest points are needed if they touch
          * @param out receives the distance and the closest points, in the world
@@ -92,7 +92,7 @@ package starlogo.search
         }
 
         /**
-         * The tests for two bodies, by their forms.
+         * The tests for two bodies, by their kinds.
          *
          * @param a a body of an agent or a structure
          * @param b any body
@@ -100,10 +100,10 @@ package starlogo.search
          */
         public function pairTestsFor(a:Body, b:Body):PairTests
         {
-            var last:int = a.form > b.form ? a.form : b.form;
+            var last:int = a.kind > b.kind ? a.kind : b.kind;
             if (last >= ModelShape.GROUND)
             {
-                return worldTestsOf(b);
+                return environmentTestsOf(b);
             }
             if (last == ModelShape.TREE)
             {
@@ -115,16 +115,16 @@ package starlogo.search
         /** The tests with the ground. */
         public function groundTestsOf(ground:Body):GroundPairTests
         {
-            return GroundPairTests(worldTestsOf(ground));
+            return GroundPairTests(environmentTestsOf(ground));
         }
 
         // The tests with the ground or the edges of the world. If this is the first such pair, the shape of the ground or the edges adds them.
-        private function worldTestsOf(body:Body):PairTests
+        private function environmentTestsOf(body:Body):PairTests
         {
-            var isGround:Boolean = body.form == ModelShape.GROUND;
+            var isGround:Boolean = body.kind == ModelShape.GROUND;
             if (isGround ? groundTests == null : edgeTests == null)
             {
-                body.shape.addWorldTests(this);
+                body.shape.addEnvironmentTests(this);
             }
             return isGround ? groundTests : edgeTests;
         }

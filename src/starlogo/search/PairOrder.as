@@ -4,7 +4,7 @@ package starlogo.search
     import starlogo.search.table.ListedAgents;
 
     /**
-     * Puts the pairs of a search into order: by the ranks of their first agents, then of their second ones, and before that by their times if an
+     * Puts the pairs of a search into order: by the list indices of their first agents, then of their second ones, and before that by their times if an
      * agent sweeps.
      */
     internal final class PairOrder
@@ -12,7 +12,7 @@ package starlogo.search
         // The indices of the pairs with their times, to sort them by these.
         private var _indices:SortableIntList = new SortableIntList();
 
-        // By rank: where the next pair goes whose row on a side has the rank, in a counting sort.
+        // By list index: where the next pair goes whose row on a side has the index, in a counting sort.
         private var _next:Vector.<int> = new Vector.<int>();
 
         /**
@@ -22,7 +22,7 @@ package starlogo.search
          */
         public function putInOrder(pairs:FoundPairs):int
         {
-            // pairs whose rows on a side have the same rank keep their order
+            // pairs whose rows on a side have the same index keep their order
             scatter(pairs, 1);
             scatter(pairs, 0);
             return pairs.haveTimes ? sortByTimes(pairs) : 0;
@@ -54,7 +54,7 @@ package starlogo.search
             return earlyCount;
         }
 
-        // One step of a counting sort: puts the pairs into the order of the ranks of their first rows (side 0) or second rows (1). The times, if there
+        // One step of a counting sort: puts the pairs into the order of the list indices of their first rows (side 0) or second rows (1). The times, if there
         // are any, go along.
         private function scatter(pairs:FoundPairs, side:int):void
         {
@@ -62,7 +62,7 @@ package starlogo.search
             pairs.makeRoom(pairs.count);
             var to:Vector.<int> = pairs.spareRows;
             var next:Vector.<int> = _next;
-            var ranks:Vector.<int> = pairs.listed.ranks;
+            var listIndices:Vector.<int> = pairs.listed.listIndices;
             var from:Vector.<int> = pairs.rows;
             var times:Vector.<Number> = pairs.times;
             var timesTo:Vector.<Number> = pairs.spareTimes;
@@ -70,9 +70,9 @@ package starlogo.search
             var end:int = 2 * pairs.count;
             for (var i:int = 0; i < end; i += 2)
             {
-                var rank:int = ranks[from[int(i + side)]];
-                var at:int = next[rank];
-                next[rank] = at + 2;
+                var index:int = listIndices[from[int(i + side)]];
+                var at:int = next[index];
+                next[index] = at + 2;
                 to[at] = from[i];
                 to[int(at + 1)] = from[int(i + 1)];
                 if (haveTimes)
@@ -83,33 +83,33 @@ package starlogo.search
             pairs.exchangeLists();
         }
 
-        // Finds by rank where the pairs begin whose rows on a side have it.
+        // Finds by list index where the pairs begin whose rows on a side have it.
         private function findStarts(pairs:FoundPairs, side:int):void
         {
-            // the ground and the edges of the world have the ranks after those of the agents
-            var rankCount:int = pairs.listed.rows.count + ListedAgents.WORLD_ROW_COUNT;
-            if (_next.length < rankCount)
+            // the ground and the edges of the world have the indices after those of the agents
+            var indexCount:int = pairs.listed.rows.count + ListedAgents.ENVIRONMENT_ROW_COUNT;
+            if (_next.length < indexCount)
             {
-                _next.length = rankCount;
+                _next.length = indexCount;
             }
             var next:Vector.<int> = _next;
-            for (var rank:int = 0; rank < rankCount; rank++)
+            for (var index:int = 0; index < indexCount; index++)
             {
-                next[rank] = 0;
+                next[index] = 0;
             }
             var rows:Vector.<int> = pairs.rows;
-            var ranks:Vector.<int> = pairs.listed.ranks;
+            var listIndices:Vector.<int> = pairs.listed.listIndices;
             var end:int = 2 * pairs.count;
             for (var i:int = side; i < end; i += 2)
             {
-                next[ranks[rows[i]]] += 2;
+                next[listIndices[rows[i]]] += 2;
             }
             var start:int = 0;
-            for (rank = 0; rank < rankCount; rank++)
+            for (index = 0; index < indexCount; index++)
             {
-                var ofRank:int = next[rank];
-                next[rank] = start;
-                start += ofRank;
+                var ofIndex:int = next[index];
+                next[index] = start;
+                start += ofIndex;
             }
         }
     }

@@ -28,10 +28,10 @@ package starlogo.search
         public var interests:BreedInterests = null;
 
         /** The ground, or null. Read only. */
-        public var ground:WorldAgent = null;
+        public var ground:EnvironmentAgent = null;
 
         /** The edges of the world, or null. Read only. */
-        public var edges:WorldAgent = null;
+        public var edges:EnvironmentAgent = null;
 
         // The copy of the list, if there is a filter.
         private var _copy:Vector.<Agent> = new Vector.<Agent>();
@@ -49,7 +49,7 @@ package starlogo.search
          * @param filter is asked which agents take part; null if all do
          * @throws Error what the filter throws
          */
-        public function begin(agents:Vector.<Agent>, interests:BreedInterests, ground:WorldAgent, edges:WorldAgent, filter:AgentPredicate):void
+        public function begin(agents:Vector.<Agent>, interests:BreedInterests, ground:EnvironmentAgent, edges:EnvironmentAgent, filter:AgentPredicate):void
         {
             this.agents = agents;
             this.interests = interests;
@@ -77,24 +77,11 @@ package starlogo.search
          */
         public function takeFilterOf(frame:SearchInput):void
         {
-            if (frame.admitted == null)
-            {
-                return;
-            }
-            var count:int = 0;
-            for (var i:int = 0; i < frame.agents.length; i++)
-            {
-                if (!frame.admitted[i])
-                {
-                    continue;
-                }
-                if (count == agents.length || agents[count] !== frame.agents[i])
-                {
-                    return;
-                }
-                count++;
-            }
-            if (count == agents.length)
+            var all:Vector.<Agent> = frame.admittedAgents;
+            if (all.length == agents.length && all.every(function(agent:Agent, index:int, ...ignored):Boolean
+                    {
+                        return agent === agents[index];
+                    }))
             {
                 agents = frame.agents;
                 admitted = frame.admitted;
@@ -135,7 +122,7 @@ package starlogo.search
         public function isMember(row:int, table:AgentTable):Boolean
         {
             return table.shapes[row] != null && interests.representativeOf(table.breeds[row]) >= 0
-                && (admitted == null || admitted[table.listed.ranks[row]]);
+                && (admitted == null || admitted[table.listed.listIndices[row]]);
         }
 
         // Asks a filter which agents take part. An entry that is null does, because the collision system refuses it.
@@ -146,7 +133,8 @@ package starlogo.search
             filter.checkNames(agents);
             for (var i:int = 0; i < agents.length; i++)
             {
-                admitted[i] = agents[i] == null || filter.admits(agents[i]);
+                // in JavaScript a filter may answer with any value
+                admitted[i] = agents[i] == null || Boolean(filter.admits(agents[i]));
             }
         }
     }

@@ -58,14 +58,14 @@ package starlogo.search
          */
         public function keepTouchingOnMotions(row:int, others:Vector.<int>, count:int, level:BinLevel, times:Vector.<Number>):int
         {
-            var ranks:Vector.<int> = _table.listed.ranks;
-            var rank:int = ranks[row];
+            var listIndices:Vector.<int> = _table.listed.listIndices;
+            var index:int = listIndices[row];
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = others[i];
                 // the time belongs to the motion of the agent that comes first in the list, relative to the other
-                var isFirst:Boolean = rank < ranks[other];
+                var isFirst:Boolean = index < listIndices[other];
                 findTime(isFirst ? row : other, isFirst ? other : row, level);
                 if (_motion.time != RelativeMotion.NEVER)
                 {
@@ -150,7 +150,7 @@ package starlogo.search
 
         private function sweep(a:int, b:int, level:BinLevel):void
         {
-            var areSpheres:Boolean = _table.shapes[a].form == BoundingStructure.SPHERE && _table.shapes[b].form == BoundingStructure.SPHERE;
+            var areSpheres:Boolean = _table.shapes[a].kind == BoundingStructure.SPHERE && _table.shapes[b].kind == BoundingStructure.SPHERE;
             if (!areSpheres && !overlapOnMotions(a, b, level))
             {
                 return;

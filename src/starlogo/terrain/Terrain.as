@@ -1,5 +1,5 @@
 // This room has what a game knows of its world besides agents: the ground and the edges. Terrain has the heights, TerrainSurface makes triangles
-// of them for drawing, and WorldBounds has the edges; an agent stands for each (WorldAgent). Read this file first; the room ground computes.
+// of them for drawing, and WorldBounds has the edges; an agent stands for each (EnvironmentAgent). Read this file first; the room ground computes.
 package starlogo.terrain
 {
     import flash.geom.Vector3D;
@@ -12,7 +12,7 @@ package starlogo.terrain
     import starlogo.ground.HeightGrid;
     import starlogo.search.ModelShape;
     import starlogo.search.pairs.GroundPairTests;
-    import starlogo.search.WorldAgent;
+    import starlogo.search.EnvironmentAgent;
 
     use namespace engine;
 
@@ -35,7 +35,7 @@ package starlogo.terrain
         public static const MOST_CELLS:int = 16000000;
 
         /** @private The value of <code>agent</code>. Its surface has the heights. */
-        engine var worldAgent:WorldAgent = new WorldAgent(Breeds.TERRAIN);
+        engine var environmentAgent:EnvironmentAgent = new EnvironmentAgent(Breeds.TERRAIN);
 
         private var _point:GroundPoint = new GroundPoint();
 
@@ -61,9 +61,9 @@ package starlogo.terrain
             }
             requireInWorld("a terrain's x and y", x, y, 0);
             requireInWorld("the end of a terrain", x + columns * cellWidth, y + rows * cellWidth, 0);
-            worldAgent.surface = ModelShape.ofWorld(new HeightGrid(columns, rows, cellWidth, x, y), null, GroundPairTests.addTo);
+            environmentAgent.surface = ModelShape.ofEnvironment(new HeightGrid(columns, rows, cellWidth, x, y), null, GroundPairTests.addTo);
             // only the edges' agents have negative ids: see Agent.id
-            worldAgent.idNumber = Agent.takeId();
+            environmentAgent.idNumber = Agent.takeId();
         }
 
         /**
@@ -96,10 +96,10 @@ package starlogo.terrain
             return "terrain of " + columns + " by " + rows + " heights, " + cellWidth + " apart, from (" + x + ", " + y + ")";
         }
 
-        /** @private The heights as they are now. Call <code>worldAgent.beginChange()</code> to change them. */
+        /** @private The heights as they are now. Call <code>environmentAgent.beginChange()</code> to change them. */
         engine function get grid():HeightGrid
         {
-            return worldAgent.surface.grid;
+            return environmentAgent.surface.grid;
         }
 
         /** Whether the surface is upright blocks; otherwise it is slopes. May be changed at any time. */
@@ -112,7 +112,7 @@ package starlogo.terrain
         {
             if (value != grid.isBlocky)
             {
-                worldAgent.beginChange().isBlocky = value;
+                environmentAgent.beginChange().isBlocky = value;
             }
         }
 
@@ -152,7 +152,7 @@ package starlogo.terrain
          */
         public function get agent():Agent
         {
-            return worldAgent;
+            return environmentAgent;
         }
 
         /**
@@ -198,7 +198,7 @@ package starlogo.terrain
             {
                 requireInWorld("a terrain's height", heights[i], 0, 0);
             }
-            worldAgent.beginChange().setHeights(column, row, columns, rows, heights);
+            environmentAgent.beginChange().setHeights(column, row, columns, rows, heights);
         }
 
         /**
@@ -212,7 +212,7 @@ package starlogo.terrain
         {
             if (isHole(column, row) != becomesHole)
             {
-                worldAgent.beginChange().setHole(column, row, becomesHole);
+                environmentAgent.beginChange().setHole(column, row, becomesHole);
             }
         }
 
@@ -305,7 +305,7 @@ package starlogo.terrain
         /** Makes the ground flat again, of height 0, without holes. */
         public function reset():void
         {
-            worldAgent.beginChange().reset();
+            environmentAgent.beginChange().reset();
         }
 
         /**

@@ -68,7 +68,7 @@ package starlogo.terrain
          */
         public function update():Boolean
         {
-            if (_terrain.worldAgent.revision == _revision)
+            if (_terrain.environmentAgent.revision == _revision)
             {
                 return false;
             }
@@ -82,7 +82,7 @@ package starlogo.terrain
             {
                 addTriangle(triangle);
             }
-            _revision = _terrain.worldAgent.revision;
+            _revision = _terrain.environmentAgent.revision;
             return true;
         }
 

@@ -6,7 +6,7 @@ package starlogo.terrain
     import starlogo.geometry.requireInWorld;
     import starlogo.search.ModelShape;
     import starlogo.search.pairs.EdgePairTests;
-    import starlogo.search.WorldAgent;
+    import starlogo.search.EnvironmentAgent;
 
     use namespace engine;
 
@@ -17,7 +17,7 @@ package starlogo.terrain
     public final class WorldBounds
     {
         /** @private The value of <code>agent</code>. */
-        engine var worldAgent:WorldAgent = new WorldAgent(Breeds.EDGE);
+        engine var environmentAgent:EnvironmentAgent = new EnvironmentAgent(Breeds.EDGE);
 
         /**
          * Creates the edges of the world. Where a number is infinite, the world has no edge.
@@ -59,44 +59,44 @@ package starlogo.terrain
                 }
                 requireInWorld("the edges of the world", isFinite(edges[i]) ? edges[i] : 0, isFinite(edges[i + 1]) ? edges[i + 1] : 0, 0);
             }
-            worldAgent.revision++;
-            worldAgent.surface = ModelShape.ofWorld(null, edges, EdgePairTests.addTo);
+            environmentAgent.revision++;
+            environmentAgent.surface = ModelShape.ofEnvironment(null, edges, EdgePairTests.addTo);
         }
 
         /** The least x. */
         public function get minX():Number
         {
-            return worldAgent.surface.edges[0];
+            return environmentAgent.surface.edges[0];
         }
 
         /** The greatest x. */
         public function get maxX():Number
         {
-            return worldAgent.surface.edges[1];
+            return environmentAgent.surface.edges[1];
         }
 
         /** The least y. */
         public function get minY():Number
         {
-            return worldAgent.surface.edges[2];
+            return environmentAgent.surface.edges[2];
         }
 
         /** The greatest y. */
         public function get maxY():Number
         {
-            return worldAgent.surface.edges[3];
+            return environmentAgent.surface.edges[3];
         }
 
         /** The least z. */
         public function get minZ():Number
         {
-            return worldAgent.surface.edges[4];
+            return environmentAgent.surface.edges[4];
         }
 
         /** The greatest z. */
         public function get maxZ():Number
         {
-            return worldAgent.surface.edges[5];
+            return environmentAgent.surface.edges[5];
         }
 
         /**
@@ -105,7 +105,7 @@ package starlogo.terrain
          */
         public function get agent():Agent
         {
-            return worldAgent;
+            return environmentAgent;
         }
     }
 }

@@ -61,6 +61,21 @@ package starlogo.collision
             assertDepths(0.1, 5.1, 0.1, 0.1);
         }
 
+        [Test]
+        public function anAgentThatIsNotInTheListMeetsTheGroundAndTheEdgesOfTheFrame():void
+        {
+            var other:Agent = agentAt("sphere", 0, 0, -0.2);
+            _collision.onCollision("balls", Collision.TERRAIN, function(ball:Agent, ground:Agent):void
+                {
+                    raise();
+                    _bounds.setTo(-9, -9, 0.9, 9, 9, 9);
+                    _depths.push(depthOf(other, ground), depthOf(_bounds.agent, other));
+                });
+            _collision.update(_agents);
+            _depths.push(depthOf(other, _terrain.agent), depthOf(other, _bounds.agent));
+            assertDepths(0.2, 0, 5.2, 1.1);
+        }
+
         // Two frames use one ground at the same time, and handlers of both change it.
         [Test]
         public function eachOfTwoFramesHasItsOwnGround():void

@@ -8,13 +8,17 @@ package starlogo.collision
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import starlogo.steps.StepSequence;
+    import starlogo.terrain.Terrain;
+    import starlogo.terrain.WorldBounds;
     import support.AgentChanges;
     import support.Complaints;
     import support.EachCollider;
     import support.Effort;
     import support.FrameByFrame;
     import support.SolidModels;
+    import support.agentAt;
     import support.assertThrows;
+    import support.landOf;
 
     /**
      * A contact is that of the last frame: how the two touched where they were then, whatever they, their models and their list have become
@@ -156,7 +160,7 @@ package starlogo.collision
         }
 
         [Test]
-        public function theyAreOfTheLastFrameAfterEachReset():void
+        public function afterAResetTheyAreThoseOfNow():void
         {
             var collider:Collider = new TightestFitCollider(sGreatLand);
             var collision:Collision = new Collision(collider);
@@ -168,8 +172,38 @@ package starlogo.collision
                 a.moveTo(2 * gap, 0, 0);
                 b.moveTo(3 * gap, 0, 0);
                 collision.update(new <Agent>[a, b]);
-                collision.reset();
+                b.moveTo(4 * gap, 0, 0);
                 assertTrue(gap + " apart", Math.abs(collider.contactOf(a, b).point.x - 2.5 * gap) < NEAR);
+                collision.reset();
+                assertTrue(2 * gap + " apart", Math.abs(collider.contactOf(a, b).point.x - 3 * gap) < NEAR);
+            }
+        }
+
+        // The place stays that of the frame. The shape is that of the pose.
+        [Test]
+        public function aPoseCountsAtOnce():void
+        {
+            for each (var isExact:Boolean in [false, true])
+            {
+                var model:Model = new Model("tetrahedron", new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1], new <uint>[0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3]);
+                var land:GreatLand = landOf(model);
+                var collider:HierarchicalCollider = new HierarchicalCollider(land);
+                collider.exact = isExact;
+                var collision:Collision = new Collision(collider);
+                collision.terrain = new Terrain(10, 10, 1, -5, -5);
+                collision.bounds = new WorldBounds(-5, -5, -5, 1, 5, 50);
+                var a:Agent = agentAt("tetrahedron", 0, 0, 0.5);
+                var b:Agent = agentAt("tetrahedron", 0.3, 0, 0.5);
+                collision.onCollision("turtles", Collision.TERRAIN, ignore);
+                collision.onCollision("turtles", Collision.EDGE, ignore);
+                collision.update(new <Agent>[a, b]);
+                model.pose(new <Number>[0, 0, -3, 4, 0, 0, 0, 4, 0, 0, 0, 4]);
+                var fresh:HierarchicalCollider = new HierarchicalCollider(land);
+                fresh.exact = isExact;
+                for each (var other:Agent in [b, collision.terrain.agent, collision.bounds.agent])
+                {
+                    assertEquals(other + ", exact: " + isExact, fresh.contactOf(a, other).toString(), collider.contactOf(a, other).toString());
+                }
             }
         }
 
@@ -383,6 +417,10 @@ package starlogo.collision
             {
                 AgentChanges.change(trait, agent, SHAPES, _random);
             }
+        }
+
+        private static function ignore(a:Agent, b:Agent):void
+        {
         }
 
         // One of them, two or all.

@@ -220,6 +220,25 @@ package starlogo.collision
         }
 
         [Test]
+        public function afterGoingBackAContactIsOfAgentsAsTheyAreNow():void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var collider:BaseCollider = BaseCollider(EachCollider.make(name, _greatLand));
+                var collision:Collision = new Collision(collider);
+                var agents:Vector.<Agent> = new <Agent>[new Agent("sphere", "balls"), agentAt("sphere", 0.8, 0, 0)];
+                collision.onCollision("balls", "turtles", ignore);
+                collision.update(agents);
+                agents[0].size = 3;
+                agents[0].moveTo(5, 0, 0);
+                collision.restore(collision.snapshot(true), agents);
+                var contact:Contact = collider.contactOf(agents[0], agents[1]);
+                assertEquals(name, EachCollider.make(name, _greatLand).contactOf(agents[0], agents[1]).toString(), contact.toString());
+                assertEquals(name, 0, contact.depth);
+            }
+        }
+
+        [Test]
         public function afterGoingBackAContactIsOfAgentsThatStand():void
         {
             for each (var name:String in EachCollider.NAMES)
@@ -246,6 +265,10 @@ package starlogo.collision
                 assertEquals(name, 0, contact.approachSpeed);
                 assertEquals(name, 1, contact.time);
             }
+        }
+
+        private function ignore(a:Agent, b:Agent):void
+        {
         }
 
         [Test]

@@ -7,8 +7,8 @@ package starlogo.handlers
     /** The handlers of a pair of breeds that come and go. */
     public class HandlerListTest
     {
-        private static const MOMENTS:Array = [CollisionHandler.START, CollisionHandler.COLLISION, CollisionHandler.END];
-        private static const ANY_MOMENT:int = CollisionHandler.START | CollisionHandler.COLLISION | CollisionHandler.END;
+        private static const PHASES:Array = [CollisionHandler.START, CollisionHandler.COLLISION, CollisionHandler.END];
+        private static const ANY_PHASE:int = CollisionHandler.START | CollisionHandler.COLLISION | CollisionHandler.END;
         private static const ALL:int = 1000;
 
         private var _handlers:HandlerList = new HandlerList();
@@ -39,10 +39,10 @@ package starlogo.handlers
                 {
                     if (random.chance(i < 150 ? 0.6 : 0.35))
                     {
-                        add(random.pick(MOMENTS), random.pick(functions));
+                        add(random.pick(PHASES), random.pick(functions));
                         continue;
                     }
-                    var wasThere:Boolean = removeOne(random.pick(functions), random.chance() ? ANY_MOMENT : random.pick(MOMENTS));
+                    var wasThere:Boolean = removeOne(random.pick(functions), random.chance() ? ANY_PHASE : random.pick(PHASES));
                     removed += wasThere ? 1 : 0;
                     missed += wasThere ? 0 : 1;
                     assertOrders(random.integer(0, _order));
@@ -70,29 +70,29 @@ package starlogo.handlers
             }
             for (i = 0; i < 39; i++)
             {
-                assertTrue(removeOne(areRemovedAsFromAList, ANY_MOMENT));
+                assertTrue(removeOne(areRemovedAsFromAList, ANY_PHASE));
                 assertOrders(ALL);
             }
             assertEquals(1, _expected.length);
-            assertTrue(!removeOne(areRemovedAsFromAList, ANY_MOMENT));
+            assertTrue(!removeOne(areRemovedAsFromAList, ANY_PHASE));
             assertTrue(removeOne(areRemovedFromBothEnds, CollisionHandler.START));
         }
 
-        private function add(moment:int, handler:Function):void
+        private function add(phase:int, handler:Function):void
         {
-            var added:CollisionHandler = new CollisionHandler("bears", "trees", handler, moment, _order++);
+            var added:CollisionHandler = new CollisionHandler("bears", "trees", handler, phase, _order++);
             _handlers.add(added);
             _expected.push(added);
         }
 
         // Returns whether there was one.
-        private function removeOne(handler:Function, moment:int):Boolean
+        private function removeOne(handler:Function, phase:int):Boolean
         {
             var matching:Array = _expected.filter(function(one:CollisionHandler, index:int, all:Array):Boolean
                 {
-                    return one.callback == handler && (one.moment & moment) != 0;
+                    return one.callback == handler && (one.phase & phase) != 0;
                 });
-            assertEquals(matching.length > 0, _handlers.remove(handler, moment));
+            assertEquals(matching.length > 0, _handlers.remove(handler, phase));
             if (matching.length > 0)
             {
                 assertTrue(matching[0].isRemoved);
@@ -107,7 +107,7 @@ package starlogo.handlers
             _handlers.appendTo(found, end);
             var wanted:Array = _expected.filter(function(one:CollisionHandler, index:int, all:Array):Boolean
                 {
-                    return one.serial < end;
+                    return one.addedAt < end;
                 });
             assertEquals(orders(wanted).join(), orders(found).join());
         }
@@ -118,7 +118,7 @@ package starlogo.handlers
             for each (var one:CollisionHandler in list)
             {
                 assertTrue(!one.isRemoved);
-                all.push(one.serial);
+                all.push(one.addedAt);
             }
             return all;
         }

@@ -19,7 +19,7 @@ package starlogo.handlers
         private var _table:HandlerTable = new HandlerTable();
         private var _random:SeededRandom = new SeededRandom(1);
 
-        // The handlers that are there, in the order in which they were added: { moment, breed, other, callback }. The second list has those of the frame.
+        // The handlers that are there, in the order in which they were added: { phase, breed, other, callback }. The second list has those of the frame.
         private var _present:Array = [];
         private var _ofFrame:Array = [];
         private var _isChanged:Boolean = false;
@@ -54,7 +54,7 @@ package starlogo.handlers
         {
             add("bears", "trees", CollisionHandler.START, _functions[1]);
             beginFrame();
-            assertEquals(CollisionHandler.START, _table.contactMoments);
+            assertEquals(CollisionHandler.START, _table.contactPhases);
             remove("bears", "trees", CollisionHandler.START, _functions[1]);
             beginFrame();
             assertEquals(0, _present.length);
@@ -64,7 +64,7 @@ package starlogo.handlers
         {
             var breed:String = _random.pick(BREEDS);
             var other:String = _random.pick(BREEDS);
-            var moment:int = _random.pick([CollisionHandler.START, CollisionHandler.COLLISION, CollisionHandler.END]);
+            var phase:int = _random.pick([CollisionHandler.START, CollisionHandler.COLLISION, CollisionHandler.END]);
             var callback:Function = _random.pick(_functions);
             if (_random.chance(0.02))
             {
@@ -74,28 +74,28 @@ package starlogo.handlers
             }
             else if (_random.chance(0.4))
             {
-                add(breed, other, moment, callback);
+                add(breed, other, phase, callback);
             }
             else
             {
-                remove(breed, other, moment, callback);
+                remove(breed, other, phase, callback);
             }
         }
 
-        private function add(breed:String, other:String, moment:int, callback:Function):void
+        private function add(breed:String, other:String, phase:int, callback:Function):void
         {
-            _table.add(breed, other, callback, moment);
-            _present.push({moment: moment, breed: breed, other: other, callback: callback});
+            _table.add(breed, other, callback, phase);
+            _present.push({phase: phase, breed: breed, other: other, callback: callback});
             _isChanged = true;
         }
 
-        private function remove(breed:String, other:String, moment:int, callback:Function):void
+        private function remove(breed:String, other:String, phase:int, callback:Function):void
         {
             var wanted:Array = _present.filter(function(one:Object, index:int, all:Array):Boolean
                 {
-                    return one.moment == moment && one.breed == breed && one.other == other && one.callback == callback;
+                    return one.phase == phase && one.breed == breed && one.other == other && one.callback == callback;
                 });
-            assertEquals(wanted.length > 0, _table.remove(breed, other, callback, moment));
+            assertEquals(wanted.length > 0, _table.remove(breed, other, callback, phase));
             if (wanted.length > 0)
             {
                 _present.splice(_present.indexOf(wanted[0]), 1);
@@ -110,17 +110,17 @@ package starlogo.handlers
             assertEquals("the search begins anew after a change alone", _isChanged, _table.interests !== before);
             _isChanged = false;
             _ofFrame = _present.concat();
-            var moments:int = 0;
-            var contactMoments:int = 0;
+            var phases:int = 0;
+            var contactPhases:int = 0;
             var named:Object = {};
             for each (var one:Object in _present)
             {
-                moments |= one.moment;
-                contactMoments |= one.callback == _functions[1] && one.moment != CollisionHandler.END ? one.moment : 0;
+                phases |= one.phase;
+                contactPhases |= one.callback == _functions[1] && one.phase != CollisionHandler.END ? one.phase : 0;
                 named[one.breed] = named[one.other] = true;
             }
-            assertEquals(moments, _table.moments);
-            assertEquals(contactMoments, _table.contactMoments);
+            assertEquals(phases, _table.phases);
+            assertEquals(contactPhases, _table.contactPhases);
             for each (var breed:String in BREEDS)
             {
                 // Ruffle returns null for a Boolean that a Vector has at first
@@ -137,7 +137,7 @@ package starlogo.handlers
             {
                 if (!pair.handlers[i].isRemoved)
                 {
-                    found.push(textOf(i < pair.firstCount, pair.handlers[i].moment, pair.handlers[i].callback));
+                    found.push(textOf(i < pair.firstCount, pair.handlers[i].phase, pair.handlers[i].callback));
                 }
             }
             assertEquals(callsOf("bears", "trees", true).concat(callsOf("trees", "bears", false)).join("\n"), found.join("\n"));
@@ -146,23 +146,23 @@ package starlogo.handlers
         private function callsOf(breed:String, other:String, isFirst:Boolean):Array
         {
             var calls:Array = [];
-            for (var moment:int = CollisionHandler.START; moment <= CollisionHandler.END; moment *= 2)
+            for (var phase:int = CollisionHandler.START; phase <= CollisionHandler.END; phase *= 2)
             {
                 for each (var one:Object in _ofFrame)
                 {
                     var fits:Boolean = (one.breed == breed || one.breed == Breeds.ANY_BREED) && (one.other == other || one.other == Breeds.ANY_BREED);
-                    if (fits && one.moment == moment && _present.indexOf(one) >= 0)
+                    if (fits && one.phase == phase && _present.indexOf(one) >= 0)
                     {
-                        calls.push(textOf(isFirst, moment, one.callback));
+                        calls.push(textOf(isFirst, phase, one.callback));
                     }
                 }
             }
             return calls;
         }
 
-        private function textOf(isFirst:Boolean, moment:int, callback:Function):String
+        private function textOf(isFirst:Boolean, phase:int, callback:Function):String
         {
-            return (isFirst ? "first " : "second ") + NAMES[moment] + " " + _functions.indexOf(callback);
+            return (isFirst ? "first " : "second ") + NAMES[phase] + " " + _functions.indexOf(callback);
         }
     }
 }

@@ -20,16 +20,16 @@ package starlogo.search
         [Test]
         public function theGroundMayComeFirst():void
         {
-            checkOrder(new Terrain(3, 3).worldAgent);
+            checkOrder(new Terrain(3, 3).environmentAgent);
         }
 
         [Test]
         public function theEdgesMayComeFirst():void
         {
-            checkOrder(new WorldBounds(-5, -5, -5, 5, 5, 5).worldAgent);
+            checkOrder(new WorldBounds(-5, -5, -5, 5, 5, 5).environmentAgent);
         }
 
-        private function checkOrder(agent:WorldAgent):void
+        private function checkOrder(agent:EnvironmentAgent):void
         {
             var world:Body = new Body();
             world.setToAgent(agent, agent.surface);

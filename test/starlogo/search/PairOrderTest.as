@@ -61,7 +61,7 @@ package starlogo.search
             assertEquals(pairCount, pairs.count);
             for (var i:int = 0; i < pairCount; i++)
             {
-                var found:Array = [0, list.ranks[pairs.rows[2 * i]], list.ranks[pairs.rows[2 * i + 1]]];
+                var found:Array = [0, list.listIndices[pairs.rows[2 * i]], list.listIndices[pairs.rows[2 * i + 1]]];
                 found[0] = timeOf[found[1] + " " + found[2]];
                 assertEquals(i + " of " + pairCount + " pairs of " + list.rows.count, expected[i].join(), found.join());
             }

@@ -22,7 +22,7 @@ package starlogo.search
             read([_a, _b, _c], [_c, _a, _b, _c]);
             assertPairs([_c, _a, _b, _c]);
             assertEquals(3, _found.listed.rows.count);
-            assertEquals("an agent's rank is its index", 2, _found.listed.ranks[_found.rows[0]]);
+            assertEquals("an agent's index in the list", 2, _found.listed.listIndices[_found.rows[0]]);
         }
 
         [Test]
@@ -45,12 +45,12 @@ package starlogo.search
         public function eachListHasItsOwnRows():void
         {
             read([_a, _b], [_a, _b]);
-            _found.isUpdate = true;
-            var version:int = _found.version;
+            _found.isIncremental = true;
+            var revision:int = _found.revision;
             read([_b, _c], [_c, _b]);
             assertPairs([_c, _b]);
-            assertFalse("these are other pairs", _found.isUpdate);
-            assertTrue(_found.version > version);
+            assertFalse("these are other pairs", _found.isIncremental);
+            assertTrue(_found.revision > revision);
         }
 
         private function read(list:Array, pairs:Array):void

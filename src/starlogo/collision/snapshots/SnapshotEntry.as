@@ -18,6 +18,6 @@ package starlogo.collision.snapshots
         public var ids:Vector.<int> = new Vector.<int>();
 
         /** The agents of the ground and of the edges that were exchanged before; null if none were. */
-        public var formerWorld:Vector.<Agent>;
+        public var formerEnvironment:Vector.<Agent>;
     }
 }

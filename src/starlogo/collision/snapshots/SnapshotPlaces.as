@@ -73,7 +73,7 @@ package starlogo.collision.snapshots
             table.read(list);
             for (var i:int = 0; i < list.length; i++)
             {
-                table.setLastPlace(table.listed.rows.values[i], _places[3 * i], _places[3 * i + 1], _places[3 * i + 2], _haveMotions[i]);
+                table.writeLastPlace(table.listed.rows.values[i], _places[3 * i], _places[3 * i + 1], _places[3 * i + 2], _haveMotions[i]);
             }
         }
     }

@@ -37,7 +37,7 @@ package starlogo.collision.snapshots
                 }
                 count++;
                 bytes.writeInt(i);
-                bytes.writeInt(table.listed.ranks[table.listed.rowOf(link.platform)]);
+                bytes.writeInt(table.listed.listIndices[table.listed.rowOf(link.platform)]);
                 writeNumbers(bytes, link.walkerPlace.x, link.walkerPlace.y, link.walkerPlace.z);
                 var below:Placement = link.platformPlacement;
                 writeNumbers(bytes, below.x, below.y, below.z);

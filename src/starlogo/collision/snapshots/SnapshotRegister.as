@@ -28,15 +28,15 @@ package starlogo.collision.snapshots
         /**
          * Remembers a snapshot of these agents.
          *
-         * @param formerWorld the agents of the ground and of the edges that were exchanged before; null if none were
+         * @param formerEnvironment the agents of the ground and of the edges that were exchanged before; null if none were
          */
-        public function note(bytes:ByteArray, agents:Vector.<Agent>, formerWorld:Vector.<Agent>):void
+        public function note(bytes:ByteArray, agents:Vector.<Agent>, formerEnvironment:Vector.<Agent>):void
         {
             var entry:SnapshotEntry = new SnapshotEntry();
             entry.hash = hashOf(bytes);
             entry.length = bytes.length;
             entry.createdCount = Agent.createdCount;
-            entry.formerWorld = formerWorld;
+            entry.formerEnvironment = formerEnvironment;
             for (var i:int = 0; i < agents.length; i++)
             {
                 entry.ids.push(agents[i].idNumber);
@@ -54,7 +54,7 @@ package starlogo.collision.snapshots
          * @param count the number of agents of the snapshot
          * @throws ArgumentError if the list has another length, or the snapshot is remembered and has other agents
          */
-        public function recallFormerWorld(bytes:ByteArray, count:int, agents:Vector.<Agent>):Vector.<Agent>
+        public function recallFormerEnvironment(bytes:ByteArray, count:int, agents:Vector.<Agent>):Vector.<Agent>
         {
             var hash:int = hashOf(bytes);
             var known:SnapshotEntry = null;
@@ -66,7 +66,7 @@ package starlogo.collision.snapshots
                     known = entry;
                     if (count == agents.length && firstOther(entry, agents) < 0)
                     {
-                        return entry.formerWorld;
+                        return entry.formerEnvironment;
                     }
                 }
             }

@@ -16,7 +16,7 @@ package starlogo.collision.snapshots
     import starlogo.handlers.TouchTracker;
     import starlogo.search.CollisionSearch;
     import starlogo.search.table.AgentTable;
-    import starlogo.search.WorldAgent;
+    import starlogo.search.EnvironmentAgent;
 
     use namespace engine;
 
@@ -53,7 +53,7 @@ package starlogo.collision.snapshots
         private var _register:SnapshotRegister = new SnapshotRegister();
 
         // They stand for the ground and the edges that were exchanged before a snapshot, if the register does not know them.
-        private var _unknownWorld:Vector.<Agent> = new <Agent>[new WorldAgent(Breeds.TERRAIN), new WorldAgent(Breeds.EDGE)];
+        private var _unknownEnvironment:Vector.<Agent> = new <Agent>[new EnvironmentAgent(Breeds.TERRAIN), new EnvironmentAgent(Breeds.EDGE)];
 
         /**
          * Returns the bytes of a snapshot.
@@ -65,26 +65,22 @@ package starlogo.collision.snapshots
          * @param withGround whether the ground's heights are written
          * @throws IllegalOperationError if the frame has failed, or if the collision system has searched another list since
          */
-        public function write(frame:LastFrame, search:CollisionSearch, ground:WorldAgent, edges:WorldAgent, withTraits:Boolean,
+        public function write(frame:LastFrame, search:CollisionSearch, ground:EnvironmentAgent, edges:EnvironmentAgent, withTraits:Boolean,
                 withGround:Boolean):ByteArray
         {
-            if (frame.hasFailed)
-            {
-                throw new IllegalOperationError("the last frame has refused its list or failed: there is nothing to take a snapshot of");
-            }
             var agents:Vector.<Agent> = frame.agents;
             var table:AgentTable = (frame.search || search).table;
             if (agents.length > 0 && (frame.search == null || !table.listed.isListed(agents)))
             {
                 throw new IllegalOperationError(frame.search == null
-                        ? "the last frame had a collision system of the game's own: there is nothing to take a snapshot of"
+                        ? "the last frame has refused its list, failed, or had a collision system of the game's own: there is nothing to take a snapshot of"
                         : "the collision system has searched another list since the last frame");
             }
             var hasHeights:Boolean = withGround && ground != null;
             var names:SnapshotNames = new SnapshotNames();
             var rest:ByteArray = newBytes();
             SnapshotPlaces.write(rest, agents, table, frame.search === search);
-            var formerWorld:Vector.<Agent> = writeTouches(rest, names, frame.tracker.inOrder(), table, ground, edges);
+            var formerEnvironment:Vector.<Agent> = writeTouches(rest, names, frame.tracker.inOrder(), table, ground, edges);
             SnapshotPlatforms.write(rest, agents, table);
             if (hasHeights)
             {
@@ -100,7 +96,7 @@ package starlogo.collision.snapshots
             bytes.writeInt(agents.length);
             names.write(bytes);
             bytes.writeBytes(rest);
-            _register.note(bytes, agents, formerWorld);
+            _register.note(bytes, agents, formerEnvironment);
             bytes.position = 0;
             return bytes;
         }
@@ -114,7 +110,7 @@ package starlogo.collision.snapshots
          * @param frame becomes the frame of the snapshot
          * @throws ArgumentError as Collision.restore does; nothing has changed then
          */
-        public function read(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch, ground:WorldAgent, edges:WorldAgent,
+        public function read(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch, ground:EnvironmentAgent, edges:EnvironmentAgent,
                 frame:LastFrame):void
         {
             search.table.listed.propose(agents);
@@ -145,7 +141,6 @@ package starlogo.collision.snapshots
             frame.tracker = parts.touches;
             frame.agents = copyAgents(agents, frame.agents);
             frame.search = search;
-            frame.hasFailed = false;
         }
 
         // Puts the agents back: their traits, which the bytes have next if they are in the snapshot, and their places in the last frame. If that
@@ -191,42 +186,42 @@ package starlogo.collision.snapshots
         }
 
         // Returns the ground and the edges of touches that were exchanged, for restore(); null if none were.
-        private function writeTouches(bytes:ByteArray, names:SnapshotNames, touches:Vector.<Touch>, table:AgentTable, ground:WorldAgent,
-                edges:WorldAgent):Vector.<Agent>
+        private function writeTouches(bytes:ByteArray, names:SnapshotNames, touches:Vector.<Touch>, table:AgentTable, ground:EnvironmentAgent,
+                edges:EnvironmentAgent):Vector.<Agent>
         {
-            var formerWorld:Vector.<Agent> = null;
+            var formerEnvironment:Vector.<Agent> = null;
             bytes.writeInt(touches.length);
             for (var i:int = 0; i < touches.length; i++)
             {
                 var touch:Touch = touches[i];
                 // the ground comes before the edges
-                var indexInWorld:int = touch.second.breed == Breeds.TERRAIN ? 0 : 1;
+                var environmentIndex:int = touch.second.breed == Breeds.TERRAIN ? 0 : 1;
                 var second:int;
-                if (!touch.second.isOfWorld)
+                if (!touch.second.isEnvironment)
                 {
-                    second = table.listed.ranks[table.listed.rowOf(touch.second)];
+                    second = table.listed.listIndices[table.listed.rowOf(touch.second)];
                 }
                 else if (touch.second === ground || touch.second === edges)
                 {
-                    second = table.listed.rows.count + indexInWorld;
+                    second = table.listed.rows.count + environmentIndex;
                 }
                 else
                 {
-                    formerWorld ||= _unknownWorld.concat();
-                    formerWorld[indexInWorld] = touch.second;
-                    second = table.listed.rows.count + formerWorld.length + indexInWorld;
+                    formerEnvironment ||= _unknownEnvironment.concat();
+                    formerEnvironment[environmentIndex] = touch.second;
+                    second = table.listed.rows.count + formerEnvironment.length + environmentIndex;
                 }
-                bytes.writeInt(table.listed.ranks[table.listed.rowOf(touch.first)]);
+                bytes.writeInt(table.listed.listIndices[table.listed.rowOf(touch.first)]);
                 bytes.writeInt(second);
                 bytes.writeInt(names.ofBreed(touch.firstBreed));
                 bytes.writeInt(names.ofBreed(touch.secondBreed));
                 bytes.writeBoolean(touch.isComplete);
             }
-            return formerWorld;
+            return formerEnvironment;
         }
 
         // Reads and checks all parts but the traits. If there are traits, they are next.
-        private function readParts(bytes:ByteArray, agents:Vector.<Agent>, systemNumber:int, ground:WorldAgent, edges:WorldAgent, parts:SnapshotParts):void
+        private function readParts(bytes:ByteArray, agents:Vector.<Agent>, systemNumber:int, ground:EnvironmentAgent, edges:EnvironmentAgent, parts:SnapshotParts):void
         {
             var contents:int = bytes.readUnsignedByte();
             var writtenBy:int = contents / SYSTEM_FACTOR;
@@ -237,11 +232,11 @@ package starlogo.collision.snapshots
             }
             var count:uint = bytes.readUnsignedInt();
             requireIntact(count <= bytes.bytesAvailable / SnapshotPlaces.SIZE);
-            var formerWorld:Vector.<Agent> = _register.recallFormerWorld(bytes, count, agents) || _unknownWorld;
+            var formerEnvironment:Vector.<Agent> = _register.recallFormerEnvironment(bytes, count, agents) || _unknownEnvironment;
             parts.names.read(bytes);
             parts.places = SnapshotPlaces.read(bytes, count);
             requireIntact(parts.places != null);
-            parts.touches = readTouches(bytes, agents, new <Agent>[ground, edges].concat(formerWorld), parts.names);
+            parts.touches = readTouches(bytes, agents, new <Agent>[ground, edges].concat(formerEnvironment), parts.names);
             parts.platforms = SnapshotPlatforms.read(bytes, agents);
             requireIntact(parts.platforms != null);
             var hasGround:Boolean = (contents & HAS_GROUND) != 0;
@@ -258,7 +253,7 @@ package starlogo.collision.snapshots
             requireIntact(parts.hasTraits || bytes.position == bytes.length);
         }
 
-        // What stands for the world: the ground and the edges, or null, and those that were exchanged.
+        // What stands for the environment: the ground and the edges, or null, and those that were exchanged.
         private static function readTouches(bytes:ByteArray, agents:Vector.<Agent>, world:Vector.<Agent>, names:SnapshotNames):TouchTracker
         {
             var partners:Vector.<Agent> = agents.concat(world);
@@ -279,7 +274,7 @@ package starlogo.collision.snapshots
                 }
                 // the ground and the edges keep their breeds, which no other agent ever has
                 var partner:Agent = partners[second];
-                requireIntact(firstBreed > Breeds.ANY && (partner.isOfWorld ? secondBreed == partner.breedNumber : secondBreed > Breeds.ANY));
+                requireIntact(firstBreed > Breeds.ANY && (partner.isEnvironment ? secondBreed == partner.breedNumber : secondBreed > Breeds.ANY));
                 // each pair is there once
                 requireIntact(touches.find(agents[first], partner) == null);
                 touches.start(agents[first], partner, firstBreed, secondBreed).isComplete = flag == 1;

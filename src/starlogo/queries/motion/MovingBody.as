@@ -107,7 +107,7 @@ package starlogo.queries.motion
         public function setToCastAgent(agent:Agent):MovingBody
         {
             setToAgent(agent);
-            return hasShape && whole.form < ModelShape.TREE ? copyBody(_structureBody.setTo(whole.shape.structure, whole.placement)) : this;
+            return hasShape && whole.kind < ModelShape.TREE ? copyBody(_structureBody.setTo(whole.shape.structure, whole.placement)) : this;
         }
 
         /** Becomes the body of a structure in the world. See <code>StructureBody.setTo()</code>. */
@@ -319,14 +319,14 @@ package starlogo.queries.motion
          */
         public function warnIfInside(row:int, contact:ContactPoint):void
         {
-            var form:int = bodyOf(row).form;
-            var isTree:Boolean = form == ModelShape.TREE;
+            var kind:int = bodyOf(row).kind;
+            var isTree:Boolean = kind == ModelShape.TREE;
             var allowed:Number = whole.halfAlong(contact);
             if (!isTree)
             {
                 allowed *= WITH_ROOM;
             }
-            if (form != ModelShape.GROUND && contact.depth > allowed)
+            if (kind != ModelShape.GROUND && contact.depth > allowed)
             {
                 var below:Number = whole.placement.r22 == 1 ? whole.halfZ - whole.offsetZ : 0;
                 warnOfInside(_seen.table.listed.agentsByRow, row, agent, whole.placement, below, contact.depth, isTree);

@@ -280,7 +280,7 @@ package starlogo.queries.motion
             body.warnIfInside(row, out);
             out.depth += shrunk.clearance;
             // the shortest way out of a tree may lead through a wall of the tree if it is longer than the way to the middle of the body
-            return body.bodyOf(row).form != ModelShape.TREE || out.depth <= body.whole.halfAlong(out);
+            return body.bodyOf(row).kind != ModelShape.TREE || out.depth <= body.whole.halfAlong(out);
         }
 
         // Whether a push leads back against the last one, which is null at first. Then the body is between two rows.

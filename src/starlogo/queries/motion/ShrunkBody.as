@@ -90,7 +90,7 @@ package starlogo.queries.motion
             for (var i:int = 0; i < rows.count; i++)
             {
                 var other:Body = mover.bodyOf(rows.values[i]);
-                if (other.form == ModelShape.GROUND)
+                if (other.kind == ModelShape.GROUND)
                 {
                     cell = other.shape.grid.cellWidth;
                 }
@@ -160,7 +160,7 @@ package starlogo.queries.motion
         /** Whether the extents of a body, the whole one or the shrunk body, come within a slop of a row's on a motion that ends where it is. */
         public function isNear(moved:Body, other:Body, motion:RelativeMotion):Boolean
         {
-            if (other.form == ModelShape.GROUND)
+            if (other.kind == ModelShape.GROUND)
             {
                 return true;
             }
@@ -193,7 +193,7 @@ package starlogo.queries.motion
         {
             var other:Body = mover.bodyOf(row);
             var whole:Body = mover.moveTo(place);
-            if (other.form == ModelShape.GROUND)
+            if (other.kind == ModelShape.GROUND)
             {
                 return mover.narrowPhase.groundTestsOf(other).isDeeper(whole, other, slop);
             }

@@ -267,7 +267,7 @@ package starlogo.queries.motion
                 var tests:PairTests = shrunk.mover.narrowPhase.pairTestsFor(moved, other);
                 tests.findImpactOfSurfaces(moved, other, motion, out);
                 // a sheet may be wholly under the ground at the beginning, and then it touches no surface
-                if (motion.time == RelativeMotion.NEVER && other.form == ModelShape.GROUND && tests.beginsInside(moved, other, motion))
+                if (motion.time == RelativeMotion.NEVER && other.kind == ModelShape.GROUND && tests.beginsInside(moved, other, motion))
                 {
                     motion.time = 0;
                     out.setNormal(0, 0, 0);

@@ -23,8 +23,8 @@ package starlogo.queries.rays
         // The hits: the row of each, with the distance as its key. The hits of a row stand side by side.
         private var _hits:SortableIntList = new SortableIntList();
 
-        // By hit: the rank of its row, and its contact.
-        private var _ranks:Vector.<int> = new Vector.<int>();
+        // By hit: the list index of its row, and its contact.
+        private var _listIndices:Vector.<int> = new Vector.<int>();
         private var _contacts:Vector.<ContactPoint> = new Vector.<ContactPoint>();
 
         // By row: its first hit.
@@ -64,7 +64,7 @@ package starlogo.queries.rays
                 _contacts.push(new ContactPoint());
             }
             _hits.add(row, entry.distance);
-            _ranks[index] = _seen.table.listed.ranks[row];
+            _listIndices[index] = _seen.table.listed.listIndices[row];
             var contact:ContactPoint = _contacts[index];
             contact.x = ray.x + entry.distance * ray.directionX;
             contact.y = ray.y + entry.distance * ray.directionY;
@@ -95,7 +95,7 @@ package starlogo.queries.rays
             if (_answer.count > rows)
             {
                 // between hits of one row there may be others
-                _answer.sortFirst(_answer.count, _ranks);
+                _answer.sortFirst(_answer.count, _listIndices);
             }
             return _answer.count;
         }

@@ -49,7 +49,7 @@ package starlogo.queries.rays
         public function findRayEntry(row:int, ray:Ray, out:RayEntry):Boolean
         {
             var body:Body = _seen.table.bodyOf(row);
-            if (body.form == ModelShape.GROUND)
+            if (body.kind == ModelShape.GROUND)
             {
                 return _seen.narrowPhase.groundTestsOf(body).findRayEntry(body, ray, out);
             }

@@ -46,7 +46,7 @@ package starlogo.queries.rays
         public function findSurfaces(row:int, ray:Ray, out:RayHits):Boolean
         {
             var body:Body = _seen.table.bodyOf(row);
-            var isGround:Boolean = body.form == ModelShape.GROUND;
+            var isGround:Boolean = body.kind == ModelShape.GROUND;
             var areTriangles:Boolean = true;
             var isMet:Boolean = false;
             _crossings.count = 0;

@@ -110,7 +110,7 @@ package starlogo.queries.trees
             {
                 return;
             }
-            _rows.sortFirst(end, _seen.table.listed.ranks);
+            _rows.sortFirst(end, _seen.table.listed.listIndices);
             admitTo(end);
             if (_admitted == maxCount)
             {
@@ -190,7 +190,7 @@ package starlogo.queries.trees
         // Sorts the rows, and keeps those that are wanted.
         private function keepFirst():void
         {
-            _rows.sortFirst(_rows.count, _seen.table.listed.ranks);
+            _rows.sortFirst(_rows.count, _seen.table.listed.listIndices);
             _rows.count = Math.min(_rows.count, maxCount);
         }
 

@@ -69,7 +69,7 @@ package starlogo.queries.trees
         public function setAround(tree:RowTree, body:Body):void
         {
             setTo(tree, body.middleX, body.middleY, body.middleZ, body.halfX, body.halfY, body.halfZ, body.distanceFromPlace);
-            if (body.isOfWorld)
+            if (body.isEnvironment)
             {
                 widen(4 * Agent.LARGEST_COORDINATE);
             }

@@ -52,7 +52,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function areTouching(a:Body, b:Body):Boolean
         {
-            var tolerance:Number = gapOf(a);
+            var tolerance:Number = touchToleranceOf(a);
             findPenetrations(a, b, RelativeMotion.NONE, tolerance);
             for (var edge:int = 0; edge < 6; edge++)
             {
@@ -67,7 +67,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function findFirstTouch(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            var tolerance:Number = gapOf(a);
+            var tolerance:Number = touchToleranceOf(a);
             findPenetrations(a, b, motion, tolerance);
             motion.time = RelativeMotion.NEVER;
             for (var edge:int = 0; edge < 6; edge++)
@@ -108,7 +108,7 @@ package starlogo.search.pairs
             {
                 // of two opposite edges, the one with the larger value counts
                 var one:int = _penetrations[edge] >= _penetrations[int(edge + 1)] ? edge : edge + 1;
-                if (_penetrations[one] >= -gapOf(a) || one == deepest)
+                if (_penetrations[one] >= -touchToleranceOf(a) || one == deepest)
                 {
                     var way:Number = lengthOfWayBack(_penetrations[one], one == deepest, a);
                     wayX -= way * OUTWARDS[one].x;
@@ -170,7 +170,7 @@ package starlogo.search.pairs
         }
 
         // The largest gap between a body and an edge that still counts as a touch.
-        private static function gapOf(body:Body):Number
+        private static function touchToleranceOf(body:Body):Number
         {
             return body.margin + Tolerances.ROUNDING * body.maxHalf;
         }
@@ -185,7 +185,7 @@ package starlogo.search.pairs
                 var radius:Number = Math.abs(along(edge, body.halfX, body.halfY, body.halfZ));
                 var beyond:Number = radius + (along(edge, body.middleX, body.middleY, body.middleZ) - coordinate);
                 _penetrations[edge] = beyond;
-                if (body.form == ModelShape.TREE && (beyond >= -tolerance || beyond - along(edge, motion.x, motion.y, motion.z) >= -tolerance))
+                if (body.kind == ModelShape.TREE && (beyond >= -tolerance || beyond - along(edge, motion.x, motion.y, motion.z) >= -tolerance))
                 {
                     _supportSearch.find(body, OUTWARDS[edge], _farthest);
                     _penetrations[edge] = _farthest.support - coordinate;
@@ -212,9 +212,9 @@ package starlogo.search.pairs
         private static function lengthOfWayBack(penetration:Number, isDeepest:Boolean, body:Body):Number
         {
             var half:Number = body.maxHalf == 0 ? 1 : body.maxHalf;
-            var slack:Number = Math.max(Tolerances.SEPARATION / 5 * half, 2 * gapOf(body));
+            var overshoot:Number = Math.max(Tolerances.SEPARATION / 5 * half, 2 * touchToleranceOf(body));
             var depth:Number = Math.max(0, penetration);
-            return isDeepest ? Math.max(depth, slack) : depth + slack;
+            return isDeepest ? Math.max(depth, overshoot) : depth + overshoot;
         }
 
         // Moves the point of a contact into the middle of the overlap with an edge. There may be no such edge: then its place is infinite.

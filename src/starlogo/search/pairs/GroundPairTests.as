@@ -127,7 +127,7 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function roundingGapOf(a:Body, b:Body):Number
+        override public function marginOf(a:Body, b:Body):Number
         {
             // the margin of the body counts twice, as if another agent stood at its place
             return 2 * a.margin;
@@ -159,7 +159,7 @@ package starlogo.search.pairs
             _extents.halfX = a.halfX;
             _extents.halfY = a.halfY;
             _extents.halfZ = a.halfZ;
-            var found:int = _earlyOut.decide(gridOf(b), _extents, a.form);
+            var found:int = _earlyOut.decide(gridOf(b), _extents, a.kind);
             return found == GroundEarlyOut.UNKNOWN ? queryOf(a, b).areTouchingAt(motion, 0) : found == GroundEarlyOut.TOUCHING;
         }
 

@@ -36,7 +36,7 @@ package starlogo.search.pairs
         /** Moves a contact's point into the extents of a body, if it is outside. The ground has none. */
         public static function keepWithin(body:Body, out:ContactPoint):void
         {
-            if (body.form == ModelShape.GROUND)
+            if (body.kind == ModelShape.GROUND)
             {
                 return;
             }
@@ -48,11 +48,11 @@ package starlogo.search.pairs
         // The length of a body along a normal. For bodies other than spheres it is the length of their extents.
         private static function lengthOf(body:Body, out:ContactPoint):Number
         {
-            if (body.form == ModelShape.GROUND)
+            if (body.kind == ModelShape.GROUND)
             {
                 return Infinity;
             }
-            if (body.form == BoundingStructure.SPHERE)
+            if (body.kind == BoundingStructure.SPHERE)
             {
                 return 2 * body.halfX;
             }

@@ -29,7 +29,7 @@ package starlogo.search.pairs
     public class PairTests
     {
         // A tolerance in patches is at least this many times the gap across which two touch because places are rounded.
-        private static const GAPS_OF_ROUNDING:Number = 4;
+        private static const MIN_MARGINS:Number = 4;
 
         // Rounding hides the direction between two points that are nearer than this fraction of the extent. Smaller than 1e-14: normals are rounding
         // errors. Larger: a small body beside the edge of a large one gets the normal of a side of the large one.
@@ -115,7 +115,7 @@ package starlogo.search.pairs
 
         private static function areStructures(a:Body, b:Body):Boolean
         {
-            return a.form < ModelShape.TREE && b.form < ModelShape.TREE;
+            return a.kind < ModelShape.TREE && b.kind < ModelShape.TREE;
         }
 
         /**
@@ -154,7 +154,7 @@ package starlogo.search.pairs
         }
 
         /** The gap across which two bodies touch because their places are rounded. */
-        public function roundingGapOf(a:Body, b:Body):Number
+        public function marginOf(a:Body, b:Body):Number
         {
             return a.margin + b.margin;
         }
@@ -174,7 +174,7 @@ package starlogo.search.pairs
         // A fraction of the largest extent in patches, but not less than the rounding of places.
         private function toleranceOf(a:Body, b:Body, fraction:Number):Number
         {
-            return Math.max(fraction * largestExtentOf(a, b), GAPS_OF_ROUNDING * roundingGapOf(a, b));
+            return Math.max(fraction * largestExtentOf(a, b), MIN_MARGINS * marginOf(a, b));
         }
 
         /**

@@ -87,9 +87,9 @@ package starlogo.search.pairs
             out.z = at.z + at.r20 * x + at.r21 * y + at.r22 * z;
         }
 
-        // The point is the mean of the corners that reach as far as the farthest one, but for a slack. They are compared relative to the shape's origin,
-        // because far from it rounding would be more than the slack.
-        private function findOfShape(shape:ConvexShape, direction:Vector3D, slack:Number, out:SupportPoint):void
+        // The point is the mean of the corners that reach as far as the farthest one, but for a tolerance. They are compared relative to the shape's origin,
+        // because far from it rounding would be more than the tolerance.
+        private function findOfShape(shape:ConvexShape, direction:Vector3D, tolerance:Number, out:SupportPoint):void
         {
             var p:Vector.<Number> = shape.points;
             var i:int = shape.support(direction, 1);
@@ -98,7 +98,7 @@ package starlogo.search.pairs
             out.x = out.y = out.z = 0;
             for (i = 0; i < shape.pointsEnd; i += 3)
             {
-                if (p[i] * direction.x + p[int(i + 1)] * direction.y + p[int(i + 2)] * direction.z >= ofCore - slack)
+                if (p[i] * direction.x + p[int(i + 1)] * direction.y + p[int(i + 2)] * direction.z >= ofCore - tolerance)
                 {
                     count++;
                     out.x += p[i];

@@ -90,8 +90,8 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function findContactOfParts(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            // Two trees stay in this order. AgentPairQuery.findContact puts two agents into the order of the list before, so a contact is the same in either order.
-            var isReversed:Boolean = a.form != ModelShape.TREE;
+            // Two trees stay in this order. CollisionSearch.findContact puts two agents into the order of the list before, so a contact is the same in either order.
+            var isReversed:Boolean = a.kind != ModelShape.TREE;
             var own:RelativeMotion = motionOfFirst(motion, isReversed);
             queryInOrder(a, b, isReversed).findContact(own, out);
             finish(own, motion, out);

@@ -19,15 +19,15 @@ package starlogo.search.penetration
      * Two bodies that touch, the first one at places that are tried, and the tests that say whether, when and how they touch there. Other classes
      * only read the fields.
      *
-     * <p>It has five lengths. Rounding makes <code>roundingGap</code>. The bodies make <code>largestExtent</code>, and <code>room</code> is a fraction of it.
+     * <p>It has five lengths. Rounding makes <code>margin</code>. The bodies make <code>largestExtent</code>, and <code>minOpening</code> is a fraction of it.
      * Both together make <code>tolerance</code>, and <code>probeDistance</code> is a fraction of that.</p>
      *
      * @private
      */
     public final class DisplacedPair
     {
-        // The room of a way out, as a fraction of the largest extent.
-        private static const ROOM:Number = 100 * Tolerances.SEPARATION;
+        // The least opening, as a fraction of the largest extent.
+        private static const MIN_OPENING:Number = 100 * Tolerances.SEPARATION;
 
         // The extent of two points at the origin. It is not 0, so all steps are longer than 0.
         private static const MIN_EXTENT:Number = 1e-100;
@@ -50,7 +50,7 @@ package starlogo.search.penetration
         public var tolerance:Number = 0;
 
         /** The gap across which the two touch because places are rounded. */
-        public var roundingGap:Number = 0;
+        public var margin:Number = 0;
 
         private var _tests:PairTests;
 
@@ -74,8 +74,8 @@ package starlogo.search.penetration
             _from.z = a.placement.z + (motion.startZ + time * motion.z);
             first.copyFrom(a);
             first.moveTo(_from);
-            roundingGap = _tests.roundingGapOf(a, b);
-            largestExtent = Math.max(_tests.largestExtentOf(a, b), Math.max(roundingGap, MIN_EXTENT));
+            margin = _tests.marginOf(a, b);
+            largestExtent = Math.max(_tests.largestExtentOf(a, b), Math.max(margin, MIN_EXTENT));
             tolerance = Math.max(_tests.depthToleranceOf(a, b), Tolerances.SEPARATION * MIN_EXTENT);
         }
 
@@ -92,9 +92,9 @@ package starlogo.search.penetration
          * A way out past several sides counts only if the first body is free this much farther along it too. Otherwise it ends in a gap between parts
          * of the second body. A way out that is not longer is short enough.
          */
-        public function get room():Number
+        public function get minOpening():Number
         {
-            return ROOM * largestExtent;
+            return MIN_OPENING * largestExtent;
         }
 
         /**

@@ -97,7 +97,7 @@ package starlogo.search.penetration
         // Whether no other way is tried, because a depth is short, or because no exit is much shorter.
         private function isShortEnough(depth:Number):Boolean
         {
-            if (depth <= _pair.room)
+            if (depth <= _pair.minOpening)
             {
                 return true;
             }

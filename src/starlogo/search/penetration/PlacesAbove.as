@@ -85,12 +85,12 @@ package starlogo.search.penetration
         }
 
         // Tries a place that is so high above a place beside the body's own that it is as far as the shortest way. If the body is free there, finds a shorter way. The
-        // place is the pair's room farther, and the way ends before it. So the body is free a little farther along the way too, even between walls that
+        // place is minOpening farther, and the way ends before it. So the body is free a little farther along the way too, even between walls that
         // are as far apart as it is wide.
         private function tryAbove(place:Vector3D):void
         {
             var along:Number = Math.sqrt(place.x * place.x + place.y * place.y);
-            var fartherFactor:Number = along > 0 ? 1 + _pair.room / along : 1;
+            var fartherFactor:Number = along > 0 ? 1 + _pair.minOpening / along : 1;
             var fartherX:Number = place.x * fartherFactor;
             var fartherY:Number = place.y * fartherFactor;
             var highSquared:Number = _shortest * _shortest - (fartherX * fartherX + fartherY * fartherY);
@@ -106,7 +106,7 @@ package starlogo.search.penetration
                 var free:Number = sweepDown();
                 // halfway between the place and the one farther; and a little higher, because the ground may rise on the way back to there
                 var fraction:Number = (1 + fartherFactor) / (2 * fartherFactor);
-                var lowest:Number = high * (1 - free) + _pair.room;
+                var lowest:Number = high * (1 - free) + _pair.minOpening;
                 if (moveIfFree(fartherX * fraction, fartherY * fraction, lowest, _pair.tolerance))
                 {
                     slideBackRepeatedly();
@@ -176,7 +176,7 @@ package starlogo.search.penetration
                 _planes.add(_met.normalX, _met.normalY, _met.normalZ, x * _met.normalX + y * _met.normalY + z * _met.normalZ - _pair.tolerance);
                 _planes.solve();
             }
-            moveIfFree(x, y, z, _pair.room);
+            moveIfFree(x, y, z, _pair.minOpening);
         }
 
         // Sweeps the first body down from the place above to the height of its own place. Returns which part of this way is free.

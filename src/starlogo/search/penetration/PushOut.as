@@ -20,7 +20,7 @@ package starlogo.search.penetration
 
         // How much farther than its depth a push leads out of each contact, as a fraction of SEPARATION. This is more than the gap across which
         // surfaces touch.
-        private static const SLACK:Number = 0.001;
+        private static const OVERSHOOT:Number = 0.001;
 
         // The most searches between two calls of clearBlocks().
         private static const MAX_SEARCHES:int = 2;
@@ -99,9 +99,9 @@ package starlogo.search.penetration
         // Adds a contact: the next push leads out of it too. The more planes the last push ended on, the farther the next one leads out of the new contact.
         private function add(found:ContactPoint):void
         {
-            var slack:Number = (SLACK * Tolerances.SEPARATION * _pair.largestExtent + _pair.roundingGap) * (1 << _push.planeCount);
+            var overshoot:Number = (OVERSHOOT * Tolerances.SEPARATION * _pair.largestExtent + _pair.margin) * (1 << _push.planeCount);
             _push.keepDeciding();
-            _push.add(found.normalX, found.normalY, found.normalZ, found.depth + slack + found.along(_push.displacement));
+            _push.add(found.normalX, found.normalY, found.normalZ, found.depth + overshoot + found.along(_push.displacement));
             _push.solve();
         }
 
@@ -141,7 +141,7 @@ package starlogo.search.penetration
             {
                 return true;
             }
-            _tried.distance = _push.distance + _pair.room;
+            _tried.distance = _push.distance + _pair.minOpening;
             return isOfSeveral && _pair.touchesAt(_tried);
         }
 

@@ -11,7 +11,7 @@ package starlogo.search.table
     import starlogo.search.BaseShapeChoice;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
-    import starlogo.search.WorldAgent;
+    import starlogo.search.EnvironmentAgent;
 
     use namespace engine;
 
@@ -58,8 +58,8 @@ package starlogo.search.table
         /** The rows that <code>readChanges()</code> reads, because their agents have changed. */
         engine var changed:IntList = new IntList();
 
-        /** The rows of the ground and the edges of the world, if the last <code>readWorld()</code> found others, or found them changed. */
-        engine var changedOfWorld:IntList = new IntList();
+        /** The rows of the ground and the edges of the world, if the last <code>readEnvironment()</code> found others, or found them changed. */
+        engine var changedEnvironment:IntList = new IntList();
 
         // Chooses the shapes of the agents. It may have other tables too.
         private var _choice:BaseShapeChoice;
@@ -105,11 +105,7 @@ package starlogo.search.table
         {
             _choice.forgetReplaced();
             listed.leftOrReordered.count = 0;
-            var isSame:Boolean = listed.isAccepted && agents.length == listed.rows.count;
-            if (isSame)
-            {
-                isSame = tryFindChanged(agents, listed.rows);
-            }
+            var isSame:Boolean = listed.isAccepted && agents.length == listed.rows.count && tryFindChanged(agents, listed.rows);
             if (!isSame)
             {
                 listed.propose(agents);
@@ -130,8 +126,8 @@ package starlogo.search.table
         /** Reads the rows that have changed. Throws nothing. */
         public function readChanges():void
         {
-            readPlaces();
-            takeShapes();
+            writePlaces();
+            writeShapes();
         }
 
         /**
@@ -146,17 +142,17 @@ package starlogo.search.table
             var agent:Agent = listed.agentsByRow[row];
             if (!isBodyCurrent(row))
             {
-                takeShape(row, _choice.shapeOf(agent));
+                writeShape(row, _choice.shapeOf(agent));
             }
-            readPlace(row, agent);
+            writePlace(row, agent);
         }
 
         /**
-         * Sets the place of a row in the last search, as if the search had seen the agent there.
+         * Writes the place of a row in the last search, as if the search had seen the agent there.
          *
          * @param hasMotion whether the agent's next motion begins there
          */
-        public function setLastPlace(row:int, x:Number, y:Number, z:Number, hasMotion:Boolean):void
+        public function writeLastPlace(row:int, x:Number, y:Number, z:Number, hasMotion:Boolean):void
         {
             places.x[row] = x;
             places.y[row] = y;
@@ -178,7 +174,7 @@ package starlogo.search.table
         /** Lets no motion of any agent begin at its place, as if the last search had not seen it. */
         public function forgetMotionStarts():void
         {
-            for (var row:int = 0; row < revisions.length; row++)
+            for (var row:int = ListedAgents.FIRST_LISTED; row < revisions.length; row++)
             {
                 _startRevisions[row] = NO_START;
                 revisions[row] = NOT_READ;
@@ -186,46 +182,46 @@ package starlogo.search.table
         }
 
         /** Reads the ground and the edges of the world for a search. Either may be null. */
-        public function readWorld(ground:WorldAgent, edges:WorldAgent):void
+        public function readEnvironment(ground:EnvironmentAgent, edges:EnvironmentAgent):void
         {
-            changedOfWorld.count = 0;
-            readWorldAgent(ListedAgents.GROUND_ROW, ground);
-            readWorldAgent(ListedAgents.EDGES_ROW, edges);
+            changedEnvironment.count = 0;
+            readEnvironmentAgent(ListedAgents.GROUND_ROW, ground);
+            readEnvironmentAgent(ListedAgents.EDGES_ROW, edges);
         }
 
-        private function readWorldAgent(row:int, agent:WorldAgent):void
+        private function readEnvironmentAgent(row:int, agent:EnvironmentAgent):void
         {
             if (listed.agentsByRow[row] !== agent)
             {
                 listed.agentsByRow[row] = agent;
                 shapes[row] = null;
-                changedOfWorld.add(row);
+                changedEnvironment.add(row);
             }
             else if (agent != null && agent.revision != revisions[row])
             {
-                changedOfWorld.add(row);
+                changedEnvironment.add(row);
             }
             if (agent != null)
             {
                 breeds[row] = agent.breedNumber;
                 revisions[row] = agent.revision;
-                readSurface(row);
+                writeSurface(row);
             }
         }
 
         /** Reads the ground and the edges of the last search again, as they are now. */
-        public function refreshWorld():void
+        public function refreshEnvironment():void
         {
-            readSurface(ListedAgents.GROUND_ROW);
-            readSurface(ListedAgents.EDGES_ROW);
+            writeSurface(ListedAgents.GROUND_ROW);
+            writeSurface(ListedAgents.EDGES_ROW);
         }
 
-        private function readSurface(row:int):void
+        private function writeSurface(row:int):void
         {
-            var agent:WorldAgent = WorldAgent(listed.agentsByRow[row]);
+            var agent:EnvironmentAgent = EnvironmentAgent(listed.agentsByRow[row]);
             if (agent != null && shapes[row] !== agent.surface)
             {
-                takeShape(row, agent.surface);
+                writeShape(row, agent.surface);
             }
         }
 
@@ -242,10 +238,26 @@ package starlogo.search.table
             {
                 return bodyOf(row);
             }
-            var ofWorld:WorldAgent = agent as WorldAgent;
-            spare.setToAgent(agent, ofWorld == null ? _choice.shapeOf(agent) : ofWorld.requireSurface());
-            spare.rank = listed.rankOf(agent, row);
+            var environment:EnvironmentAgent = agent as EnvironmentAgent;
+            spare.setToAgent(agent, environment == null ? _choice.shapeOf(agent) : environment.requireSurface());
+            spare.orderKey = listed.orderKeyOf(agent);
             return spare;
+        }
+
+        /** Whether the last search has seen the agent of a row, as the row has it. Pass the answer of <code>ListedAgents.rowOf()</code>. */
+        public function isSeen(row:int):Boolean
+        {
+            return row >= 0 && shapes[row] != null && revisions[row] != NOT_READ;
+        }
+
+        /** Gives the body of a row that is seen the extents of its model's present pose. */
+        public function followPose(row:int):void
+        {
+            _choice.forgetReplaced();
+            if (shapes[row].isVoid)
+            {
+                _bodies[row].followPose();
+            }
         }
 
         /** The body of a row whose model is not loading, as the last search has read it. */
@@ -313,7 +325,7 @@ package starlogo.search.table
             }
             for (i = 0; i < listed.rows.count; i++)
             {
-                _bodies[listed.rows.values[i]].rank = i;
+                _bodies[listed.rows.values[i]].orderKey = i;
             }
         }
 
@@ -360,8 +372,8 @@ package starlogo.search.table
             }
         }
 
-        // Reads the places and the breeds of the rows that have changed, and moves their extents.
-        private function readPlaces():void
+        // Writes the places and the breeds of the rows that have changed, and moves their extents.
+        private function writePlaces():void
         {
             for (var i:int = 0; i < changed.count; i++)
             {
@@ -369,7 +381,7 @@ package starlogo.search.table
                 var agent:Agent = listed.agentsByRow[row];
                 _startRevisions[row] = agent.revision;
                 breeds[row] = agent.breedNumber;
-                readPlace(row, agent);
+                writePlace(row, agent);
                 // a new row has no level, and its extents are not known yet
                 if (extents.level[row] != 0)
                 {
@@ -378,8 +390,8 @@ package starlogo.search.table
             }
         }
 
-        // Reads the place of one agent as it is now.
-        private function readPlace(row:int, agent:Agent):void
+        // Writes the place of one agent as it is now.
+        private function writePlace(row:int, agent:Agent):void
         {
             revisions[row] = agent.revision;
             places.x[row] = agent.placement.x;
@@ -388,8 +400,8 @@ package starlogo.search.table
             moveExtents(row);
         }
 
-        // Reads the extents of a row's body, which has another shape, turn or size than before.
-        private function readExtents(row:int, body:Body):void
+        // Writes the extents of a row's body, which has another shape, turn or size than before.
+        private function writeExtents(row:int, body:Body):void
         {
             _offsets.x[row] = body.offsetX;
             _offsets.y[row] = body.offsetY;
@@ -411,12 +423,12 @@ package starlogo.search.table
         }
 
         // Gives rows the shapes that findShapes has found, and reads their bodies. Rows whose models are loading are read again in every search.
-        private function takeShapes():void
+        private function writeShapes():void
         {
             loadingCount = 0;
             for (var i:int = 0; i < _reshaped.count; i++)
             {
-                takeShape(_reshaped.values[i], _newShapes[i]);
+                writeShape(_reshaped.values[i], _newShapes[i]);
                 if (_newShapes[i] == null)
                 {
                     loadingCount++;
@@ -427,7 +439,7 @@ package starlogo.search.table
         }
 
         // Gives a row its shape, and reads the body with it, and the extents of the body. The shape is null while the model is loading.
-        private function takeShape(row:int, shape:ModelShape):void
+        private function writeShape(row:int, shape:ModelShape):void
         {
             shapes[row] = shape;
             if (shape == null)
@@ -437,8 +449,8 @@ package starlogo.search.table
             var agent:Agent = listed.agentsByRow[row];
             var body:Body = _bodies[row];
             body.setToAgent(agent, shape);
-            body.rank = listed.ranks[row];
-            readExtents(row, body);
+            body.orderKey = listed.listIndices[row];
+            writeExtents(row, body);
             _bodyRevisions[row] = agent.bodyRevision;
         }
     }

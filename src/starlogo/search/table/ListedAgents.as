@@ -26,23 +26,23 @@ package starlogo.search.table
         /** The row of the agent of the edges of the world, which is given beside the list too. */
         public static const EDGES_ROW:int = 1;
 
-        /** How many rows stand for the world: the ground and the edges. */
-        public static const WORLD_ROW_COUNT:int = 2;
+        /** How many rows stand for the environment: the ground and the edges. */
+        public static const ENVIRONMENT_ROW_COUNT:int = 2;
 
         /** The first row for agents of a list. */
-        public static const FIRST_LISTED:int = WORLD_ROW_COUNT;
+        public static const FIRST_LISTED:int = ENVIRONMENT_ROW_COUNT;
 
-        // In place of a rank: the agent of the row is not listed.
+        // In place of a list index: the agent of the row is not listed.
         private static const UNLISTED:int = -1;
 
-        // The rank of the oldest agent that has no row. It is more than the number of agents in any list.
-        private static const FIRST_UNLISTED_RANK:int = 1 << 30;
+        // The order key of the oldest agent that has no row. It is more than the number of agents in any list.
+        private static const FIRST_UNLISTED_KEY:int = 1 << 30;
 
         /** The rows of the agents, in the order of the list. */
         public var rows:IntList = new IntList();
 
         /** By row: the index of its agent in the list. The ground and the edges of the world have the indices after the agents. */
-        public var ranks:Vector.<int> = new <int>[0, 1];
+        public var listIndices:Vector.<int> = new <int>[0, 1];
 
         /** The agent of each row, or null. Agents of a list that was refused may still have rows. */
         public var agentsByRow:Vector.<Agent> = new <Agent>[null, null];
@@ -75,27 +75,26 @@ package starlogo.search.table
         /** The row of an agent; -1 if it is not listed. The ground and the edges of the world have their rows from the last search on. */
         public function rowOf(agent:Agent):int
         {
-            if (agent.isOfWorld)
+            if (agent.isEnvironment)
             {
                 return agentsByRow[GROUND_ROW] === agent ? GROUND_ROW : agentsByRow[EDGES_ROW] === agent ? EDGES_ROW : -1;
             }
             var row:int = _rowsById.find(agent.idNumber, 0);
-            return row >= 0 && ranks[row] == UNLISTED ? -1 : row;
+            return row >= 0 && listIndices[row] == UNLISTED ? -1 : row;
         }
 
         /**
-         * The rank of an agent: its index in the list. Agents that are not listed come after these, the older ones first. The ground and the
-         * edges of the world come last. In <code>ranks</code> they come right after the list.
-         *
-         * @param row the answer of <code>rowOf()</code>
+         * Says where an agent comes in the order of tests: its index in the list. Agents that are not listed come after these, the older ones
+         * first. The ground and the edges of the world come last. In <code>listIndices</code> they come right after the list.
          */
-        public function rankOf(agent:Agent, row:int):int
+        public function orderKeyOf(agent:Agent):int
         {
-            if (agent.isOfWorld)
+            if (agent.isEnvironment)
             {
                 return int.MAX_VALUE;
             }
-            return row >= 0 ? ranks[row] : FIRST_UNLISTED_RANK + agent.idNumber;
+            var row:int = rowOf(agent);
+            return row >= 0 ? listIndices[row] : FIRST_UNLISTED_KEY + agent.idNumber;
         }
 
         /** Whether the rows belong to the agents of a list, in its order. */
@@ -171,10 +170,10 @@ package starlogo.search.table
             proposed = before;
             for (i = 0; i < rows.count; i++)
             {
-                ranks[rows.values[i]] = i;
+                listIndices[rows.values[i]] = i;
             }
-            ranks[GROUND_ROW] = rows.count;
-            ranks[EDGES_ROW] = rows.count + 1;
+            listIndices[GROUND_ROW] = rows.count;
+            listIndices[EDGES_ROW] = rows.count + 1;
             isAccepted = true;
         }
 
@@ -190,7 +189,7 @@ package starlogo.search.table
             {
                 throw new ArgumentError("agents[" + index + "] " + (agent === null ? "is null" : "must be an Agent, not " + textOf(agent, "an Agent")));
             }
-            if (agent.isOfWorld)
+            if (agent.isEnvironment)
             {
                 throw new ArgumentError("agents[" + index + "] must be an agent of the game, not " + agent
                         + ", which stands for the ground or the edges of the world");
@@ -206,7 +205,7 @@ package starlogo.search.table
             _free.count--;
             var row:int = _free.values[_free.count];
             agentsByRow[row] = agent;
-            ranks[row] = UNLISTED;
+            listIndices[row] = UNLISTED;
             _rowsById.set (agent.idNumber, 0, row);
             return row;
         }
@@ -215,7 +214,7 @@ package starlogo.search.table
         {
             var before:int = agentsByRow.length;
             // grows by an eighth, because a vector that grows by one element is copied each time
-            agentsByRow.length = ranks.length = before + 1 + (before >> 3);
+            agentsByRow.length = listIndices.length = before + 1 + (before >> 3);
             _inProposed.makeRoom(agentsByRow.length);
             for (var row:int = agentsByRow.length - 1; row >= before; row--)
             {
@@ -232,14 +231,14 @@ package starlogo.search.table
             for (var i:int = 0; i < proposed.count; i++)
             {
                 var row:int = proposed.values[i];
-                var rank:int = ranks[row];
-                if (rank == UNLISTED)
+                var index:int = listIndices[row];
+                if (index == UNLISTED)
                 {
                     continue;
                 }
-                if (end > 0 && ranks[inOrder[int(end - 1)]] > rank)
+                if (end > 0 && listIndices[inOrder[int(end - 1)]] > index)
                 {
-                    if (end > 1 && ranks[inOrder[int(end - 2)]] > rank)
+                    if (end > 1 && listIndices[inOrder[int(end - 2)]] > index)
                     {
                         out.add(row);
                         continue;
@@ -257,7 +256,7 @@ package starlogo.search.table
         {
             for (var row:int = FIRST_LISTED; row < agentsByRow.length; row++)
             {
-                if (agentsByRow[row] != null && ranks[row] == UNLISTED)
+                if (agentsByRow[row] != null && listIndices[row] == UNLISTED)
                 {
                     free(row);
                 }

@@ -113,7 +113,7 @@ package starlogo.search.pairs
             }
         }
 
-        // Rounding is then more than the slack for corners that are as far.
+        // Rounding is then more than the tolerance for corners that are as far.
         [Test]
         public function smallStructuresFarFromTheOriginHaveAPointToo():void
         {

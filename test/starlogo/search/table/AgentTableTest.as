@@ -77,7 +77,7 @@ package starlogo.search.table
             agent.jumpTo(5, 0, 0);
             _table.read(_agents);
             var revision:int = agent.revision;
-            _table.setLastPlace(row, 2, 0, 0, true);
+            _table.writeLastPlace(row, 2, 0, 0, true);
             assertEquals("the agent is as it was", revision, agent.revision);
             assertTrue(_table.isMotionStart(row));
             _table.setList(_agents);
@@ -85,7 +85,7 @@ package starlogo.search.table
             assertEquals(2, _table.places.x[row]);
             _table.readChanges();
             assertEquals(5, _table.places.x[row]);
-            _table.setLastPlace(row, 5, 0, 0, false);
+            _table.writeLastPlace(row, 5, 0, 0, false);
             assertTrue(!_table.isMotionStart(row));
         }
 

@@ -13,7 +13,7 @@ package starlogo.search
      *
      * @private
      */
-    public final class WorldAgent extends Agent
+    public final class EnvironmentAgent extends Agent
     {
         /**
          * The ground or the edges as they are now; null if they are not known. A change makes another shape, except for a change of heights
@@ -25,7 +25,7 @@ package starlogo.search
         private static var sUncounted:int = 0;
 
         /** @param breed Breeds.TERRAIN or Breeds.EDGE */
-        public function WorldAgent(breed:String)
+        public function EnvironmentAgent(breed:String)
         {
             // the name without its asterisk
             super(breed.substr(1));
@@ -74,7 +74,7 @@ package starlogo.search
 
         private function takeGrid(grid:HeightGrid):void
         {
-            surface = ModelShape.ofWorld(grid, null, surface.addWorldTests);
+            surface = ModelShape.ofEnvironment(grid, null, surface.addEnvironmentTests);
         }
     }
 }

@@ -26,6 +26,9 @@ package starlogo.convex
         // than this are shortened.
         private static const LARGE:Number = 1e40;
 
+        // A product whose square is smaller has lost digits. The edges of a structure as long as contacts need have products far above it.
+        private static const SMALL:Number = 1e-290;
+
         // An edge of the first core, and all edges of the second.
         private var _edge:Vector.<Number> = new Vector.<Number>(PER_EDGE, true);
         private var _edges:Vector.<Number> = new Vector.<Number>();
@@ -102,7 +105,7 @@ package starlogo.convex
             var x:Number = uy * vz - uz * vy;
             var y:Number = uz * vx - ux * vz;
             var z:Number = ux * vy - uy * vx;
-            var least:Number = Tolerances.DIRECTION * Tolerances.DIRECTION * (ux * ux + uy * uy + uz * uz) * (vx * vx + vy * vy + vz * vz);
+            var least:Number = Tolerances.DIRECTION * Tolerances.DIRECTION * (ux * ux + uy * uy + uz * uz) * (vx * vx + vy * vy + vz * vz) + SMALL;
             var isParallel:Boolean = !(x * x + y * y + z * z > least);
             out.x = isParallel ? 0 : x;
             out.y = isParallel ? 0 : y;

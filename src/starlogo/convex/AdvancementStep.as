@@ -1,5 +1,7 @@
 package starlogo.convex
 {
+    import starlogo.geometry.Tolerances;
+
     /**
      * Moves the time of a motion towards the time of impact, by conservative advancement (van den Bergen, "Ray casting against general convex objects with
      * application to continuous collision detection", 2004). The distance of two convex shapes is a convex function of the time. So Newton's method
@@ -69,6 +71,8 @@ package starlogo.convex
                 _marginTouchTime = motion.time;
             }
             var next:Number = motion.time + separation / speed;
+            // rounding must not hide a touch at the end
+            next = next > motion.latest && next <= motion.latest + Tolerances.SAME_TIME ? motion.latest : next;
             if (!(speed > 0 && next > motion.time && next <= motion.latest))
             {
                 // there is no step in time

@@ -83,8 +83,9 @@ package starlogo.intersection
          * Finds the distance of two structures and their closest points. If the structures overlap, the distance is 0, and both points are one
          * point inside of both.
          *
-         * <p>The result is exact except for rounding, which is 1e-15 of their extents and of the distance. So structures that just touch may have
-         * a distance as small as that.</p>
+         * <p>The distance is exact except for rounding, which is 1e-15 of their extents and of the distance. So structures that just touch may have
+         * a distance as small as that. Points that are farther by no more than this rounding may be found
+         * in place of the closest ones.</p>
          *
          * @param a of one of the pair's kinds
          * @param b of the other kind, in the same space

@@ -168,12 +168,11 @@ package starlogo.bounding
                 }
                 isInside = isInside && height <= 0;
             }
-            return isInside || isWithin(point, limit);
-        }
-
-        // Whether the distance of a point from the hull of the corners is at most a limit. Beyond a sharp edge it is much larger than from the planes.
-        private function isWithin(point:Vector3D, limit:Number):Boolean
-        {
+            if (isInside)
+            {
+                return true;
+            }
+            // beyond a sharp edge the hull is much farther away than the planes of its faces
             setShape(sShape);
             sBall.setPoint(point);
             sBall.radius = limit - radius;

@@ -44,9 +44,9 @@ package starlogo.convex
         }
         var time:Number = nearest - Math.sqrt(squaredHalfChord / squaredMotion);
         // rounding must not hide a touch at the end
-        if (time <= motion.latest + Tolerances.ROUNDING)
+        if (time <= motion.latestTime + Tolerances.ROUNDING)
         {
-            time = time < motion.latest ? time : motion.latest;
+            time = time < motion.latestTime ? time : motion.latestTime;
             motion.time = time > 0 ? time : 0;
         }
     }

@@ -32,15 +32,15 @@ package starlogo.intersection
          * @param motion the motion of a; receives the time: see RelativeMotion
          * @throws ArgumentError if the pair has no such test
          */
-        public final function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
+        public final function findTimeOfImpact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
             if (!areSwapped(a, b))
             {
-                findTimeInOrder(a, b, motion);
+                findTimeOfImpactInOrder(a, b, motion);
                 return;
             }
             REVERSED.setReversed(motion);
-            findTimeInOrder(b, a, REVERSED);
+            findTimeOfImpactInOrder(b, a, REVERSED);
             motion.time = REVERSED.time;
         }
 
@@ -104,7 +104,7 @@ package starlogo.intersection
         }
 
         /** Finds the time of impact. @param motion the motion of the first; receives the time */
-        internal function findTimeInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion):void
+        internal function findTimeOfImpactInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion):void
         {
             throw missing("time of impact", first, second);
         }

@@ -59,7 +59,7 @@ package starlogo.intersection
         {
             eachMissing(function(a:BoundingStructure, b:BoundingStructure):void
                 {
-                    StructurePairs.findTime(a, b, _motion);
+                    StructurePairs.findTimeOfImpact(a, b, _motion);
                 });
             assertEquals(OLD, _motion.time);
         }
@@ -92,7 +92,7 @@ package starlogo.intersection
                 for each (var b:BoundingStructure in _collided)
                 {
                     _motion.time = _contact.depth = _closest.distance = OLD;
-                    StructurePairs.findTime(a, b, _motion);
+                    StructurePairs.findTimeOfImpact(a, b, _motion);
                     StructurePairs.findContact(a, b, RelativeMotion.NONE, _contact);
                     StructurePairs.findClosest(a, b, _closest);
                     assertEquals(a + " and " + b + " touch", true, StructurePairs.areTouching(a, b));
@@ -130,15 +130,15 @@ package starlogo.intersection
                 {
                     var placed:BoundingStructure = b.place(far);
                     var what:String = a + " and " + placed;
-                    _motion.latest = 1;
-                    StructurePairs.findTime(a, placed, _motion);
+                    _motion.latestTime = 1;
+                    StructurePairs.findTimeOfImpact(a, placed, _motion);
                     var time:Number = _motion.time;
                     assertEquals(what + " touch: " + time, true, time > 0.4 && time < 0.8);
-                    _motion.latest = time - 1e-6;
-                    StructurePairs.findTime(a, placed, _motion);
+                    _motion.latestTime = time - 1e-6;
+                    StructurePairs.findTimeOfImpact(a, placed, _motion);
                     assertEquals(what + " before they touch", RelativeMotion.NEVER, _motion.time);
-                    _motion.latest = time + 1e-6;
-                    StructurePairs.findTime(a, placed, _motion);
+                    _motion.latestTime = time + 1e-6;
+                    StructurePairs.findTimeOfImpact(a, placed, _motion);
                     assertClose(time, _motion.time, 1e-12, what);
                 }
             }
@@ -169,7 +169,7 @@ package starlogo.intersection
                         var from:Vector3D = structures.direction();
                         var side:int = from.dotProduct(_closest.b.subtract(_closest.a)) < 0 ? 4 : -4;
                         _motion.endAfter(side * from.x, side * from.y, side * from.z);
-                        StructurePairs.findTime(a, placed, _motion);
+                        StructurePairs.findTimeOfImpact(a, placed, _motion);
                         complaints.addIf(_motion.time == RelativeMotion.NEVER && intersects(a, placed), a.kind + " and " + b.kind, a + " and " + placed);
                     }
                 }

@@ -16,7 +16,7 @@ package starlogo.convex
      *
      * @private
      */
-    public final class AdvancementStep
+    public final class ConservativeAdvancement
     {
         private static const MAX_STEPS:int = 80;
 
@@ -72,8 +72,8 @@ package starlogo.convex
             }
             var next:Number = motion.time + separation / speed;
             // rounding must not hide a touch at the end
-            next = next > motion.latest && next <= motion.latest + Tolerances.SAME_TIME ? motion.latest : next;
-            if (!(speed > 0 && next > motion.time && next <= motion.latest))
+            next = next > motion.latestTime && next <= motion.latestTime + Tolerances.SAME_TIME ? motion.latestTime : next;
+            if (!(speed > 0 && next > motion.time && next <= motion.latestTime))
             {
                 // there is no step in time
                 motion.time = _marginTouchTime;

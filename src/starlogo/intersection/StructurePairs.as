@@ -80,7 +80,8 @@ package starlogo.intersection
         private static function kernelOf(a:BoundingStructure, b:BoundingStructure):StructurePairKernel
         {
             var areBoxes:Boolean = a.kind == BoundingStructure.BOX && b.kind == BoundingStructure.BOX;
-            return areBoxes ? CONVEX : KERNELS[a.kind > b.kind ? a.kind : b.kind];
+            var later:int = a.kind > b.kind ? a.kind : b.kind;
+            return areBoxes ? CONVEX : KERNELS[later];
         }
     }
 }

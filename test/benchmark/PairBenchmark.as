@@ -71,7 +71,7 @@ package benchmark
                 });
             add(function(k:int):void
                 {
-                    StructurePairs.findTime(firsts[k], seconds[k], motions[k]);
+                    StructurePairs.findTimeOfImpact(firsts[k], seconds[k], motions[k]);
                 });
             add(function(k:int):void
                 {

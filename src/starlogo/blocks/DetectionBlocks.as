@@ -138,7 +138,7 @@ package starlogo.blocks
             BlockChecks.requireAgent("touching?", agent);
             if (subject is Agent)
             {
-                return subject !== agent && !(agent.isOfWorld && Agent(subject).isOfWorld) && queries.distance(agent, Agent(subject)) == 0;
+                return subject !== agent && !(agent.isEnvironment && Agent(subject).isEnvironment) && queries.distance(agent, Agent(subject)) == 0;
             }
             if (subject == Collision.EDGE)
             {

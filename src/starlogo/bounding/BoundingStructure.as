@@ -24,6 +24,9 @@ package starlogo.bounding
      * <p>A structure is in the space of its model or, once it is placed, in the world. Lengths are in patches. Scaling, rotating and
      * translating are about the origin of that space. They change the structure and return it, so that calls can be chained. Call
      * <code>clone()</code> first to keep the original. A call that throws changes nothing.</p>
+     *
+     * <p>Numbers that are written to fields are not checked. With a negative length or NaN the tests of two structures may answer anything, and
+     * <code>clone()</code> throws.</p>
      */
     public class BoundingStructure
     {
@@ -92,15 +95,16 @@ package starlogo.bounding
         /**
          * Scales the structure uniformly about the origin.
          *
-         * @param factor positive and finite
+         * @param factor from 1e-140 to 1e140
          * @return this structure
-         * @throws RangeError if the factor is not positive and finite, or if the result is beyond the limits of structures
+         * @throws RangeError if the factor is not in that range, or if the result is beyond the limits of structures
          */
         public function scale(factor:Number):BoundingStructure
         {
-            if (!(factor > 0 && factor < Infinity))
+            // a factor beyond these would make 0 or Infinity of a size
+            if (!(factor >= SMALLEST / LARGEST && factor <= LARGEST / SMALLEST))
             {
-                throw new RangeError("a scale factor must be positive and finite: " + factor);
+                throw new RangeError("a scale factor must be from " + SMALLEST / LARGEST + " to " + LARGEST / SMALLEST + ": " + factor);
             }
             var scaling:Placement = new Placement();
             scaling.size = factor;
@@ -181,7 +185,7 @@ package starlogo.bounding
          * Transforms this structure by an agent's placement: scales, rotates, then translates it (thesis §3.5). It uses double precision
          * throughout. Allocates nothing if <code>out</code> is given.
          *
-         * @param placement the model's placement, which does not mirror; its numbers are not checked
+         * @param placement the model's placement; its numbers are not checked. It mirrors only if <code>rotate()</code> was given a reflection
          * @param out a structure of the same class, which receives the result; may be this structure
          * @return out. A new structure if out is null, or if both have the kind HULL and are of different classes
          * @throws ArgumentError if out is of another kind

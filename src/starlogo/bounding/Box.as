@@ -19,6 +19,9 @@ package starlogo.bounding
      */
     public final class Box extends BoundingStructure
     {
+        // How far the lengths and the dot products of the axes may be off from 1 and 0. Axes that are as precise as this are copied to the last bit.
+        private static const AXES_ROUNDING:Number = 1e-15;
+
         private static var sTurned:Vector3D = new Vector3D();
         private static var sHalves:Vector3D = new Vector3D();
 
@@ -246,6 +249,7 @@ package starlogo.bounding
         private static function removeComponent(vector:Vector3D, along:Vector3D):void
         {
             var amount:Number = vector.dotProduct(along);
+            amount = Math.abs(amount) > AXES_ROUNDING ? amount : 0;
             vector.x -= amount * along.x;
             vector.y -= amount * along.y;
             vector.z -= amount * along.z;
@@ -254,6 +258,7 @@ package starlogo.bounding
         private static function normalise(vector:Vector3D):void
         {
             var length:Number = vector.length;
+            length = Math.abs(length - 1) > AXES_ROUNDING ? length : 1;
             vector.x /= length;
             vector.y /= length;
             vector.z /= length;

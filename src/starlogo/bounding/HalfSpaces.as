@@ -28,9 +28,11 @@ package starlogo.bounding
                     break;
                 case 1:
                     addSegment(points, out);
-                    break;
-                default:
-                    out.push(1, 0, 0, 0, -1, 0, 0, 0, 0, 1, 0, 0, 0, -1, 0, 0, 0, 0, 1, 0, 0, 0, -1, 0);
+            }
+            if (out.length == 0)
+            {
+                // a point, or rounding has left no area
+                out.push(1, 0, 0, 0, -1, 0, 0, 0, 0, 1, 0, 0, 0, -1, 0, 0, 0, 0, 1, 0, 0, 0, -1, 0);
             }
         }
 
@@ -70,7 +72,6 @@ package starlogo.bounding
             addThroughCentre(x, y, z, out);
             if (out.length == 0)
             {
-                // rounding has left no area
                 return;
             }
             // the unit normal, because products of three lengths have squares that are infinite or 0

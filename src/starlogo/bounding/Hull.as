@@ -2,6 +2,7 @@ package starlogo.bounding
 {
     import flash.geom.Matrix3D;
     import flash.geom.Vector3D;
+    import starlogo.convex.ConvexKernel;
     import starlogo.convex.ConvexShape;
     import starlogo.engine;
     import starlogo.geometry.Placement;
@@ -25,6 +26,9 @@ package starlogo.bounding
 
         private static var sTurned:Vector.<Number> = new Vector.<Number>();
         private static var sBounds:VertexBounds = new VertexBounds();
+        private static var sKernel:ConvexKernel = new ConvexKernel();
+        private static var sShape:ConvexShape = new ConvexShape();
+        private static var sBall:ConvexShape = new ConvexShape();
 
         // Structures may be larger than what ConvexHull takes. So it gets the corners divided by this number: 2^40, which loses no
         // digits.
@@ -153,15 +157,26 @@ package starlogo.bounding
             var z:Number = point.z - center.z;
             var limit:Number = radius + slack(farthestCorner(relativeCorners), center);
             var planes:Vector.<Number> = halfSpaces;
+            var isInside:Boolean = true;
             for (var i:int = 0; i < planes.length; i += 4)
             {
+                var height:Number = planes[i] * x + planes[i + 1] * y + planes[i + 2] * z - planes[i + 3];
                 // The comparison is false for NaN too.
-                if (!(planes[i] * x + planes[i + 1] * y + planes[i + 2] * z <= planes[i + 3] + limit))
+                if (!(height <= limit))
                 {
                     return false;
                 }
+                isInside = isInside && height <= 0;
             }
-            return true;
+            if (isInside)
+            {
+                return true;
+            }
+            // beyond a sharp edge the hull is much farther away than the planes of its faces
+            setShape(sShape);
+            sBall.setPoint(point);
+            sBall.radius = limit - radius;
+            return sKernel.areTouching(sShape, sBall);
         }
 
         /** @inheritDoc */

@@ -175,7 +175,8 @@ package starlogo.convex
             return x * x + y * y + z * z <= 4 * _rounding * _rounding;
         }
 
-        private static function farthestFrom(corner:int, found:Vector.<Number>, foundEnd:int):int
+        /** The point of a list that is farthest from one of them, which is the result if all are in one place. Points are given by their first numbers. */
+        public static function farthestFrom(corner:int, found:Vector.<Number>, foundEnd:int):int
         {
             var best:int = corner;
             var most:Number = 0;

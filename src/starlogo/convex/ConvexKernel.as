@@ -1,6 +1,6 @@
-// The package convex decides about two convex shapes. A shape is a core of points with a radius (ConvexShape). A ConvexKernel answers: CoreDistance
-// finds the distance of two cores with the help of Simplex, ConvexSweep the time of impact, CoreOverlap the shortest displacement out of an overlap,
-// ContactPointFinder the point of a contact. Read ConvexShape first, then ConvexKernel from the top, then CorePair, CoreDistance, Simplex and
+// The package convex decides about two convex shapes. A shape is a core of points with a radius (ConvexShape). A ConvexKernel answers: GjkDistance
+// finds the distance of two cores with the help of Simplex, ConvexSweep the time of impact, SatPenetration the shortest displacement out of an overlap,
+// ContactPointFinder the point of a contact. Read ConvexShape first, then ConvexKernel from the top, then CorePair, GjkDistance, Simplex and
 // SimplexPart.
 // 
 // In all packages a kernel decides about two shapes or structures, and a pair is two of them. The records of questions and answers (RelativeMotion,
@@ -14,29 +14,28 @@ package starlogo.convex
      * Answers four questions about any two convex shapes: whether they touch, where they are closest, when a moving one first touches the other,
      * and how far they overlap. a and b are the two of a question, in the order of the call; a is the one that moves.
      *
-     * <p>areTouching and findTime agree about what touches (see Touching), except that findTime may miss a touch across the margins alone: see
-     * AdvancementStep. findTime adds the margin of the motion. The distance and the depth leave
-     * all margins out, so shapes that touch may have a distance as small as the margins, and the depth 0. CorePair says how far the order of the
+     * <p>areTouching and findTimeOfImpact agree about what touches (see Touching), except that findTimeOfImpact may miss a touch across the margins
+     * alone: see ConservativeAdvancement. findTimeOfImpact adds the margin of the motion. The distance and the depth leave all margins out, so shapes that touch may have a distance as small as the margins, and the depth 0. CorePair says how far the order of the
      * two matters. Memory is allocated only for lists that grow with the largest hull so far.</p>
      *
      * @private
      */
     public final class ConvexKernel
     {
-        private var _distance:CoreDistance = new CoreDistance();
-        private var _overlap:CoreOverlap = new CoreOverlap();
+        private var _distance:GjkDistance = new GjkDistance();
+        private var _penetration:SatPenetration = new SatPenetration();
         private var _pointFinder:ContactPointFinder = new ContactPointFinder();
-        private var _sweep:ConvexSweep = new ConvexSweep(_distance, _overlap);
+        private var _sweep:ConvexSweep = new ConvexSweep(_distance, _penetration);
         private var _cores:CorePair = new CorePair();
-        private var _witness:CoreWitness = new CoreWitness();
+        private var _result:GjkResult = new GjkResult();
 
         /** Whether two shapes touch or overlap. */
         public function areTouching(a:ConvexShape, b:ConvexShape):Boolean
         {
             _cores.setShapes(a, b);
             _cores.limitToTouching();
-            _distance.find(_cores, _witness);
-            return _witness.isWithinLimit(_cores);
+            _distance.find(_cores, _result);
+            return _result.isWithinLimit(_cores);
         }
 
         /** Finds the distance and the closest points of two shapes. */
@@ -56,16 +55,16 @@ package starlogo.convex
         {
             _cores.setShapes(a, b);
             _cores.searchLimit = out.distance + (a.radius + b.radius);
-            _distance.find(_cores, _witness);
-            var distance:Number = _witness.distance - (a.radius + b.radius);
+            _distance.find(_cores, _result);
+            var distance:Number = _result.distance - (a.radius + b.radius);
             distance = distance > 0 ? distance : 0;
             if (!(distance < out.distance))
             {
                 return false;
             }
             // the points of the shapes need the radii too
-            var gap:CoreGap = _witness.gap;
-            if (!(_witness.distance > 0))
+            var gap:CoreGap = _result.gap;
+            if (!(_result.distance > 0))
             {
                 gap.x = gap.y = gap.z = 0;
             }
@@ -84,15 +83,15 @@ package starlogo.convex
          *
          * @param motion the motion of a; receives the time
          */
-        public function findTime(a:ConvexShape, b:ConvexShape, motion:RelativeMotion):void
+        public function findTimeOfImpact(a:ConvexShape, b:ConvexShape, motion:RelativeMotion):void
         {
             _cores.setShapes(a, b);
-            _sweep.findTime(_cores, motion);
+            _sweep.findTimeOfImpact(_cores, motion);
         }
 
         /**
          * Finds the contact of two shapes that touch or overlap: the shortest displacement of a that separates them, and the middle of what they have
-         * in common. If several displacements are equally short, CoreOverlap says which it is.
+         * in common. If several displacements are equally short, SatPenetration says which it is.
          *
          * @param motion the motion of a; a is where it is at the motion's time
          * @param out receives the contact
@@ -100,18 +99,18 @@ package starlogo.convex
         public function findContact(a:ConvexShape, b:ConvexShape, motion:RelativeMotion, out:ContactPoint):void
         {
             beginContact(a, b, motion);
-            _distance.find(_cores, _witness);
-            var distance:Number = _witness.distance;
+            _distance.find(_cores, _result);
+            var distance:Number = _result.distance;
             if (distance > Tolerances.PERPENDICULAR_GAP * (a.extent + b.extent))
             {
-                _witness.setAxis(_witness.gap.x / distance, _witness.gap.y / distance, _witness.gap.z / distance, distance);
+                _result.axis.setTo(_result.gap.x / distance, _result.gap.y / distance, _result.gap.z / distance, distance);
             }
             else
             {
-                _overlap.find(_cores, _witness);
+                _penetration.findMinimumTranslation(_cores, _result.axis);
                 if (distance > 0)
                 {
-                    _overlap.tryGap(_cores, _witness);
+                    _penetration.tryGap(_result.gap, _cores, _result.axis);
                 }
             }
             finishContact(motion, out);
@@ -121,7 +120,7 @@ package starlogo.convex
         public function findOverlap(a:ConvexShape, b:ConvexShape, motion:RelativeMotion, out:ContactPoint):void
         {
             beginContact(a, b, motion);
-            _overlap.find(_cores, _witness);
+            _penetration.findMinimumTranslation(_cores, _result.axis);
             finishContact(motion, out);
         }
 
@@ -144,8 +143,8 @@ package starlogo.convex
         private function finishContact(motion:RelativeMotion, out:ContactPoint):void
         {
             out.forget();
-            out.setNormal(_witness.normalX, _witness.normalY, _witness.normalZ);
-            var depth:Number = _cores.first.radius + _cores.second.radius - _witness.separation;
+            out.setNormal(_result.axis.x, _result.axis.y, _result.axis.z);
+            var depth:Number = _cores.first.radius + _cores.second.radius - _result.axis.separation;
             out.depth = depth > 0 ? depth : 0;
             _pointFinder.find(_cores, out);
             out.x += _cores.second.x;

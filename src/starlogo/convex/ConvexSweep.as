@@ -2,23 +2,23 @@ package starlogo.convex
 {
     import starlogo.geometry.Tolerances;
 
-    /** Finds when a moving shape first touches another one, step by step: see AdvancementStep. */
+    /** Finds when a moving shape first touches another one, step by step: see ConservativeAdvancement. */
     internal final class ConvexSweep
     {
-        private var _distance:CoreDistance;
-        private var _overlap:CoreOverlap;
-        private var _step:AdvancementStep = new AdvancementStep();
-        private var _witness:CoreWitness = new CoreWitness();
+        private var _distance:GjkDistance;
+        private var _penetration:SatPenetration;
+        private var _step:ConservativeAdvancement = new ConservativeAdvancement();
+        private var _result:GjkResult = new GjkResult();
         private var _balls:CoreGap = new CoreGap();
 
         /**
          * @param distance finds the gap of each step
-         * @param overlap finds a more precise direction where the gap is too short for one
+         * @param penetration finds a more precise direction where the gap is too short for one
          */
-        public function ConvexSweep(distance:CoreDistance, overlap:CoreOverlap)
+        public function ConvexSweep(distance:GjkDistance, penetration:SatPenetration)
         {
             _distance = distance;
-            _overlap = overlap;
+            _penetration = penetration;
         }
 
         /**
@@ -27,20 +27,20 @@ package starlogo.convex
          * @param cores has the shapes where they are stored; overwritten
          * @param motion the motion of a: see ConvexKernel
          */
-        public function findTime(cores:CorePair, motion:RelativeMotion):void
+        public function findTimeOfImpact(cores:CorePair, motion:RelativeMotion):void
         {
             begin(cores, motion);
-            if (!(motion.time <= motion.latest))
+            if (!(motion.time <= motion.latestTime))
             {
                 motion.time = RelativeMotion.NEVER;
                 return;
             }
             cores.moveTo(motion);
-            _distance.find(cores, _witness);
+            _distance.find(cores, _result);
             while (measure(cores).advance(motion))
             {
                 cores.moveTo(motion);
-                _distance.findAfterMove(cores, _witness);
+                _distance.findAfterMove(cores, _result);
             }
         }
 
@@ -61,38 +61,37 @@ package starlogo.convex
             balls.radiusA = Tolerances.OUTER * (cores.searchLimit + cores.first.extent + cores.second.extent);
             balls.radiusB = 0;
             findTimeOfSpheres(balls, motion);
-            motion.time = motion.earliest > motion.time ? motion.earliest : motion.time;
+            motion.time = motion.earliestTime > motion.time ? motion.earliestTime : motion.time;
         }
 
-        // Returns the step, from the distance at the motion's time. Where the cores are hardly apart along any axis, the step may be as long as the gap in
-        // the motion's direction, because no shape comes nearer faster than that. Of the two the longer step counts: neither leads past a touch.
-        private function measure(cores:CorePair):AdvancementStep
+        // Returns the step from what was found at the motion's time. Two steps are possible, neither of which leads past a touch, and the longer one counts.
+        // One closes the separation along the axis. The other closes the distance at the motion's full speed, because no shape comes nearer faster than
+        // that. It is needed only where no axis proves much of a gap.
+        private function measure(cores:CorePair):ConservativeAdvancement
         {
-            var witness:CoreWitness = _witness;
-            var step:AdvancementStep = _step;
-            step.isTouching = witness.isWithinLimit(cores);
-            var isProven:Boolean = step.isTouching || witness.separation > cores.searchLimit;
+            var axis:SeparatingAxis = _result.axis;
+            var step:ConservativeAdvancement = _step;
+            step.isTouching = _result.isWithinLimit(cores);
+            var isProven:Boolean = step.isTouching || axis.separation > cores.searchLimit;
             if (!isProven)
             {
                 // A short line between two points is too imprecise a direction where an edge or a face is nearly perpendicular to it. The normals of
                 // faces and pairs of edges are precise.
-                _overlap.tryNormals(cores, witness);
+                _penetration.tryNormals(cores, axis);
             }
             var x:Number = cores.motionX;
             var y:Number = cores.motionY;
             var z:Number = cores.motionZ;
             var radii:Number = cores.first.radius + cores.second.radius;
-            step.separation = witness.separation - radii;
-            step.speed = -(witness.normalX * x + witness.normalY * y + witness.normalZ * z);
+            step.separation = axis.separation - radii;
+            step.speed = -(axis.x * x + axis.y * y + axis.z * z);
             if (!isProven)
             {
                 var fullSpeed:Number = Math.sqrt(x * x + y * y + z * z);
-                var distance:Number = witness.distance - radii;
-                if (!(step.separation > 0 && step.separation * fullSpeed >= distance * step.speed))
-                {
-                    step.separation = distance;
-                    step.speed = fullSpeed;
-                }
+                var distance:Number = _result.distance - radii;
+                var isAxisLonger:Boolean = step.separation > 0 && step.separation * fullSpeed >= distance * step.speed;
+                step.separation = isAxisLonger ? step.separation : distance;
+                step.speed = isAxisLonger ? step.speed : fullSpeed;
             }
             return step;
         }

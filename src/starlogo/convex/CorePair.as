@@ -72,7 +72,7 @@ package starlogo.convex
             x = first.x - second.x + side * motion.startX + time * motionX;
             y = first.y - second.y + side * motion.startY + time * motionY;
             z = first.z - second.z + side * motion.startZ + time * motionZ;
-            timeLeft = motion.latest - time;
+            timeLeft = motion.latestTime - time;
         }
 
         // Whether a shape comes after another one: by their places, or at the same place by the numbers that they are made of.

@@ -6,7 +6,7 @@ package starlogo.convex
      * The straight motion of one shape past another that stands still, from time 0 to time 1, without rotation or growth, as a record. If both
      * move, it is the first shape's motion minus the second's.
      *
-     * <p>Its <code>time</code> says where on it the shape is. All <code>findTime()</code> of kernels and queries of trees and the ground read the
+     * <p>Its <code>time</code> says where on it the shape is. All <code>findTimeOfImpact()</code> of kernels and queries of trees and the ground read the
      * vectors and the latest time. They move the time to when the two first touch, if that is no later. All <code>findContact()</code> read the
      * vectors and the time. Quick tests take it for the vector from time 0 to 1, and for the latest time if they need one, because V8 makes objects
      * of Numbers that are arguments.</p>
@@ -32,12 +32,12 @@ package starlogo.convex
         public var z:Number = 0;
 
         /** The shapes are known not to touch before. ConvexSweep alone reads it and begins there; all other tests begin at 0. */
-        public var earliest:Number = 0;
+        public var earliestTime:Number = 0;
 
         /** Where the part of the motion that is asked about ends, from 0 to 1. No answer is later. */
-        public var latest:Number = 1;
+        public var latestTime:Number = 1;
 
-        /** The time at which the shape is on the motion. NEVER after a <code>findTime()</code> of two that do not touch. */
+        /** The time at which the shape is on the motion. NEVER after a <code>findTimeOfImpact()</code> of two that do not touch. */
         public var time:Number;
 
         public function RelativeMotion(time:Number = NEVER)
@@ -86,8 +86,8 @@ package starlogo.convex
             startY = -motion.startY;
             startZ = -motion.startZ;
             time = motion.time;
-            earliest = motion.earliest;
-            latest = motion.latest;
+            earliestTime = motion.earliestTime;
+            latestTime = motion.latestTime;
         }
     }
 }

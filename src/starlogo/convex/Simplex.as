@@ -3,7 +3,7 @@ package starlogo.convex
     import starlogo.geometry.Tolerances;
 
     /**
-     * The simplex of CoreDistance: a point, segment, triangle or tetrahedron of differences of two cores' points. Its fields are read only.
+     * The simplex of GjkDistance: a point, segment, triangle or tetrahedron of differences of two cores' points. Its fields are read only.
      */
     internal final class Simplex
     {
@@ -73,9 +73,15 @@ package starlogo.convex
         /**
          * Finds the point nearest to the origin, and drops the corners that have no share of it.
          *
+         * <ul>
+         * <li>INSIDE: of four corners. The nearest point is the origin, and all corners stay</li>
+         * <li>OUTSIDE: the nearest point is of a corner, an edge or a triangle, whose corners stay</li>
+         * <li>UNDECIDED: the last corner is dropped. It brings the simplex no nearer</li>
+         * </ul>
+         *
          * @param newest the corner that was added last: the point includes it. -1 if any part may be the nearest
          * @param isApart whether it is known that the cores are apart
-         * @return INSIDE, OUTSIDE or UNDECIDED. If it is UNDECIDED, the last corner is dropped
+         * @return INSIDE, OUTSIDE or UNDECIDED
          */
         public function reduce(newest:int, isApart:Boolean):int
         {
@@ -92,7 +98,7 @@ package starlogo.convex
                     SimplexPart.tryTriangle(corners, 0, 1, 2, newest, nearest);
                     break;
                 case 4:
-                    if (Tetrahedron.find(this, isApart))
+                    if (tryTetrahedron(isApart))
                     {
                         return INSIDE;
                     }
@@ -125,6 +131,95 @@ package starlogo.convex
             out.pointX = pointX + cores.first.x;
             out.pointY = pointY + cores.first.y;
             out.pointZ = pointZ + cores.first.z;
+        }
+
+        // Finds the point of a tetrahedron that is nearest to the origin: the origin itself if it is inside, or a point of the faces that it is beyond. The
+        // face of the first three corners has no nearer point than before, because the fourth corner, the newest, was nearer. The squared distance stays
+        // Infinity if rounding hides which part is nearest. Returns whether the origin is inside.
+        private function tryTetrahedron(isApart:Boolean):Boolean
+        {
+            var weights:Vector.<Number> = nearest.weights;
+            weights[3] = 0;
+            var isFlat:Boolean = !moveToOrigin();
+            var isBeyond01:Boolean = isFlat || weights[2] < 0;
+            var isBeyond12:Boolean = isFlat || weights[0] < 0;
+            var isBeyond20:Boolean = isFlat || weights[1] < 0;
+            var isBeyondNone:Boolean = !isBeyond01 && !isBeyond12 && !isBeyond20;
+            if (isBeyondNone && !isApart && weights[3] >= 0)
+            {
+                nearest.squaredDistance = nearest.x = nearest.y = nearest.z = 0;
+                return true;
+            }
+            if (isBeyond01 || isBeyondNone)
+            {
+                SimplexPart.tryTriangle(corners, 3, 0, 1, 3, nearest);
+            }
+            if (isBeyond12 || isBeyondNone)
+            {
+                SimplexPart.tryTriangle(corners, 3, 1, 2, 3, nearest);
+            }
+            if (isBeyond20 || isBeyondNone)
+            {
+                SimplexPart.tryTriangle(corners, 3, 2, 0, 3, nearest);
+            }
+            return false;
+        }
+
+        // Changes the weights of a tetrahedron's corners from those of the point to those of the origin. The vector from the point to the origin is
+        // taken apart along an edge, then along what another edge from the same corner has across it, then along what the third has across both
+        // (Gram and Schmidt). So the weights make the origin up to rounding, however narrow the tetrahedron is. Returns false if it is flat.
+        private function moveToOrigin():Boolean
+        {
+            var w:Vector.<Number> = corners;
+            var ux:Number = w[0] - w[9];
+            var uy:Number = w[1] - w[10];
+            var uz:Number = w[2] - w[11];
+            var uu:Number = ux * ux + uy * uy + uz * uz;
+            var vx:Number = w[3] - w[9];
+            var vy:Number = w[4] - w[10];
+            var vz:Number = w[5] - w[11];
+            var vAlongU:Number = (vx * ux + vy * uy + vz * uz) / uu;
+            vx -= vAlongU * ux;
+            vy -= vAlongU * uy;
+            vz -= vAlongU * uz;
+            var vv:Number = vx * vx + vy * vy + vz * vz;
+            var tx:Number = w[6] - w[9];
+            var ty:Number = w[7] - w[10];
+            var tz:Number = w[8] - w[11];
+            var tAlongU:Number = (tx * ux + ty * uy + tz * uz) / uu;
+            tx -= tAlongU * ux;
+            ty -= tAlongU * uy;
+            tz -= tAlongU * uz;
+            var tAlongV:Number = (tx * vx + ty * vy + tz * vz) / vv;
+            tx -= tAlongV * vx;
+            ty -= tAlongV * vy;
+            tz -= tAlongV * vz;
+            var tt:Number = tx * tx + ty * ty + tz * tz;
+            var least:Number = 4 * rounding * rounding;
+            if (!(vv > least && tt > least))
+            {
+                return false;
+            }
+            var x:Number = nearest.x;
+            var y:Number = nearest.y;
+            var z:Number = nearest.z;
+            var alongU:Number = -(x * ux + y * uy + z * uz) / uu;
+            var toX:Number = -x - alongU * ux;
+            var toY:Number = -y - alongU * uy;
+            var toZ:Number = -z - alongU * uz;
+            var alongV:Number = (toX * vx + toY * vy + toZ * vz) / vv;
+            toX -= alongV * vx;
+            toY -= alongV * vy;
+            toZ -= alongV * vz;
+            var ofT:Number = (toX * tx + toY * ty + toZ * tz) / tt;
+            var ofV:Number = alongV - tAlongV * ofT;
+            var ofU:Number = alongU - vAlongU * ofV - tAlongU * ofT;
+            var weights:Vector.<Number> = nearest.weights;
+            weights[0] += ofU;
+            weights[1] += ofV;
+            weights[2] += ofT;
+            weights[3] -= ofU + ofV + ofT;
+            return true;
         }
 
         private function writeCorner(cores:CorePair, corner:int):void

@@ -116,7 +116,7 @@ package starlogo.convex
             var size:Number = shape.extent + Math.abs(shape.x) + Math.abs(shape.y) + Math.abs(shape.z) + Math.abs(offset)
                 + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z);
             cullDistance = (shape.radius + shape.margin) * Tolerances.OUTER + Tolerances.EXTENTS * size;
-            return timeOfEntry(shape, motion) > motion.latest;
+            return timeOfEntry(shape, motion) > motion.latestTime;
         }
 
         /**

@@ -1,5 +1,7 @@
 package starlogo.convex
 {
+    import starlogo.geometry.Tolerances;
+
     /**
      * Finds when two spheres first touch, in closed form: the path of one centre enters a sphere around the other centre. The radius of that
      * sphere is the sum of both radii. The nearest point of the path comes first, so that no digits cancel when the path begins far away.
@@ -41,8 +43,10 @@ package starlogo.convex
             return;
         }
         var time:Number = nearest - Math.sqrt(squaredHalfChord / squaredMotion);
-        if (time <= motion.latest)
+        // rounding must not hide a touch at the end
+        if (time <= motion.latestTime + Tolerances.ROUNDING)
         {
+            time = time < motion.latestTime ? time : motion.latestTime;
             motion.time = time > 0 ? time : 0;
         }
     }

@@ -4,7 +4,7 @@ package starlogo.geometry
 
     /**
      * Finds the shortest displacement of a point out of half-spaces: a quadratic program. A half-space requires that it goes at least a depth along its
-     * normal, so a depth that is not greater than 0 requires none.
+     * normal. If the depth is less than 0, it may go so far against the normal.
      *
      * <p>The shortest displacement ends on the planes of no half-space, or of one, two or three of them (the active set). It tries all of these. This
      * takes few steps, because a body touches few surfaces at once.</p>

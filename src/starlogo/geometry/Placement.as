@@ -131,18 +131,20 @@ package starlogo.geometry
             r22 = cosPitch * cosRoll;
         }
 
-        /** Sets the rotation from a quaternion x i + y j + z k + w of length 1. */
+        /** Sets the rotation from a quaternion x i + y j + z k + w of any length up to 1e150. If it is 0, there is no rotation. */
         public function setQuaternion(x:Number, y:Number, z:Number, w:Number):void
         {
-            r00 = 1 - 2 * (y * y + z * z);
-            r01 = 2 * (x * y - w * z);
-            r02 = 2 * (x * z + w * y);
-            r10 = 2 * (x * y + w * z);
-            r11 = 1 - 2 * (x * x + z * z);
-            r12 = 2 * (y * z - w * x);
-            r20 = 2 * (x * z - w * y);
-            r21 = 2 * (y * z + w * x);
-            r22 = 1 - 2 * (x * x + y * y);
+            var squared:Number = x * x + y * y + z * z + w * w;
+            var twice:Number = squared > 0 ? 2 / squared : 0;
+            r00 = 1 - twice * (y * y + z * z);
+            r01 = twice * (x * y - w * z);
+            r02 = twice * (x * z + w * y);
+            r10 = twice * (x * y + w * z);
+            r11 = 1 - twice * (x * x + z * z);
+            r12 = twice * (y * z - w * x);
+            r20 = twice * (x * z - w * y);
+            r21 = twice * (y * z + w * x);
+            r22 = 1 - twice * (x * x + y * y);
         }
 
         /**

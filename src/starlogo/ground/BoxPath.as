@@ -44,7 +44,7 @@ package starlogo.ground
             var grid:HeightGrid = search.grid;
             var box:GroundBox = search.box;
             var motion:RelativeMotion = search.motion;
-            _latest = motion.latest;
+            _latest = motion.latestTime;
             alongX.cellsBegin = grid.x - search.origin.x - grid.border;
             alongY.cellsBegin = grid.y - search.origin.y - grid.border;
             // the margins are fractions of the triangles' sizes, and so of the cell's width and the heights
@@ -112,7 +112,7 @@ package starlogo.ground
         /** Finds the passage over a square until the latest time. Returns whether there is one. */
         public function findPassage(level:int, column:int, row:int, out:SquarePassage):Boolean
         {
-            out.reset(search.motion.latest);
+            out.reset(search.motion.latestTime);
             return narrowToSquare(level, column, row, out);
         }
 

@@ -61,7 +61,7 @@ package starlogo.ground
         /** Becomes the box around a motion of the box until its latest time. */
         public function extendAlong(motion:RelativeMotion):void
         {
-            var half:Number = motion.latest / 2;
+            var half:Number = motion.latestTime / 2;
             x += half * motion.x;
             y += half * motion.y;
             z += half * motion.z;

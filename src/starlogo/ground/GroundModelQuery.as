@@ -98,8 +98,8 @@ package starlogo.ground
             var kernel:TriangleKernel = _pairs.pieces.kernel;
             var sweep:RelativeMotion = _sweep;
             sweep.copyVector(motion);
-            sweep.earliest = motion.earliest;
-            sweep.latest = motion.latest;
+            sweep.earliestTime = motion.earliestTime;
+            sweep.latestTime = motion.latestTime;
             _firstImpact.reset();
             _pairs.pieces.moveTo(motion, 0);
             _pairs.begin(sweep, 0);
@@ -110,7 +110,7 @@ package starlogo.ground
                 {
                     continue;
                 }
-                kernel.findTime(near.corners, sweep);
+                kernel.findTimeOfImpact(near.corners, sweep);
                 if (_firstImpact.offer(sweep, near.plane) && out != null)
                 {
                     sweep.time = _firstImpact.time;

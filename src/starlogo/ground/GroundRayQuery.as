@@ -46,7 +46,7 @@ package starlogo.ground
             {
                 if (_sheared.findEarlier(_triangle.corners, 0, 3, 6))
                 {
-                    _search.motion.latest = _sheared.first.distance;
+                    _search.motion.latestTime = _sheared.first.distance;
                     _sheared.writeEntry(_triangle.corners, _sheared.first, -1, out);
                 }
             }
@@ -98,11 +98,11 @@ package starlogo.ground
             _search.motion.x = ray.directionX;
             _search.motion.y = ray.directionY;
             _search.motion.z = ray.directionZ;
-            _search.motion.latest = endOf(grid, ray);
+            _search.motion.latestTime = endOf(grid, ray);
             _search.grid = grid;
             _triangles.begin(_search);
             // only now, so that the distance does not depend on where the ray ends
-            _search.motion.latest = Math.min(ray.to, _search.motion.latest);
+            _search.motion.latestTime = Math.min(ray.to, _search.motion.latestTime);
             var whole:HeightBounds = grid.pyramid.whole;
             // the cell's width, and twice as much because walls are cut a cell's width above and below
             _largestRadius = 3 * grid.cellWidth + whole.max - whole.min;

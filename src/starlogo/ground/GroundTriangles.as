@@ -49,7 +49,7 @@ package starlogo.ground
         {
             stop();
             _path.begin(search);
-            _passage.reset(search.motion.latest);
+            _passage.reset(search.motion.latestTime);
         }
 
         /** Ends: there is no next triangle. */

@@ -206,7 +206,7 @@ package starlogo.ground
             least = other < least ? other : least;
             other = normal.x * corners[6] + normal.y * corners[7] + normal.z * corners[8];
             least = other < least ? other : least;
-            var travel:Number = (normal.x * motion.x + normal.y * motion.y + normal.z * motion.z) * motion.latest;
+            var travel:Number = (normal.x * motion.x + normal.y * motion.y + normal.z * motion.z) * motion.latestTime;
             least = travel < 0 ? least + travel : least;
             return least - triangle.plane.max > _search.maxDistance - _search.minDepth + _pieces.shapeMargin + _source.slack;
         }

@@ -37,7 +37,7 @@ package starlogo.ground
                 + _ofShape.min - (shape.radius + shape.margin) * Tolerances.OUTER - Tolerances.EXTENTS * shape.extent
                 - Math.abs(direction.x) * square.halfX - Math.abs(direction.y) * square.halfY - Math.abs(direction.z) * square.halfZ;
             var motion:RelativeMotion = search.motion;
-            var travel:Number = motion.latest * (direction.x * motion.x + direction.y * motion.y + direction.z * motion.z);
+            var travel:Number = motion.latestTime * (direction.x * motion.x + direction.y * motion.y + direction.z * motion.z);
             return distance + Math.min(0, travel) > search.maxDistance;
         }
 

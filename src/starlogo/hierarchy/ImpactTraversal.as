@@ -34,7 +34,7 @@ package starlogo.hierarchy
         {
             var relative:Placement = trees.pose.placement;
             _pair.axes.setAxes(relative);
-            _pair.latest = motion.latest;
+            _pair.latestTime = motion.latestTime;
             _pair.motionX = motion.x;
             _pair.motionY = motion.y;
             _pair.motionZ = motion.z;
@@ -64,7 +64,7 @@ package starlogo.hierarchy
                 return;
             }
             readPair(trees, a, b, out);
-            _sweep.findTime(_pair);
+            _sweep.findTimeOfImpact(_pair);
             if (_pair.time < out.limit)
             {
                 out.limit = out.time = _pair.time;
@@ -77,9 +77,9 @@ package starlogo.hierarchy
         private function readPair(trees:PosedTrees, a:int, b:int, best:BestPair):void
         {
             trees.writePair(a, b, _pair);
-            if (best.limit < _pair.latest)
+            if (best.limit < _pair.latestTime)
             {
-                _pair.latest = best.limit;
+                _pair.latestTime = best.limit;
             }
         }
     }

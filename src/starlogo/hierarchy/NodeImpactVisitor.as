@@ -45,7 +45,7 @@ package starlogo.hierarchy
             _structure = pose.placeWidened(structure);
             _motion = motion;
             _found = -1;
-            limit = motion.latest;
+            limit = motion.latestTime;
             _structure.extentsInto(_extents);
             _search.setExtents(_extents, 0);
             _search.setMotion(motion);
@@ -66,8 +66,8 @@ package starlogo.hierarchy
             }
             else
             {
-                motion.latest = limit;
-                StructurePairs.findTime(_structure, box, motion);
+                motion.latestTime = limit;
+                StructurePairs.findTimeOfImpact(_structure, box, motion);
             }
             if (motion.time < limit || _found < 0 && motion.time == limit)
             {

@@ -73,8 +73,8 @@ package starlogo.hierarchy
             out.x = a.r00 * x + a.r10 * y + a.r20 * z;
             out.y = a.r01 * x + a.r11 * y + a.r21 * z;
             out.z = a.r02 * x + a.r12 * y + a.r22 * z;
-            out.earliest = 0;
-            out.latest = worldMotion.latest;
+            out.earliestTime = 0;
+            out.latestTime = worldMotion.latestTime;
         }
 
         /**

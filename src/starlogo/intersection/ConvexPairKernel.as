@@ -34,7 +34,7 @@ package starlogo.intersection
         }
 
         /** @inheritDoc */
-        override internal function findTimeInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion):void
+        override internal function findTimeOfImpactInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion):void
         {
             if (areBoxes(first, second))
             {
@@ -42,7 +42,7 @@ package starlogo.intersection
                 return;
             }
             setShapes(first, second);
-            _kernel.findTime(_a, _b, motion);
+            _kernel.findTimeOfImpact(_a, _b, motion);
         }
 
         /** @inheritDoc */

@@ -1,7 +1,7 @@
 package starlogo.intersection
 {
     import starlogo.bounding.BoundingStructure;
-    import starlogo.convex.AdvancementStep;
+    import starlogo.convex.ConservativeAdvancement;
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.CoreGap;
@@ -12,7 +12,7 @@ package starlogo.intersection
      * The kernel of two structures of which at least one is a sphere or a capsule, except for two spheres. It answers by the gap between their cores
      * and the radii. The GapFinder finds the gap. If the cores overlap, there is no gap, and the ConvexPairKernel finds the contact.
      *
-     * <p>The steps to the time of impact are those of all convex shapes: see AdvancementStep. Here a formula gives the gap of each. With hardly any
+     * <p>The steps to the time of impact are those of all convex shapes: see ConservativeAdvancement. Here a formula gives the gap of each. With hardly any
      * radius the last gaps are so short that rounding hides their direction, so the ConvexPairKernel finds the time.</p>
      *
      * @private
@@ -22,7 +22,7 @@ package starlogo.intersection
         private var _convex:ConvexPairKernel;
         private var _finder:GapFinder = new GapFinder();
         private var _gap:CoreGap = new CoreGap();
-        private var _step:AdvancementStep = new AdvancementStep();
+        private var _step:ConservativeAdvancement = new ConservativeAdvancement();
 
         /** @param convex finds the contact if the cores overlap, and the time of impact if there is hardly any radius */
         public function RoundKernel(convex:ConvexPairKernel)
@@ -31,10 +31,10 @@ package starlogo.intersection
         }
 
         /** @inheritDoc */
-        override internal function findTimeInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion):void
+        override internal function findTimeOfImpactInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion):void
         {
             var gap:CoreGap = _gap;
-            var step:AdvancementStep = _step;
+            var step:ConservativeAdvancement = _step;
             var margins:Number = motion.margin;
             motion.time = 0;
             step.reset();
@@ -47,7 +47,7 @@ package starlogo.intersection
                 step.isTouching = gap.squaredLength <= touchingDistance * touchingDistance;
                 if (!step.isTouching && radii < Tolerances.DIRECTION * gap.extent)
                 {
-                    _convex.findTimeInOrder(first, second, motion);
+                    _convex.findTimeOfImpactInOrder(first, second, motion);
                     return;
                 }
                 step.separation = length - radii;

@@ -19,7 +19,7 @@ package starlogo.intersection
         private var _gap:CoreGap = new CoreGap();
 
         /** @inheritDoc */
-        override internal function findTimeInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion):void
+        override internal function findTimeOfImpactInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion):void
         {
             motion.time = 0;
             setGap(first as Sphere, second as Sphere, motion);

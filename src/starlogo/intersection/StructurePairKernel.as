@@ -32,15 +32,15 @@ package starlogo.intersection
          * @param motion the motion of a; receives the time: see RelativeMotion
          * @throws ArgumentError if the pair has no such test
          */
-        public final function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
+        public final function findTimeOfImpact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
             if (!areSwapped(a, b))
             {
-                findTimeInOrder(a, b, motion);
+                findTimeOfImpactInOrder(a, b, motion);
                 return;
             }
             REVERSED.setReversed(motion);
-            findTimeInOrder(b, a, REVERSED);
+            findTimeOfImpactInOrder(b, a, REVERSED);
             motion.time = REVERSED.time;
         }
 
@@ -83,8 +83,9 @@ package starlogo.intersection
          * Finds the distance of two structures and their closest points. If the structures overlap, the distance is 0, and both points are one
          * point inside of both.
          *
-         * <p>The result is exact except for rounding, which is 1e-15 of their extents and of the distance. So structures that just touch may have
-         * a distance as small as that.</p>
+         * <p>The distance is exact except for rounding, which is 1e-15 of their extents and of the distance. So structures that just touch may have
+         * a distance as small as that. Points that are farther by no more than this rounding may be found
+         * in place of the closest ones.</p>
          *
          * @param a of one of the pair's kinds
          * @param b of the other kind, in the same space
@@ -103,7 +104,7 @@ package starlogo.intersection
         }
 
         /** Finds the time of impact. @param motion the motion of the first; receives the time */
-        internal function findTimeInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion):void
+        internal function findTimeOfImpactInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion):void
         {
             throw missing("time of impact", first, second);
         }

@@ -26,11 +26,9 @@ package starlogo.intersection
     {
         private static const CONVEX:ConvexPairKernel = new ConvexPairKernel();
 
-        private static const ROUND:StructurePairKernel = new RoundKernel(CONVEX);
-
-        private static const SPHERES:StructurePairKernel = new SphereSphereKernel();
-
-        private static const MISSING:StructurePairKernel = new StructurePairKernel();
+        // The kernel of two kinds, by the later one in the order SPHERE, CAPSULE, BOX, HULL, OTHER. Only two boxes have another one.
+        private static const KERNELS:Vector.<StructurePairKernel> = new <StructurePairKernel>[
+                new SphereSphereKernel(), new RoundKernel(CONVEX), new RoundKernel(CONVEX), CONVEX, new StructurePairKernel()];
 
         /**
          * Whether two structures touch or overlap. Touching counts: see Touching. Games call it as <code>intersects()</code>.
@@ -62,9 +60,9 @@ package starlogo.intersection
         }
 
         /** Finds when a moving structure first touches another one. See StructurePairKernel. */
-        public static function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
+        public static function findTimeOfImpact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
-            kernelOf(a, b).findTime(a, b, motion);
+            kernelOf(a, b).findTimeOfImpact(a, b, motion);
         }
 
         /** Finds where two structures touch, or how they overlap. See StructurePairKernel. */
@@ -79,23 +77,11 @@ package starlogo.intersection
             kernelOf(a, b).findClosest(a, b, out);
         }
 
-        // The numbers of the kinds are in this order: SPHERE, CAPSULE, BOX, HULL, OTHER. The later one of two kinds chooses the kernel.
         private static function kernelOf(a:BoundingStructure, b:BoundingStructure):StructurePairKernel
         {
+            var areBoxes:Boolean = a.kind == BoundingStructure.BOX && b.kind == BoundingStructure.BOX;
             var later:int = a.kind > b.kind ? a.kind : b.kind;
-            switch (later)
-            {
-                case BoundingStructure.SPHERE:
-                    return SPHERES;
-                case BoundingStructure.CAPSULE:
-                    return ROUND;
-                case BoundingStructure.BOX:
-                    return a.kind == b.kind ? CONVEX : ROUND;
-                case BoundingStructure.HULL:
-                    return CONVEX;
-                default:
-                    return MISSING;
-            }
+            return areBoxes ? CONVEX : KERNELS[later];
         }
     }
 }

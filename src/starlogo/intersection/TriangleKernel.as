@@ -57,10 +57,10 @@ package starlogo.intersection
          *
          * @param motion of the shape; receives the time, or RelativeMotion.NEVER
          */
-        public function findTime(corners:Vector.<Number>, motion:RelativeMotion):void
+        public function findTimeOfImpact(corners:Vector.<Number>, motion:RelativeMotion):void
         {
             _triangle.setTriangle(corners, 0);
-            _kernel.findTime(shape, _triangle, motion);
+            _kernel.findTimeOfImpact(shape, _triangle, motion);
         }
 
         /**

@@ -41,14 +41,14 @@ package starlogo.solid
          */
         public function offer(motion:RelativeMotion, plane:TrianglePlane, other:TrianglePlane = null):Boolean
         {
-            if (!(motion.time <= motion.latest))
+            if (!(motion.time <= motion.latestTime))
             {
                 return false;
             }
             if (motion.time < time)
             {
                 time = motion.time;
-                motion.latest = time > 0 ? Math.min(motion.latest, time + Tolerances.SAME_TIME) : 0;
+                motion.latestTime = time > 0 ? Math.min(motion.latestTime, time + Tolerances.SAME_TIME) : 0;
             }
             var approach:Number = approachTo(plane.normal, motion, -1);
             if (other != null)

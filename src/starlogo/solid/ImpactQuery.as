@@ -32,7 +32,7 @@ package starlogo.solid
                 {
                     return;
                 }
-                time = areTouchingAt(motion, motion.latest) ? motion.latest : RelativeMotion.NEVER;
+                time = areTouchingAt(motion, motion.latestTime) ? motion.latestTime : RelativeMotion.NEVER;
             }
             motion.time = time;
             if (out != null && time != RelativeMotion.NEVER)

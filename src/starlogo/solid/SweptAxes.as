@@ -123,7 +123,7 @@ package starlogo.solid
             }
             var axes:Vector.<Number> = _axes;
             var end:int = _end;
-            var latest:Number = _motion.latest;
+            var latest:Number = _motion.latestTime;
             for (var i:int = 0; i < end; i += PER_AXIS)
             {
                 var x:Number = axes[i];

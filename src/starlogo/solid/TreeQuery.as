@@ -81,7 +81,7 @@ package starlogo.solid
             pose.setBetweenAt(placementA, motion, motion.time, placementB);
             RelativePose.writeMotion(placementA, motion, _motion);
             // Only what touches at once counts. The motion turns the contact to a plane that it comes against.
-            _motion.latest = 0;
+            _motion.latestTime = 0;
             findImpactInPose(_motion, out);
             if (_motion.time == RelativeMotion.NEVER)
             {

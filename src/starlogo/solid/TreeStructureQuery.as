@@ -80,7 +80,7 @@ package starlogo.solid
         /** @inheritDoc */
         override internal function areTouchingInPose():Boolean
         {
-            _still.latest = 1;
+            _still.latestTime = 1;
             return findFirstTouched(_still) >= 0 || findInside(null);
         }
 

@@ -98,7 +98,7 @@ package starlogo.solid
             _probe.center.x = contact.x - motion.time * motion.x - back * normal.x;
             _probe.center.y = contact.y - motion.time * motion.y - back * normal.y;
             _probe.center.z = contact.z - motion.time * motion.z - back * normal.z;
-            _still.latest = 1;
+            _still.latestTime = 1;
             return _triangleImpact.findFirstSlot(model, _probe, pose, _still) >= 0;
         }
     }

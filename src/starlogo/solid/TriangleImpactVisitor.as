@@ -69,7 +69,7 @@ package starlogo.solid
          */
         public function findFirstSlot(model:ModelTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):int
         {
-            limit = motion.latest;
+            limit = motion.latestTime;
             begin(model, structure, pose, motion);
             _firstImpact.reset();
             _found = -1;
@@ -134,8 +134,8 @@ package starlogo.solid
                     continue;
                 }
                 _plane.setTriangle(_corners, 0);
-                motion.earliest = _plane.timeOfEntry(_kernel.shape, motion);
-                if (motion.earliest > motion.latest)
+                motion.earliestTime = _plane.timeOfEntry(_kernel.shape, motion);
+                if (motion.earliestTime > motion.latestTime)
                 {
                     continue;
                 }
@@ -146,7 +146,7 @@ package starlogo.solid
                 }
                 else
                 {
-                    _kernel.findTime(_corners, motion);
+                    _kernel.findTimeOfImpact(_corners, motion);
                 }
                 if (_firstImpact.offer(motion, _plane))
                 {
@@ -156,9 +156,9 @@ package starlogo.solid
                 {
                     endSearch();
                 }
-                else if (motion.latest < limit)
+                else if (motion.latestTime < limit)
                 {
-                    limit = motion.latest;
+                    limit = motion.latestTime;
                     sweepExtents();
                 }
             }

@@ -123,8 +123,8 @@ package starlogo.solid
                     {
                         continue;
                     }
-                    _kernel.findTime(_cornersOfA, _motion);
-                    if (_motion.time <= _motion.latest)
+                    _kernel.findTimeOfImpact(_cornersOfA, _motion);
+                    if (_motion.time <= _motion.latestTime)
                     {
                         if (_firstImpact.offer(_motion, _planeOfA, _planeOfB))
                         {
@@ -132,7 +132,7 @@ package starlogo.solid
                             best.b = _firstPlaced + i;
                         }
                         best.time = _firstImpact.time;
-                        best.limit = _motion.latest;
+                        best.limit = _motion.latestTime;
                     }
                 }
             }
@@ -192,9 +192,9 @@ package starlogo.solid
         {
             _kernel.shape.setTriangle(_placed, 9 * index);
             _kernel.shape.margin += _trees.triangleMargin;
-            writeExtents(9 * index, 0, _motion.latest * _motion.x);
-            writeExtents(9 * index + 1, 2, _motion.latest * _motion.y);
-            writeExtents(9 * index + 2, 4, _motion.latest * _motion.z);
+            writeExtents(9 * index, 0, _motion.latestTime * _motion.x);
+            writeExtents(9 * index + 1, 2, _motion.latestTime * _motion.y);
+            writeExtents(9 * index + 2, 4, _motion.latestTime * _motion.z);
         }
 
         // Writes the extents of a placed triangle and of its motion along an axis: reads its first coordinate at one index, and writes to another.
@@ -218,7 +218,7 @@ package starlogo.solid
         {
             _meshA.readTriangle(slot, _cornersOfA);
             _planeOfA.setTriangle(_cornersOfA, 0);
-            return _planeOfA.timeOfEntry(_kernel.shape, _motion) > _motion.latest;
+            return _planeOfA.timeOfEntry(_kernel.shape, _motion) > _motion.latestTime;
         }
 
         // Whether a's current triangle is so far before b's triangle, along the vector from the closest point so far of a to that of b, that the two

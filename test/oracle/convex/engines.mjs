@@ -37,7 +37,7 @@ export class Kernels {
 
 	timeOf(a, b, start, way) {
 		setMotion(this.motion, start, way);
-		this.engine.StructurePairs.findTime(a, b, this.motion);
+		this.engine.StructurePairs.findTimeOfImpact(a, b, this.motion);
 		return this.motion.time;
 	}
 
@@ -90,7 +90,7 @@ export class Core {
 
 	timeOf(a, b, start, way) {
 		setMotion(this.motion, start, way);
-		this.pair.findTime(a, b, this.motion);
+		this.pair.findTimeOfImpact(a, b, this.motion);
 		return this.motion.time;
 	}
 

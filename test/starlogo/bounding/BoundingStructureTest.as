@@ -99,6 +99,7 @@ package starlogo.bounding
         [Test]
         public function structuresHaveLimits():void
         {
+            var structure:BoundingStructure;
             for each (var wrong:Number in [1e78, 1e-100])
             {
                 for each (var row:Array in [[Sphere, at(0, 0, 0), wrong], [Capsule, at(0, 0, 0), at(wrong, 0, 0), 0], [Capsule, X, X, wrong],
@@ -107,12 +108,17 @@ package starlogo.bounding
                     assertThrows.apply(null, [RangeError, new RegExp("1e" + (wrong < 1 ? "-100" : ".?78")), create].concat(row));
                 }
             }
+            // not to 0 either
+            for each (structure in [new Sphere(at(0, 0, 0), 1e-69), new Capsule(at(0, 0, 0), at(1e-60, 0, 0), 0), new Box(at(0, 0, 0), X, Y, Z, 0, 0, 1e-60)])
+            {
+                assertThrows(RangeError, /e-30[01]/, structure.scale, 1e-300);
+            }
             // thin ones are not small
             new Capsule(X, Y, 1e-100);
             new Box(X, X, Y, Z, 1, 0, 1e-200);
             for each (row in [[Sphere, X, 1], [Capsule, X, Y, 1], [Cylinder, X, Y, 1], [Box, X, X, Y, Z, 1, 2, 3]])
             {
-                var structure:BoundingStructure = create.apply(null, row);
+                structure = create.apply(null, row);
                 var before:String = structure.toString();
                 assertThrows(RangeError, /e.?308|Infinity/, structure.scale, 1e308);
                 assertThrows(RangeError, /e-30[89]/, structure.scale, 1e-308);

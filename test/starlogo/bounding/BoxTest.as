@@ -1,10 +1,15 @@
 package starlogo.bounding
 {
+    import evaluation.pairs.RandomStructures;
+    import evaluation.pairs.SeededRandom;
     import flash.geom.Matrix3D;
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
+    import starlogo.engine;
     import support.Structures;
+
+    use namespace engine;
 
     public class BoxTest
     {
@@ -48,6 +53,19 @@ package starlogo.bounding
             assertExact("x and y", 0, box.axisX.dotProduct(box.axisY));
             assertExact("x and z", 0, box.axisX.dotProduct(box.axisZ));
             assertExact("y and z", 0, box.axisY.dotProduct(box.axisZ));
+        }
+
+        [Test]
+        public function aCopyHasTheSameNumbers():void
+        {
+            var random:SeededRandom = new SeededRandom(7301);
+            var structures:RandomStructures = new RandomStructures(random);
+            for (var i:int = 0; i < 200; i++)
+            {
+                var axes:Vector.<Vector3D> = structures.frame();
+                var box:Box = new Box(structures.position(1), axes[0], axes[1], axes[2], 1, 2, 3);
+                assertEquals(box.toNumbers().join(), Box(box.clone()).toNumbers().join());
+            }
         }
 
         private static function assertExact(what:String, expected:Number, actual:Number):void

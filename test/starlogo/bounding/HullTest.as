@@ -244,6 +244,23 @@ package starlogo.bounding
         }
 
         [Test]
+        public function containsNothingBeyondASharpTipOrEdge():void
+        {
+            for each (var width:Number in [1e-3, 1e-5, 1e-6])
+            {
+                var tip:Hull = new Hull(new <Number>[0, 0, 0, 1, 0, 0, 1, width, 0]);
+                var needle:Hull = new Hull(new <Number>[0, 0, 0, 1, 0, 0, 1, width, 0, 1, 0, width]);
+                var blade:Hull = new Hull(new <Number>[0, 0, 0, 1, 1, 0, 1, -1, 0, 2, 0, 0, 1, 0, width]);
+                for each (var hull:Hull in [tip, needle, blade])
+                {
+                    assertTrue(hull + " of width " + width, hull.contains(new Vector3D(-5e-7, 0, 0)));
+                    assertFalse(hull + " of width " + width, hull.contains(new Vector3D(-1e-5, 0, 0)));
+                }
+                assertFalse("beside an edge, width " + width, blade.contains(new Vector3D(0.5 - 1e-5, 0.5 + 1e-5, 0)));
+            }
+        }
+
+        [Test]
         public function doesNotContainAPointThatIsNone():void
         {
             for each (var points:Vector.<Number> in [PointSets.box(1, 1, 1), PointSets.box(1, 1, 0), PointSets.box(1, 0, 0), PointSets.box(0, 0, 0)])
@@ -454,9 +471,11 @@ package starlogo.bounding
                 assertThrows(RangeError, "size", create, Hull, new <Number>[0, 0, 0, tiny, 0, 0]);
             }
             var hull:Hull = new Hull(PointSets.box(1, 1, 1));
+            var tinyHull:Hull = new Hull(PointSets.box(1e-60, 1e-60, 1e-60));
             for each (var factor:Number in [1e71, 1e-71, 1e-200, 1e-300])
             {
                 assertThrows(RangeError, "", hull.scale, factor);
+                assertThrows(RangeError, "", tinyHull.scale, factor > 1 ? 1e141 : factor);
             }
             assertThrows(ArgumentError, "same kind", hull.place, new Placement(), new Sphere(new Vector3D(), 1));
             assertEquals(8, hull.volume);

@@ -84,7 +84,7 @@ package starlogo.convex
                     }
                     approach(_random.logBetween(1e-17, 1e-11));
                     motion.startX = motion.startY = motion.startZ = motion.x = motion.y = motion.z = 0;
-                    _pair.findTime(_a, _b, motion);
+                    _pair.findTimeOfImpact(_a, _b, motion);
                     var areTouching:Boolean = _pair.areTouching(_a, _b);
                     _wrong.addIf(areTouching != (motion.time == 0), "standing and moving", _what + ": " + motion.time);
                     _pair.findClosest(_a, _b, _points);
@@ -119,7 +119,7 @@ package starlogo.convex
             _b = hullOf(0.18985801810264105, 0.19088073645961934, 0.14941243342071234, new <Number>[0, 0, 0, -0.47, -0.47, -0.4]);
             _a.margin = _b.margin = 0;
             var motion:RelativeMotion = new RelativeMotion(0);
-            _pair.findTime(_a, _b, motion);
+            _pair.findTimeOfImpact(_a, _b, motion);
             assertTrue("time " + motion.time, _pair.areTouching(_a, _b) == (motion.time == 0));
         }
 
@@ -146,8 +146,8 @@ package starlogo.convex
                     back.x = -motion.x;
                     back.y = -motion.y;
                     back.z = -motion.z;
-                    _pair.findTime(_a, _b, motion);
-                    _pair.findTime(_b, _a, back);
+                    _pair.findTimeOfImpact(_a, _b, motion);
+                    _pair.findTimeOfImpact(_b, _a, back);
                     _wrong.addIf(motion.time != back.time, "time", _what + ": " + motion.time + " and " + back.time);
                     hits += motion.time <= 1 ? 1 : 0;
                     motion.time = back.time = Math.min(1, motion.time);
@@ -174,7 +174,7 @@ package starlogo.convex
                     {
                         return;
                     }
-                    _pair.findTime(_a, _b, motion);
+                    _pair.findTimeOfImpact(_a, _b, motion);
                     var time:Number = motion.time;
                     var what:String = _what + ", time " + time;
                     if (time <= 1)
@@ -190,10 +190,10 @@ package starlogo.convex
                         _wrong.addIf(time != RelativeMotion.NEVER, "never", what);
                         _wrong.addIf(leastGap(motion) < -1e-12 * _size, "missed", what);
                     }
-                    motion.latest = time / 2 < 1 ? time / 2 : 1;
-                    _pair.findTime(_a, _b, motion);
+                    motion.latestTime = time / 2 < 1 ? time / 2 : 1;
+                    _pair.findTimeOfImpact(_a, _b, motion);
                     _wrong.addIf(motion.time != RelativeMotion.NEVER, "latest", what + ": " + motion.time);
-                    motion.latest = 1;
+                    motion.latestTime = 1;
                 });
             _wrong.assertNone();
             assertTrue(hits + " hits, " + misses + " misses", hits > 200 && misses > 200);
@@ -224,7 +224,7 @@ package starlogo.convex
                         motion.x = 2 * distance * direction.x;
                         motion.y = 2 * distance * direction.y;
                         motion.z = 2 * distance * direction.z;
-                        _pair.findTime(a, _b, motion);
+                        _pair.findTimeOfImpact(a, _b, motion);
                         _wrong.addIf(!(motion.time <= 0.5 + 1e-14), "missed from " + distance, _what + ", time " + motion.time);
                     });
             }
@@ -254,7 +254,7 @@ package starlogo.convex
                     motion.x = _size * _random.pick([0, way.x]);
                     motion.y = _size * _random.pick([0, way.y]);
                     motion.z = _size * way.z;
-                    _pair.findTime(_a, _b, motion);
+                    _pair.findTimeOfImpact(_a, _b, motion);
                     var time:Number = motion.time;
                     count++;
                     if (time <= 1)

@@ -271,7 +271,7 @@ package starlogo.convex
         private function checkTime(pairs:ConvexVectors):void
         {
             var motion:RelativeMotion = pairs.motion;
-            _pair.findTime(pairs.a, pairs.b, motion);
+            _pair.findTimeOfImpact(pairs.a, pairs.b, motion);
             var isRight:Boolean = pairs.earliest > 1 ? motion.time == RelativeMotion.NEVER : motion.time >= pairs.earliest && motion.time <= pairs.latest;
             _wrong.addIf(!isRight, "time", pairs.what + ": " + motion.time + ", not between " + pairs.earliest + " and " + pairs.latest);
         }

@@ -48,7 +48,7 @@ package starlogo.convex
                 collision.update(new <Agent>[agentAt("cube", 0, 0, -0.1), agentAt("cube", 0.6, 0.3, 0), agentAt("cube", 2.8, 0, 1)]);
                 assertTrue(name + ": " + calls, calls >= 4);
                 var none:RelativeMotion = RelativeMotion.NONE;
-                assertEquals(name, "0,0,0,0,0,0,0,0,1", [none.x, none.y, none.z, none.startX, none.startY, none.startZ, none.time, none.earliest, none.latest].join());
+                assertEquals(name, "0,0,0,0,0,0,0,0,1", [none.x, none.y, none.z, none.startX, none.startY, none.startZ, none.time, none.earliestTime, none.latestTime].join());
             }
         }
     }

@@ -121,6 +121,22 @@ package starlogo.geometry
         }
 
         [Test]
+        public function aQuaternionMayHaveAnyLength():void
+        {
+            var placement:Placement = new Placement();
+            var expected:Placement = new Placement();
+            expected.setQuaternion(0.5, 0.5, -0.5, 0.5);
+            for each (var length:Number in [1e-100, 1e-3, 2, 1e100])
+            {
+                placement.setQuaternion(length, length, -length, length);
+                assertTrue("a rotation", placement.isRotation);
+                assertIsNear(expected, placement);
+            }
+            placement.setQuaternion(0, 0, 0, 0);
+            assertTrue("none", placement.hasRotationOf(Placement.IDENTITY));
+        }
+
+        [Test]
         public function placesPointsAlike():void
         {
             for (var i:int = 0; i < 50; i++)

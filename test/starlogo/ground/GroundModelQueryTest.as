@@ -67,13 +67,13 @@ package starlogo.ground
                     continue;
                 }
                 met++;
-                down.latest = time - 0.01;
+                down.latestTime = time - 0.01;
                 _query.findImpactOfSurfaces(down, _out);
                 _wrong.addIf(down.time != RelativeMotion.NEVER, "a touch after the latest time", i + ": " + down.time);
-                down.latest = time + 0.01;
+                down.latestTime = time + 0.01;
                 _query.findImpactOfSurfaces(down, _out);
                 _wrong.addIf(!(Math.abs(down.time - time) < 1e-9), "until a latest time", i + ": " + down.time + " instead of " + time);
-                down.earliest = time - 0.01;
+                down.earliestTime = time - 0.01;
                 _query.findImpactOfSurfaces(down, _out);
                 _wrong.addIf(!(Math.abs(down.time - time) < 1e-9), "from an earliest time on", i + ": " + down.time + " instead of " + time);
             }

@@ -101,7 +101,7 @@ package starlogo.intersection
             motion.x = way.x;
             motion.y = way.y;
             motion.z = way.z;
-            StructurePairs.findTime(a, b, motion);
+            StructurePairs.findTimeOfImpact(a, b, motion);
             return motion.time;
         }
 

@@ -134,8 +134,8 @@ package starlogo.intersection
             var other:ContactPoint = new ContactPoint();
             var what:String = a + ", " + b;
             back.setReversed(way);
-            StructurePairs.findTime(a, b, way);
-            StructurePairs.findTime(b, a, back);
+            StructurePairs.findTimeOfImpact(a, b, way);
+            StructurePairs.findTimeOfImpact(b, a, back);
             wrong.addIf(way.time != back.time, "time", what + ": " + way.time + ", " + back.time);
             if (!(way.time <= 1))
             {
@@ -199,7 +199,7 @@ package starlogo.intersection
         {
             var isHit:Boolean = intersects(a, b);
             var still:RelativeMotion = new RelativeMotion();
-            StructurePairs.findTime(a, b, still);
+            StructurePairs.findTimeOfImpact(a, b, still);
             assertEquals(what, still.time == 0, isHit);
             return isHit;
         }

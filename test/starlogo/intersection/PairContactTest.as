@@ -59,6 +59,31 @@ package starlogo.intersection
         }
 
         /** Seen along the normal the sides that touch have nothing in common but for rounding. The middle of one side may be far from the other. */
+        // An edge as short as this has a cross product of which rounding has left few digits, or none.
+        [Test]
+        public function normalsAtTheShortestEdgesAreUnitVectors():void
+        {
+            var random:SeededRandom = new SeededRandom(402);
+            var shapes:RandomStructures = new RandomStructures(random);
+            for (var i:int = 0; i < 500; i++)
+            {
+                var tiny:Vector3D = shapes.direction();
+                tiny.scaleBy(random.logBetween(1e-170, 1e-140));
+                var end:Vector3D = shapes.direction();
+                var start:Vector3D = end.clone();
+                start.negate();
+                var capsule:Capsule = new Capsule(start, end, 0.3);
+                var axes:Vector.<Vector3D> = shapes.frame();
+                var stick:Box = new Box(new Vector3D(), axes[0], axes[1], axes[2], tiny.length, 0.5, random.pick([tiny.length, 0.5]));
+                for each (var short:BoundingStructure in [new Capsule(new Vector3D(), tiny, 0.5), stick])
+                {
+                    StructurePairs.findContact(short, capsule, _displacement, _touch);
+                    var length:Number = Math.sqrt(_touch.normalX * _touch.normalX + _touch.normalY * _touch.normalY + _touch.normalZ * _touch.normalZ);
+                    assertTrue(short + " and " + capsule + ": " + length, Math.abs(length - 1) < 1e-15);
+                }
+            }
+        }
+
         [Test]
         public function thePointOfPlatesThatMeetAtTheirBordersIsThere():void
         {

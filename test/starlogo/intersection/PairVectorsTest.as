@@ -143,8 +143,8 @@ package starlogo.intersection
         {
             var way:RelativeMotion = motions.way;
             _motionBack.setReversed(way);
-            StructurePairs.findTime(motions.a, motions.b, way);
-            StructurePairs.findTime(motions.b, motions.a, _motionBack);
+            StructurePairs.findTimeOfImpact(motions.a, motions.b, way);
+            StructurePairs.findTimeOfImpact(motions.b, motions.a, _motionBack);
             var time:Number = way.time;
             var timeBack:Number = _motionBack.time;
             var isTouching:Boolean = !isNaN(motions.time);

@@ -1,5 +1,7 @@
 package starlogo.intersection
 {
+    import evaluation.pairs.RandomStructures;
+    import evaluation.pairs.SeededRandom;
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.fail;
@@ -14,6 +16,7 @@ package starlogo.intersection
     import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Placement;
     import support.assertClose;
+    import support.Complaints;
 
     /** A pair that has no test says so, and leaves the results as they were. */
     public class StructurePairsTest
@@ -56,7 +59,7 @@ package starlogo.intersection
         {
             eachMissing(function(a:BoundingStructure, b:BoundingStructure):void
                 {
-                    StructurePairs.findTime(a, b, _motion);
+                    StructurePairs.findTimeOfImpact(a, b, _motion);
                 });
             assertEquals(OLD, _motion.time);
         }
@@ -89,7 +92,7 @@ package starlogo.intersection
                 for each (var b:BoundingStructure in _collided)
                 {
                     _motion.time = _contact.depth = _closest.distance = OLD;
-                    StructurePairs.findTime(a, b, _motion);
+                    StructurePairs.findTimeOfImpact(a, b, _motion);
                     StructurePairs.findContact(a, b, RelativeMotion.NONE, _contact);
                     StructurePairs.findClosest(a, b, _closest);
                     assertEquals(a + " and " + b + " touch", true, StructurePairs.areTouching(a, b));
@@ -127,18 +130,51 @@ package starlogo.intersection
                 {
                     var placed:BoundingStructure = b.place(far);
                     var what:String = a + " and " + placed;
-                    _motion.latest = 1;
-                    StructurePairs.findTime(a, placed, _motion);
+                    _motion.latestTime = 1;
+                    StructurePairs.findTimeOfImpact(a, placed, _motion);
                     var time:Number = _motion.time;
                     assertEquals(what + " touch: " + time, true, time > 0.4 && time < 0.8);
-                    _motion.latest = time - 1e-6;
-                    StructurePairs.findTime(a, placed, _motion);
+                    _motion.latestTime = time - 1e-6;
+                    StructurePairs.findTimeOfImpact(a, placed, _motion);
                     assertEquals(what + " before they touch", RelativeMotion.NEVER, _motion.time);
-                    _motion.latest = time + 1e-6;
-                    StructurePairs.findTime(a, placed, _motion);
+                    _motion.latestTime = time + 1e-6;
+                    StructurePairs.findTimeOfImpact(a, placed, _motion);
                     assertClose(time, _motion.time, 1e-12, what);
                 }
             }
+        }
+
+        // The motion ends where the closest points of two structures meet.
+        [Test]
+        public function aTouchAtTheEndOfAMotionIsFound():void
+        {
+            var random:SeededRandom = new SeededRandom(7302);
+            var structures:RandomStructures = new RandomStructures(random);
+            var complaints:Complaints = new Complaints();
+            var placement:Placement = new Placement();
+            for (var i:int = 0; i < 200; i++)
+            {
+                for each (var a:BoundingStructure in _collided)
+                {
+                    for each (var b:BoundingStructure in _collided)
+                    {
+                        placement.setRotation(random.between(0, 360), random.between(0, 360), random.between(0, 360));
+                        var place:Vector3D = structures.direction();
+                        placement.x = 5 * place.x;
+                        placement.y = 5 * place.y;
+                        placement.z = 5 * place.z;
+                        var placed:BoundingStructure = b.place(placement);
+                        StructurePairs.findClosest(a, placed, _closest);
+                        placed.translate(_closest.a.subtract(_closest.b));
+                        var from:Vector3D = structures.direction();
+                        var side:int = from.dotProduct(_closest.b.subtract(_closest.a)) < 0 ? 4 : -4;
+                        _motion.endAfter(side * from.x, side * from.y, side * from.z);
+                        StructurePairs.findTimeOfImpact(a, placed, _motion);
+                        complaints.addIf(_motion.time == RelativeMotion.NEVER && intersects(a, placed), a.kind + " and " + b.kind, a + " and " + placed);
+                    }
+                }
+            }
+            complaints.assertNone();
         }
 
         private function eachMissing(ask:Function):void

@@ -28,7 +28,7 @@ package starlogo.intersection
             _motion.z = 2.0464873407501727;
             for (var i:int = 0; i < 200; i++)
             {
-                StructurePairs.findTime(mover, plate, _motion);
+                StructurePairs.findTimeOfImpact(mover, plate, _motion);
                 assertTrue(i + ": " + _motion.time, _motion.time > 0.4 && _motion.time < 0.6);
                 mover.translate(new Vector3D(1e-4, 0, 0));
             }
@@ -46,14 +46,14 @@ package starlogo.intersection
             {
                 _motion.x = z == 0 ? 1 : 0;
                 _motion.z = z;
-                StructurePairs.findTime(mover, plate, _motion);
+                StructurePairs.findTimeOfImpact(mover, plate, _motion);
                 assertEquals(z + "", RelativeMotion.NEVER, _motion.time);
             }
             for each (z in [1.5, 0.1, 1e-3])
             {
                 _motion.x = 0;
                 _motion.z = z;
-                StructurePairs.findTime(mover, plate, _motion);
+                StructurePairs.findTimeOfImpact(mover, plate, _motion);
                 assertTrue(z + ": " + _motion.time, _motion.time * z > 7e-10 && _motion.time * z < 9e-10);
             }
         }
@@ -66,7 +66,7 @@ package starlogo.intersection
             var plate:Hull = new Hull(new <Number>[1, 1, 0, -0.25, 0.5, 4e-15, -0.5, -0.25, -1e-15, 0.5, 0, -2e-15, 0.5, 1, 0]);
             _motion.x = 1;
             _motion.z = 1e-14;
-            StructurePairs.findTime(mover, plate, _motion);
+            StructurePairs.findTimeOfImpact(mover, plate, _motion);
             assertEquals(RelativeMotion.NEVER, _motion.time);
         }
 

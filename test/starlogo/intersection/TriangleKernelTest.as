@@ -195,7 +195,7 @@ package starlogo.intersection
             motion.time = RelativeMotion.NEVER;
             if (!_plane.areApart(sweep.shape, motion))
             {
-                sweep.findTime(corners, motion);
+                sweep.findTimeOfImpact(corners, motion);
             }
             return motion.time;
         }

@@ -138,7 +138,7 @@ package starlogo.solid
                     touches.push(touches.splice(_random.integer(0, 3), 1)[0]);
                     var last:Object = null;
                     first.reset();
-                    motion.latest = 1;
+                    motion.latestTime = 1;
                     for each (var touch:Object in touches)
                     {
                         var plane:TrianglePlane = new TrianglePlane();

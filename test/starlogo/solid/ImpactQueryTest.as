@@ -81,7 +81,7 @@ package starlogo.solid
                     var ends:Placement = new Placement();
                     ends.x = -0.6;
                     var query:TreeQuery = queryOf(walls, ends, b, structure, isExact);
-                    motion.latest = latest;
+                    motion.latestTime = latest;
                     if (testsEnds)
                     {
                         query.findFirstTouch(motion, null);

@@ -196,7 +196,7 @@ package starlogo.solid
         private function touches(shape:ConvexShape):Boolean
         {
             _motion.time = RelativeMotion.NEVER;
-            _kernel.findTime(shape, _triangle, _motion);
+            _kernel.findTimeOfImpact(shape, _triangle, _motion);
             return _motion.time != RelativeMotion.NEVER;
         }
 

@@ -90,17 +90,11 @@ package starlogo.geometry.hull
             _created.reverse();
             slices(among == null ? count : among.length, POINTS_PER_STEP, function(first:int, end:int):void
                 {
-                    assign(among, first, end);
+                    for (var i:int = first; i < end; i++)
+                    {
+                        _outside.assign(among == null ? i : among[i], _created);
+                    }
                 }).repeat(grow).begin(listingFaces);
-        }
-
-        private function assign(among:Vector.<int>, first:int, end:int):void
-        {
-            for (var i:int = first; i < end; i++)
-            {
-                var point:int = among == null ? i : among[i];
-                _outside.assign(point, _created);
-            }
         }
 
         private function grow():Boolean

@@ -7,7 +7,7 @@
 // - BoxSweep is for boxes that move. Each axis gives an interval of time. It projects the boxes in full on the axes across edges, so nothing cancels,
 // but that takes longer.
 // 
-// The depth of two boxes comes from CoreOverlap, which knows the faces and edges of all convex shapes. Read BoxPair first.
+// The depth of two boxes comes from SatPenetration, which knows the faces and edges of all convex shapes. Read BoxPair first.
 
 package starlogo.intersection.boxes
 {
@@ -53,7 +53,7 @@ package starlogo.intersection.boxes
         public var bHalfZ:Number = 0;
 
         /** The latest time that counts: see RelativeMotion. */
-        public var latest:Number = 1;
+        public var latestTime:Number = 1;
 
         /** The result: the time from which the axes that were tried do not separate the boxes, or RelativeMotion.NEVER. */
         public var time:Number = RelativeMotion.NEVER;

@@ -37,7 +37,7 @@ package starlogo.intersection.boxes
         {
             var pair:BoxPair = SCRATCH._boxes;
             setPair(a, b, RelativeMotion.NONE, pair);
-            SCRATCH.findTime(pair);
+            SCRATCH.findTimeOfImpact(pair);
             return pair.time == 0;
         }
 
@@ -49,14 +49,14 @@ package starlogo.intersection.boxes
         public function findTimeOfBoxes(a:Box, b:Box, motion:RelativeMotion):void
         {
             setPair(a, b, motion, _boxes);
-            findTime(_boxes);
+            findTimeOfImpact(_boxes);
             motion.time = _boxes.time;
         }
 
         /** Sets the pair's time to the first at which the boxes touch. It is NEVER if it is after the latest time. */
-        public function findTime(pair:BoxPair):void
+        public function findTimeOfImpact(pair:BoxPair):void
         {
-            _times.reset(pair.latest);
+            _times.reset(pair.latestTime);
             writeTime(narrowByFaces(pair) && narrowByEdges(pair), pair);
         }
 
@@ -66,7 +66,7 @@ package starlogo.intersection.boxes
          */
         public function findTimeOfFaces(pair:BoxPair):void
         {
-            _times.reset(pair.latest);
+            _times.reset(pair.latestTime);
             writeTime(narrowByFaces(pair), pair);
         }
 
@@ -91,13 +91,13 @@ package starlogo.intersection.boxes
             pair.axes.setTo(a, b);
             pair.setHalves(a, b);
             pair.margin = motion.margin;
-            pair.latest = motion.latest;
+            pair.latestTime = motion.latestTime;
         }
 
         // Sets the pair's time to when the boxes first touch, if they do.
         private function writeTime(areTouching:Boolean, pair:BoxPair):void
         {
-            pair.time = areTouching ? Math.min(_times.timeOfImpact, _times.latest) : RelativeMotion.NEVER;
+            pair.time = areTouching ? Math.min(_times.timeOfImpact, _times.latestTime) : RelativeMotion.NEVER;
         }
 
         // Narrows the interval by the faces of both. Returns whether anything is left.

@@ -24,7 +24,7 @@ package starlogo.intersection.boxes
         public var margin:Number = 0;
 
         /** The end of the interval, with the margin included. Read only. */
-        public var latest:Number = 1;
+        public var latestTime:Number = 1;
 
         /**
          * The time from which the last axis no longer separates the shapes, without the margin. If it is not after the end of the interval,
@@ -33,13 +33,13 @@ package starlogo.intersection.boxes
         public var timeOfImpact:Number = 0;
 
         // The beginning of the interval, with the margin included.
-        private var _earliest:Number = 0;
+        private var _earliestTime:Number = 0;
 
         /** Begins with no axis tried. */
-        public function reset(latest:Number):void
+        public function reset(latestTime:Number):void
         {
-            _earliest = timeOfImpact = 0;
-            this.latest = latest;
+            _earliestTime = timeOfImpact = 0;
+            this.latestTime = latestTime;
         }
 
         /** Narrows the interval to the time in which the axis does not separate the shapes. Returns whether anything is left. If not, they do not touch. */
@@ -62,11 +62,11 @@ package starlogo.intersection.boxes
                     return false;
                 }
                 time = (-touchingDistance - from) / rise;
-                if (time > latest)
+                if (time > latestTime)
                 {
                     return false;
                 }
-                _earliest = time > _earliest ? time : _earliest;
+                _earliestTime = time > _earliestTime ? time : _earliestTime;
                 time = (-halfExtents - from) / rise;
                 timeOfImpact = time > timeOfImpact ? time : timeOfImpact;
             }
@@ -74,14 +74,14 @@ package starlogo.intersection.boxes
             {
                 return false;
             }
-            if (from + latest * rise > touchingDistance)
+            if (from + latestTime * rise > touchingDistance)
             {
                 time = (touchingDistance - from) / rise;
-                if (time < _earliest)
+                if (time < _earliestTime)
                 {
                     return false;
                 }
-                latest = time < latest ? time : latest;
+                latestTime = time < latestTime ? time : latestTime;
             }
             return true;
         }

@@ -44,10 +44,10 @@ package starlogo.intersection.ray
             {
                 return false;
             }
-            out.setNormalNear(_contact.normalX, _contact.normalY, _contact.normalZ);
+            out.near.setNormal(_contact.normalX, _contact.normalY, _contact.normalZ);
             var far:Number = meetFrom(ray, closestDistance + boundingRadius, -2 * boundingRadius);
-            out.setNormalFar(_contact.normalX, _contact.normalY, _contact.normalZ);
-            out.setEnds(near, far);
+            out.far.setNormal(_contact.normalX, _contact.normalY, _contact.normalZ);
+            out.setPlaces(near, far);
             return near <= far && far < Infinity;
         }
 
@@ -59,7 +59,7 @@ package starlogo.intersection.ray
             _motion.x = length * ray.directionX;
             _motion.y = length * ray.directionY;
             _motion.z = length * ray.directionZ;
-            _kernel.findTime(_point, _shape, _motion);
+            _kernel.findTimeOfImpact(_point, _shape, _motion);
             if (_motion.time == RelativeMotion.NEVER)
             {
                 return Infinity;

@@ -37,12 +37,13 @@ package starlogo.intersection.ray
         public function enter(ray:Ray, span:RaySpan):Boolean
         {
             setToStart(ray);
-            if (span.near > ray.from)
+            var near:SpanEnd = span.near;
+            if (near.touch > ray.from)
             {
-                distance = span.entrance <= ray.to ? span.entrance : span.near;
-                setNormal(ray, span.nearX, span.nearY, span.nearZ);
+                distance = near.crossing <= ray.to ? near.crossing : near.touch;
+                setNormal(ray, near.normalX, near.normalY, near.normalZ);
             }
-            return distance <= span.far && distance <= ray.to;
+            return distance <= span.far.touch && distance <= ray.to;
         }
 
         /**
@@ -53,8 +54,8 @@ package starlogo.intersection.ray
          */
         public function leave(ray:Ray, span:RaySpan):Boolean
         {
-            distance = Math.max(distance, span.exit);
-            setNormal(ray, span.farX, span.farY, span.farZ);
+            distance = Math.max(distance, span.far.crossing);
+            setNormal(ray, span.far.normalX, span.far.normalY, span.far.normalZ);
             return distance <= ray.to;
         }
 

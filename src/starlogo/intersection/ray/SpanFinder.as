@@ -87,9 +87,9 @@ package starlogo.intersection.ray
             var halfX:Number = half * ray.directionX;
             var halfY:Number = half * ray.directionY;
             var halfZ:Number = half * ray.directionZ;
-            out.setEnds(closestDistance - half, closestDistance + half);
-            out.setNormalNear(x - halfX, y - halfY, z - halfZ);
-            out.setNormalFar(x + halfX, y + halfY, z + halfZ);
+            out.setPlaces(closestDistance - half, closestDistance + half);
+            out.near.setNormal(x - halfX, y - halfY, z - halfZ);
+            out.far.setNormal(x + halfX, y + halfY, z + halfZ);
             return true;
         }
 
@@ -115,7 +115,7 @@ package starlogo.intersection.ray
             var acrossY:Number = ray.directionY - speed * axisY;
             var acrossZ:Number = ray.directionZ - speed * axisZ;
             var acrossSquared:Number = acrossX * acrossX + acrossY * acrossY + acrossZ * acrossZ;
-            out.setEnds(-Infinity, Infinity);
+            out.setPlaces(-Infinity, Infinity);
             if (acrossSquared > Tolerances.PARALLEL)
             {
                 // the middle of the part in the cylinder, and the vector to it from the axis, perpendicular to both
@@ -132,23 +132,23 @@ package starlogo.intersection.ray
                     return false;
                 }
                 var half:Number = Math.sqrt(halfSquared / acrossSquared);
-                out.setEnds(closestDistance - half, closestDistance + half);
-                out.setNormalNear(x - half * acrossX, y - half * acrossY, z - half * acrossZ);
-                out.setNormalFar(x + half * acrossX, y + half * acrossY, z + half * acrossZ);
+                out.setPlaces(closestDistance - half, closestDistance + half);
+                out.near.setNormal(x - half * acrossX, y - half * acrossY, z - half * acrossZ);
+                out.far.setNormal(x + half * acrossX, y + half * acrossY, z + half * acrossZ);
             }
-            var nearFraction:Number = fraction + out.near * speed;
-            var farFraction:Number = fraction + out.far * speed;
+            var nearFraction:Number = fraction + out.near.touch * speed;
+            var farFraction:Number = fraction + out.far.touch * speed;
             var isNearOnSide:Boolean = nearFraction >= 0 && nearFraction <= 1;
             var isFarOnSide:Boolean = farFraction >= 0 && farFraction <= 1;
             var isInNearBall:Boolean = !isNearOnSide && findInBall(ray, nearFraction > 1 ? end : start, radius, BALL);
             if (isInNearBall)
             {
-                out.copyNear(BALL);
+                out.near.copyFrom(BALL.near);
             }
             var isInFarBall:Boolean = !isFarOnSide && (isNearOnSide || isInNearBall) && findInBall(ray, farFraction > 1 ? end : start, radius, BALL);
             if (isInFarBall)
             {
-                out.copyFar(BALL);
+                out.far.copyFrom(BALL.far);
             }
             // A line through the side meets the ball too that it passes at its other end. If rounding says no, that is at the rim: the cylinder's end stays.
             return isNearOnSide || isFarOnSide || isInFarBall;
@@ -169,10 +169,10 @@ package starlogo.intersection.ray
             var center:Vector3D = box.center;
             var entered:Vector3D = null;
             var exited:Vector3D = null;
-            var near:Number = -Infinity;
-            var far:Number = Infinity;
-            var entrance:Number = -Infinity;
-            var exit:Number = Infinity;
+            var touchNear:Number = -Infinity;
+            var touchFar:Number = Infinity;
+            var crossNear:Number = -Infinity;
+            var crossFar:Number = Infinity;
             for (var i:int = 0; i < 3; i++)
             {
                 var axis:Vector3D = i == 0 ? box.axisX : i == 1 ? box.axisY : box.axisZ;
@@ -183,30 +183,30 @@ package starlogo.intersection.ray
                 speed = speed == 0 ? 0 : speed;
                 var ahead:Number = speed < 0 ? -half : half;
                 var distance:Number = (-ahead - offset) / speed;
-                entrance = distance > entrance && distance < Infinity ? distance : entrance;
+                crossNear = distance > crossNear && distance < Infinity ? distance : crossNear;
                 distance = (ahead - offset) / speed;
-                exit = distance < exit && distance > -Infinity ? distance : exit;
+                crossFar = distance < crossFar && distance > -Infinity ? distance : crossFar;
                 ahead *= touchingFactor;
                 distance = (-ahead - offset) / speed;
-                if (distance > near)
+                if (distance > touchNear)
                 {
-                    near = distance;
+                    touchNear = distance;
                     entered = axis;
                 }
                 distance = (ahead - offset) / speed;
-                if (distance < far)
+                if (distance < touchFar)
                 {
-                    far = distance;
+                    touchFar = distance;
                     exited = axis;
                 }
             }
-            if (!(near <= far))
+            if (!(touchNear <= touchFar))
             {
                 return false;
             }
-            setEndsOfFaces(near, entrance, exit, far, out);
-            out.setNormalNear(entered.x, entered.y, entered.z);
-            out.setNormalFar(exited.x, exited.y, exited.z);
+            setPlacesOfFaces(touchNear, crossNear, crossFar, touchFar, out);
+            out.near.setNormal(entered.x, entered.y, entered.z);
+            out.far.setNormal(exited.x, exited.y, exited.z);
             return true;
         }
 
@@ -222,10 +222,10 @@ package starlogo.intersection.ray
             var end:int = planes.length;
             var entered:int = 0;
             var exited:int = 0;
-            var near:Number = -Infinity;
-            var far:Number = Infinity;
-            var entrance:Number = -Infinity;
-            var exit:Number = Infinity;
+            var touchNear:Number = -Infinity;
+            var touchFar:Number = Infinity;
+            var crossNear:Number = -Infinity;
+            var crossFar:Number = Infinity;
             for (var i:int = 0; i < end; i += 4)
             {
                 var height:Number = planes[i] * x + planes[int(i + 1)] * y + planes[int(i + 2)] * z - planes[int(i + 3)] - hull.radius;
@@ -233,47 +233,47 @@ package starlogo.intersection.ray
                 var touchingHeight:Number = height - (Tolerances.TOUCHING - 1) * planes[int(i + 3)];
                 if (speed == 0)
                 {
-                    far = touchingHeight > 0 ? -Infinity : far;
+                    touchFar = touchingHeight > 0 ? -Infinity : touchFar;
                     continue;
                 }
                 var crossed:Number = -height / speed;
                 var touched:Number = -touchingHeight / speed;
                 if (speed < 0)
                 {
-                    entrance = crossed > entrance ? crossed : entrance;
-                    if (touched > near)
+                    crossNear = crossed > crossNear ? crossed : crossNear;
+                    if (touched > touchNear)
                     {
-                        near = touched;
+                        touchNear = touched;
                         entered = i;
                     }
                 }
                 else
                 {
-                    exit = crossed < exit ? crossed : exit;
-                    if (touched < far)
+                    crossFar = crossed < crossFar ? crossed : crossFar;
+                    if (touched < touchFar)
                     {
-                        far = touched;
+                        touchFar = touched;
                         exited = i;
                     }
                 }
             }
-            if (!(near <= far))
+            if (!(touchNear <= touchFar))
             {
                 return false;
             }
-            setEndsOfFaces(near, entrance, exit, far, out);
-            out.setNormalNear(planes[entered], planes[int(entered + 1)], planes[int(entered + 2)]);
-            out.setNormalFar(planes[exited], planes[int(exited + 1)], planes[int(exited + 2)]);
+            setPlacesOfFaces(touchNear, crossNear, crossFar, touchFar, out);
+            out.near.setNormal(planes[entered], planes[int(entered + 1)], planes[int(entered + 2)]);
+            out.far.setNormal(planes[exited], planes[int(exited + 1)], planes[int(exited + 2)]);
             return true;
         }
 
         // Sets the ends for a shape with flat faces. The planes of the shape itself say nothing about a line that passes beside it and only touches it.
-        private static function setEndsOfFaces(near:Number, entrance:Number, exit:Number, far:Number, out:RaySpan):void
+        private static function setPlacesOfFaces(touchNear:Number, crossNear:Number, crossFar:Number, touchFar:Number, out:RaySpan):void
         {
-            out.near = near;
-            out.far = far;
-            out.entrance = entrance > near && entrance <= far ? entrance : near;
-            out.exit = exit < far && exit >= out.entrance ? exit : far;
+            out.near.touch = touchNear;
+            out.far.touch = touchFar;
+            out.near.crossing = crossNear > touchNear && crossNear <= touchFar ? crossNear : touchNear;
+            out.far.crossing = crossFar < touchFar && crossFar >= out.near.crossing ? crossFar : touchFar;
         }
     }
 }

@@ -51,7 +51,7 @@ package starlogo.search.pairs
             var structureA:BoundingStructure = a.worldStructure();
             var structureB:BoundingStructure = b.worldStructure();
             _counts.structures[BoundingStructure.KIND_COUNT * a.kind + b.kind]++;
-            StructurePairs.findTime(structureA, structureB, motion);
+            StructurePairs.findTimeOfImpact(structureA, structureB, motion);
             // rounding can miss a touch at the end of the motion
             if (motion.time == RelativeMotion.NEVER && StructurePairs.areTouching(structureA, structureB))
             {

@@ -39,7 +39,7 @@ package starlogo.intersection.boxes
                 axis.normalize();
                 var gap:Number = largestGap(a, b, axes);
                 setPair(a, b);
-                _sweep.findTime(_pair);
+                _sweep.findTimeOfImpact(_pair);
                 wrong.addIf(gap < TOLERANCE - ROUNDING && _pair.time != 0, "apart", i + ": the gap is " + gap);
                 wrong.addIf(gap > LARGEST + ROUNDING && _pair.time == 0, "touching", i + ": the gap is " + gap);
                 touching += gap < TOLERANCE ? 1 : 0;
@@ -59,7 +59,7 @@ package starlogo.intersection.boxes
             _pair.axes.setTo(a, b);
             _pair.setHalves(a, b);
             _pair.margin = TOLERANCE;
-            _pair.latest = 1;
+            _pair.latestTime = 1;
         }
 
         // The axes of both boxes, and the cross products of their edges, all of length 1.

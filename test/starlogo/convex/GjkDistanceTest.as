@@ -6,19 +6,19 @@ package starlogo.convex
     import support.Complaints;
 
     /** The distance is proven: the cores are as far apart along a direction, to within rounding. So the search has not ended early. */
-    public class CoreDistanceTest
+    public class GjkDistanceTest
     {
         private static const NONE:Vector.<int> = new Vector.<int>();
 
         private var _random:SeededRandom = new SeededRandom(11);
         private var _cores:CorePair = new CorePair();
-        private var _witness:CoreWitness = new CoreWitness();
+        private var _result:GjkResult = new GjkResult();
         private var _wrong:Complaints = new Complaints();
 
         [Test]
         public function theDistanceOfLargeHullsIsProven():void
         {
-            var search:CoreDistance = new CoreDistance();
+            var search:GjkDistance = new GjkDistance();
             var apart:int = 0;
             for each (var count:int in [20, 300, 6000])
             {
@@ -33,11 +33,11 @@ package starlogo.convex
                         needle.z = _random.between(-0.5, 1.5);
                         _cores.setShapes(disc, needle);
                         _cores.searchLimit = Infinity;
-                        search.find(_cores, _witness);
-                        var most:Number = Math.max(0, _witness.separation) + 1e-14 * (disc.extent + needle.extent);
-                        _wrong.addIf(!(_witness.distance <= most), "distance", count + " points, " + thickness + " thick: " + _witness.distance + ", proven "
-                                + _witness.separation);
-                        apart += _witness.distance > 0.01 ? 1 : 0;
+                        search.find(_cores, _result);
+                        var most:Number = Math.max(0, _result.axis.separation) + 1e-14 * (disc.extent + needle.extent);
+                        _wrong.addIf(!(_result.distance <= most), "distance", count + " points, " + thickness + " thick: " + _result.distance + ", proven "
+                                + _result.axis.separation);
+                        apart += _result.distance > 0.01 ? 1 : 0;
                     }
                 }
             }
@@ -53,28 +53,28 @@ package starlogo.convex
             {
                 var a:ConvexShape = ellipsoid(20, 1, 1, 1);
                 var b:ConvexShape = ellipsoid(20, 1, 2, 1);
-                var search:CoreDistance = new CoreDistance();
+                var search:GjkDistance = new GjkDistance();
                 b.x = _random.between(-4, 4);
                 b.y = _random.between(-2, 2);
                 _cores.setShapes(a, b);
-                search.find(_cores, _witness);
+                search.find(_cores, _result);
                 b.x = 10;
-                var expected:String = findAfterEmpty(new CoreDistance(), a, b);
+                var expected:String = findAfterEmpty(new GjkDistance(), a, b);
                 var found:String = findAfterEmpty(search, a, b);
                 _wrong.addIf(found != expected, "other result", found + " for " + expected);
             }
             _wrong.assertNone();
         }
 
-        private function findAfterEmpty(search:CoreDistance, a:ConvexShape, b:ConvexShape):String
+        private function findAfterEmpty(search:GjkDistance, a:ConvexShape, b:ConvexShape):String
         {
             _cores.setShapes(a, b);
             _cores.searchLimit = 1;
-            search.find(_cores, _witness);
+            search.find(_cores, _result);
             _cores.searchLimit = Infinity;
             _cores.x *= 0.4;
-            search.findAfterMove(_cores, _witness);
-            return [_witness.distance, _witness.gap.x, _witness.gap.y, _witness.gap.z, _witness.separation].join();
+            search.findAfterMove(_cores, _result);
+            return [_result.distance, _result.gap.x, _result.gap.y, _result.gap.z, _result.axis.separation].join();
         }
 
         // The hull of points on an ellipsoid around the origin.

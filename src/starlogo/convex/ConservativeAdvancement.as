@@ -1,5 +1,7 @@
 package starlogo.convex
 {
+    import starlogo.geometry.Tolerances;
+
     /**
      * Moves the time of a motion towards the time of impact, by conservative advancement (van den Bergen, "Ray casting against general convex objects with
      * application to continuous collision detection", 2004). The distance of two convex shapes is a convex function of the time. So Newton's method
@@ -14,7 +16,7 @@ package starlogo.convex
      *
      * @private
      */
-    public final class AdvancementStep
+    public final class ConservativeAdvancement
     {
         private static const MAX_STEPS:int = 80;
 
@@ -69,7 +71,9 @@ package starlogo.convex
                 _marginTouchTime = motion.time;
             }
             var next:Number = motion.time + separation / speed;
-            if (!(speed > 0 && next > motion.time && next <= motion.latest))
+            // rounding must not hide a touch at the end
+            next = next > motion.latestTime && next <= motion.latestTime + Tolerances.SAME_TIME ? motion.latestTime : next;
+            if (!(speed > 0 && next > motion.time && next <= motion.latestTime))
             {
                 // there is no step in time
                 motion.time = _marginTouchTime;

@@ -4,9 +4,9 @@ package starlogo.convex
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
 
-    public class AdvancementStepTest
+    public class ConservativeAdvancementTest
     {
-        private var _step:AdvancementStep = new AdvancementStep();
+        private var _step:ConservativeAdvancement = new ConservativeAdvancement();
         private var _motion:RelativeMotion = new RelativeMotion(0);
 
         [Before]
@@ -34,7 +34,7 @@ package starlogo.convex
         [Test]
         public function aTouchAfterTheLatestTimeIsNone():void
         {
-            _motion.latest = 0.4;
+            _motion.latestTime = 0.4;
             assertFalse(_step.advance(_motion));
             assertEquals(RelativeMotion.NEVER, _motion.time);
         }
@@ -76,7 +76,7 @@ package starlogo.convex
         [Test]
         public function aTouchAcrossTheMarginsCountsIfTheNextStepIsTooLate():void
         {
-            _motion.latest = 0.5;
+            _motion.latestTime = 0.5;
             assertTrue(_step.advance(_motion));
             _step.isTouching = true;
             _step.separation = 1e-9;

@@ -4,7 +4,8 @@ package starlogo.convex
     import starlogo.geometry.Tolerances;
 
     /**
-     * Finds the shortest displacement that separates two cores that touch or overlap (the minimum translation vector). Its direction is the normal of a
+     * Finds the shortest displacement that separates two cores that touch or overlap (the minimum translation vector, MTV), by the separating axis test
+     * (SAT). Its direction is the normal of a
      * face of one, or perpendicular to an edge of each. Of the pairs of edges, only those count whose common perpendicular points out of both
      * (Gregorius, "The separating axis test between convex polyhedra", 2013). The edges of boxes, triangles and segments say nothing of faces, so
      * nothing is known to be on a side of them.
@@ -16,7 +17,7 @@ package starlogo.convex
      * <p>The results are a unit vector, and how far the cores are apart along it. It is less than 0 if they overlap: the displacement is as long. If they
      * are apart, it is at most their distance, and may be less than 0 if the axis between is across edges that count as parallel.</p>
      */
-    internal final class CoreOverlap
+    internal final class SatPenetration
     {
         // How many numbers describe an edge. 0 to 2: its vector, times the shape's scale. 3 to 5 and 6 to 8: a normal of each of its two faces, as long
         // as this vector times the height of the face's other point over it; 0 for bare edges.
@@ -25,6 +26,9 @@ package starlogo.convex
         // An axis across two vectors is as long as their product, and the products of such axes have to be finite. So vectors of cores that are larger
         // than this are shortened.
         private static const LARGE:Number = 1e40;
+
+        // A product whose square is smaller has lost digits. The edges of a structure as long as contacts need have products far above it.
+        private static const SMALL:Number = 1e-290;
 
         // An edge of the first core, and all edges of the second.
         private var _edge:Vector.<Number> = new Vector.<Number>(PER_EDGE, true);
@@ -36,8 +40,8 @@ package starlogo.convex
         private var _differences:Interval = new Interval();
         private var _ofSecond:Interval = new Interval();
 
-        /** Finds the displacement of the first core. Only the normal and the separation are written. */
-        public function find(cores:CorePair, out:CoreWitness):void
+        /** Finds the displacement of the first core: along the axis, as long as the cores overlap along it. */
+        public function findMinimumTranslation(cores:CorePair, out:SeparatingAxis):void
         {
             out.separation = -Infinity;
             tryNormals(cores, out);
@@ -48,7 +52,7 @@ package starlogo.convex
         }
 
         /** Takes a normal of a face, or of an edge of each, if the cores are farther apart along it than along the axis before. */
-        public function tryNormals(cores:CorePair, out:CoreWitness):void
+        public function tryNormals(cores:CorePair, out:SeparatingAxis):void
         {
             tryFaces(cores.second, cores, out);
             tryFaces(cores.first, cores, out);
@@ -61,15 +65,16 @@ package starlogo.convex
         /**
          * Takes the axis along the gap between the cores, if the displacement is shorter along it. Needles have no face whose normal is precise.
          *
-         * @param out has the gap, and the displacement that find() has found
+         * @param gap between the cores
+         * @param out has the displacement that findMinimumTranslation() has found
          */
-        public function tryGap(cores:CorePair, out:CoreWitness):void
+        public function tryGap(gap:CoreGap, cores:CorePair, out:SeparatingAxis):void
         {
-            _axis.setTo(out.gap.x, out.gap.y, out.gap.z);
+            _axis.setTo(gap.x, gap.y, gap.z);
             tryAxis(_axis, cores, out);
         }
 
-        private function tryFaces(shape:ConvexShape, cores:CorePair, out:CoreWitness):void
+        private function tryFaces(shape:ConvexShape, cores:CorePair, out:SeparatingAxis):void
         {
             var p:Vector.<Number> = shape.points;
             var faces:Vector.<int> = shape.faces;
@@ -102,14 +107,14 @@ package starlogo.convex
             var x:Number = uy * vz - uz * vy;
             var y:Number = uz * vx - ux * vz;
             var z:Number = ux * vy - uy * vx;
-            var least:Number = Tolerances.DIRECTION * Tolerances.DIRECTION * (ux * ux + uy * uy + uz * uz) * (vx * vx + vy * vy + vz * vz);
+            var least:Number = Tolerances.DIRECTION * Tolerances.DIRECTION * (ux * ux + uy * uy + uz * uz) * (vx * vx + vy * vy + vz * vz) + SMALL;
             var isParallel:Boolean = !(x * x + y * y + z * z > least);
             out.x = isParallel ? 0 : x;
             out.y = isParallel ? 0 : y;
             out.z = isParallel ? 0 : z;
         }
 
-        private function tryEdges(cores:CorePair, out:CoreWitness):void
+        private function tryEdges(cores:CorePair, out:SeparatingAxis):void
         {
             var first:ConvexShape = cores.first;
             var areBare:Boolean = !first.hasFacesAtEdges && !cores.second.hasFacesAtEdges;
@@ -195,7 +200,7 @@ package starlogo.convex
         }
 
         // Tries the axis across two points or parallel segments that points upwards as far as possible, for the first core.
-        private function tryUpwards(cores:CorePair, out:CoreWitness):void
+        private function tryUpwards(cores:CorePair, out:SeparatingAxis):void
         {
             var axis:Vector3D = _axis;
             axis.setTo(0, 0, 0);
@@ -206,7 +211,7 @@ package starlogo.convex
             // rounding hides on which side they are
             var isDown:Boolean = _differences.max < -_differences.min - Tolerances.ROUNDING * (cores.first.extent + cores.second.extent);
             var side:int = isDown ? -1 : 1;
-            out.setAxis(side * axis.x, side * axis.y, side * axis.z, isDown ? -_differences.max : _differences.min);
+            out.setTo(side * axis.x, side * axis.y, side * axis.z, isDown ? -_differences.max : _differences.min);
         }
 
         // Replaces an axis by a unit vector perpendicular to it that points upwards as far as possible. If the axis is vertical, up to
@@ -240,24 +245,16 @@ package starlogo.convex
         private static function findSegment(shape:ConvexShape, out:Vector3D):void
         {
             var p:Vector.<Number> = shape.points;
-            var most:Number = 0;
-            for (var i:int = 0; i < shape.pointsEnd; i += 3)
+            var end:int = ContactFeature.farthestFrom(0, p, shape.pointsEnd);
+            if (end > 0)
             {
-                var x:Number = p[i] - p[0];
-                var y:Number = p[int(i + 1)] - p[1];
-                var z:Number = p[int(i + 2)] - p[2];
-                var squared:Number = x * x + y * y + z * z;
-                if (squared > most)
-                {
-                    most = squared;
-                    out.setTo(x, y, z);
-                }
+                out.setTo(p[end] - p[0], p[int(end + 1)] - p[1], p[int(end + 2)] - p[2]);
             }
         }
 
         // Tries a displacement along an axis, and the one against it. The axis gets a length of 1 unless both are too long. If it is 0,
         // there is nothing to try.
-        private function tryAxis(axis:Vector3D, cores:CorePair, out:CoreWitness):void
+        private function tryAxis(axis:Vector3D, cores:CorePair, out:SeparatingAxis):void
         {
             var squared:Number = axis.x * axis.x + axis.y * axis.y + axis.z * axis.z;
             if (!(squared > 0))
@@ -290,7 +287,7 @@ package starlogo.convex
             var separation:Number = side < 0 ? -back : -forth;
             if (separation > out.separation + rounding)
             {
-                out.setAxis(side * axis.x, side * axis.y, side * axis.z, separation);
+                out.setTo(side * axis.x, side * axis.y, side * axis.z, separation);
             }
         }
 

@@ -13,7 +13,7 @@ package starlogo.convex
      * because no simplex comes twice: each step finds a nearer one, but for the few that rounding hides. Two hulls of 40,000 points each need up to 27
      * steps.</p>
      */
-    internal final class CoreDistance
+    internal final class GjkDistance
     {
         // The search ends after so many steps that came no nearer, because rounding hides where nearer points are. After one or two of them, a step may
         // still come nearer.
@@ -22,7 +22,7 @@ package starlogo.convex
         private var _simplex:Simplex = new Simplex();
 
         /** Finds the closest points. */
-        public function find(cores:CorePair, out:CoreWitness):void
+        public function find(cores:CorePair, out:GjkResult):void
         {
             _simplex.begin(cores);
             var first:int = cores.first.coreKind;
@@ -46,7 +46,7 @@ package starlogo.convex
          * Finds the closest points after the first core has moved. The last call must have been about the same two cores. It goes on from their
          * simplex.
          */
-        public function findAfterMove(cores:CorePair, out:CoreWitness):void
+        public function findAfterMove(cores:CorePair, out:GjkResult):void
         {
             _simplex.recompute(cores);
             search(cores, out);
@@ -65,12 +65,12 @@ package starlogo.convex
         }
 
         // Searches from the simplex on. If it is empty, only the direction is set.
-        private function search(cores:CorePair, out:CoreWitness):void
+        private function search(cores:CorePair, out:GjkResult):void
         {
             var nearest:NearestPoint = _simplex.nearest;
             // the least squared distance of all steps
             var least:Number = Infinity;
-            out.separation = -Infinity;
+            out.axis.separation = -Infinity;
             if (_simplex.count > 0)
             {
                 least = nearest.squaredDistance;
@@ -79,7 +79,7 @@ package starlogo.convex
             var stalls:int = 0;
             while (stalls < MAX_STALLS && addSupport(cores, out))
             {
-                var origin:int = _simplex.reduce(_simplex.count - 1, out.separation > _simplex.rounding);
+                var origin:int = _simplex.reduce(_simplex.count - 1, out.axis.separation > _simplex.rounding);
                 if (origin == Simplex.UNDECIDED)
                 {
                     // no step can come nearer
@@ -103,7 +103,7 @@ package starlogo.convex
 
         // Adds the corner that is farthest towards the origin. Returns false if the search ends: the corner does not bring the simplex nearer, or the
         // cores are too far apart.
-        private function addSupport(cores:CorePair, out:CoreWitness):Boolean
+        private function addSupport(cores:CorePair, out:GjkResult):Boolean
         {
             var direction:Vector3D = _simplex.nearest.direction;
             var x:Number = direction.x;
@@ -124,10 +124,10 @@ package starlogo.convex
             var separation:Number = x * (first[ofFirst] - second[ofSecond] + cores.x)
                 + y * (first[int(ofFirst + 1)] - second[int(ofSecond + 1)] + cores.y)
                 + z * (first[int(ofFirst + 2)] - second[int(ofSecond + 2)] + cores.z);
-            if (separation > out.separation)
+            if (separation > out.axis.separation)
             {
-                out.setAxis(x, y, z, separation);
-                if (areTooFar(cores, out))
+                out.axis.setTo(x, y, z, separation);
+                if (areTooFar(cores, out.axis))
                 {
                     out.distance = Infinity;
                     return false;
@@ -143,15 +143,15 @@ package starlogo.convex
         }
 
         // Whether the cores are known to be farther apart than the search has to know, also in all the time that is left.
-        private static function areTooFar(cores:CorePair, witness:CoreWitness):Boolean
+        private static function areTooFar(cores:CorePair, axis:SeparatingAxis):Boolean
         {
-            var gap:Number = witness.separation - cores.searchLimit;
-            return gap > 0 && gap > -cores.timeLeft * (witness.normalX * cores.motionX + witness.normalY * cores.motionY + witness.normalZ * cores.motionZ);
+            var gap:Number = axis.separation - cores.searchLimit;
+            return gap > 0 && gap > -cores.timeLeft * (axis.x * cores.motionX + axis.y * cores.motionY + axis.z * cores.motionZ);
         }
 
         // Writes the gap between the points that the simplex's nearest point is the difference of. The gap gets the direction to that point, which is
         // more precise.
-        private function writeNearest(cores:CorePair, out:CoreWitness):void
+        private function writeNearest(cores:CorePair, out:GjkResult):void
         {
             var nearest:NearestPoint = _simplex.nearest;
             var direction:Vector3D = nearest.direction;

@@ -141,7 +141,9 @@ package starlogo.solid
             var structure:BoundingStructure = pose.place(_structure);
             // The origin of its points is inside of it. If it is round, a ball around that origin is inside too.
             structure.setShape(_shape);
-            _point.setTo(_shape.x, _shape.y, _shape.z);
+            _point.x = _shape.x;
+            _point.y = _shape.y;
+            _point.z = _shape.z;
             if (!_tree.isInside(_point, _shape.radius))
             {
                 return false;

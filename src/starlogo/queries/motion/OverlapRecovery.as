@@ -56,19 +56,19 @@ package starlogo.queries.motion
         /**
          * Frees the shrunk body from the obstacles that it overlaps where its motion starts.
          *
-         * @param state how the motion starts. It receives the planes of overlaps that stay. Obstacles for which a plane stands are none from then on. The
-         *     place changes if the body is pushed
+         * @param motion the motion. It receives the planes of overlaps that stay. Obstacles for which a plane stands are none from then on. Its start
+         *     changes if the body is pushed
          */
-        public function leaveOverlaps(state:MotionState):void
+        public function leaveOverlaps(motion:ShrunkSweep):void
         {
-            if (replaceByPlanes(state, false) && !pushInRounds(state.shrunk, state.obstacles, state.start, false, state.pushes))
+            if (replaceByPlanes(motion, false) && !pushInRounds(motion.shrunk, motion.obstacles, motion.start, false, motion.pushes))
             {
-                replaceByPlanes(state, true);
+                replaceByPlanes(motion, true);
             }
-            if (state.shrunk.isFlat && state.planes.count == 0)
+            if (motion.shrunk.isFlat && motion.planes.count == 0)
             {
                 // the shrunk body is as flat, and a sweep touches across a wider gap than a body that stands
-                pushOffTouches(state.shrunk, state.obstacles, state.start);
+                pushOffTouches(motion.shrunk, motion.obstacles, motion.start);
             }
         }
 
@@ -181,16 +181,16 @@ package starlogo.queries.motion
 
         // Lets planes stand for obstacles that the shrunk body overlaps: for deep overlaps, and also for shallow ones if they are to count. These are
         // obstacles no longer, nor are one-way rows that the body passes. Returns whether obstacles are left that the shrunk body overlapped.
-        private function replaceByPlanes(state:MotionState, alsoShallow:Boolean):Boolean
+        private function replaceByPlanes(motion:ShrunkSweep, alsoShallow:Boolean):Boolean
         {
-            var obstacles:IntList = state.obstacles;
+            var obstacles:IntList = motion.obstacles;
             var isLeft:Boolean = false;
             var i:int = 0;
             while (i < obstacles.count)
             {
                 var row:int = obstacles.values[i];
-                var isOverlapped:Boolean = state.shrunk.shrunkTouches(row, state.start);
-                if (isOverlapped && (state.shrunk.mover.passesOneWayAt(row, state.start) || addPlane(row, state, alsoShallow)))
+                var isOverlapped:Boolean = motion.shrunk.shrunkTouches(row, motion.start);
+                if (isOverlapped && (motion.shrunk.mover.passesOneWayAt(row, motion.start) || addPlane(row, motion, alsoShallow)))
                 {
                     obstacles.remove(row);
                 }
@@ -206,16 +206,16 @@ package starlogo.queries.motion
         // Lets a plane stand for a row that the shrunk body overlaps, if the overlap counts and a plane is needed. First the shrunk body becomes
         // narrower, for the whole motion. If it is free of the row then, no plane is needed. None is needed either if only the shrunk body overlaps
         // the row, not the body. Returns whether the plane stands.
-        private function addPlane(row:int, state:MotionState, alsoShallow:Boolean):Boolean
+        private function addPlane(row:int, motion:ShrunkSweep, alsoShallow:Boolean):Boolean
         {
-            var shrunk:ShrunkBody = state.shrunk;
-            shrunk.mover.findContact(row, state.start, alsoShallow, _contact);
+            var shrunk:ShrunkBody = motion.shrunk;
+            shrunk.mover.findContact(row, motion.start, alsoShallow, _contact);
             var isCounted:Boolean = alsoShallow || !shrunk.mover.isShallow(row, _contact);
-            if (!isCounted || shrunk.narrow(row, state.start) || !shrunk.bodyOverlaps(row, state.start))
+            if (!isCounted || shrunk.narrow(row, motion.start) || !shrunk.bodyOverlaps(row, motion.start))
             {
                 return false;
             }
-            state.planes.add(_contact, row);
+            motion.planes.add(_contact, row);
             shrunk.mover.warnIfInside(row, _contact);
             return true;
         }

@@ -152,7 +152,9 @@ package starlogo.queries.motion
         public function moveTo(place:Vector3D):Body
         {
             var whole:Body = mover.whole;
-            _place.setTo(place.x + shrink * whole.offsetX, place.y + shrink * whole.offsetY, place.z + shrink * whole.offsetZ);
+            _place.x = place.x + shrink * whole.offsetX;
+            _place.y = place.y + shrink * whole.offsetY;
+            _place.z = place.z + shrink * whole.offsetZ;
             _shrunk.moveTo(_place);
             return _shrunk;
         }

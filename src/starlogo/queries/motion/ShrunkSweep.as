@@ -5,6 +5,7 @@ package starlogo.queries.motion
     import starlogo.convex.RelativeMotion;
     import starlogo.data.IntList;
     import starlogo.engine;
+    import starlogo.geometry.copyVector;
     import starlogo.geometry.Tolerances;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
@@ -63,7 +64,7 @@ package starlogo.queries.motion
          */
         public function begin(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D):Boolean
         {
-            start.copyFrom(from);
+            copyVector(from, start);
             pushes.clear();
             planes.clear();
             obstacles.copyFrom(rows);

@@ -4,6 +4,8 @@ package starlogo.queries.motion
     import starlogo.convex.ContactPoint;
     import starlogo.data.IntList;
     import starlogo.data.SortableIntList;
+    import starlogo.geometry.compareVectors;
+    import starlogo.geometry.copyVector;
     import starlogo.geometry.Tolerances;
 
     /**
@@ -54,13 +56,13 @@ package starlogo.queries.motion
          */
         public function findTouches(body:MovingBody):TouchResult
         {
-            _among.start.copyFrom(body.from);
+            copyVector(body.from, _among.start);
             _among.pushes.clear();
             if (addTouches(body))
             {
                 // a floor may be many rows: what is pushed out of one of them does not run into the next
                 _among.begin(body, body.rows, body.from, body.motion);
-                if (!_among.start.equals(body.from))
+                if (compareVectors(_among.start, body.from) != 0)
                 {
                     addTouches(body);
                 }
@@ -101,7 +103,7 @@ package starlogo.queries.motion
                 var touch:TouchResult = _results[count];
                 findTouch(body, body.rows.values[i], touch);
                 // the row alone pushes the body, or stops it at once in a shallow overlap
-                mayPush ||= !_alone.start.equals(_among.start) || (touch.time == 0 && !touch.hasPlane);
+                mayPush ||= compareVectors(_alone.start, _among.start) != 0 || (touch.time == 0 && !touch.hasPlane);
                 if (touch.isStopped)
                 {
                     _touches.add(count, touch.time);

@@ -151,7 +151,7 @@ package starlogo.queries.motion
         {
             if (searchAround())
             {
-                _search.moveAlong(motion.x, motion.y, motion.z, 1);
+                _search.moveAlong(motion.x, motion.y, motion.z);
                 collectRows(filter);
             }
         }

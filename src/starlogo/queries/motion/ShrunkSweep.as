@@ -39,7 +39,10 @@ package starlogo.queries.motion
         /** The contacts of overlaps that stay (deep, or without a way out), and those that a slide has met. The motion must not cross their planes. */
         public var planes:ContactList = new ContactList();
 
-        /** The rows that can stop the motion: not those that a plane stands for, and no one-way rows that the body passes. */
+        /**
+         * The rows that can stop the motion. Who begins it sets them to the rows that may be in its way. Later they are not those that a plane stands
+         * for, and no one-way rows that the body passes.
+         */
         public var obstacles:IntList = new IntList();
 
         /** What the shrunk body meets next, once it is known. */
@@ -57,48 +60,39 @@ package starlogo.queries.motion
         /**
          * Begins a motion: it finds the tolerances, sweeps the shrunk body, and frees the body from what it overlaps.
          *
-         * @param rows the rows that may be in its way
          * @param from where the motion should start
          * @return whether the impact is known: the motion has no length, or the sweep has shown that the shrunk body overlaps nothing. Otherwise the
          *     obstacles must be swept from the start
          */
-        public function begin(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D):Boolean
+        public function begin(body:MovingBody, from:Vector3D, motion:Vector3D):Boolean
         {
             copyVector(from, start);
             pushes.clear();
             planes.clear();
-            obstacles.copyFrom(rows);
-            shrunk.begin(body, rows, from, motion);
-            if (isFree(motion))
-            {
-                return true;
-            }
-            _recovery.leaveOverlaps(this);
-            return false;
-        }
-
-        // Tries to find the first impact by a sweep alone. Returns whether it is known then. Otherwise it means nothing: the shrunk body is flat, or
-        // overlaps something at the start, or a one-way row comes first.
-        private function isFree(motion:Vector3D):Boolean
-        {
             impact.row = -1;
+            shrunk.begin(body, obstacles, from, motion);
             if (!hasLength(motion))
             {
                 return true;
             }
-            return !shrunk.isFlat && !(findFirst(start, motion, true, impact) && (impact.time == 0 || shrunk.mover.isOneWay(impact.row)));
+            if (shrunk.isFlat || (findFirst(start, motion, true, impact) && (impact.time == 0 || body.isOneWay(impact.row))))
+            {
+                // it overlaps something, or a sweep cannot tell
+                _recovery.leaveOverlaps(this);
+                return false;
+            }
+            return true;
         }
 
         /**
          * Finds what stops a straight motion: a plane of an overlap, or an obstacle.
          *
-         * @param rows the rows that may be in its way
          * @param from where the motion should start
          * @return when the body touches that: from 0 to 1; 0 for a plane, 1 if nothing stops it
          */
-        public function findStop(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D):Number
+        public function findStop(body:MovingBody, from:Vector3D, motion:Vector3D):Number
         {
-            if (!begin(body, rows, from, motion))
+            if (!begin(body, from, motion))
             {
                 if (findCrossedPlane(motion))
                 {

@@ -41,7 +41,8 @@ package starlogo.queries.motion
             out.wallRow = -1;
             out.row = -1;
             _remaining.begin(motion, limits);
-            var isKnown:Boolean = _sweep.begin(body, rows, from, _remaining.motion);
+            _sweep.obstacles.copyFrom(rows);
+            var isKnown:Boolean = _sweep.begin(body, from, _remaining.motion);
             out.hasPlanes = _sweep.planes.count > 0;
             out.place.copyFrom(_sweep.start);
             if (!isKnown)
@@ -92,7 +93,8 @@ package starlogo.queries.motion
          */
         public function moveStraight(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, out:MotionResult):void
         {
-            out.fraction = _sweep.findStop(body, rows, from, motion);
+            _sweep.obstacles.copyFrom(rows);
+            out.fraction = _sweep.findStop(body, from, motion);
             out.hasPlanes = _sweep.planes.count > 0;
             out.wallRow = -1;
             out.row = _sweep.impact.row;

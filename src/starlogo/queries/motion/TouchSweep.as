@@ -2,7 +2,6 @@ package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
-    import starlogo.data.IntList;
     import starlogo.data.SortableIntList;
     import starlogo.geometry.compareVectors;
     import starlogo.geometry.copyVector;
@@ -34,8 +33,7 @@ package starlogo.queries.motion
         // The motion among all rows.
         private var _among:ShrunkSweep = new ShrunkSweep();
 
-        // A row alone as a list, and the motion past it.
-        private var _row:IntList = new IntList();
+        // The motion past one row.
         private var _alone:ShrunkSweep = new ShrunkSweep();
 
         // The way from the computed end of a motion to where the shrunk body touches.
@@ -61,7 +59,8 @@ package starlogo.queries.motion
             if (addTouches(body))
             {
                 // a floor may be many rows: what is pushed out of one of them does not run into the next
-                _among.begin(body, body.rows, body.from, body.motion);
+                _among.obstacles.copyFrom(body.rows);
+                _among.begin(body, body.from, body.motion);
                 if (compareVectors(_among.start, body.from) != 0)
                 {
                     addTouches(body);
@@ -116,9 +115,9 @@ package starlogo.queries.motion
         // may hide the touch at its place: see moveIntoTouch.
         private function findTouch(body:MovingBody, row:int, out:TouchResult):void
         {
-            _row.count = 0;
-            _row.add(row);
-            out.time = _alone.findStop(body, _row, _among.start, body.motion);
+            _alone.obstacles.count = 0;
+            _alone.obstacles.add(row);
+            out.time = _alone.findStop(body, _among.start, body.motion);
             out.row = _alone.impact.row;
             out.hasPlane = out.isStopped && _alone.planes.count > 0;
             if (out.isStopped)

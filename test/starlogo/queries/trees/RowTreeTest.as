@@ -122,7 +122,7 @@ package starlogo.queries.trees
             _way.setTo(_tree, from[0], from[1], from[2], size, 2 * size, size);
             if (moves)
             {
-                _way.moveAlong(along[0], along[1], along[2], limit);
+                _way.moveAlong(along[0], along[1], along[2]);
             }
             var times:Vector.<int> = new Vector.<int>(_sizes.x.length);
             var met:int = 0;

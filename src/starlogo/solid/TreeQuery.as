@@ -152,7 +152,7 @@ package starlogo.solid
         }
 
         /**
-         * Finds a point of one of the two, whose surfaces do not touch in their pose, that is inside of the other.
+         * Finds a point of one of the two that is inside of the other. A search has found before that their surfaces do not touch in their pose.
          *
          * @param out receives the point twice, in the world, if there is one; null if only the answer is needed
          * @return whether there is one

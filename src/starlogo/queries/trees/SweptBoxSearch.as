@@ -39,23 +39,16 @@ package starlogo.queries.trees
          * @param halfX half of its length along x
          * @param halfY half of its length along y
          * @param halfZ half of its length along z
-         * @param offset how far the middle is from the place that it was computed from
          */
-        public function setTo(tree:RowTree, x:Number, y:Number, z:Number, halfX:Number = 0, halfY:Number = 0, halfZ:Number = 0, offset:Number = 0):void
+        public function setTo(tree:RowTree, x:Number, y:Number, z:Number, halfX:Number = 0, halfY:Number = 0, halfZ:Number = 0):void
         {
-            var slack:Number = RowTree.slackOf(x, y, z, halfX + halfY + halfZ, offset);
-            _tree = tree;
-            _isGroundLeft = true;
-            _inverse[0] = _inverse[1] = _inverse[2] = 0;
-            _box[0] = x - halfX - slack;
-            _box[1] = y - halfY - slack;
-            _box[2] = z - halfZ - slack;
-            _box[3] = x + halfX + slack;
-            _box[4] = y + halfY + slack;
-            _box[5] = z + halfZ + slack;
-            _stack[0] = RowTree.ROOT;
-            _entries[0] = 0;
-            _waiting = tree.count > 0 ? 1 : 0;
+            _box[0] = x - halfX;
+            _box[1] = y - halfY;
+            _box[2] = z - halfZ;
+            _box[3] = x + halfX;
+            _box[4] = y + halfY;
+            _box[5] = z + halfZ;
+            begin(tree, 0);
         }
 
         /**
@@ -65,11 +58,32 @@ package starlogo.queries.trees
          */
         public function setAround(tree:RowTree, body:Body):void
         {
-            setTo(tree, body.middleX, body.middleY, body.middleZ, body.halfX, body.halfY, body.halfZ, body.distanceFromPlace);
+            // not setTo, because V8 would make objects of the Numbers
+            _box[0] = body.middleX - body.halfX;
+            _box[1] = body.middleY - body.halfY;
+            _box[2] = body.middleZ - body.halfZ;
+            _box[3] = body.middleX + body.halfX;
+            _box[4] = body.middleY + body.halfY;
+            _box[5] = body.middleZ + body.halfZ;
+            begin(tree, body.distanceFromPlace);
             if (body.isOfWorld)
             {
                 widen(4 * Agent.LARGEST_COORDINATE);
             }
+        }
+
+        // Begins with the box. The offset is how far its middle is from the place that it was computed from.
+        private function begin(tree:RowTree, offset:Number):void
+        {
+            var box:Vector.<Number> = _box;
+            _tree = tree;
+            _isGroundLeft = true;
+            _inverse[0] = _inverse[1] = _inverse[2] = 0;
+            _stack[0] = RowTree.ROOT;
+            _entries[0] = 0;
+            _waiting = tree.count > 0 ? 1 : 0;
+            widen(RowTree.slackOf((box[0] + box[3]) / 2, (box[1] + box[4]) / 2, (box[2] + box[5]) / 2,
+                    (box[3] - box[0] + box[4] - box[1] + box[5] - box[2]) / 2, offset));
         }
 
         /**

@@ -190,7 +190,7 @@ package starlogo.queries.motion
             {
                 var row:int = obstacles.values[i];
                 var isOverlapped:Boolean = motion.shrunk.shrunkTouches(row, motion.start);
-                if (isOverlapped && (motion.shrunk.mover.passesOneWayAt(row, motion.start) || addPlane(row, motion, alsoShallow)))
+                if (isOverlapped && (motion.shrunk.body.passesOneWayAt(row, motion.start) || addPlane(row, motion, alsoShallow)))
                 {
                     obstacles.remove(row);
                 }
@@ -209,14 +209,14 @@ package starlogo.queries.motion
         private function addPlane(row:int, motion:ShrunkSweep, alsoShallow:Boolean):Boolean
         {
             var shrunk:ShrunkBody = motion.shrunk;
-            shrunk.mover.findContact(row, motion.start, alsoShallow, _contact);
-            var isCounted:Boolean = alsoShallow || !shrunk.mover.isShallow(row, _contact);
+            shrunk.body.findContact(row, motion.start, alsoShallow, _contact);
+            var isCounted:Boolean = alsoShallow || !shrunk.body.isShallow(row, _contact);
             if (!isCounted || shrunk.narrow(row, motion.start) || !shrunk.bodyOverlaps(row, motion.start))
             {
                 return false;
             }
             motion.planes.add(_contact, row);
-            shrunk.mover.warnIfInside(row, _contact);
+            shrunk.body.warnIfInside(row, _contact);
             return true;
         }
 
@@ -228,23 +228,23 @@ package starlogo.queries.motion
             {
                 return 0;
             }
-            findContactOfPush(shrunk.mover, row, place, round, last, out);
-            return shrunk.mover.isShallow(row, out) ? out.depth + shrunk.clearance : Infinity;
+            findContactOfPush(shrunk.body, row, place, round, last, out);
+            return shrunk.body.isShallow(row, out) ? out.depth + shrunk.clearance : Infinity;
         }
 
         // Finds the contact for a push off a row. Returns the length of the push: 0 if the body does not touch the row, overlaps it deeply or passes it.
         private function findPushOff(shrunk:ShrunkBody, row:int, place:Vector3D, round:int, last:ContactPoint, out:ContactPoint):Number
         {
-            var mover:MovingBody = shrunk.mover;
+            var body:MovingBody = shrunk.body;
             // mostly it is known faster that the shrunk body touches the row than how deep the overlap is
-            if (!findTouchingPlace(shrunk, row, place, _touching) || mover.passesOneWayAt(row, _touching)
+            if (!findTouchingPlace(shrunk, row, place, _touching) || body.passesOneWayAt(row, _touching)
                     || (!shrunk.isFlat && shrunk.shrunkTouches(row, place)))
             {
                 return 0;
             }
-            findContactOfPush(mover, row, _touching, round, last, out);
+            findContactOfPush(body, row, _touching, round, last, out);
             var most:Number = SLOPS_OF_TOUCH * shrunk.slop;
-            if (out.depth > most && !mover.isShallow(row, out))
+            if (out.depth > most && !body.isShallow(row, out))
             {
                 return 0;
             }
@@ -254,20 +254,20 @@ package starlogo.queries.motion
         }
 
         // Finds the contact with a row that the body touches at a place. It does not lead back against the last push if another contact does not.
-        private static function findContactOfPush(mover:MovingBody, row:int, place:Vector3D, round:int, last:ContactPoint, out:ContactPoint):void
+        private static function findContactOfPush(body:MovingBody, row:int, place:Vector3D, round:int, last:ContactPoint, out:ContactPoint):void
         {
             var isSeparating:Boolean = round >= FIRST_SEPARATING_ROUND;
-            mover.findContact(row, place, isSeparating, out);
+            body.findContact(row, place, isSeparating, out);
             if (!isSeparating && leadsBack(out, last))
             {
-                mover.findContact(row, place, true, out);
+                body.findContact(row, place, true, out);
             }
         }
 
         // Finds an overlap that a walk begins with a push out of: see measureOverlaps. Returns whether it counts.
         private static function measureOverlap(shrunk:ShrunkBody, row:int, place:Vector3D, out:ContactPoint):Boolean
         {
-            var body:MovingBody = shrunk.mover;
+            var body:MovingBody = shrunk.body;
             if (body.isOneWay(row) || !shrunk.shrunkTouches(row, place))
             {
                 return false;

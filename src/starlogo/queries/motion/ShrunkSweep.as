@@ -121,7 +121,7 @@ package starlogo.queries.motion
         /** Finds the impact: which obstacle stops the shrunk body first. One-way rows that the body passes leave the obstacles. */
         public function findImpact(from:Vector3D, motion:Vector3D):void
         {
-            while (findFirstImpact(from, motion, impact) && shrunk.mover.passesOneWay(impact.row, impact.contact))
+            while (findFirstImpact(from, motion, impact) && shrunk.body.passesOneWay(impact.row, impact.contact))
             {
                 obstacles.remove(impact.row);
             }
@@ -144,7 +144,7 @@ package starlogo.queries.motion
         public function findTouchTime(from:Vector3D, motion:Vector3D):Number
         {
             var contact:ContactPoint = impact.contact;
-            var whole:Body = shrunk.mover.whole;
+            var whole:Body = shrunk.body.whole;
             var shrink:Number = shrunk.shrink;
             var recess:Number = shrink / (1 - shrink) * (contact.normalX * (from.x + whole.offsetX + impact.time * motion.x - contact.x)
                     + contact.normalY * (from.y + whole.offsetY + impact.time * motion.y - contact.y)
@@ -157,10 +157,10 @@ package starlogo.queries.motion
                 return ofPlane;
             }
             setAlong(from, motion, 1, _end);
-            shrunk.mover.moveTo(_end);
-            var other:Body = shrunk.mover.bodyOf(impact.row);
+            shrunk.body.moveTo(_end);
+            var other:Body = shrunk.body.bodyOf(impact.row);
             _relative.endAfter(motion.x, motion.y, motion.z);
-            shrunk.mover.narrowPhase.pairTestsFor(whole, other).findImpactOfSurfaces(whole, other, _relative, null);
+            shrunk.body.narrowPhase.pairTestsFor(whole, other).findImpactOfSurfaces(whole, other, _relative, null);
             var earliest:Number = Math.min(ofPlane, impact.time);
             var latest:Number = Math.max(ofPlane, impact.time);
             return Math.max(earliest, Math.min(latest, _relative.time));
@@ -264,13 +264,13 @@ package starlogo.queries.motion
         private function sweepPast(row:int, isStart:Boolean, out:ContactPoint):void
         {
             var moved:Body = shrunk.moveTo(_end);
-            var other:Body = shrunk.mover.bodyOf(row);
+            var other:Body = shrunk.body.bodyOf(row);
             if (!shrunk.isNear(moved, other, _relative))
             {
                 _relative.time = RelativeMotion.NEVER;
                 return;
             }
-            var tests:PairTests = shrunk.mover.narrowPhase.pairTestsFor(moved, other);
+            var tests:PairTests = shrunk.body.narrowPhase.pairTestsFor(moved, other);
             if (isStart || other.form == ModelShape.GROUND)
             {
                 tests.findImpactOfSolids(moved, other, _relative, out);

@@ -144,7 +144,7 @@ package starlogo.queries.motion
         {
             for (var i:int = 0; i < planes.count; i++)
             {
-                if (Math.abs(planes.contacts[i].normalZ) < SlideLimits.LEVEL_Z)
+                if (Math.abs(planes.contacts[i].normalZ) < SlideLimits.LEVEL.leastFloorZ)
                 {
                     makeUpright(planes.contacts[i], remaining);
                 }
@@ -173,7 +173,7 @@ package starlogo.queries.motion
         private function meetsInCorner(place:Vector3D):Boolean
         {
             return _sweep.findFirstImpact(place, _remaining.motion, _impactWithoutPlane) && isInCorner(_impactWithoutPlane, _remaining.motion)
-                && !_sweep.shrunk.mover.passesOneWay(_impactWithoutPlane.row, _impactWithoutPlane.contact);
+                && !_sweep.shrunk.body.passesOneWay(_impactWithoutPlane.row, _impactWithoutPlane.contact);
         }
 
         // Whether what a motion meets first is met in the corner where it begins.

@@ -83,7 +83,7 @@ package starlogo.queries.trees
             _entries[0] = 0;
             _waiting = tree.count > 0 ? 1 : 0;
             widen(RowTree.slackOf((box[0] + box[3]) / 2, (box[1] + box[4]) / 2, (box[2] + box[5]) / 2,
-                    (box[3] - box[0] + box[4] - box[1] + box[5] - box[2]) / 2, offset));
+                        (box[3] - box[0] + box[4] - box[1] + box[5] - box[2]) / 2, offset));
         }
 
         /**
@@ -212,8 +212,10 @@ package starlogo.queries.trees
                     }
                     continue;
                 }
-                var near:Number = inverse * (inverse > 0 ? toLeast : toGreatest);
-                var far:Number = inverse * (inverse > 0 ? toGreatest : toLeast);
+                toLeast *= inverse;
+                toGreatest *= inverse;
+                var near:Number = inverse > 0 ? toLeast : toGreatest;
+                var far:Number = inverse > 0 ? toGreatest : toLeast;
                 enters = near > enters ? near : enters;
                 leaves = far < leaves ? far : leaves;
                 if (enters > leaves)

@@ -258,32 +258,6 @@ package starlogo.convex
             out.max = high;
         }
 
-        /** Writes the extents of the core: minX, maxX, minY, ... */
-        public function extentsInto(out:Vector.<Number>):void
-        {
-            out[0] = out[1] = x + points[0];
-            out[2] = out[3] = y + points[1];
-            out[4] = out[5] = z + points[2];
-            for (var i:int = 3; i < pointsEnd; i += 3)
-            {
-                widen(out, 0, x + points[i]);
-                widen(out, 2, y + points[int(i + 1)]);
-                widen(out, 4, z + points[int(i + 2)]);
-            }
-        }
-
-        private static function widen(extents:Vector.<Number>, at:int, coordinate:Number):void
-        {
-            if (coordinate < extents[at])
-            {
-                extents[at] = coordinate;
-            }
-            else if (coordinate > extents[int(at + 1)])
-            {
-                extents[int(at + 1)] = coordinate;
-            }
-        }
-
         private function setOrigin(at:Vector3D):void
         {
             x = at.x;

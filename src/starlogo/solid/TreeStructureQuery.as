@@ -113,10 +113,9 @@ package starlogo.solid
         // Finds which triangle, by its slot, or else which node is touched first. Returns -1 if none is.
         private function findFirstTouched(motion:RelativeMotion):int
         {
-            var structure:BoundingStructure = placed();
             return _depth == BoxTree.EXACT
-                ? _triangleImpact.findFirstSlot(_tree, pose, motion)
-                : _nodeImpact.findFirstNode(_tree.boxTree, _depth, structure, pose, motion);
+                ? _triangleImpact.findFirstSlot(_tree, placed(), pose, motion)
+                : _nodeImpact.findFirstNode(_tree.boxTree, _depth, placed(), pose, motion);
         }
 
         // The structure in a's space. The next call overwrites it.

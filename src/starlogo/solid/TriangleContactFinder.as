@@ -100,8 +100,7 @@ package starlogo.solid
             _probe.center.y = contact.y - motion.time * motion.y - back * normal.y;
             _probe.center.z = contact.z - motion.time * motion.z - back * normal.z;
             _still.latest = 1;
-            _ofProbe.setStructure(_probe, pose.placement);
-            return _triangleImpact.findFirstSlot(model, pose, _still) >= 0;
+            return _triangleImpact.findFirstSlot(model, _ofProbe.setStructure(_probe, pose.placement), pose, _still) >= 0;
         }
     }
 }

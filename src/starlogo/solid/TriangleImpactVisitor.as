@@ -1,5 +1,6 @@
 package starlogo.solid
 {
+    import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
@@ -64,15 +65,16 @@ package starlogo.solid
          * Finds when a structure first touches a triangle of a model, and which one.
          *
          * @param model the model; has triangles
+         * @param structure in the model's space
          * @param pose has the margin of the structure's place
          * @param motion of the structure, from the pose on; receives the time, and its earliest and latest times are overwritten. If it is still, the
          *     structure touches at time 0 or never
          * @return the triangle's slot, or -1
          */
-        public function findFirstSlot(model:ModelTree, pose:RelativePose, motion:RelativeMotion):int
+        public function findFirstSlot(model:ModelTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):int
         {
             limit = motion.latest;
-            begin(model, pose, motion);
+            begin(model, structure, pose, motion);
             _firstImpact.reset();
             _found = -1;
             _search.visitMet(_mesh.tree, BoxTree.EXACT, this);
@@ -80,18 +82,20 @@ package starlogo.solid
             return _found;
         }
 
-        private function begin(model:ModelTree, pose:RelativePose, motion:RelativeMotion):void
+        private function begin(model:ModelTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):void
         {
             var extents:Vector.<Number> = _coreExtents;
             var shape:ConvexShape = _kernel.shape;
             _mesh = model.mesh;
             _motion = motion;
-            shape.extentsInto(extents);
+            structure.extentsInto(extents);
             shape.margin += pose.margin + Touching.marginOfSurface(model.boxTree.radius);
-            var size:Number = 3 * (shape.radius + shape.margin) + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z);
-            for (var i:int = 0; i < 6; i++)
+            var size:Number = 3 * shape.margin + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z);
+            for (var i:int = 0; i < 6; i += 2)
             {
-                size += Math.abs(extents[i]);
+                size += Math.max(Math.abs(extents[i]), Math.abs(extents[int(i + 1)]));
+                extents[i] += shape.radius;
+                extents[int(i + 1)] -= shape.radius;
             }
             _plane.cullDistance = shape.radius + shape.margin + Tolerances.EXTENTS * size;
             _search.setExtents(extents, _plane.cullDistance);

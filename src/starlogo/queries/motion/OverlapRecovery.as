@@ -68,7 +68,7 @@ package starlogo.queries.motion
             if (motion.shrunk.isFlat && motion.planes.count == 0)
             {
                 // the shrunk body is as flat, and a sweep touches across a wider gap than a body that stands
-                pushOffTouches(motion.shrunk, motion.obstacles, motion.start);
+                pushInRounds(motion.shrunk, motion.obstacles, motion.start, true, _pushesOff);
             }
         }
 
@@ -81,7 +81,7 @@ package starlogo.queries.motion
         public function restoreClearance(body:MovingBody, place:Vector3D):void
         {
             _shrunk.begin(body, body.rows, place, NO_MOTION);
-            pushOffTouches(_shrunk, body.rows, place);
+            pushInRounds(_shrunk, body.rows, place, true, _pushesOff);
         }
 
         /**
@@ -138,12 +138,6 @@ package starlogo.queries.motion
             _shrunk.begin(body, body.rows, place, NO_MOTION);
             _above.setTo(place.x, place.y, place.z + rise);
             return _shrunk.shrunkTouches(row, place) && !_shrunk.shrunkTouches(row, _above);
-        }
-
-        // Pushes a body off the rows that it touches. If it does not get free, it is where it was.
-        private function pushOffTouches(shrunk:ShrunkBody, rows:IntList, place:Vector3D):void
-        {
-            pushInRounds(shrunk, rows, place, true, _pushesOff);
         }
 
         // Pushes a body from one row after the other, in rounds, until a round needs no push: off the rows that it touches, or out of those that the

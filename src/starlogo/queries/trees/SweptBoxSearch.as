@@ -30,24 +30,15 @@ package starlogo.queries.trees
         private var _waiting:int = 0;
 
         /**
-         * Begins with a box that stands still. Call <code>widen()</code> or <code>moveAlong()</code> afterwards if needed.
+         * Begins with a point that stands still: a box without size. Call <code>widen()</code> or <code>moveAlong()</code> afterwards if needed.
          *
          * @param tree has the rows
-         * @param x the box's middle
-         * @param y the box's middle
-         * @param z the box's middle
-         * @param halfX half of its length along x
-         * @param halfY half of its length along y
-         * @param halfZ half of its length along z
          */
-        public function setTo(tree:RowTree, x:Number, y:Number, z:Number, halfX:Number = 0, halfY:Number = 0, halfZ:Number = 0):void
+        public function setTo(tree:RowTree, x:Number, y:Number, z:Number):void
         {
-            _box[0] = x - halfX;
-            _box[1] = y - halfY;
-            _box[2] = z - halfZ;
-            _box[3] = x + halfX;
-            _box[4] = y + halfY;
-            _box[5] = z + halfZ;
+            _box[0] = _box[3] = x;
+            _box[1] = _box[4] = y;
+            _box[2] = _box[5] = z;
             begin(tree, 0);
         }
 
@@ -58,7 +49,6 @@ package starlogo.queries.trees
          */
         public function setAround(tree:RowTree, body:Body):void
         {
-            // not setTo, because V8 would make objects of the Numbers
             _box[0] = body.middleX - body.halfX;
             _box[1] = body.middleY - body.halfY;
             _box[2] = body.middleZ - body.halfZ;

@@ -24,7 +24,7 @@ package starlogo.geometry
      * <ul>
      * <li>A structure of a game is placed in the world once for all questions (<code>Body.worldStructure()</code>). It is widened there by the margin
      *     of its place, so all its answers include that margin</li>
-     * <li>Where nodes of a tree decide about a structure, or give a distance, RelativePose.placeWidened() has widened one of the two by the margins of
+     * <li>Where nodes of a tree decide about a structure, or give a distance, one of the two is widened by the margins of
      *     both places. So times and distances include these</li>
      * <li>The times of two agents that are spheres (SpherePairTests) and of an agent and an edge of the world (EdgePairTests) include all that decides,
      *     because one closed form gives both</li>

@@ -82,21 +82,19 @@ package starlogo.hierarchy
         /** Sets the motion. */
         public function setMotion(motion:RelativeMotion):void
         {
-            setVector(motion.x, motion.y, motion.z, 0);
+            _inverseX = inverseOf(motion.x);
+            _inverseY = inverseOf(motion.y);
+            _inverseZ = inverseOf(motion.z);
+            _from = 0;
         }
 
         /** Sets a motion along an axis. @param axis 0, 1 or 2 @param side 1, or -1 towards the smaller coordinates */
         public function setAxis(axis:int, side:int):void
         {
-            setVector(axis == 0 ? side : 0, axis == 1 ? side : 0, axis == 2 ? side : 0, 0);
-        }
-
-        private function setVector(x:Number, y:Number, z:Number, from:Number):void
-        {
-            _inverseX = inverseOf(x);
-            _inverseY = inverseOf(y);
-            _inverseZ = inverseOf(z);
-            _from = from;
+            _inverseX = axis == 0 ? side : STILL;
+            _inverseY = axis == 1 ? side : STILL;
+            _inverseZ = axis == 2 ? side : STILL;
+            _from = 0;
         }
 
         private static function inverseOf(motion:Number):Number
@@ -113,7 +111,10 @@ package starlogo.hierarchy
         public function visitAlong(ray:Ray, tree:BoxTree, depth:int, visitor:NodeVisitor):void
         {
             setCube(ray.x, ray.y, ray.z, 0);
-            setVector(ray.directionX, ray.directionY, ray.directionZ, ray.from);
+            _inverseX = inverseOf(ray.directionX);
+            _inverseY = inverseOf(ray.directionY);
+            _inverseZ = inverseOf(ray.directionZ);
+            _from = ray.from;
             visitMet(tree, depth, visitor);
         }
 

@@ -2,7 +2,7 @@
 // 1. WalkPlanner.go: carried by a platform, pushed out of overlaps, leg by leg along the ground, a fall, and a clearance at the end
 // 2. MoveQueries.walk: moves the agent to where the Walk ends, and copies its Footing
 // 3. Slider: each way of a walk is a slide, or goes straight up or down. Both end in a MotionResult
-// 4. ShrunkSweep: how such a way starts (startMotion), what stops it first (findFirstSolidImpact), and when (findTouchTime)
+// 4. ShrunkSweep: how such a way starts (begin), what stops it first (findImpact), and when (findTouchTime)
 // 5. ShrunkBody: what stops it is what the shrunk body meets, and not what the body only touches
 // moveUntilTouch and the casts: MoveQueries, TouchSweep (TouchResult), ShrunkSweep.findStop. Slides end a clearance before a touch, these in the touch.
 // The head of MovingBody has the words of all these.

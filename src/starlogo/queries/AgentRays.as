@@ -210,7 +210,7 @@ package starlogo.queries
             _ray.to = maxDistance;
             var collector:Collector = _seen.beginCollecting(maxCount, maxDistance, null, filter);
             _search.setTo(_seen.treeOfExtents(), _ray.x, _ray.y, _ray.z);
-            _search.moveAlong(_ray.directionX, _ray.directionY, _ray.directionZ, maxDistance);
+            _search.moveAlong(_ray.directionX, _ray.directionY, _ray.directionZ);
             return collector;
         }
 

@@ -245,13 +245,16 @@ package starlogo.search
         /** Half of the largest extent. */
         public function get maxHalf():Number
         {
-            return Math.max(halfX, Math.max(halfY, halfZ));
+            // not Math.max, for which V8 would make objects of the Numbers
+            var most:Number = halfX > halfY ? halfX : halfY;
+            return most > halfZ ? most : halfZ;
         }
 
         /** Half of the smallest extent. */
         public function get minHalf():Number
         {
-            return Math.min(halfX, Math.min(halfY, halfZ));
+            var least:Number = halfX < halfY ? halfX : halfY;
+            return least < halfZ ? least : halfZ;
         }
 
         /** Half of the length of the extents along the normal of a contact. */

@@ -14,8 +14,6 @@ package starlogo.search
      */
     public final class StructureBody
     {
-        private static const UPRIGHT:Placement = new Placement();
-
         private var _body:Body = new Body();
 
         // By the kind of structure: the shape, with the structure's middle moved to the origin.
@@ -36,7 +34,7 @@ package starlogo.search
             ModelShape.requireStructure(structure);
             var shape:ModelShape = shapeOfKind(structure.kind);
             var inWorld:BoundingStructure = at == null ? structure : structure.place(at, shape.structure);
-            inWorld.findPlacedBox(UPRIGHT, _extents);
+            inWorld.findPlacedBox(Placement.IDENTITY, _extents);
             if (at == null)
             {
                 requireInWorld("half of a structure's length", _extents[3], _extents[4], _extents[5]);
@@ -44,7 +42,6 @@ package starlogo.search
             }
             // moves the structure from its place to the origin, and the body to that place
             var place:Placement = _body.placement;
-            place.copyFrom(UPRIGHT);
             place.x = -_extents[0];
             place.y = -_extents[1];
             place.z = -_extents[2];

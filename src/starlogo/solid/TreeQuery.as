@@ -63,11 +63,19 @@ package starlogo.solid
             }
         }
 
-        /** Whether one of the two is inside of the other where the motion begins. Their surfaces must not touch there. */
-        public final function beginsInside(motion:RelativeMotion):Boolean
+        /**
+         * Does what findImpactOfSurfaces() does, but if one of the two is inside of the other where the motion begins, the time is 0, and the contact's
+         * normal 0.
+         */
+        public final function findImpactOfSolids(motion:RelativeMotion, out:ContactPoint):void
         {
-            pose.setBetweenAt(placementA, motion, 0, placementB);
-            return findInside(null);
+            findImpactOfSurfaces(motion, out);
+            // the pose is still that of the beginning
+            if (motion.time > 0 && findInside(null))
+            {
+                motion.time = 0;
+                out.setNormal(0, 0, 0);
+            }
         }
 
         /**
@@ -144,7 +152,7 @@ package starlogo.solid
         }
 
         /**
-         * Finds a point of one of the two, whose surfaces do not touch in their pose, that is inside of the other.
+         * Finds a point of one of the two that is inside of the other. A search has found before that their surfaces do not touch in their pose.
          *
          * @param out receives the point twice, in the world, if there is one; null if only the answer is needed
          * @return whether there is one

@@ -13,6 +13,7 @@ package starlogo.solid
     import starlogo.hierarchy.NodeImpactVisitor;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.intersection.StructurePairs;
+    import starlogo.intersection.TriangleKernel;
 
     use namespace engine;
 
@@ -37,9 +38,9 @@ package starlogo.solid
         // The motion of a structure that stands; a search overwrites its times.
         private var _still:RelativeMotion = new RelativeMotion();
 
-        // A point that is inside of the structure, and the structure as a shape.
+        // Has the structure in a's space as a shape; a point that is inside of it.
+        private var _kernel:TriangleKernel = new TriangleKernel();
         private var _point:Vector3D = new Vector3D();
-        private var _shape:ConvexShape = new ConvexShape();
 
         private var _measured:ClosestPoints = new ClosestPoints();
 
@@ -47,9 +48,9 @@ package starlogo.solid
         public function TreeStructureQuery(counts:TreeCounts)
         {
             _nodeImpact = new NodeImpactVisitor(counts);
-            _triangleImpact = new TriangleImpactVisitor(counts);
+            _triangleImpact = new TriangleImpactVisitor(_kernel, counts);
             _nodeDistance = new NodeDistanceVisitor(counts);
-            _triangleDistance = new TriangleDistanceVisitor(counts);
+            _triangleDistance = new TriangleDistanceVisitor(_kernel, counts);
         }
 
         /**
@@ -73,7 +74,7 @@ package starlogo.solid
         public function findNearestTriangle():int
         {
             pose.setBetween(placementA, placementB);
-            var slot:int = _depth == BoxTree.EXACT ? _triangleDistance.find(_tree, _structure, pose, _measured) : -1;
+            var slot:int = _depth == BoxTree.EXACT ? _triangleDistance.find(_tree, placed(), _measured) : -1;
             return slot < 0 ? -1 : _tree.boxTree.items[slot];
         }
 
@@ -113,13 +114,19 @@ package starlogo.solid
         private function findFirstTouched(motion:RelativeMotion):int
         {
             return _depth == BoxTree.EXACT
-                ? _triangleImpact.findFirstSlot(_tree, _structure, pose, motion)
-                : _nodeImpact.findFirstNode(_tree.boxTree, _depth, _structure, pose, motion);
+                ? _triangleImpact.findFirstSlot(_tree, placed(), pose, motion)
+                : _nodeImpact.findFirstNode(_tree.boxTree, _depth, placed(), pose, motion);
+        }
+
+        // The structure in a's space. The next call overwrites it.
+        private function placed():BoundingStructure
+        {
+            return _kernel.setStructure(_structure, pose.placement);
         }
 
         private function findContactOfNode(node:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            StructurePairs.findContact(pose.place(_structure), _tree.boxTree.boxOf(node), motion, out);
+            StructurePairs.findContact(placed(), _tree.boxTree.boxOf(node), motion, out);
         }
 
         /** @inheritDoc */
@@ -127,22 +134,23 @@ package starlogo.solid
         {
             if (_depth == BoxTree.EXACT)
             {
-                _triangleDistance.find(_tree, _structure, pose, out);
+                _triangleDistance.find(_tree, placed(), out);
             }
             else
             {
-                _nodeDistance.find(_tree.boxTree, _depth, _structure, pose, out);
+                _nodeDistance.find(_tree.boxTree, _depth, placed(), pose, out);
             }
         }
 
         /** A structure that does not touch the surface is inside if one point of it is. @inheritDoc */
         override internal function findInside(out:ClosestPoints):Boolean
         {
-            var structure:BoundingStructure = pose.place(_structure);
-            // The origin of its points is inside of it. If it is round, a ball around that origin is inside too.
-            structure.setShape(_shape);
-            _point.setTo(_shape.x, _shape.y, _shape.z);
-            if (!_tree.isInside(_point, _shape.radius))
+            // The search has set the shape. The origin of its points is inside of it. If it is round, a ball around that origin is inside too.
+            var shape:ConvexShape = _kernel.shape;
+            _point.x = shape.x;
+            _point.y = shape.y;
+            _point.z = shape.z;
+            if (!_tree.isInside(_point, shape.radius))
             {
                 return false;
             }

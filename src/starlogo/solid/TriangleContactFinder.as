@@ -44,7 +44,8 @@ package starlogo.solid
 
         // The probe in a's space, the poses of that space in the spaces of both models, and what finds a model's triangles at the probe.
         private var _probe:Sphere = new Sphere(new Vector3D(), 0);
-        private var _triangleImpact:TriangleImpactVisitor = new TriangleImpactVisitor(new TreeCounts());
+        private var _ofProbe:TriangleKernel = new TriangleKernel();
+        private var _triangleImpact:TriangleImpactVisitor = new TriangleImpactVisitor(_ofProbe, new TreeCounts());
         private var _inA:RelativePose = new RelativePose();
         private var _inB:RelativePose = new RelativePose();
 
@@ -99,7 +100,7 @@ package starlogo.solid
             _probe.center.y = contact.y - motion.time * motion.y - back * normal.y;
             _probe.center.z = contact.z - motion.time * motion.z - back * normal.z;
             _still.latestTime = 1;
-            return _triangleImpact.findFirstSlot(model, _probe, pose, _still) >= 0;
+            return _triangleImpact.findFirstSlot(model, _ofProbe.setStructure(_probe, pose.placement), pose, _still) >= 0;
         }
     }
 }

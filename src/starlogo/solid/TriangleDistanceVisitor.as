@@ -6,7 +6,6 @@ package starlogo.solid
     import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.NodeVisitor;
-    import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.hierarchy.TriangleMesh;
     import starlogo.intersection.TriangleKernel;
@@ -21,7 +20,7 @@ package starlogo.solid
         private var _counts:TreeCounts;
 
         private var _mesh:TriangleMesh;
-        private var _kernel:TriangleKernel = new TriangleKernel();
+        private var _kernel:TriangleKernel;
         private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
 
         // The structure's extents: minX, maxX, minY, ...
@@ -31,9 +30,13 @@ package starlogo.solid
         private var _nearest:ClosestPoints;
         private var _slot:int = -1;
 
-        /** @param counts counts the nodes that are visited and the triangles that are tested */
-        public function TriangleDistanceVisitor(counts:TreeCounts)
+        /**
+         * @param kernel has the structure as its shape
+         * @param counts counts the nodes that are visited and the triangles that are tested
+         */
+        public function TriangleDistanceVisitor(kernel:TriangleKernel, counts:TreeCounts)
         {
+            _kernel = kernel;
             _counts = counts;
             _search = new BoxSearch(counts);
         }
@@ -42,15 +45,14 @@ package starlogo.solid
          * Finds the distance and the closest points of a model and a structure.
          *
          * @param model the model; has triangles
-         * @param structure in the space of another model
-         * @param pose the other model's pose in the first one's space
+         * @param structure in the model's space
          * @param out receives them, in the model's space
          * @return the slot of the nearest triangle
          */
-        public function find(model:ModelTree, structure:BoundingStructure, pose:RelativePose, out:ClosestPoints):int
+        public function find(model:ModelTree, structure:BoundingStructure, out:ClosestPoints):int
         {
             _mesh = model.mesh;
-            _kernel.setStructure(structure, pose.placement).extentsInto(_extents);
+            structure.extentsInto(_extents);
             _nearest = out;
             _slot = -1;
             limit = out.distance = Infinity;

@@ -32,7 +32,7 @@ package starlogo.solid
 
         // The structure's motion, which has the times of the current triangle.
         private var _motion:RelativeMotion;
-        private var _kernel:TriangleKernel = new TriangleKernel();
+        private var _kernel:TriangleKernel;
 
         // The extents of the structure's core where it is at time 0, and on its motion until the limit: minX, maxX, minY, ... The core of a round
         // structure is a point or a segment.
@@ -50,9 +50,13 @@ package starlogo.solid
         private var _found:int = -1;
         private var _firstImpact:FirstImpact = new FirstImpact();
 
-        /** @param counts counts the nodes that are visited and the triangles that are tested */
-        public function TriangleImpactVisitor(counts:TreeCounts)
+        /**
+         * @param kernel has the structure as its shape
+         * @param counts counts the nodes that are visited and the triangles that are tested
+         */
+        public function TriangleImpactVisitor(kernel:TriangleKernel, counts:TreeCounts)
         {
+            _kernel = kernel;
             _counts = counts;
             _search = new BoxSearch(counts);
         }
@@ -61,8 +65,8 @@ package starlogo.solid
          * Finds when a structure first touches a triangle of a model, and which one.
          *
          * @param model the model; has triangles
-         * @param structure in the space of another model
-         * @param pose the other model's pose in the first one's space
+         * @param structure in the model's space
+         * @param pose has the margin of the structure's place
          * @param motion of the structure, from the pose on; receives the time, and its earliest and latest times are overwritten. If it is still, the
          *     structure touches at time 0 or never
          * @return the triangle's slot, or -1
@@ -84,7 +88,7 @@ package starlogo.solid
             var shape:ConvexShape = _kernel.shape;
             _mesh = model.mesh;
             _motion = motion;
-            _kernel.setStructure(structure, pose.placement).extentsInto(extents);
+            structure.extentsInto(extents);
             shape.margin += pose.margin + Touching.marginOfSurface(model.boxTree.radius);
             var size:Number = 3 * shape.margin + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z);
             for (var i:int = 0; i < 6; i += 2)

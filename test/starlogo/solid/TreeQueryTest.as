@@ -102,7 +102,7 @@ package starlogo.solid
                 pair.findInside(out);
                 out.a.x = 7;
                 pair.setTo(cube, stands, BoxTree.EXACT, new Sphere(new Vector3D(5, 5, 5), 0.1), stands);
-                pair.pose.setBetween(pair.placementA, pair.placementB);
+                assertFalse(pair.areTouching());
                 pair.findInside(out);
                 assertEquals(7, out.a.x);
             }
@@ -110,7 +110,7 @@ package starlogo.solid
             var moved:Placement = new Placement();
             moved.x = 5;
             pair.setTo(cube, stands, BoxTree.EXACT, new Sphere(new Vector3D(-5, 0, 0.5), 0.1), moved);
-            pair.pose.setBetween(pair.placementA, pair.placementB);
+            assertTrue(pair.areTouching());
             assertTrue(pair.findInside(out));
             assertEquals(0, out.a.x);
         }

@@ -13,6 +13,7 @@ package starlogo.queries.motion
     import starlogo.convex.RelativeMotion;
     import starlogo.data.IntList;
     import starlogo.engine;
+    import starlogo.geometry.isInWorld;
     import starlogo.geometry.requireInWorld;
     import starlogo.queries.AgentFilter;
     import starlogo.queries.SeenAgents;
@@ -41,11 +42,8 @@ package starlogo.queries.motion
         // A body that is this many times half of its extent inside of a structure is inside with room to spare. Two equal ones in one place are not.
         private static const WITH_ROOM:Number = 2.1;
 
-        /**
-         * The whole body where it was tested last: a copy, because a filter's <code>accepts</code> may move the agent. Only <code>moveTo()</code> moves
-         * it. Read only.
-         */
-        public var whole:Body = new Body();
+        /** The whole body where it was tested last. Only <code>moveTo()</code> moves it. Read only. */
+        public var whole:Body = null;
 
         /** The rows that count and are near its way, in the order of the list. Read only. */
         public var rows:IntList = new IntList();
@@ -62,7 +60,8 @@ package starlogo.queries.motion
         // Finds the rows near its way.
         private var _search:SweptBoxSearch = new SweptBoxSearch();
 
-        // Makes the body of a structure.
+        // A copy of the body of an agent, because a filter's accepts may move the agent; and what makes the body of a structure.
+        private var _copy:Body = new Body();
         private var _structureBody:StructureBody = new StructureBody();
 
         // The contact with a one-way row.
@@ -85,7 +84,8 @@ package starlogo.queries.motion
         {
             _seen.requirePlaced(agent);
             this.agent = agent;
-            copyBody(_seen.bodyOf(agent));
+            _copy.copyFrom(_seen.bodyOf(agent));
+            begin(_copy);
             if (turn != 0 && hasShape)
             {
                 whole.turn(agent, turn);
@@ -93,10 +93,12 @@ package starlogo.queries.motion
             return this;
         }
 
-        private function copyBody(other:Body):MovingBody
+        private function begin(body:Body):MovingBody
         {
-            whole.copyFrom(other);
-            from.setTo(whole.placement.x, whole.placement.y, whole.placement.z);
+            whole = body;
+            from.x = body.placement.x;
+            from.y = body.placement.y;
+            from.z = body.placement.z;
             return this;
         }
 
@@ -107,23 +109,28 @@ package starlogo.queries.motion
         public function setToCastAgent(agent:Agent):MovingBody
         {
             setToAgent(agent);
-            return hasShape && whole.kind < ModelShape.TREE ? copyBody(_structureBody.setTo(whole.shape.structure, whole.placement)) : this;
+            return hasShape && whole.kind < ModelShape.TREE ? begin(_structureBody.setTo(whole.shape.structure, whole.placement)) : this;
         }
 
         /** Becomes the body of a structure in the world. See <code>StructureBody.setTo()</code>. */
         public function setToStructure(structure:BoundingStructure):MovingBody
         {
             agent = null;
-            return copyBody(_structureBody.setTo(structure));
+            return begin(_structureBody.setTo(structure));
         }
 
         /** Sets the motion that is wanted. Returns this body. Throws a RangeError that names the first of the three that is not in the world. */
         public function aim(dx:Number, dy:Number, dz:Number):MovingBody
         {
-            requireInWorld("dx of a motion", dx, 0, 0, agent);
-            requireInWorld("dy of a motion", 0, dy, 0, agent);
-            requireInWorld("dz of a motion", 0, 0, dz, agent);
-            motion.setTo(dx, dy, dz);
+            if (!isInWorld(dx, dy, dz))
+            {
+                requireInWorld("dx of a motion", dx, 0, 0, agent);
+                requireInWorld("dy of a motion", 0, dy, 0, agent);
+                requireInWorld("dz of a motion", 0, 0, dz, agent);
+            }
+            motion.x = dx;
+            motion.y = dy;
+            motion.z = dz;
             return this;
         }
 
@@ -148,7 +155,7 @@ package starlogo.queries.motion
         {
             if (searchAround())
             {
-                _search.moveAlong(motion.x, motion.y, motion.z, 1);
+                _search.moveAlong(motion.x, motion.y, motion.z);
                 collectRows(filter);
             }
         }

@@ -56,19 +56,19 @@ package starlogo.queries.motion
         /**
          * Frees the shrunk body from the obstacles that it overlaps where its motion starts.
          *
-         * @param state how the motion starts. It receives the planes of overlaps that stay. Obstacles for which a plane stands are none from then on. The
-         *     place changes if the body is pushed
+         * @param motion the motion. It receives the planes of overlaps that stay. Obstacles for which a plane stands are none from then on. Its start
+         *     changes if the body is pushed
          */
-        public function leaveOverlaps(state:MotionState):void
+        public function leaveOverlaps(motion:ShrunkSweep):void
         {
-            if (replaceByPlanes(state, false) && !pushInRounds(state.shrunk, state.obstacles, state.start, false, state.pushes))
+            if (replaceByPlanes(motion, false) && !pushInRounds(motion.shrunk, motion.obstacles, motion.start, false, motion.pushes))
             {
-                replaceByPlanes(state, true);
+                replaceByPlanes(motion, true);
             }
-            if (state.shrunk.isFlat && state.planes.count == 0)
+            if (motion.shrunk.isFlat && motion.planes.count == 0)
             {
                 // the shrunk body is as flat, and a sweep touches across a wider gap than a body that stands
-                pushOffTouches(state.shrunk, state.obstacles, state.start);
+                pushInRounds(motion.shrunk, motion.obstacles, motion.start, true, _pushesOff);
             }
         }
 
@@ -81,7 +81,7 @@ package starlogo.queries.motion
         public function restoreClearance(body:MovingBody, place:Vector3D):void
         {
             _shrunk.begin(body, body.rows, place, NO_MOTION);
-            pushOffTouches(_shrunk, body.rows, place);
+            pushInRounds(_shrunk, body.rows, place, true, _pushesOff);
         }
 
         /**
@@ -140,12 +140,6 @@ package starlogo.queries.motion
             return _shrunk.shrunkTouches(row, place) && !_shrunk.shrunkTouches(row, _above);
         }
 
-        // Pushes a body off the rows that it touches. If it does not get free, it is where it was.
-        private function pushOffTouches(shrunk:ShrunkBody, rows:IntList, place:Vector3D):void
-        {
-            pushInRounds(shrunk, rows, place, true, _pushesOff);
-        }
-
         // Pushes a body from one row after the other, in rounds, until a round needs no push: off the rows that it touches, or out of those that the
         // shrunk body overlaps. Returns whether it is free then. It is not if an overlap is not shallow. Then the body is where it was, and there are
         // no pushes.
@@ -181,16 +175,16 @@ package starlogo.queries.motion
 
         // Lets planes stand for obstacles that the shrunk body overlaps: for deep overlaps, and also for shallow ones if they are to count. These are
         // obstacles no longer, nor are one-way rows that the body passes. Returns whether obstacles are left that the shrunk body overlapped.
-        private function replaceByPlanes(state:MotionState, alsoShallow:Boolean):Boolean
+        private function replaceByPlanes(motion:ShrunkSweep, alsoShallow:Boolean):Boolean
         {
-            var obstacles:IntList = state.obstacles;
+            var obstacles:IntList = motion.obstacles;
             var isLeft:Boolean = false;
             var i:int = 0;
             while (i < obstacles.count)
             {
                 var row:int = obstacles.values[i];
-                var isOverlapped:Boolean = state.shrunk.shrunkTouches(row, state.start);
-                if (isOverlapped && (state.shrunk.mover.passesOneWayAt(row, state.start) || addPlane(row, state, alsoShallow)))
+                var isOverlapped:Boolean = motion.shrunk.shrunkTouches(row, motion.start);
+                if (isOverlapped && (motion.shrunk.body.passesOneWayAt(row, motion.start) || addPlane(row, motion, alsoShallow)))
                 {
                     obstacles.remove(row);
                 }
@@ -206,17 +200,17 @@ package starlogo.queries.motion
         // Lets a plane stand for a row that the shrunk body overlaps, if the overlap counts and a plane is needed. First the shrunk body becomes
         // narrower, for the whole motion. If it is free of the row then, no plane is needed. None is needed either if only the shrunk body overlaps
         // the row, not the body. Returns whether the plane stands.
-        private function addPlane(row:int, state:MotionState, alsoShallow:Boolean):Boolean
+        private function addPlane(row:int, motion:ShrunkSweep, alsoShallow:Boolean):Boolean
         {
-            var shrunk:ShrunkBody = state.shrunk;
-            shrunk.mover.findContact(row, state.start, alsoShallow, _contact);
-            var isCounted:Boolean = alsoShallow || !shrunk.mover.isShallow(row, _contact);
-            if (!isCounted || shrunk.narrow(row, state.start) || !shrunk.bodyOverlaps(row, state.start))
+            var shrunk:ShrunkBody = motion.shrunk;
+            shrunk.body.findContact(row, motion.start, alsoShallow, _contact);
+            var isCounted:Boolean = alsoShallow || !shrunk.body.isShallow(row, _contact);
+            if (!isCounted || shrunk.narrow(row, motion.start) || !shrunk.bodyOverlaps(row, motion.start))
             {
                 return false;
             }
-            state.planes.add(_contact, row);
-            shrunk.mover.warnIfInside(row, _contact);
+            motion.planes.add(_contact, row);
+            shrunk.body.warnIfInside(row, _contact);
             return true;
         }
 
@@ -228,23 +222,23 @@ package starlogo.queries.motion
             {
                 return 0;
             }
-            findContactOfPush(shrunk.mover, row, place, round, last, out);
-            return shrunk.mover.isShallow(row, out) ? out.depth + shrunk.clearance : Infinity;
+            findContactOfPush(shrunk.body, row, place, round, last, out);
+            return shrunk.body.isShallow(row, out) ? out.depth + shrunk.clearance : Infinity;
         }
 
         // Finds the contact for a push off a row. Returns the length of the push: 0 if the body does not touch the row, overlaps it deeply or passes it.
         private function findPushOff(shrunk:ShrunkBody, row:int, place:Vector3D, round:int, last:ContactPoint, out:ContactPoint):Number
         {
-            var mover:MovingBody = shrunk.mover;
+            var body:MovingBody = shrunk.body;
             // mostly it is known faster that the shrunk body touches the row than how deep the overlap is
-            if (!findTouchingPlace(shrunk, row, place, _touching) || mover.passesOneWayAt(row, _touching)
+            if (!findTouchingPlace(shrunk, row, place, _touching) || body.passesOneWayAt(row, _touching)
                     || (!shrunk.isFlat && shrunk.shrunkTouches(row, place)))
             {
                 return 0;
             }
-            findContactOfPush(mover, row, _touching, round, last, out);
+            findContactOfPush(body, row, _touching, round, last, out);
             var most:Number = SLOPS_OF_TOUCH * shrunk.slop;
-            if (out.depth > most && !mover.isShallow(row, out))
+            if (out.depth > most && !body.isShallow(row, out))
             {
                 return 0;
             }
@@ -254,20 +248,20 @@ package starlogo.queries.motion
         }
 
         // Finds the contact with a row that the body touches at a place. It does not lead back against the last push if another contact does not.
-        private static function findContactOfPush(mover:MovingBody, row:int, place:Vector3D, round:int, last:ContactPoint, out:ContactPoint):void
+        private static function findContactOfPush(body:MovingBody, row:int, place:Vector3D, round:int, last:ContactPoint, out:ContactPoint):void
         {
             var isSeparating:Boolean = round >= FIRST_SEPARATING_ROUND;
-            mover.findContact(row, place, isSeparating, out);
+            body.findContact(row, place, isSeparating, out);
             if (!isSeparating && leadsBack(out, last))
             {
-                mover.findContact(row, place, true, out);
+                body.findContact(row, place, true, out);
             }
         }
 
         // Finds an overlap that a walk begins with a push out of: see measureOverlaps. Returns whether it counts.
         private static function measureOverlap(shrunk:ShrunkBody, row:int, place:Vector3D, out:ContactPoint):Boolean
         {
-            var body:MovingBody = shrunk.mover;
+            var body:MovingBody = shrunk.body;
             if (body.isOneWay(row) || !shrunk.shrunkTouches(row, place))
             {
                 return false;

@@ -32,6 +32,9 @@ package starlogo.queries.motion
         // The way from there to where it comes.
         private var _motion:Vector3D = new Vector3D();
 
+        // Tells whether the platform is in the way.
+        private var _sweep:ShrunkSweep = new ShrunkSweep();
+
         // How the agent goes with the platform.
         private var _slid:MotionResult = new MotionResult();
         private var _straight:MotionResult = new MotionResult();
@@ -136,7 +139,7 @@ package starlogo.queries.motion
         {
             _motion.copyFrom(place);
             _motion.decrementBy(_carried);
-            return _slider.meets(walk.body, platform, _carried, _motion);
+            return _sweep.meets(walk.body, platform, _carried, _motion);
         }
     }
 }

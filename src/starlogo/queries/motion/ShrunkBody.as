@@ -43,7 +43,7 @@ package starlogo.queries.motion
         private static const FLAT_SLOPS:Number = 0.01;
 
         /** Has the whole body. Read only. */
-        public var mover:MovingBody;
+        public var body:MovingBody;
 
         /**
          * The slop of the motion, in patches: how far the shrunk body's nearest faces are behind the body's own. They are less far behind if the body
@@ -76,20 +76,20 @@ package starlogo.queries.motion
         /**
          * Becomes the shrunk body on a motion, with an inset of a slop, and finds the motion's tolerances.
          *
-         * @param mover has the whole body
+         * @param body has the whole body
          * @param rows the rows that may be in the way
          * @param from where the motion begins
          * @param motion the whole motion
          */
-        public function begin(mover:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D):void
+        public function begin(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D):void
         {
-            var extent:Number = mover.extent;
+            var extent:Number = body.extent;
             var largest:Number = extent;
             var cell:Number = 0;
-            this.mover = mover;
+            this.body = body;
             for (var i:int = 0; i < rows.count; i++)
             {
-                var other:Body = mover.bodyOf(rows.values[i]);
+                var other:Body = body.bodyOf(rows.values[i]);
                 if (other.kind == ModelShape.GROUND)
                 {
                     cell = other.shape.grid.cellWidth;
@@ -100,7 +100,7 @@ package starlogo.queries.motion
             clearance = slop / 4;
             _maxInset = slop + SHALLOW * largest;
             setInset(slop);
-            isFlat = shrink * mover.whole.minHalf < FLAT_SLOPS * slop;
+            isFlat = shrink * body.whole.minHalf < FLAT_SLOPS * slop;
         }
 
         /**
@@ -143,16 +143,18 @@ package starlogo.queries.motion
         private function setInset(width:Number):void
         {
             _inset = width;
-            shrink = shrinkOf(mover.whole, width);
-            _shrunk.copyFrom(mover.whole);
+            shrink = shrinkOf(body.whole, width);
+            _shrunk.copyFrom(body.whole);
             _shrunk.shrink(shrink);
         }
 
         /** Moves the shrunk body to where it is when the body stands at a place. Returns the shrunk body, which stays there until the next call. */
         public function moveTo(place:Vector3D):Body
         {
-            var whole:Body = mover.whole;
-            _place.setTo(place.x + shrink * whole.offsetX, place.y + shrink * whole.offsetY, place.z + shrink * whole.offsetZ);
+            var whole:Body = body.whole;
+            _place.x = place.x + shrink * whole.offsetX;
+            _place.y = place.y + shrink * whole.offsetY;
+            _place.z = place.z + shrink * whole.offsetZ;
             _shrunk.moveTo(_place);
             return _shrunk;
         }
@@ -175,13 +177,13 @@ package starlogo.queries.motion
         /** Whether the whole body touches a row when it stands at a place. It compares their extents first. */
         public function bodyTouches(row:int, place:Vector3D):Boolean
         {
-            return isNear(mover.moveTo(place), mover.bodyOf(row), RelativeMotion.NONE) && mover.touches(row, place);
+            return isNear(body.moveTo(place), body.bodyOf(row), RelativeMotion.NONE) && body.touches(row, place);
         }
 
         /** Whether the shrunk body touches a row when the body stands at a place. The whole body is tested first, because mostly it does not touch either. */
         public function shrunkTouches(row:int, place:Vector3D):Boolean
         {
-            return bodyTouches(row, place) && mover.narrowPhase.areTouching(moveTo(place), mover.bodyOf(row));
+            return bodyTouches(row, place) && body.narrowPhase.areTouching(moveTo(place), body.bodyOf(row));
         }
 
         /**
@@ -191,15 +193,15 @@ package starlogo.queries.motion
          */
         public function bodyOverlaps(row:int, place:Vector3D):Boolean
         {
-            var other:Body = mover.bodyOf(row);
-            var whole:Body = mover.moveTo(place);
+            var other:Body = body.bodyOf(row);
+            var whole:Body = body.moveTo(place);
             if (other.kind == ModelShape.GROUND)
             {
-                return mover.narrowPhase.groundTestsOf(other).isDeeper(whole, other, slop);
+                return body.narrowPhase.groundTestsOf(other).isDeeper(whole, other, slop);
             }
             _smaller.copyFrom(other);
             _smaller.shrink(shrinkOf(other, slop));
-            return mover.narrowPhase.areTouching(whole, _smaller);
+            return body.narrowPhase.areTouching(whole, _smaller);
         }
 
         // The part of its size that a body loses with an inset.

@@ -5,6 +5,7 @@ package starlogo.queries.motion
     import starlogo.convex.RelativeMotion;
     import starlogo.data.IntList;
     import starlogo.engine;
+    import starlogo.geometry.copyVector;
     import starlogo.geometry.Tolerances;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
@@ -13,8 +14,9 @@ package starlogo.queries.motion
     use namespace engine;
 
     /**
-     * Finds how a motion starts, what stops a body on a straight motion, and when. It sweeps the shrunk body, which does not meet what the body only
-     * touches, leaves or runs along. Casts, slides and straight motions start with <code>startMotion()</code>.
+     * A motion of a body: how it starts, what stops it next, and when. It sweeps the shrunk body, which does not meet what the body only touches, leaves
+     * or runs along. Casts, slides and straight motions begin with <code>begin()</code>. A slide then goes on from place to place: it adds planes, and
+     * finds the next impact.
      *
      * <p>docs/mover.md derives the quantities.</p>
      *
@@ -25,117 +27,124 @@ package starlogo.queries.motion
         // The shrunk body meets a surface at a grazing angle if the sine of the angle between the surface and the motion is at most this.
         private static const GRAZING_SINE:Number = 0.1;
 
+        /** The shrunk body on this motion, and the motion's tolerances. Read only, like the fields below. */
+        public var shrunk:ShrunkBody = new ShrunkBody();
+
+        /** Where the body starts. It differs from where the motion should start if the body was pushed out of something. */
+        public var start:Vector3D = new Vector3D();
+
+        /** The pushes out of shallow overlaps: each along the normal of a contact, a clearance farther than its depth. */
+        public var pushes:ContactList = new ContactList();
+
+        /** The contacts of overlaps that stay (deep, or without a way out), and those that a slide has met. The motion must not cross their planes. */
+        public var planes:ContactList = new ContactList();
+
+        /**
+         * The rows that can stop the motion. Who begins it sets them to the rows that may be in its way. Later they are not those that a plane stands
+         * for, and no one-way rows that the body passes.
+         */
+        public var obstacles:IntList = new IntList();
+
+        /** What the shrunk body meets next, once it is known. */
+        public var impact:Impact = new Impact();
+
         private var _recovery:OverlapRecovery = new OverlapRecovery();
 
         // How the shrunk body meets one row.
         private var _met:Impact = new Impact();
 
-        // The motion of the shrunk body past a row, and the place of the body at its end.
+        // A motion past a row, and the place of the body at its end.
         private var _relative:RelativeMotion = new RelativeMotion();
         private var _end:Vector3D = new Vector3D();
 
         /**
-         * Starts a motion: it finds the tolerances, sweeps the shrunk body, and frees the body from what it overlaps. If the body overlaps nothing,
-         * the sweep has found what stops the motion first.
+         * Begins a motion: it finds the tolerances, sweeps the shrunk body, and frees the body from what it overlaps.
          *
-         * @param rows the rows that may be in its way
-         * @param from where the motion begins
-         * @param out receives the answer
+         * @param from where the motion should start
+         * @return whether the impact is known: the motion has no length, or the sweep has shown that the shrunk body overlaps nothing. Otherwise the
+         *     obstacles must be swept from the start
          */
-        public function startMotion(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, out:MotionState):void
+        public function begin(body:MovingBody, from:Vector3D, motion:Vector3D):Boolean
         {
-            out.start.copyFrom(from);
-            out.pushes.clear();
-            out.planes.clear();
-            out.obstacles.copyFrom(rows);
-            out.impact.row = -1;
-            out.shrunk.begin(body, rows, from, motion);
-            out.isImpactKnown = !hasLength(motion) || tryStartFree(out.shrunk, out.obstacles, from, motion, out.impact);
-            if (!out.isImpactKnown)
+            copyVector(from, start);
+            pushes.clear();
+            planes.clear();
+            impact.row = -1;
+            shrunk.begin(body, obstacles, from, motion);
+            if (!hasLength(motion))
             {
-                _recovery.leaveOverlaps(out);
+                return true;
             }
+            if (shrunk.isFlat || (findFirst(start, motion, true, impact) && (impact.time == 0 || body.isOneWay(impact.row))))
+            {
+                // it overlaps something, or a sweep cannot tell
+                _recovery.leaveOverlaps(this);
+                return false;
+            }
+            return true;
         }
 
         /**
          * Finds what stops a straight motion: a plane of an overlap, or an obstacle.
          *
-         * @param rows the rows that may be in its way
-         * @param from where the motion begins
-         * @param state receives how it starts, and what stops it as its impact
+         * @param from where the motion should start
          * @return when the body touches that: from 0 to 1; 0 for a plane, 1 if nothing stops it
          */
-        public function findStop(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, state:MotionState):Number
+        public function findStop(body:MovingBody, from:Vector3D, motion:Vector3D):Number
         {
-            startMotion(body, rows, from, motion, state);
-            if (!state.isImpactKnown)
+            if (!begin(body, from, motion))
             {
-                if (findCrossedPlane(state.planes, motion, state.impact))
+                if (findCrossedPlane(motion))
                 {
                     return 0;
                 }
-                findFirstSolidImpact(state.shrunk, state.obstacles, state.start, motion, state.impact);
+                findImpact(start, motion);
             }
-            return state.impact.isMet ? findTouchTime(state.shrunk, state.start, motion, state.impact) : 1;
+            return impact.isMet ? findTouchTime(start, motion) : 1;
         }
 
         /**
-         * Finds which row a shrunk body meets first, also if it is a one-way row that the body passes: none, if the motion has no length. Of rows
-         * with the same <code>orderTime</code>, the first one in their order counts.
+         * Finds which obstacle the shrunk body meets first, also if it is a one-way row that the body passes: none, if the motion has no length. Of
+         * those with the same <code>orderTime</code>, the first one in their order counts.
          *
-         * @param from where the motion begins
+         * @param from where the body is
+         * @param motion what is left of the motion
          * @param out receives the answer
          * @return whether anything is met
          */
-        public function findFirstImpact(shrunk:ShrunkBody, rows:IntList, from:Vector3D, motion:Vector3D, out:Impact):Boolean
+        public function findFirstImpact(from:Vector3D, motion:Vector3D, out:Impact):Boolean
         {
             out.row = -1;
-            out.time = out.orderTime = RelativeMotion.NEVER;
-            var end:int = hasLength(motion) ? rows.count : 0;
-            for (var i:int = 0; i < end && out.orderTime > 0; i++)
-            {
-                if (findRowImpact(shrunk, rows.values[i], from, motion, _met) && _met.orderTime < out.orderTime)
-                {
-                    out.copyFrom(_met);
-                }
-            }
-            return out.isMet;
+            return hasLength(motion) && findFirst(from, motion, false, out);
         }
 
-        /**
-         * Finds which obstacle a shrunk body meets first.
-         *
-         * @param obstacles the rows that can stop it. One-way rows that the body passes leave the list
-         * @param from where the motion begins
-         * @param out receives the answer
-         */
-        public function findFirstSolidImpact(shrunk:ShrunkBody, obstacles:IntList, from:Vector3D, motion:Vector3D, out:Impact):void
+        /** Finds the impact: which obstacle stops the shrunk body first. One-way rows that the body passes leave the obstacles. */
+        public function findImpact(from:Vector3D, motion:Vector3D):void
         {
-            while (findFirstImpact(shrunk, obstacles, from, motion, out) && shrunk.mover.passesOneWay(out.row, out.contact))
+            while (findFirstImpact(from, motion, impact) && shrunk.body.passesOneWay(impact.row, impact.contact))
             {
-                obstacles.remove(out.row);
+                obstacles.remove(impact.row);
             }
         }
 
-        /** Whether a row would stop a shrunk body on a straight motion. What it overlaps at the beginning stops it too. */
-        public function meets(shrunk:ShrunkBody, row:int, from:Vector3D, motion:Vector3D):Boolean
+        /** Whether a row near the way of a body would stop its shrunk body on a straight motion. What that overlaps at the beginning stops it too. */
+        public function meets(body:MovingBody, row:int, from:Vector3D, motion:Vector3D):Boolean
         {
-            return hasLength(motion) && findRowImpact(shrunk, row, from, motion, _met);
+            shrunk.begin(body, body.rows, from, motion);
+            return hasLength(motion) && findRowImpact(row, from, motion, false, _met);
         }
 
         /**
-         * Finds when the whole body touches the row that the shrunk body has met. The body touches the contact's plane earlier, because its surface
+         * Finds when the whole body touches the row of the impact. The body touches the contact's plane earlier than the shrunk body, because its surface
          * is in front of the shrunk body's at the contact. Only an inner face of a concave body is behind the shrunk body's, and touches later.
          * Mostly the touch of the plane is the touch. But at a grazing angle, the body touches a curved surface much nearer to where the shrunk body
          * does. So there, and at an inner face, the body is swept too. Its time counts if it is between the two. If the body touches the row
          * elsewhere, before or after, the nearer one of the two counts.
-         *
-         * @param impact how the shrunk body meets it
          */
-        public function findTouchTime(shrunk:ShrunkBody, from:Vector3D, motion:Vector3D, impact:Impact):Number
+        public function findTouchTime(from:Vector3D, motion:Vector3D):Number
         {
             var contact:ContactPoint = impact.contact;
-            var whole:Body = shrunk.mover.whole;
+            var whole:Body = shrunk.body.whole;
             var shrink:Number = shrunk.shrink;
             var recess:Number = shrink / (1 - shrink) * (contact.normalX * (from.x + whole.offsetX + impact.time * motion.x - contact.x)
                     + contact.normalY * (from.y + whole.offsetY + impact.time * motion.y - contact.y)
@@ -148,10 +157,10 @@ package starlogo.queries.motion
                 return ofPlane;
             }
             setAlong(from, motion, 1, _end);
-            shrunk.mover.moveTo(_end);
-            var other:Body = shrunk.mover.bodyOf(impact.row);
+            shrunk.body.moveTo(_end);
+            var other:Body = shrunk.body.bodyOf(impact.row);
             _relative.endAfter(motion.x, motion.y, motion.z);
-            shrunk.mover.narrowPhase.pairTestsFor(whole, other).findImpactOfSurfaces(whole, other, _relative, null);
+            shrunk.body.narrowPhase.pairTestsFor(whole, other).findImpactOfSurfaces(whole, other, _relative, null);
             var earliest:Number = Math.min(ofPlane, impact.time);
             var latest:Number = Math.max(ofPlane, impact.time);
             return Math.max(earliest, Math.min(latest, _relative.time));
@@ -160,7 +169,10 @@ package starlogo.queries.motion
         /** Sets the place at a time of a motion. */
         public static function setAlong(from:Vector3D, motion:Vector3D, time:Number, out:Vector3D):void
         {
-            out.setTo(from.x + time * motion.x, from.y + time * motion.y, from.z + time * motion.z);
+            // not setTo, because the ES module checks its arguments
+            out.x = from.x + time * motion.x;
+            out.y = from.y + time * motion.y;
+            out.z = from.z + time * motion.z;
         }
 
         private static function hasLength(motion:Vector3D):Boolean
@@ -168,64 +180,54 @@ package starlogo.queries.motion
             return motion.lengthSquared > Tolerances.VANISHING;
         }
 
-        // Tries to find what stops the shrunk body first by a sweep alone. Returns whether it has succeeded: then the shrunk body overlaps nothing where the
-        // motion begins. Otherwise the impact means nothing: the body is flat, or touches something there, or a one-way obstacle comes first.
-        private function tryStartFree(shrunk:ShrunkBody, obstacles:IntList, from:Vector3D, motion:Vector3D, out:Impact):Boolean
-        {
-            if (shrunk.isFlat || (findFirstImpact(shrunk, obstacles, from, motion, out) && (out.time == 0 || shrunk.mover.isOneWay(out.row))))
-            {
-                return false;
-            }
-            // it touches no surface where the motion begins
-            setAlong(from, motion, 1, _end);
-            _relative.endAfter(motion.x, motion.y, motion.z);
-            var isInside:Boolean = false;
-            for (var i:int = 0; i < obstacles.count && !isInside; i++)
-            {
-                isInside = beginsInside(shrunk, obstacles.values[i], _end, _relative);
-            }
-            return !isInside;
-        }
-
-        // Whether the shrunk body or a row is inside of the other where a motion begins.
-        private static function beginsInside(shrunk:ShrunkBody, row:int, end:Vector3D, motion:RelativeMotion):Boolean
-        {
-            var moved:Body = shrunk.moveTo(end);
-            var other:Body = shrunk.mover.bodyOf(row);
-            return shrunk.isNear(moved, other, motion) && shrunk.mover.narrowPhase.pairTestsFor(moved, other).beginsInside(moved, other, motion);
-        }
-
-        // Finds the plane that the motion crosses at the steepest angle. Its contact is without a triangle, because the plane stands for all triangles of the
-        // row. Returns whether the motion crosses one.
-        private static function findCrossedPlane(planes:ContactList, motion:Vector3D, out:Impact):Boolean
+        // Finds the plane that the motion crosses at the steepest angle. It becomes the impact, without a triangle, because the plane stands for all
+        // triangles of the row. Returns whether the motion crosses one.
+        private function findCrossedPlane(motion:Vector3D):Boolean
         {
             var least:Number = -RemainingMotion.PARALLEL_SINE * motion.length;
-            out.row = -1;
+            impact.row = -1;
             for (var i:int = 0; i < planes.count; i++)
             {
                 var along:Number = planes.contacts[i].along(motion);
                 if (along < least)
                 {
                     least = along;
-                    out.row = planes.rows[i];
-                    out.contact.copyFrom(planes.contacts[i]);
+                    impact.row = planes.rows[i];
+                    impact.contact.copyFrom(planes.contacts[i]);
                 }
             }
-            out.time = out.orderTime = 0;
-            out.isNormalFallback = false;
-            out.contact.triangle = -1;
+            impact.time = impact.orderTime = 0;
+            impact.isNormalFallback = false;
+            impact.contact.triangle = -1;
+            return impact.isMet;
+        }
+
+        // Finds which obstacle the shrunk body meets first. If the motion starts there, the body may be inside of obstacles, and meets these at once.
+        // Returns whether it meets any.
+        private function findFirst(from:Vector3D, motion:Vector3D, isStart:Boolean, out:Impact):Boolean
+        {
+            out.row = -1;
+            out.time = out.orderTime = RelativeMotion.NEVER;
+            for (var i:int = 0; i < obstacles.count && out.orderTime > 0; i++)
+            {
+                if (findRowImpact(obstacles.values[i], from, motion, isStart, _met) && _met.orderTime < out.orderTime)
+                {
+                    out.copyFrom(_met);
+                }
+            }
             return out.isMet;
         }
 
         // Finds when and how a row stops the shrunk body. If the first contact does not point against the motion, the shrunk body leaves there what
         // it touches. At the same time it may enter another face, as the top of a tile at its edge. So it is swept again from a clearance farther on.
         // A flat shrunk body may be past a sheet there, so it is not swept again. Returns whether the row stops it.
-        private function findRowImpact(shrunk:ShrunkBody, row:int, from:Vector3D, motion:Vector3D, out:Impact):Boolean
+        private function findRowImpact(row:int, from:Vector3D, motion:Vector3D, isStart:Boolean, out:Impact):Boolean
         {
             var contact:ContactPoint = out.contact;
             setAlong(from, motion, 1, _end);
             _relative.endAfter(motion.x, motion.y, motion.z);
-            if (!sweepShrunk(shrunk, row, _end, _relative, contact))
+            sweepPast(row, isStart, contact);
+            if (_relative.time == RelativeMotion.NEVER)
             {
                 return false;
             }
@@ -238,7 +240,8 @@ package starlogo.queries.motion
                 var beyond:Number = Math.min(1, out.time + clearanceTime);
                 var rest:Number = 1 - beyond;
                 _relative.endAfter(rest * motion.x, rest * motion.y, rest * motion.z);
-                if (!sweepShrunk(shrunk, row, _end, _relative, contact))
+                sweepPast(row, false, contact);
+                if (_relative.time == RelativeMotion.NEVER)
                 {
                     return false;
                 }
@@ -256,24 +259,26 @@ package starlogo.queries.motion
             return true;
         }
 
-        // Finds when and how the shrunk body first meets a row on a motion, which receives the time. Returns whether it meets the row.
-        private static function sweepShrunk(shrunk:ShrunkBody, row:int, end:Vector3D, motion:RelativeMotion, out:ContactPoint):Boolean
+        // Finds when and how the shrunk body first meets a row on a motion to _end, which receives the time. A sheet may be wholly under the ground at any
+        // time, and then it touches no surface.
+        private function sweepPast(row:int, isStart:Boolean, out:ContactPoint):void
         {
-            var moved:Body = shrunk.moveTo(end);
-            var other:Body = shrunk.mover.bodyOf(row);
-            motion.time = RelativeMotion.NEVER;
-            if (shrunk.isNear(moved, other, motion))
+            var moved:Body = shrunk.moveTo(_end);
+            var other:Body = shrunk.body.bodyOf(row);
+            if (!shrunk.isNear(moved, other, _relative))
             {
-                var tests:PairTests = shrunk.mover.narrowPhase.pairTestsFor(moved, other);
-                tests.findImpactOfSurfaces(moved, other, motion, out);
-                // a sheet may be wholly under the ground at the beginning, and then it touches no surface
-                if (motion.time == RelativeMotion.NEVER && other.kind == ModelShape.GROUND && tests.beginsInside(moved, other, motion))
-                {
-                    motion.time = 0;
-                    out.setNormal(0, 0, 0);
-                }
+                _relative.time = RelativeMotion.NEVER;
+                return;
             }
-            return motion.time != RelativeMotion.NEVER;
+            var tests:PairTests = shrunk.body.narrowPhase.pairTestsFor(moved, other);
+            if (isStart || other.kind == ModelShape.GROUND)
+            {
+                tests.findImpactOfSolids(moved, other, _relative, out);
+            }
+            else
+            {
+                tests.findImpactOfSurfaces(moved, other, _relative, out);
+            }
         }
     }
 }

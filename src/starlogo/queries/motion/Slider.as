@@ -21,10 +21,8 @@ package starlogo.queries.motion
         // A slide turns at this many contacts at most.
         private static const MAX_CONTACTS:int = 8;
 
+        // The motion, what remains of it, and what stops it first without one of the planes.
         private var _sweep:ShrunkSweep = new ShrunkSweep();
-
-        // The state of the motion, what remains of it, and what stops it first without one of the planes.
-        private var _state:MotionState = new MotionState();
         private var _remaining:RemainingMotion = new RemainingMotion();
         private var _impactWithoutPlane:Impact = new Impact();
 
@@ -39,48 +37,50 @@ package starlogo.queries.motion
          */
         public function slide(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, limits:SlideLimits, out:MotionResult):void
         {
-            var shrunk:ShrunkBody = _state.shrunk;
-            var planes:ContactList = _state.planes;
-            var impact:Impact = _state.impact;
+            var impact:Impact = _sweep.impact;
             out.wallRow = -1;
             out.row = -1;
             _remaining.begin(motion, limits);
-            _sweep.startMotion(body, rows, from, _remaining.motion, _state);
-            out.hasPlanes = planes.count > 0;
-            out.place.copyFrom(_state.start);
-            if (!_state.isImpactKnown)
+            _sweep.obstacles.copyFrom(rows);
+            var isKnown:Boolean = _sweep.begin(body, from, _remaining.motion);
+            out.hasPlanes = _sweep.planes.count > 0;
+            out.place.copyFrom(_sweep.start);
+            if (!isKnown)
             {
                 _remaining.beginCorner();
                 if (limits == SlideLimits.LEVEL)
                 {
-                    makePlanesUpright(planes, _remaining);
+                    makePlanesUpright(_sweep.planes, _remaining);
                 }
-                _remaining.project(planes);
-                _sweep.findFirstSolidImpact(shrunk, _state.obstacles, out.place, _remaining.motion, impact);
+                turn(out.place);
             }
             // the planes from this index on belong to the corner where the body is
-            var corner:int = planes.count;
+            var corner:int = _sweep.planes.count;
             for (var contacts:int = 0; contacts < MAX_CONTACTS && impact.isMet; contacts++)
             {
-                if (!isInCorner(shrunk, impact, _remaining.motion))
+                if (!isInCorner(impact, _remaining.motion))
                 {
                     _remaining.beginCorner();
-                    corner = planes.count;
+                    corner = _sweep.planes.count;
                 }
-                var touchTime:Number = _sweep.findTouchTime(shrunk, out.place, _remaining.motion, impact);
-                _remaining.advance(out.place, Math.max(touchTime + shrunk.clearance / impact.contact.along(_remaining.motion), 0));
+                var touchTime:Number = _sweep.findTouchTime(out.place, _remaining.motion);
+                _remaining.advance(out.place, Math.max(touchTime + _sweep.shrunk.clearance / impact.contact.along(_remaining.motion), 0));
                 noteContact(impact, limits, _remaining, out);
-                var newest:int = planes.add(impact.contact, impact.row);
-                dropNeedlessPlanes(out.place, _remaining, _state, corner, newest);
-                _remaining.project(planes);
-                _sweep.findFirstSolidImpact(shrunk, _state.obstacles, out.place, _remaining.motion, impact);
+                dropNeedlessPlanes(out.place, corner, _sweep.planes.add(impact.contact, impact.row));
+                turn(out.place);
             }
             if (!impact.isMet)
             {
                 _remaining.advance(out.place, 1);
             }
-            var wantedLength:Number = motion.length;
-            out.fraction = _remaining.travelled < wantedLength ? _remaining.travelled / wantedLength : 1;
+            out.fraction = _remaining.travelled < motion.length ? _remaining.travelled / motion.length : 1;
+        }
+
+        // Turns what remains of the motion out of the planes, and finds what stops it then.
+        private function turn(place:Vector3D):void
+        {
+            _remaining.project(_sweep.planes);
+            _sweep.findImpact(place, _remaining.motion);
         }
 
         /**
@@ -93,24 +93,18 @@ package starlogo.queries.motion
          */
         public function moveStraight(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, out:MotionResult):void
         {
-            out.fraction = _sweep.findStop(body, rows, from, motion, _state);
-            out.hasPlanes = _state.planes.count > 0;
+            _sweep.obstacles.copyFrom(rows);
+            out.fraction = _sweep.findStop(body, from, motion);
+            out.hasPlanes = _sweep.planes.count > 0;
             out.wallRow = -1;
-            out.row = _state.impact.row;
+            out.row = _sweep.impact.row;
             var end:Number = 1;
             if (out.hasContact)
             {
-                out.contact.copyFrom(_state.impact.contact);
-                end = Math.max(out.fraction + _state.shrunk.clearance / out.contact.along(motion), 0);
+                out.contact.copyFrom(_sweep.impact.contact);
+                end = Math.max(out.fraction + _sweep.shrunk.clearance / out.contact.along(motion), 0);
             }
-            ShrunkSweep.setAlong(_state.start, motion, end, out.place);
-        }
-
-        /** Whether a row, one of those near the way of a body, would stop a straight motion. */
-        public function meets(body:MovingBody, row:int, from:Vector3D, motion:Vector3D):Boolean
-        {
-            _state.shrunk.begin(body, body.rows, from, motion);
-            return _sweep.meets(_state.shrunk, row, from, motion);
+            ShrunkSweep.setAlong(_sweep.start, motion, end, out.place);
         }
 
         // Notes what a slide meets. What is too steep becomes an upright wall. The rest climbs what is not.
@@ -150,7 +144,7 @@ package starlogo.queries.motion
         {
             for (var i:int = 0; i < planes.count; i++)
             {
-                if (Math.abs(planes.contacts[i].normalZ) < SlideLimits.LEVEL_Z)
+                if (Math.abs(planes.contacts[i].normalZ) < SlideLimits.LEVEL.leastFloorZ)
                 {
                     makeUpright(planes.contacts[i], remaining);
                 }
@@ -160,33 +154,32 @@ package starlogo.queries.motion
         // Removes planes of this corner that are not needed, but not the newest. At the edges of tiles, a contact's plane may belong to a side that the
         // next tile hides. A plane is removed if the motion meets nothing in this corner without it. The rest of the motion has to be projected again
         // afterwards.
-        private function dropNeedlessPlanes(place:Vector3D, remaining:RemainingMotion, state:MotionState, corner:int, newest:int):void
+        private function dropNeedlessPlanes(place:Vector3D, corner:int, newest:int):void
         {
-            for (var i:int = state.planes.count - 1; i >= corner; i--)
+            for (var i:int = _sweep.planes.count - 1; i >= corner; i--)
             {
                 if (i != newest)
                 {
-                    remaining.project(state.planes, i);
-                    if (remaining.motion.lengthSquared > 0 && !meetsInCorner(state, place, remaining.motion))
+                    _remaining.project(_sweep.planes, i);
+                    if (_remaining.motion.lengthSquared > 0 && !meetsInCorner(place))
                     {
-                        state.planes.remove(i);
+                        _sweep.planes.remove(i);
                     }
                 }
             }
         }
 
-        // Whether a motion from this corner is stopped in it.
-        private function meetsInCorner(state:MotionState, place:Vector3D, motion:Vector3D):Boolean
+        // Whether what remains of the motion is stopped in this corner.
+        private function meetsInCorner(place:Vector3D):Boolean
         {
-            return _sweep.findFirstImpact(state.shrunk, state.obstacles, place, motion, _impactWithoutPlane)
-                && isInCorner(state.shrunk, _impactWithoutPlane, motion)
-                && !state.shrunk.mover.passesOneWay(_impactWithoutPlane.row, _impactWithoutPlane.contact);
+            return _sweep.findFirstImpact(place, _remaining.motion, _impactWithoutPlane) && isInCorner(_impactWithoutPlane, _remaining.motion)
+                && !_sweep.shrunk.body.passesOneWay(_impactWithoutPlane.row, _impactWithoutPlane.contact);
         }
 
         // Whether what a motion meets first is met in the corner where it begins.
-        private static function isInCorner(shrunk:ShrunkBody, impact:Impact, motion:Vector3D):Boolean
+        private function isInCorner(impact:Impact, motion:Vector3D):Boolean
         {
-            return impact.time * motion.length < SAME_CORNER * shrunk.slop;
+            return impact.time * motion.length < SAME_CORNER * _sweep.shrunk.slop;
         }
     }
 }

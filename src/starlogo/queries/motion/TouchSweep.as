@@ -2,8 +2,9 @@ package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
-    import starlogo.data.IntList;
     import starlogo.data.SortableIntList;
+    import starlogo.geometry.compareVectors;
+    import starlogo.geometry.copyVector;
     import starlogo.geometry.Tolerances;
 
     /**
@@ -11,7 +12,7 @@ package starlogo.queries.motion
      * it only touches, leaves or runs along does not stop it, because the shrunk body is swept (ShrunkSweep).
      *
      * <p>Each row is tested alone, from where the body begins. If the body overlaps one of them a little there, it is tested again, from the start to which
-     * pushes out of all rows together lead the body (ShrunkSweep.startMotion). The answers are as without pushes: each push is taken out of the time
+     * pushes out of all rows together lead the body (ShrunkSweep.begin). The answers are as without pushes: each push is taken out of the time
      * of a touch and of the end of the motion. But the end is no deeper in what the body was pushed out of.</p>
      *
      * @private
@@ -29,14 +30,11 @@ package starlogo.queries.motion
         // meet it.
         private static const SLOPS_TO_LEAVE:Number = 2;
 
-        private var _sweep:ShrunkSweep = new ShrunkSweep();
+        // The motion among all rows.
+        private var _among:ShrunkSweep = new ShrunkSweep();
 
-        // How the motion starts among all rows.
-        private var _start:MotionState = new MotionState();
-
-        // A row alone as a list, and how the motion starts with it.
-        private var _rowAlone:IntList = new IntList();
-        private var _alone:MotionState = new MotionState();
+        // The motion past one row.
+        private var _alone:ShrunkSweep = new ShrunkSweep();
 
         // The way from the computed end of a motion to where the shrunk body touches.
         private var _toShrunk:Vector3D = new Vector3D();
@@ -56,15 +54,16 @@ package starlogo.queries.motion
          */
         public function findTouches(body:MovingBody):TouchResult
         {
-            _start.start.copyFrom(body.from);
-            _start.pushes.clear();
-            if (addTouches(body, _start))
+            copyVector(body.from, _among.start);
+            _among.pushes.clear();
+            if (addTouches(body))
             {
                 // a floor may be many rows: what is pushed out of one of them does not run into the next
-                _sweep.startMotion(body, body.rows, body.from, body.motion, _start);
-                if (!_start.start.equals(body.from))
+                _among.obstacles.copyFrom(body.rows);
+                _among.begin(body, body.from, body.motion);
+                if (compareVectors(_among.start, body.from) != 0)
                 {
-                    addTouches(body, _start);
+                    addTouches(body);
                 }
             }
             if (count > 0)
@@ -72,7 +71,7 @@ package starlogo.queries.motion
                 _touches.sortFirst(count);
                 return touchAt(0);
             }
-            setEnd(body, 1, _start, _free.place);
+            setEnd(body, 1, _free.place);
             return _free;
         }
 
@@ -88,8 +87,8 @@ package starlogo.queries.motion
             return _results[_touches.values[index]];
         }
 
-        // Adds the rows that stop the body from a start. Returns whether another start may change the answer.
-        private function addTouches(body:MovingBody, start:MotionState):Boolean
+        // Adds the rows that stop the body from where it starts among all of them. Returns whether another start may change the answer.
+        private function addTouches(body:MovingBody):Boolean
         {
             var mayPush:Boolean = false;
             _touches.count = 0;
@@ -101,9 +100,9 @@ package starlogo.queries.motion
                     _results.push(new TouchResult());
                 }
                 var touch:TouchResult = _results[count];
-                findTouch(body, body.rows.values[i], start, _alone, touch);
+                findTouch(body, body.rows.values[i], touch);
                 // the row alone pushes the body, or stops it at once in a shallow overlap
-                mayPush ||= !_alone.start.equals(start.start) || (touch.time == 0 && !touch.hasPlane);
+                mayPush ||= compareVectors(_alone.start, _among.start) != 0 || (touch.time == 0 && !touch.hasPlane);
                 if (touch.isStopped)
                 {
                     _touches.add(count, touch.time);
@@ -112,26 +111,26 @@ package starlogo.queries.motion
             return mayPush;
         }
 
-        // Finds whether and when a row stops the body from a start, as if there were no others. Another state receives how the motion starts there with the
-        // row alone, which may push the body farther. Rounding may hide the touch at its place: see moveIntoTouch.
-        private function findTouch(body:MovingBody, row:int, start:MotionState, alone:MotionState, out:TouchResult):void
+        // Finds whether and when a row stops the body, as if there were no others. The row alone may push the body farther from where it starts. Rounding
+        // may hide the touch at its place: see moveIntoTouch.
+        private function findTouch(body:MovingBody, row:int, out:TouchResult):void
         {
-            _rowAlone.count = 0;
-            _rowAlone.add(row);
-            out.time = _sweep.findStop(body, _rowAlone, start.start, body.motion, alone);
-            out.row = alone.impact.row;
-            out.hasPlane = out.isStopped && alone.planes.count > 0;
+            _alone.obstacles.count = 0;
+            _alone.obstacles.add(row);
+            out.time = _alone.findStop(body, _among.start, body.motion);
+            out.row = _alone.impact.row;
+            out.hasPlane = out.isStopped && _alone.planes.count > 0;
             if (out.isStopped)
             {
-                out.contact.copyFrom(alone.impact.contact);
+                out.contact.copyFrom(_alone.impact.contact);
                 if (!out.hasPlane)
                 {
                     out.contact.depth = 0;
-                    ShrunkSweep.setAlong(alone.start, body.motion, alone.impact.time, out.shrunkPlace);
-                    leaveOutPush(body, alone, out);
+                    ShrunkSweep.setAlong(_alone.start, body.motion, _alone.impact.time, out.shrunkPlace);
+                    leaveOutPush(body, out);
                 }
-                setEnd(body, out.time, start, out.place);
-                pushBack(body.from, alone, out.place);
+                setEnd(body, out.time, out.place);
+                pushBack(body.from, _alone, out.place);
             }
         }
 
@@ -182,15 +181,15 @@ package starlogo.queries.motion
         }
 
         // Takes the push out of a time of touch: without it the body would have touched earlier.
-        private static function leaveOutPush(body:MovingBody, state:MotionState, out:TouchResult):void
+        private function leaveOutPush(body:MovingBody, out:TouchResult):void
         {
             var from:Vector3D = body.from;
+            var start:Vector3D = _alone.start;
             var contact:ContactPoint = out.contact;
-            var push:Number = contact.normalX * (state.start.x - from.x) + contact.normalY * (state.start.y - from.y)
-                + contact.normalZ * (state.start.z - from.z);
+            var push:Number = contact.normalX * (start.x - from.x) + contact.normalY * (start.y - from.y) + contact.normalZ * (start.z - from.z);
             var along:Number = contact.along(body.motion);
             out.time = Math.max(0, Math.min(1, out.time + push / along));
-            if (-out.time * along < state.shrunk.slop && state.shrunk.bodyTouches(out.row, from))
+            if (-out.time * along < _alone.shrunk.slop && _alone.shrunk.bodyTouches(out.row, from))
             {
                 // otherwise each motion against a wall would lead a little deeper
                 out.time = 0;
@@ -198,21 +197,21 @@ package starlogo.queries.motion
         }
 
         // Sets where the body is at a time of the motion without pushes, but no deeper in what the body was pushed out of at its start.
-        private static function setEnd(body:MovingBody, time:Number, start:MotionState, out:Vector3D):void
+        private function setEnd(body:MovingBody, time:Number, out:Vector3D):void
         {
             ShrunkSweep.setAlong(body.from, body.motion, time, out);
-            pushBack(body.from, start, out);
+            pushBack(body.from, _among, out);
         }
 
         // Pushes a place back where a body is deeper than it was at the beginning in what it was pushed out of. Without this, motions that are shorter than
         // the clearance of a push would lead deeper each time.
-        private static function pushBack(from:Vector3D, state:MotionState, place:Vector3D):void
+        private static function pushBack(from:Vector3D, sweep:ShrunkSweep, place:Vector3D):void
         {
-            for (var i:int = 0; i < state.pushes.count; i++)
+            for (var i:int = 0; i < sweep.pushes.count; i++)
             {
-                var contact:ContactPoint = state.pushes.contacts[i];
+                var contact:ContactPoint = sweep.pushes.contacts[i];
                 var deeper:Number = contact.normalX * (from.x - place.x) + contact.normalY * (from.y - place.y) + contact.normalZ * (from.z - place.z);
-                if (deeper > 0 && deeper < SLOPS_TO_LEAVE * state.shrunk.slop)
+                if (deeper > 0 && deeper < SLOPS_TO_LEAVE * sweep.shrunk.slop)
                 {
                     contact.movePoint(place, deeper);
                 }

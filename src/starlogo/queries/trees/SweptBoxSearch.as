@@ -20,45 +20,26 @@ package starlogo.queries.trees
         // Whether the row of the ground has not been returned yet.
         private var _isGroundLeft:Boolean = false;
 
-        private var _isMoving:Boolean = false;
-
-        // The way by axis, if the box moves; the box where the way begins; and the box around the whole way. The boxes are like those of a RowTree.
-        private var _along:Vector.<Number> = new Vector.<Number>(3, true);
+        // The box where its motion begins, like those of a RowTree; and by axis, 1 divided by the motion, or 0 if it does not move along the axis.
         private var _box:Vector.<Number> = new Vector.<Number>(RowTree.PER_BOX, true);
-        private var _around:Vector.<Number> = new Vector.<Number>(RowTree.PER_BOX, true);
+        private var _inverse:Vector.<Number> = new Vector.<Number>(3, true);
 
-        // What waits, a stack: the number of a node, or -1 - slot for a row; and where on the way the box meets it.
+        // What waits, a stack: the number of a node, or -1 - slot for a row; and when the box meets it.
         private var _stack:Vector.<int> = new Vector.<int>();
         private var _entries:Vector.<Number> = new Vector.<Number>();
         private var _waiting:int = 0;
 
         /**
-         * Begins with a box that stands still. Call <code>widen()</code> or <code>moveAlong()</code> afterwards if needed.
+         * Begins with a point that stands still: a box without size. Call <code>widen()</code> or <code>moveAlong()</code> afterwards if needed.
          *
          * @param tree has the rows
-         * @param x the box's middle
-         * @param y the box's middle
-         * @param z the box's middle
-         * @param halfX half of its length along x
-         * @param halfY half of its length along y
-         * @param halfZ half of its length along z
-         * @param offset how far the middle is from the place that it was computed from
          */
-        public function setTo(tree:RowTree, x:Number, y:Number, z:Number, halfX:Number = 0, halfY:Number = 0, halfZ:Number = 0, offset:Number = 0):void
+        public function setTo(tree:RowTree, x:Number, y:Number, z:Number):void
         {
-            var slack:Number = RowTree.slackOf(x, y, z, halfX + halfY + halfZ, offset);
-            _tree = tree;
-            _isGroundLeft = true;
-            _isMoving = false;
-            _around[0] = x - halfX - slack;
-            _around[1] = y - halfY - slack;
-            _around[2] = z - halfZ - slack;
-            _around[3] = x + halfX + slack;
-            _around[4] = y + halfY + slack;
-            _around[5] = z + halfZ + slack;
-            _stack[0] = RowTree.ROOT;
-            _entries[0] = 0;
-            _waiting = tree.count > 0 ? 1 : 0;
+            _box[0] = _box[3] = x;
+            _box[1] = _box[4] = y;
+            _box[2] = _box[5] = z;
+            begin(tree, 0);
         }
 
         /**
@@ -68,15 +49,35 @@ package starlogo.queries.trees
          */
         public function setAround(tree:RowTree, body:Body):void
         {
-            setTo(tree, body.middleX, body.middleY, body.middleZ, body.halfX, body.halfY, body.halfZ, body.distanceFromPlace);
+            _box[0] = body.middleX - body.halfX;
+            _box[1] = body.middleY - body.halfY;
+            _box[2] = body.middleZ - body.halfZ;
+            _box[3] = body.middleX + body.halfX;
+            _box[4] = body.middleY + body.halfY;
+            _box[5] = body.middleZ + body.halfZ;
+            begin(tree, body.distanceFromPlace);
             if (body.isEnvironment)
             {
                 widen(4 * Agent.LARGEST_COORDINATE);
             }
         }
 
+        // Begins with the box. The offset is how far its middle is from the place that it was computed from.
+        private function begin(tree:RowTree, offset:Number):void
+        {
+            var box:Vector.<Number> = _box;
+            _tree = tree;
+            _isGroundLeft = true;
+            _inverse[0] = _inverse[1] = _inverse[2] = 0;
+            _stack[0] = RowTree.ROOT;
+            _entries[0] = 0;
+            _waiting = tree.count > 0 ? 1 : 0;
+            widen(RowTree.slackOf((box[0] + box[3]) / 2, (box[1] + box[4]) / 2, (box[2] + box[5]) / 2,
+                        (box[3] - box[0] + box[4] - box[1] + box[5] - box[2]) / 2, offset));
+        }
+
         /**
-         * Makes the box larger. The box must stand still.
+         * Makes the box larger.
          *
          * @param by how far on all sides
          * @param up how much farther upwards
@@ -84,49 +85,27 @@ package starlogo.queries.trees
          */
         public function widen(by:Number, up:Number = 0, down:Number = 0):void
         {
-            _around[0] -= by;
-            _around[1] -= by;
-            _around[2] -= by + down;
-            _around[3] += by;
-            _around[4] += by;
-            _around[5] += by + up;
+            _box[0] -= by;
+            _box[1] -= by;
+            _box[2] -= by + down;
+            _box[3] += by;
+            _box[4] += by;
+            _box[5] += by + up;
         }
 
-        /**
-         * Lets the box move.
-         *
-         * @param dx the way along x
-         * @param dy the way along y
-         * @param dz the way along z
-         * @param limit how much of the motion is searched, as a multiple of its vector
-         */
-        public function moveAlong(dx:Number, dy:Number, dz:Number, limit:Number):void
+        /** Lets the box move. */
+        public function moveAlong(dx:Number, dy:Number, dz:Number):void
         {
-            _isMoving = true;
-            _along[0] = dx;
-            _along[1] = dy;
-            _along[2] = dz;
-            for (var axis:int = 0; axis < 3; axis++)
-            {
-                _box[axis] = _around[axis];
-                _box[axis + 3] = _around[axis + 3];
-                // 0 times Infinity is not a number
-                if (_along[axis] < 0)
-                {
-                    _around[axis] += limit * _along[axis];
-                }
-                if (_along[axis] > 0)
-                {
-                    _around[axis + 3] += limit * _along[axis];
-                }
-            }
+            _inverse[0] = dx == 0 ? 0 : 1 / dx;
+            _inverse[1] = dy == 0 ? 0 : 1 / dy;
+            _inverse[2] = dz == 0 ? 0 : 1 / dz;
         }
 
         /**
          * The next row that a collector wants and that has a shape; -1 if there are no more. The last one is the row of the ground, which is in no tree,
          * because it is near every row.
          *
-         * @param collector has the filter. Its limit says how much of a motion is still searched, as a multiple of its vector
+         * @param collector has the filter. Its limit says how much of the motion is still searched, as a multiple of its vector
          */
         public function next(collector:Collector):int
         {
@@ -148,7 +127,7 @@ package starlogo.queries.trees
          * The next row of the tree that the box meets, or -1 if there are no more.
          *
          * @param breedSet the breeds that count, see RowTree. Nodes without them are skipped, but single rows may have others
-         * @param limit if the box moves: how much of the motion is still searched, as a multiple of its vector. It may become less during the search
+         * @param limit how much of the motion is still searched, as a multiple of its vector. It may become less during the search
          */
         public function nextInTree(breedSet:int, limit:Number):int
         {
@@ -156,7 +135,7 @@ package starlogo.queries.trees
             {
                 _waiting--;
                 var next:int = _stack[_waiting];
-                if (_isMoving && _entries[_waiting] > limit)
+                if (_entries[_waiting] > limit)
                 {
                     continue;
                 }
@@ -183,28 +162,16 @@ package starlogo.queries.trees
         // Lets those of some boxes wait that the box meets on its way. Of two, the nearer one comes next.
         private function push(boxes:Vector.<Number>, first:int, end:int, areSlots:Boolean, limit:Number):void
         {
-            var minX:Number = _around[0];
-            var minY:Number = _around[1];
-            var minZ:Number = _around[2];
-            var maxX:Number = _around[3];
-            var maxY:Number = _around[4];
-            var maxZ:Number = _around[5];
             var count:int = _waiting;
             for (var i:int = first; i < end; i++)
             {
-                var box:int = RowTree.PER_BOX * i;
-                if (boxes[box] > maxX || boxes[int(box + 3)] < minX || boxes[int(box + 1)] > maxY || boxes[int(box + 4)] < minY
-                        || boxes[int(box + 2)] > maxZ || boxes[int(box + 5)] < minZ)
-                {
-                    continue;
-                }
-                if (!_isMoving || findEntry(boxes, box, limit, _entries, count))
+                if (findEntry(boxes, RowTree.PER_BOX * i, limit, _entries, count))
                 {
                     _stack[count] = areSlots ? -1 - i : i;
                     count++;
                 }
             }
-            if (_isMoving && count == _waiting + 2 && _entries[_waiting] < _entries[int(_waiting + 1)])
+            if (count == _waiting + 2 && _entries[_waiting] < _entries[int(_waiting + 1)])
             {
                 var nearer:int = _stack[_waiting];
                 _stack[_waiting] = _stack[int(_waiting + 1)];
@@ -224,21 +191,30 @@ package starlogo.queries.trees
             var leaves:Number = limit;
             for (var axis:int = 0; axis < 3; axis++)
             {
-                var along:Number = _along[axis];
-                if (along == 0)
+                var inverse:Number = _inverse[axis];
+                var toLeast:Number = boxes[int(box + axis)] - _box[int(axis + 3)];
+                var toGreatest:Number = boxes[int(box + 3 + axis)] - _box[axis];
+                if (inverse == 0)
                 {
-                    // along this axis the box around the way is the box itself, which was tested before
+                    if (toLeast > 0 || toGreatest < 0)
+                    {
+                        return false;
+                    }
                     continue;
                 }
-                var toLeast:Number = (boxes[int(box + axis)] - _box[int(axis + 3)]) / along;
-                var toGreatest:Number = (boxes[int(box + 3 + axis)] - _box[axis]) / along;
-                var near:Number = along > 0 ? toLeast : toGreatest;
-                var far:Number = along > 0 ? toGreatest : toLeast;
+                toLeast *= inverse;
+                toGreatest *= inverse;
+                var near:Number = inverse > 0 ? toLeast : toGreatest;
+                var far:Number = inverse > 0 ? toGreatest : toLeast;
                 enters = near > enters ? near : enters;
                 leaves = far < leaves ? far : leaves;
+                if (enters > leaves)
+                {
+                    return false;
+                }
             }
             out[index] = enters;
-            return enters <= leaves;
+            return true;
         }
     }
 }

@@ -99,9 +99,14 @@ package starlogo.search.pairs
         }
 
         /** A model may be wholly under the surface. @inheritDoc */
-        override public function beginsInside(a:Body, b:Body, motion:RelativeMotion):Boolean
+        override public function findImpactOfSolids(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            return touchesAtBeginning(a, b, motion);
+            findImpactOfSurfaces(a, b, motion, out);
+            if (motion.time > 0 && touchesAtBeginning(a, b, motion))
+            {
+                motion.time = 0;
+                out.setNormal(0, 0, 0);
+            }
         }
 
         /** @inheritDoc */

@@ -2,7 +2,8 @@
 // for agents, GroundPairTests and EdgePairTests for an agent and the ground or the edges of the world. SupportSearch finds how far a body reaches.
 // Read this file first, then StructurePairTests, the shortest one. Its methods for motions differ if the two touch where the motion begins:
 // - findFirstTouch: the time 0, and the contact there.
-// - findImpactOfSurfaces: the time 0, or the first moment at which their surfaces touch. Then beginsInside says whether one is inside of the other.
+// - findImpactOfSurfaces: the time 0, or the first moment at which their surfaces touch, also if one is inside of the other.
+// - findImpactOfSolids: the same, but the time 0 if one is inside of the other.
 // Otherwise all find the first touch. Only findFirstTouch finds one that rounding hides at the end of the motion.
 package starlogo.search.pairs
 {
@@ -143,14 +144,13 @@ package starlogo.search.pairs
         }
 
         /**
-         * Whether one of two bodies is inside of the other where a motion begins. Their surfaces do not touch there. Bodies without surfaces of their own
-         * are never inside.
+         * Does what findImpactOfSurfaces() does, but if one body is inside of the other where the motion begins, the time is 0, and the contact's normal 0.
          *
-         * @param motion as in findFirstTouch. Its time does not count
+         * @param out must not be null
          */
-        public function beginsInside(a:Body, b:Body, motion:RelativeMotion):Boolean
+        public function findImpactOfSolids(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            return false;
+            findImpactOfSurfaces(a, b, motion, out);
         }
 
         /** The gap across which two bodies touch because their places are rounded. */

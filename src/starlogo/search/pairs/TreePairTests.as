@@ -108,10 +108,13 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function beginsInside(a:Body, b:Body, motion:RelativeMotion):Boolean
+        override public function findImpactOfSolids(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             var isReversed:Boolean = a.comesAfter(b);
-            return queryInOrder(a, b, isReversed).beginsInside(motionOfFirst(motion, isReversed));
+            var own:RelativeMotion = motionOfFirst(motion, isReversed);
+            _counts.pairTests++;
+            queryInOrder(a, b, isReversed).findImpactOfSolids(own, out);
+            finish(own, motion, out);
         }
 
         /** @inheritDoc */

@@ -4,7 +4,6 @@ package starlogo.queries.motion
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertTrue;
     import starlogo.agents.Agent;
-    import starlogo.data.IntList;
     import starlogo.engine;
     import starlogo.queries.SeenAgents;
     import support.Complaints;
@@ -27,10 +26,8 @@ package starlogo.queries.motion
             var seen:SeenAgents = new SeenAgents(EachCollider.make("combinations, exact", landOf(SolidModels.all())));
             var body:MovingBody = new MovingBody(seen);
             var sweep:ShrunkSweep = new ShrunkSweep();
-            var shrunk:ShrunkBody = new ShrunkBody();
             var from:Vector3D = new Vector3D();
             var motion:Vector3D = new Vector3D();
-            var row:IntList = new IntList();
             var ofBuilding:int = 0;
             var ofThing:int = 0;
             for (var i:int = Effort.choose(200, 5000); i > 0; i--)
@@ -51,16 +48,17 @@ package starlogo.queries.motion
                 motion.setTo(random.between(-9, 9), random.between(-9, 9), random.between(-9, 9));
                 body.aim(motion.x, motion.y, motion.z);
                 body.collectRowsAlong(null);
-                shrunk.begin(body, body.rows, from, motion);
+                sweep.shrunk.begin(body, body.rows, from, motion);
+                sweep.obstacles.copyFrom(body.rows);
                 var found:Impact = new Impact();
-                sweep.findFirstImpact(shrunk, body.rows, from, motion, found);
+                sweep.findFirstImpact(from, motion, found);
                 var expected:Impact = new Impact();
                 for (k = 0; k < body.rows.count; k++)
                 {
                     var alone:Impact = new Impact();
-                    row.count = 0;
-                    row.add(body.rows.values[k]);
-                    if (new ShrunkSweep().findFirstImpact(shrunk, row, from, motion, alone) && alone.orderTime < expected.orderTime)
+                    sweep.obstacles.count = 0;
+                    sweep.obstacles.add(body.rows.values[k]);
+                    if (sweep.findFirstImpact(from, motion, alone) && alone.orderTime < expected.orderTime)
                     {
                         expected = alone;
                     }

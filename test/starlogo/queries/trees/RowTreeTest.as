@@ -119,10 +119,11 @@ package starlogo.queries.trees
             var from:Array = [coordinate(world), coordinate(world), coordinate(world)];
             var along:Array = [_random.pick([0, 1, _random.between(-1, 1)]), _random.between(-1, 1), _random.pick([0, -1, _random.between(-1, 1)])];
             var limit:Number = moves ? _random.pick([0.5, 10, 1e4, Infinity]) : 0;
-            _way.setTo(_tree, from[0], from[1], from[2], size, 2 * size, size);
+            _way.setTo(_tree, from[0], from[1], from[2]);
+            _way.widen(size, size, size);
             if (moves)
             {
-                _way.moveAlong(along[0], along[1], along[2], limit);
+                _way.moveAlong(along[0], along[1], along[2]);
             }
             var times:Vector.<int> = new Vector.<int>(_sizes.x.length);
             var met:int = 0;
@@ -133,7 +134,7 @@ package starlogo.queries.trees
             }
             for each (row in _rows)
             {
-                var sizes:Array = [size + _sizes.halfX[row], 2 * size + _sizes.halfY[row], size + _sizes.halfZ[row]];
+                var sizes:Array = [size + _sizes.halfX[row], size + _sizes.halfY[row], 2 * size + _sizes.halfZ[row]];
                 var to:Array = [_sizes.x[row] - from[0], _sizes.y[row] - from[1], _sizes.z[row] - from[2]];
                 var far:Number = Math.abs(_sizes.x[row]) + Math.abs(_sizes.y[row]) + Math.abs(_sizes.z[row]) + Math.abs(from[0]) + Math.abs(from[1]) + Math.abs(from[2]);
                 if (meets(to, sizes, along, limit, 0))

@@ -99,7 +99,7 @@ package starlogo
         /**
          * The degrees between the rotations that the search for an oriented box tries (§3.8).
          *
-         * @throws ArgumentError if you set it to a value that is not a positive, finite number
+         * @throws ArgumentError if you set it to a value that is less than 0.01, or not finite
          */
         public function get orientedBoxDegIncrement():Number
         {

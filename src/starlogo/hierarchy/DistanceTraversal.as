@@ -27,7 +27,7 @@ package starlogo.hierarchy
         // The axes of tree b, and the pair that is estimated.
         private var _pair:BoxPair = new BoxPair();
 
-        // The radii of the spheres around both trees together. The rounding error is relative to it.
+        // The radii of the spheres about both origins that contain the trees, together. The rounding error is relative to it.
         private var _radii:Number;
 
         private var _measured:ClosestPoints = new ClosestPoints();
@@ -47,7 +47,7 @@ package starlogo.hierarchy
         public function findClosest(trees:PosedTrees, kernel:NodePairKernel, out:ClosestPoints):void
         {
             var relative:Placement = trees.pose.placement;
-            _radii = trees.a.radius + trees.b.radius * relative.size;
+            _radii = trees.a.radiusAboutOrigin + trees.b.radiusAboutOrigin * relative.size;
             _pair.axes.setAxes(relative);
             out.copyFrom(find(trees, kernel).points);
         }
@@ -176,7 +176,7 @@ package starlogo.hierarchy
          *
          * @param levelA the level of a's node
          * @param levelB the level of b's node; 0 for a structure
-         * @param radii the radii of both models together
+         * @param radii the rounding error is relative to this length and the distance together
          */
         internal static function reduce(measured:ClosestPoints, levelA:int, levelB:int, radii:Number):void
         {

@@ -48,7 +48,7 @@ package starlogo.libraries
          * Creates a library without models, with the three fitters of the thesis.
          *
          * @param orientedBoxDegIncrement degrees between the rotations that the default fitters try
-         * @throws ArgumentError if that is not a positive, finite number
+         * @throws ArgumentError if that is less than 0.01, or not finite
          */
         public function BoundingStructuresLibrary(orientedBoxDegIncrement:Number = 10)
         {
@@ -96,7 +96,7 @@ package starlogo.libraries
          * The degrees between the rotations that the default oriented box fitter tries (thesis §3.8). The default capsule is that of this
          * box, so it changes too. It has no effect on fitters that you put into the list.
          *
-         * @throws ArgumentError if you set it to a value that is not a positive, finite number
+         * @throws ArgumentError if you set it to a value that is less than 0.01, or not finite
          */
         public function get orientedBoxDegIncrement():Number
         {

@@ -271,6 +271,26 @@ package starlogo.libraries
             assertTrue("its hierarchy is", isTaken(bear(), cooked, false));
         }
 
+        [Test]
+        public function otherSignaturesAreOtherSettings():void
+        {
+            var texts:Array = [];
+            for each (var signatures:Array in [["a", "b"], ["a, b"], ["a,", "b"], ["a", ",b"], ["a,, b"], ["a,b"], ["ab"]])
+            {
+                var library:BoundingStructuresLibrary = new BoundingStructuresLibrary();
+                library.fitters.length = 0;
+                for each (var signature:String in signatures)
+                {
+                    library.fitters.push(new Fitter(signature));
+                }
+                var text:String = new FitSettings(library, null).toString();
+                assertEquals(signatures.join("; "), -1, texts.indexOf(text));
+                texts.push(text);
+            }
+            library.fitters[0] = new Fitter("");
+            assertNull("an empty one is none", new FitSettings(library, null).fingerprintsWith(null)[CookedFile.STRUCTURES]);
+        }
+
         [Test(async, timeout="3600000")]
         public function damagedFilesAreRefused():void
         {

@@ -1,6 +1,7 @@
 package starlogo.solid.interior
 {
     import starlogo.convex.TrianglePlane;
+    import starlogo.data.fixedInts;
     import starlogo.geometry.cubeRoot;
     import starlogo.hierarchy.TriangleMesh;
     import starlogo.steps.StepSequence;
@@ -8,18 +9,20 @@ package starlogo.solid.interior
     /**
      * Finds which shells of a surface bound cavities, in steps. A shell bounds a cavity if it lies inside of a closed shell, has the opposite
      * orientation, and no other cavity of that closed shell contains it. Only surfaces with shells of both orientations are searched. If a shell copies
-     * another one, as in files that have triangles twice, it counts as open. Otherwise it would fill the other one's cavities.
+     * another one, as in files that have triangles twice, it counts as open. Otherwise it would fill the other one's cavities. A copy has the same
+     * corners and the same volume; its triangles may divide the same polygons otherwise.
      */
     internal final class CavityFinder extends StepSequence
     {
         private static const VOLUMES_PER_STEP:int = 1000;
         private static const TRIANGLES_PER_STEP:int = 25;
+        private static const CORNERS_PER_STEP:int = 1000;
 
         // How far inside of its shell a point is tested, as a fraction of the cube root of six times the shell's volume. Smaller: rounding decides where shells touch.
         // Larger: it may be outside of a thin shell.
         private static const INWARDS:Number = 1e-7;
 
-        // How much larger a shell has to be to have the other one inside, as a fraction. A shell of the same volume may be a copy.
+        // How much larger a shell has to be to have the other one inside, as a fraction.
         private static const LARGER:Number = 1e-9;
 
         // A point near a corner of a triangle is the sum of these shares: of each corner, and of that one once more.
@@ -32,9 +35,13 @@ package starlogo.solid.interior
         private var _windingCounter:WindingCounter;
         private var _surface:SurfaceTopology;
         private var _mesh:TriangleMesh;
-        private var _balances:Vector.<int>;
+        private var _shellFinder:ShellFinder;
 
-        // The shells that may bound cavities or have them, with null for the others.
+        // For each vertex, the first one at its place, and one more than the last shell that was found to have a corner there.
+        private var _welded:Vector.<int>;
+        private var _lastShellAt:Vector.<int>;
+
+        // The shells that may bound cavities or have them, by their numbers. Null for the others: shells that are not two-sided, and copies.
         private var _shells:Vector.<ClosedShell>;
 
         // The shells that enclose the point that is tested.
@@ -49,48 +56,48 @@ package starlogo.solid.interior
 
         /**
          * @param windingCounter of the surface, which has the shells and receives which of them bound cavities
-         * @param balances for each shell, the number of its triangles that are not reversed, minus the number of those that are
+         * @param shellFinder has found the shells
+         * @param welded for each vertex, the first one at its place
          */
-        public function CavityFinder(windingCounter:WindingCounter, balances:Vector.<int>)
+        public function CavityFinder(windingCounter:WindingCounter, shellFinder:ShellFinder, welded:Vector.<int>)
         {
             _windingCounter = windingCounter;
             _surface = windingCounter.surface;
             _mesh = windingCounter.mesh;
-            _balances = balances;
-            if (balances.length > 1)
+            _shellFinder = shellFinder;
+            _welded = welded;
+            var count:int = shellFinder.balances.length;
+            if (count > 1)
             {
-                _shells = new Vector.<ClosedShell>(balances.length, true);
+                _shells = new Vector.<ClosedShell>(count, true);
                 slices(_mesh.tree.itemCount, VOLUMES_PER_STEP, addVolumes).call(orientShells);
             }
         }
 
-        // The shell of the triangle in a slot.
-        private function shellAt(slot:int):int
+        // The shell of a triangle, if it is one of _shells; otherwise null.
+        private function closedShellOf(triangle:int):ClosedShell
         {
-            return _surface.shellOf(_mesh.tree.items[slot]);
-        }
-
-        private function isTwoSided(shell:int):Boolean
-        {
-            return shell >= 0 && _surface.shellStates[shell] == SurfaceTopology.TWO_SIDED;
+            var shell:int = _surface.shellOf(triangle);
+            return shell < 0 ? null : _shells[shell];
         }
 
         private function addVolumes(first:int, end:int):void
         {
             for (var slot:int = first; slot < end; slot++)
             {
-                var shell:int = shellAt(slot);
-                if (!isTwoSided(shell))
+                var triangle:int = _mesh.tree.items[slot];
+                var shell:int = _surface.shellOf(triangle);
+                if (shell < 0 || _surface.shellStates[shell] != SurfaceTopology.TWO_SIDED)
                 {
                     continue;
                 }
-                _shells[shell] ||= new ClosedShell(_mesh.corners[3 * slot]);
+                _shells[shell] ||= new ClosedShell(shell, _mesh.corners[3 * slot]);
                 readTriangle(slot);
                 var vertices:Vector.<Number> = _mesh.vertices;
                 var from:int = _shells[shell].origin;
                 var volume:Number = _plane.doubleArea * (_plane.normal.x * (_corners[0] - vertices[from])
                         + _plane.normal.y * (_corners[1] - vertices[from + 1]) + _plane.normal.z * (_corners[2] - vertices[from + 2]));
-                _shells[shell].volume += _surface.isReversed(_mesh.tree.items[slot]) ? -volume : volume;
+                _shells[shell].volume += _surface.isReversed(triangle) ? -volume : volume;
             }
         }
 
@@ -105,19 +112,70 @@ package starlogo.solid.interior
         private function orientShells():void
         {
             var isFound:Vector.<Boolean> = new Vector.<Boolean>(3, true);
-            for (var shell:int = 0; shell < _shells.length; shell++)
+            for each (var closed:ClosedShell in _shells)
             {
-                var closed:ClosedShell = _shells[shell];
                 if (closed != null)
                 {
                     var sign:int = closed.volume > 0 ? 1 : (closed.volume < 0 ? -1 : 0);
-                    closed.orientation = _balances[shell] > 0 ? sign : (_balances[shell] < 0 ? -sign : sign * sign);
+                    var balance:int = _shellFinder.balances[closed.number];
+                    closed.orientation = balance > 0 ? sign : (balance < 0 ? -sign : sign * sign);
                     isFound[closed.orientation + 1] = true;
                 }
             }
             if (isFound[0] && isFound[2])
             {
+                _lastShellAt = fixedInts(_welded.length);
+                slices(_shellFinder.triangleCount, CORNERS_PER_STEP, addCorners).call(openCopies);
                 slices(_mesh.tree.itemCount, TRIANGLES_PER_STEP, testPoints).call(findCavities);
+            }
+        }
+
+        // Adds the places of some triangles' corners to their shells, each place once. The triangles come shell by shell.
+        private function addCorners(first:int, end:int):void
+        {
+            for (var i:int = first; i < end; i++)
+            {
+                var triangle:int = _shellFinder.triangles[i];
+                var closed:ClosedShell = closedShellOf(triangle);
+                for (var corner:int = 3 * triangle; corner < 3 * triangle + 3 && closed != null; corner++)
+                {
+                    var place:int = _welded[_mesh.tree.triangles[corner]];
+                    if (_lastShellAt[place] != closed.number + 1)
+                    {
+                        _lastShellAt[place] = closed.number + 1;
+                        closed.firstCorner = Math.min(closed.firstCorner, place);
+                        closed.cornersHash += hashOf(place);
+                    }
+                }
+            }
+        }
+
+        // The products are below 2 to the 53rd, so all of their lowest bits are exact.
+        private static function hashOf(place:int):int
+        {
+            var hash:int = place * 69069;
+            hash = (hash ^ hash >>> 15) * 69069;
+            return hash ^ hash >>> 15;
+        }
+
+        // Opens the shells that copy an earlier one.
+        private function openCopies():void
+        {
+            var shellWith:Object = {};
+            for each (var closed:ClosedShell in _shells)
+            {
+                if (closed == null)
+                {
+                    continue;
+                }
+                var corners:String = closed.firstCorner + " " + closed.cornersHash;
+                var earlier:ClosedShell = shellWith[corners];
+                shellWith[corners] ||= closed;
+                if (earlier != null && !isLarger(earlier, closed) && !isLarger(closed, earlier))
+                {
+                    _surface.shellStates[closed.number] = SurfaceTopology.OPEN;
+                    _shells[closed.number] = null;
+                }
             }
         }
 
@@ -126,16 +184,12 @@ package starlogo.solid.interior
         {
             for (var slot:int = first; slot < end; slot++)
             {
-                var shell:int = shellAt(slot);
+                var closed:ClosedShell = closedShellOf(_mesh.tree.items[slot]);
                 readTriangle(slot);
-                if (_plane.isFlat || !isTwoSided(shell))
+                for (var corner:int = MIDDLE; corner >= 0 && closed != null && !_plane.isFlat && isUndecided(closed); corner--)
                 {
-                    continue;
-                }
-                for (var corner:int = MIDDLE; corner >= 0 && isUndecided(_shells[shell]); corner--)
-                {
-                    findEnclosingNear(shell, slot, corner);
-                    keepEnclosing(shell);
+                    findEnclosingNear(closed, slot, corner);
+                    keepEnclosing(closed);
                 }
             }
         }
@@ -143,20 +197,16 @@ package starlogo.solid.interior
         // Whether more points decide about a shell. One point decides if too many crossings are counted, as in models with very many nested shells.
         private function isUndecided(closed:ClosedShell):Boolean
         {
-            return closed.enclosing == null || closed.enclosing.length > 0 && isWorthCounting;
-        }
-
-        private function get isWorthCounting():Boolean
-        {
-            return _countedCrossings < WindingCounter.MAX_CROSSINGS_PER_TRIANGLE * _mesh.tree.itemCount;
+            return closed.enclosing == null
+                || closed.enclosing.length > 0 && _countedCrossings < WindingCounter.MAX_CROSSINGS_PER_TRIANGLE * _mesh.tree.itemCount;
         }
 
         // Finds the shells that enclose a point of a triangle of a shell: near a corner, or in the middle, and a little inside of the shell. readTriangle()
         // must have read the triangle.
-        private function findEnclosingNear(shell:int, slot:int, corner:int):void
+        private function findEnclosingNear(closed:ClosedShell, slot:int, corner:int):void
         {
-            var facesInwards:Boolean = _surface.isReversed(_mesh.tree.items[slot]) == _shells[shell].volume > 0;
-            var inwards:Number = (facesInwards ? INWARDS : -INWARDS) * cubeRoot(Math.abs(_shells[shell].volume));
+            var facesInwards:Boolean = _surface.isReversed(_mesh.tree.items[slot]) == closed.volume > 0;
+            var inwards:Number = (facesInwards ? INWARDS : -INWARDS) * cubeRoot(Math.abs(closed.volume));
             var fraction:Number = corner == MIDDLE ? 1 / 3 : SHARE_OF_EACH;
             var point:Vector.<Number> = new <Number>[inwards * _plane.normal.x, inwards * _plane.normal.y, inwards * _plane.normal.z];
             for (var axis:int = 0; axis < 3; axis++)
@@ -167,19 +217,18 @@ package starlogo.solid.interior
             _countedCrossings += _windingCounter.findEnclosing(point[0], point[1], point[2], _enclosingPoint);
         }
 
-        // Keeps those of a shell's enclosing shells that enclose the last point too; after its first point, all shells that enclose it and are larger, or
-        // that it may copy. Keeps none if all of them are larger and have the orientation of this shell.
-        private function keepEnclosing(shell:int):void
+        // Keeps those of a shell's enclosing shells that enclose the last point too; after its first point, all larger shells that enclose it. Keeps none if
+        // all of them have the orientation of this shell.
+        private function keepEnclosing(closed:ClosedShell):void
         {
-            var closed:ClosedShell = _shells[shell];
             var kept:Vector.<int> = new Vector.<int>();
             var isNeeded:Boolean = false;
             for each (var other:int in closed.enclosing || _enclosingPoint)
             {
-                if (closed.enclosing == null ? isLarger(other, shell) || mayCopy(shell, other) : _enclosingPoint.indexOf(other) >= 0)
+                if (isLarger(_shells[other], closed) && _enclosingPoint.indexOf(other) >= 0)
                 {
                     kept.push(other);
-                    isNeeded ||= _shells[other].orientation == -closed.orientation || mayCopy(shell, other);
+                    isNeeded ||= _shells[other].orientation == -closed.orientation;
                 }
             }
             kept.length = isNeeded ? kept.length : 0;
@@ -187,18 +236,12 @@ package starlogo.solid.interior
         }
 
         // Whether a shell may have another one inside.
-        private function isLarger(outer:int, inner:int):Boolean
+        private static function isLarger(outer:ClosedShell, inner:ClosedShell):Boolean
         {
-            return isTwoSided(outer) && Math.abs(_shells[outer].volume) > (1 + LARGER) * Math.abs(_shells[inner].volume);
+            return outer != null && Math.abs(outer.volume) > (1 + LARGER) * Math.abs(inner.volume);
         }
 
-        // Whether a shell may have the same triangles as an earlier one.
-        private function mayCopy(shell:int, earlier:int):Boolean
-        {
-            return earlier < shell && isTwoSided(earlier) && !isLarger(earlier, shell) && !isLarger(shell, earlier);
-        }
-
-        // Finds the copies and the shells that bound cavities: the largest shells first. A shell that encloses another one is larger.
+        // Finds the shells that bound cavities: the largest shells first. A shell that encloses another one is larger.
         private function findCavities():void
         {
             // negative, so that the largest shell comes first
@@ -217,17 +260,12 @@ package starlogo.solid.interior
                 var innermost:int = -1;
                 for each (var outer:int in closed.enclosing)
                 {
-                    if (mayCopy(shell, outer) && isWorthCounting)
-                    {
-                        // it encloses all points that were tested
-                        _surface.shellStates[shell] = SurfaceTopology.OPEN;
-                    }
-                    else if (isLarger(outer, shell) && (innermost < 0 || sortKeys[outer] > sortKeys[innermost]))
+                    if (innermost < 0 || sortKeys[outer] > sortKeys[innermost])
                     {
                         innermost = outer;
                     }
                 }
-                if (isTwoSided(shell) && innermost >= 0 && !_surface.boundsCavity(innermost) && _shells[innermost].orientation == -closed.orientation)
+                if (innermost >= 0 && !_surface.boundsCavity(innermost) && _shells[innermost].orientation == -closed.orientation)
                 {
                     _surface.cavityOf[shell] = innermost;
                 }

@@ -14,14 +14,18 @@ package starlogo.solid.interior
         /** For each shell, the number of its triangles that are not reversed, minus the number of those that are. */
         public var balances:Vector.<int> = new Vector.<int>();
 
+        /**
+         * The triangles of all shells so far, shell by shell, and how many they are. It is also the queue of triangles to visit: from the next one on, as
+         * far as it goes.
+         */
+        public var triangles:Vector.<int>;
+        public var triangleCount:int = 0;
+
         private var _surface:SurfaceTopology;
         private var _edges:EdgeMatcher;
         private var _first:int = 0;
 
-        // The triangles of all shells so far. It is also the queue of triangles to visit: from the next one on, as far as it goes.
-        private var _queue:Vector.<int>;
         private var _next:int = 0;
-        private var _end:int = 0;
 
         /**
          * @param surface receives the shells
@@ -31,7 +35,7 @@ package starlogo.solid.interior
         {
             _surface = surface;
             _edges = edges;
-            _queue = fixedInts(surface.signedShells.length);
+            triangles = fixedInts(surface.signedShells.length);
             repeat(visitTriangles);
         }
 
@@ -40,9 +44,9 @@ package starlogo.solid.interior
             var signedShells:Vector.<int> = _surface.signedShells;
             for (var i:int = 0; i < TRIANGLES_PER_STEP; i++)
             {
-                if (_next < _end)
+                if (_next < triangleCount)
                 {
-                    goOnFrom(_queue[_next++]);
+                    goOnFrom(triangles[_next++]);
                 }
                 else if (_first == signedShells.length)
                 {
@@ -66,7 +70,7 @@ package starlogo.solid.interior
         {
             _surface.signedShells[triangle] = signedShell;
             balances[int(balances.length - 1)] += signedShell > 0 ? 1 : -1;
-            _queue[_end++] = triangle;
+            triangles[triangleCount++] = triangle;
         }
 
         private function goOnFrom(triangle:int):void

@@ -69,7 +69,7 @@ package starlogo.solid.interior
 
         private function findCavities():Steps
         {
-            return new CavityFinder(_windingCounter, _shells.balances);
+            return new CavityFinder(_windingCounter, _shells, _welded);
         }
     }
 }

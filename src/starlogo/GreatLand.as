@@ -186,13 +186,13 @@ package starlogo
         /** @inheritDoc */
         public function expect(name:String):void
         {
-            models.entryToWrite(name).beginLoad();
+            models.entryToWrite(name).expect();
         }
 
         /** @inheritDoc */
         public function expectNoMore(name:String, problem:String = null):void
         {
-            models.entryToWrite(name).endLoad(problem);
+            models.entryToWrite(name).expectNoMore(problem);
         }
 
         /** @private Why there is no model of a name, as the end of a message: what was wrong when its load failed, or else what to do. */

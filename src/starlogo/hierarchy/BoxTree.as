@@ -1,5 +1,5 @@
 // The package hierarchy keeps, builds and visits trees of boxes. A BoxTreeBuilder makes the nodes. A Search visits the nodes of one tree, and a Traversal
-// pairs of nodes of two trees (PosedTrees). Where they end, a Visitor decides about a node, and a Kernel about a pair. Read BoxTree first, then BoxSearch
+// pairs of nodes of two trees (TreePair). Where they end, a Visitor decides about a node, and a Kernel about a pair. Read BoxTree first, then BoxSearch
 // and NodeVisitor, then OverlapTraversal and NodePairKernel. A TriangleMesh lists the corners of a tree's triangles in the order of the tree.
 
 package starlogo.hierarchy

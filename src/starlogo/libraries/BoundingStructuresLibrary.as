@@ -195,7 +195,7 @@ package starlogo.libraries
         public function hasAll(name:String):Boolean
         {
             var structures:ModelStructures = models.entryOf(name).structures;
-            return structures != null && structures.showsAll && structures.smallest.indexOf(null) < 0;
+            return structures != null && structures.keepsAll && structures.smallest.indexOf(null) < 0;
         }
 
         /** Whether there is a hull for a shape by now, or a sphere in its place. */
@@ -256,7 +256,7 @@ package starlogo.libraries
         private function kept(name:String, kind:int):BoundingStructure
         {
             var structures:ModelStructures = find(name);
-            if (!structures.showsAll || structures.smallest[kind] == null)
+            if (!structures.keepsAll || structures.smallest[kind] == null)
             {
                 throw ModelTable.errorOf(name, "it shows no " + BoundingStructure.NAMES[kind] + ": set loadAllBoundingStructures (keepAll) before the model is added, "
                         + "and have a fitter that finds one in the list");

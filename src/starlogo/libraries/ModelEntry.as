@@ -91,14 +91,14 @@ package starlogo.libraries
         }
 
         /** Counts one more model of this name that is loading. */
-        public function beginLoad():void
+        public function expect():void
         {
             _loadingCount++;
             loadProblem = null;
         }
 
         /** Counts one less, if one is loading. @param problem why its load failed; null if it did not */
-        public function endLoad(problem:String):void
+        public function expectNoMore(problem:String):void
         {
             _loadingCount = Math.max(0, _loadingCount - 1);
             loadProblem = problem || loadProblem;

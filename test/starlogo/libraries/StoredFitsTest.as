@@ -21,6 +21,7 @@ package starlogo.libraries
     import starlogo.fitting.HullFitter;
     import starlogo.fitting.MinimalCapsuleFitter;
     import starlogo.libraries.cooked.CookedStructures;
+    import starlogo.libraries.cooked.CookedTree;
     import starlogo.models.BuiltInModel;
     import starlogo.models.CookedModel;
     import starlogo.models.Model;
@@ -577,8 +578,9 @@ package starlogo.libraries
             {
                 return results.structures.tightest != null;
             }
+            var restoring:CookedTree = CookedTree(results.tree.restoring);
             results.tree.finishBuilding();
-            return results.isTreeStored;
+            return restoring != null && !restoring.isRefused;
         }
 
         private static function damage(cooked:Vector.<ByteArray>, index:int, random:SeededRandom):ByteArray

@@ -3,7 +3,7 @@ package starlogo.solid.interior
     import starlogo.convex.TrianglePlane;
     import starlogo.data.fixedInts;
     import starlogo.geometry.cubeRoot;
-    import starlogo.hierarchy.TriangleMesh;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.steps.StepSequence;
 
     /**
@@ -14,9 +14,8 @@ package starlogo.solid.interior
      */
     internal final class CavityFinder extends StepSequence
     {
-        private static const VOLUMES_PER_STEP:int = 1000;
-        private static const TRIANGLES_PER_STEP:int = 25;
-        private static const CORNERS_PER_STEP:int = 1000;
+        private static const TRIANGLES_PER_STEP:int = 1000;
+        private static const TESTED_TRIANGLES_PER_STEP:int = 25;
 
         // How far inside of its shell a point is tested, as a fraction of the cube root of six times the shell's volume. Smaller: rounding decides where shells touch.
         // Larger: it may be outside of a thin shell.
@@ -34,14 +33,14 @@ package starlogo.solid.interior
 
         private var _windingCounter:WindingCounter;
         private var _surface:SurfaceTopology;
-        private var _mesh:TriangleMesh;
+        private var _tree:BoxTree;
         private var _shellFinder:ShellFinder;
 
         // For each vertex, the first one at its place, and one more than the last shell that was found to have a corner there.
         private var _welded:Vector.<int>;
         private var _lastShellAt:Vector.<int>;
 
-        // The shells that may bound cavities or have them, by their numbers. Null for the others: shells that are not two-sided, and copies.
+        // The shells that may bound cavities or have them, by their numbers. Null for the others: shells that are open or non-orientable, and copies.
         private var _shells:Vector.<ClosedShell>;
 
         // The shells that enclose the point that is tested.
@@ -63,49 +62,65 @@ package starlogo.solid.interior
         {
             _windingCounter = windingCounter;
             _surface = windingCounter.surface;
-            _mesh = windingCounter.mesh;
+            _tree = windingCounter.mesh.tree;
             _shellFinder = shellFinder;
             _welded = welded;
-            var count:int = shellFinder.balances.length;
-            if (count > 1)
+            if (shellFinder.balances.length > 1)
             {
-                _shells = new Vector.<ClosedShell>(count, true);
-                slices(_mesh.tree.itemCount, VOLUMES_PER_STEP, addVolumes).call(orientShells);
+                _shells = new Vector.<ClosedShell>(shellFinder.balances.length, true);
+                _lastShellAt = fixedInts(welded.length);
+                slices(shellFinder.triangleCount, TRIANGLES_PER_STEP, addTriangles).call(orientShells);
             }
         }
 
-        // The shell of a triangle, if it is one of _shells; otherwise null.
-        private function closedShellOf(triangle:int):ClosedShell
+        // Adds triangles to their shells: their volumes, and the places of their corners, each place once. The triangles come shell by shell.
+        private function addTriangles(first:int, end:int):void
         {
-            var shell:int = _surface.shellOf(triangle);
-            return shell < 0 ? null : _shells[shell];
-        }
-
-        private function addVolumes(first:int, end:int):void
-        {
-            for (var slot:int = first; slot < end; slot++)
+            for (var i:int = first; i < end; i++)
             {
-                var triangle:int = _mesh.tree.items[slot];
+                var triangle:int = _shellFinder.triangles[i];
                 var shell:int = _surface.shellOf(triangle);
-                if (shell < 0 || _surface.shellStates[shell] != SurfaceTopology.TWO_SIDED)
+                if (_surface.shellStates[shell] != SurfaceTopology.ORIENTABLE)
                 {
                     continue;
                 }
-                _shells[shell] ||= new ClosedShell(shell, _mesh.corners[3 * slot]);
-                readTriangle(slot);
-                var vertices:Vector.<Number> = _mesh.vertices;
-                var from:int = _shells[shell].origin;
+                _shells[shell] ||= new ClosedShell(shell, 3 * _tree.triangles[3 * triangle]);
+                var closed:ClosedShell = _shells[shell];
+                var vertices:Vector.<Number> = _tree.vertices;
+                var from:int = closed.origin;
+                readTriangle(triangle);
                 var volume:Number = _plane.doubleArea * (_plane.normal.x * (_corners[0] - vertices[from])
                         + _plane.normal.y * (_corners[1] - vertices[from + 1]) + _plane.normal.z * (_corners[2] - vertices[from + 2]));
-                _shells[shell].volume += _surface.isReversed(triangle) ? -volume : volume;
+                closed.volume += _surface.isReversed(triangle) ? -volume : volume;
+                for (var corner:int = 3 * triangle; corner < 3 * triangle + 3; corner++)
+                {
+                    var place:int = _welded[_tree.triangles[corner]];
+                    if (_lastShellAt[place] != shell + 1)
+                    {
+                        _lastShellAt[place] = shell + 1;
+                        closed.firstCorner = Math.min(closed.firstCorner, place);
+                        closed.cornersHash += hashOf(place);
+                    }
+                }
             }
         }
 
         // Sets _corners and _plane to those of a triangle.
-        private function readTriangle(slot:int):void
+        private function readTriangle(triangle:int):void
         {
-            _mesh.readTriangle(slot, _corners);
+            for (var i:int = 0; i < 9; i++)
+            {
+                _corners[i] = _tree.vertices[3 * _tree.triangles[3 * triangle + int(i / 3)] + i % 3];
+            }
             _plane.setTriangle(_corners, 0);
+        }
+
+        // The products are below 2 to the 53rd, so all of their lowest bits are exact.
+        private static function hashOf(place:int):int
+        {
+            var hash:int = place * 69069;
+            hash = (hash ^ hash >>> 15) * 69069;
+            return hash ^ hash >>> 15;
         }
 
         // A shell has the orientation of most of its triangles. If both are equally frequent, its triangles face outwards.
@@ -124,38 +139,9 @@ package starlogo.solid.interior
             }
             if (isFound[0] && isFound[2])
             {
-                _lastShellAt = fixedInts(_welded.length);
-                slices(_shellFinder.triangleCount, CORNERS_PER_STEP, addCorners).call(openCopies);
-                slices(_mesh.tree.itemCount, TRIANGLES_PER_STEP, testPoints).call(findCavities);
+                openCopies();
+                slices(_shellFinder.triangleCount, TESTED_TRIANGLES_PER_STEP, testPoints).call(findCavities);
             }
-        }
-
-        // Adds the places of some triangles' corners to their shells, each place once. The triangles come shell by shell.
-        private function addCorners(first:int, end:int):void
-        {
-            for (var i:int = first; i < end; i++)
-            {
-                var triangle:int = _shellFinder.triangles[i];
-                var closed:ClosedShell = closedShellOf(triangle);
-                for (var corner:int = 3 * triangle; corner < 3 * triangle + 3 && closed != null; corner++)
-                {
-                    var place:int = _welded[_mesh.tree.triangles[corner]];
-                    if (_lastShellAt[place] != closed.number + 1)
-                    {
-                        _lastShellAt[place] = closed.number + 1;
-                        closed.firstCorner = Math.min(closed.firstCorner, place);
-                        closed.cornersHash += hashOf(place);
-                    }
-                }
-            }
-        }
-
-        // The products are below 2 to the 53rd, so all of their lowest bits are exact.
-        private static function hashOf(place:int):int
-        {
-            var hash:int = place * 69069;
-            hash = (hash ^ hash >>> 15) * 69069;
-            return hash ^ hash >>> 15;
         }
 
         // Opens the shells that copy an earlier one.
@@ -182,13 +168,14 @@ package starlogo.solid.interior
         // Tests four points of each triangle: its middle, and points near its corners. Triangles that count as segments have no inner side.
         private function testPoints(first:int, end:int):void
         {
-            for (var slot:int = first; slot < end; slot++)
+            for (var i:int = first; i < end; i++)
             {
-                var closed:ClosedShell = closedShellOf(_mesh.tree.items[slot]);
-                readTriangle(slot);
+                var triangle:int = _shellFinder.triangles[i];
+                var closed:ClosedShell = _shells[_surface.shellOf(triangle)];
+                readTriangle(triangle);
                 for (var corner:int = MIDDLE; corner >= 0 && closed != null && !_plane.isFlat && isUndecided(closed); corner--)
                 {
-                    findEnclosingNear(closed, slot, corner);
+                    findEnclosingNear(closed, triangle, corner);
                     keepEnclosing(closed);
                 }
             }
@@ -198,14 +185,14 @@ package starlogo.solid.interior
         private function isUndecided(closed:ClosedShell):Boolean
         {
             return closed.enclosing == null
-                || closed.enclosing.length > 0 && _countedCrossings < WindingCounter.MAX_CROSSINGS_PER_TRIANGLE * _mesh.tree.itemCount;
+                || closed.enclosing.length > 0 && _countedCrossings < WindingCounter.MAX_CROSSINGS_PER_TRIANGLE * _tree.itemCount;
         }
 
         // Finds the shells that enclose a point of a triangle of a shell: near a corner, or in the middle, and a little inside of the shell. readTriangle()
         // must have read the triangle.
-        private function findEnclosingNear(closed:ClosedShell, slot:int, corner:int):void
+        private function findEnclosingNear(closed:ClosedShell, triangle:int, corner:int):void
         {
-            var facesInwards:Boolean = _surface.isReversed(_mesh.tree.items[slot]) == closed.volume > 0;
+            var facesInwards:Boolean = _surface.isReversed(triangle) == closed.volume > 0;
             var inwards:Number = (facesInwards ? INWARDS : -INWARDS) * cubeRoot(Math.abs(closed.volume));
             var fraction:Number = corner == MIDDLE ? 1 / 3 : SHARE_OF_EACH;
             var point:Vector.<Number> = new <Number>[inwards * _plane.normal.x, inwards * _plane.normal.y, inwards * _plane.normal.z];

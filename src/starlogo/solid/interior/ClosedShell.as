@@ -1,6 +1,6 @@
 package starlogo.solid.interior
 {
-    /** A closed shell with two sides, as a record of CavityFinder. */
+    /** A closed, orientable shell, as a record of CavityFinder. */
     internal final class ClosedShell
     {
         /** Its number in the surface. */

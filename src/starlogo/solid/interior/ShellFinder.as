@@ -56,7 +56,7 @@ package starlogo.solid.interior
                 {
                     if (signedShells[_first] == 0 && _edges.hasEdges(_first))
                     {
-                        _surface.addShell(SurfaceTopology.TWO_SIDED, -1);
+                        _surface.addShell(SurfaceTopology.ORIENTABLE, -1);
                         balances.push(0);
                         addTriangle(_first, balances.length);
                     }
@@ -95,12 +95,12 @@ package starlogo.solid.interior
                 }
                 else if (found != expected)
                 {
-                    lowerState(SurfaceTopology.ONE_SIDED);
+                    lowerState(SurfaceTopology.NON_ORIENTABLE);
                 }
             }
         }
 
-        // The last shell is open rather than one-sided, and one-sided rather than two-sided: the least state counts.
+        // The last shell is open rather than non-orientable, and that rather than orientable: the least state counts.
         private function lowerState(state:int):void
         {
             var states:Vector.<int> = _surface.shellStates;

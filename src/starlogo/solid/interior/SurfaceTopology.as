@@ -4,32 +4,32 @@ package starlogo.solid.interior
     import starlogo.data.fixedInts;
 
     /**
-     * The properties of a model's surface as a whole: its parts, its shells, and which of these are closed. A SurfaceBuilder computes them,
-     * and a cooked file stores them.
+     * The properties of a model's surface as a whole: its components, its shells, and which of these are closed. An InteriorBuilder computes
+     * them, and a cooked file stores them.
      *
      * @private
      */
     public final class SurfaceTopology
     {
-        /** In shellStates: the shell is closed and has two sides. A point is inside if the shell winds around it. */
-        public static const TWO_SIDED:int = -1;
+        /** In shellStates: the shell is closed and has two sides: it is orientable. A point is inside if the shell winds around it. */
+        public static const ORIENTABLE:int = -1;
 
         /** In shellStates: the shell is closed and has one side only. A point is inside if the shell winds around it an odd number of times. */
-        public static const ONE_SIDED:int = -2;
+        public static const NON_ORIENTABLE:int = -2;
 
         /** In shellStates: the shell is not closed, and has no inside; or it copies another one. */
         public static const OPEN:int = -3;
 
-        // The number of parts, the number of shells, and the widest seam.
+        // The number of components, the number of shells, and the widest seam.
         private static const HEAD_LENGTH:int = 16;
 
-        /** The number of parts. */
-        public var partCount:int = 0;
+        /** The number of components. */
+        public var componentCount:int = 0;
 
         /**
-         * For each triangle, in the model's order, the number of its part. Triangles that share vertices are one part.
+         * For each triangle, in the model's order, the number of its component. Triangles that share vertices are in one component.
          */
-        public var parts:Vector.<int>;
+        public var components:Vector.<int>;
 
         /**
          * For each triangle, in the model's order, one more than the number of its shell, or 0 for a triangle with two corners at one place. Shells are
@@ -38,12 +38,12 @@ package starlogo.solid.interior
         public var signedShells:Vector.<int>;
 
         /**
-         * For each shell, TWO_SIDED, ONE_SIDED or OPEN. A point is inside of the surface if it is inside of a closed shell that bounds no cavity, and
+         * For each shell, ORIENTABLE, NON_ORIENTABLE or OPEN. A point is inside of the surface if it is inside of a closed shell that bounds no cavity, and
          * not in a cavity of that shell. So shells may overlap, whatever their orientation.
          */
         public var shellStates:Vector.<int> = new Vector.<int>();
 
-        /** For each shell, the number of the shell in which it bounds a cavity, or -1 if it bounds none. Such a shell has two sides. */
+        /** For each shell, the number of the shell in which it bounds a cavity, or -1 if it bounds none. Such a shell is orientable. */
         public var cavityOf:Vector.<int> = new Vector.<int>();
 
         /** The largest distance of two corners that were welded. */
@@ -54,7 +54,7 @@ package starlogo.solid.interior
          */
         public function SurfaceTopology(triangleCount:int)
         {
-            parts = fixedInts(triangleCount);
+            components = fixedInts(triangleCount);
             signedShells = fixedInts(triangleCount);
         }
 
@@ -111,31 +111,31 @@ package starlogo.solid.interior
                 return null;
             }
             var surface:SurfaceTopology = new SurfaceTopology(triangleCount);
-            surface.partCount = bytes.readInt();
+            surface.componentCount = bytes.readInt();
             var shells:int = bytes.readInt();
             surface.widestSeam = bytes.readDouble();
-            if (!(shells >= 0 && shells <= triangleCount && surface.partCount <= triangleCount
+            if (!(shells >= 0 && shells <= triangleCount && surface.componentCount <= triangleCount
                         && surface.widestSeam >= 0 && surface.widestSeam < Infinity))
             {
                 return null;
             }
             var stored:Vector.<int> = new Vector.<int>(shells, true);
-            var isRead:Boolean = readRuns(bytes, stored, OPEN, shells - 1) && readRuns(bytes, surface.parts, 0, surface.partCount - 1)
+            var isRead:Boolean = readRuns(bytes, stored, OPEN, shells - 1) && readRuns(bytes, surface.components, 0, surface.componentCount - 1)
                 && readRuns(bytes, surface.signedShells, -shells, shells);
             for each (var number:int in stored)
             {
-                surface.addShell(number < 0 ? number : TWO_SIDED, Math.max(-1, number));
+                surface.addShell(number < 0 ? number : ORIENTABLE, Math.max(-1, number));
             }
             return isRead ? surface : null;
         }
 
         /**
-         * Writes the surface: the numbers of parts and shells, the widest seam, and runs of equal numbers of the lists. A shell that bounds a cavity is
+         * Writes the surface: the numbers of components and shells, the widest seam, and runs of equal numbers of the lists. A shell that bounds a cavity is
          * stored as the number of the shell around it, any other one as its state, which is negative.
          */
         public function writeTo(out:ByteArray):void
         {
-            out.writeInt(partCount);
+            out.writeInt(componentCount);
             out.writeInt(shellStates.length);
             out.writeDouble(widestSeam);
             var stored:Vector.<int> = new Vector.<int>();
@@ -144,7 +144,7 @@ package starlogo.solid.interior
                 stored.push(boundsCavity(shell) ? cavityOf[shell] : shellStates[shell]);
             }
             writeRuns(out, stored);
-            writeRuns(out, parts);
+            writeRuns(out, components);
             writeRuns(out, signedShells);
         }
 

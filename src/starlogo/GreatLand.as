@@ -1,7 +1,6 @@
 package starlogo
 {
     import flash.utils.ByteArray;
-    import starlogo.bounding.BoundingStructure;
     import starlogo.data.requireGiven;
     import starlogo.libraries.BoundingStructuresLibrary;
     import starlogo.libraries.FitStore;
@@ -247,19 +246,6 @@ package starlogo
         engine function revisionOf(name:String):int
         {
             return models.entryOf(name).revision;
-        }
-
-        /**
-         * The smallest structure of a kind around a model. If it was not kept, it is computed now.
-         *
-         * @param name the name of a model that was added
-         * @param kind BoundingStructure.SPHERE, CAPSULE, BOX or HULL
-         * @throws ArgumentError if its structures were not loaded, or no fitter finds this kind
-         * @private
-         */
-        engine function structureOfKind(name:String, kind:int):BoundingStructure
-        {
-            return _boundingStructures.findOrFit(name, kind);
         }
 
         /** The names of all models that were added, in no order: a new list. */

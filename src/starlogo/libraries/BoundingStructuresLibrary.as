@@ -126,7 +126,7 @@ package starlogo.libraries
             var needsCopy:Boolean = vertices != null && !keepHulls && (model == null || vertices != model.vertices);
             var structures:ModelStructures = newStructures(needsCopy ? vertices.concat() : vertices);
             finish(newBuilder(name, structures));
-            models.entryToWrite(name).setStructures(structures);
+            models.entryToWrite(name).replace(model, structures, models.entryOf(name).tree);
         }
 
         /** Whether the library has structures for a shape. */

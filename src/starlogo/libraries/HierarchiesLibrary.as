@@ -109,7 +109,7 @@ package starlogo.libraries
             var keptTriangles:Vector.<uint> = model != null && triangles == model.triangles ? triangles : (hasTriangles ? triangles.concat() : null);
             var tree:ModelTree = newTree(keptVertices, keptTriangles);
             tree.finishBuilding();
-            models.entryToWrite(name).setTree(tree);
+            models.entryToWrite(name).replace(model, models.entryOf(name).structures, tree);
         }
 
         /** Whether the library has a hierarchy for a shape. */

@@ -18,8 +18,8 @@ package starlogo.libraries
 
     /**
      * The work that finds the results for one model. It takes what is in the model's cooked file, otherwise what is in a store, and computes
-     * what is missing. Then it stores the results. So the cooked file is read by the constructor, the store before the first result is computed. A hierarchy whose division is stored is not built until it is needed, unless its surface is
-     * wanted too.
+     * what is missing. Then it stores the results. The constructor reads the cooked file; the first steps read the store. A hierarchy whose
+     * division is stored is not built until it is needed, unless its surface is wanted too.
      *
      * @private
      */
@@ -95,7 +95,7 @@ package starlogo.libraries
             if (tree != null)
             {
                 tree.finishBuilding();
-                tree.prepareExact();
+                tree.preparedInterior();
             }
             return bytesOfResults(modelKey, CookedWriter.write(_model));
         }

@@ -131,15 +131,6 @@ package starlogo.solid
             return boxTree.hasTriangles;
         }
 
-        /** @private Prepares all that exact tests need, if it is not prepared yet: the triangles and what is inside of them, which is slow. */
-        engine function prepareExact():void
-        {
-            if (_interior == null && hasTriangles)
-            {
-                finish(newInteriorWork());
-            }
-        }
-
         /** @private Whether all that exact tests need is prepared. */
         engine function get isExactPrepared():Boolean
         {
@@ -152,10 +143,13 @@ package starlogo.solid
             return _mesh ||= new TriangleMesh(boxTree);
         }
 
-        /** What is inside of the triangles, for models that have some. The first call prepares it, which is slow. */
-        internal function preparedInterior():WindingCounter
+        /** @private What is inside of the triangles; null if there are none. The first call prepares it, as exact tests need it, which is slow. */
+        engine function preparedInterior():WindingCounter
         {
-            prepareExact();
+            if (_interior == null && hasTriangles)
+            {
+                finish(newInteriorWork());
+            }
             return _interior;
         }
 

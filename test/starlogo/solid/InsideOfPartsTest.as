@@ -151,7 +151,7 @@ package starlogo.solid
                             vertices[3 * middle + axis] += share * (vertices[3 * c + axis] - vertices[3 * middle + axis]);
                         }
                         hierarchy.refit();
-                        hierarchy.prepareExact();
+                        hierarchy.preparedInterior();
                         for (axis = 3 * middle; axis < 3 * middle + 3; axis++)
                         {
                             vertices[axis] = straight[axis];

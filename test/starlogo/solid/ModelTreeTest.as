@@ -75,7 +75,7 @@ package starlogo.solid
             for each (var model:Model in SolidModels.all())
             {
                 var known:ModelTree = hierarchyOf(model.vertices, model.triangles);
-                known.prepareExact();
+                known.preparedInterior();
                 for (var i:int = 0; i < 20; i++)
                 {
                     var point:Vector3D = new Vector3D(random.between(-0.5, 0.5), random.between(-0.5, 0.5), random.between(0, 1));

@@ -32,8 +32,6 @@ package starlogo.solid.interior
         private static const MIDDLE:int = 3;
 
         private var _windingCounter:WindingCounter;
-        private var _surface:SurfaceTopology;
-        private var _tree:BoxTree;
         private var _shellFinder:ShellFinder;
 
         // For each vertex, the first one at its place, and one more than the last shell that was found to have a corner there.
@@ -61,8 +59,6 @@ package starlogo.solid.interior
         public function CavityFinder(windingCounter:WindingCounter, shellFinder:ShellFinder, welded:Vector.<int>)
         {
             _windingCounter = windingCounter;
-            _surface = windingCounter.surface;
-            _tree = windingCounter.mesh.tree;
             _shellFinder = shellFinder;
             _welded = welded;
             if (shellFinder.balances.length > 1)
@@ -76,25 +72,26 @@ package starlogo.solid.interior
         // Adds triangles to their shells: their volumes, and the places of their corners, each place once. The triangles come shell by shell.
         private function addTriangles(first:int, end:int):void
         {
+            var vertices:Vector.<Number> = _windingCounter.mesh.vertices;
+            var triangles:Vector.<uint> = _windingCounter.mesh.tree.triangles;
             for (var i:int = first; i < end; i++)
             {
                 var triangle:int = _shellFinder.triangles[i];
-                var shell:int = _surface.shellOf(triangle);
-                if (_surface.shellStates[shell] != SurfaceTopology.ORIENTABLE)
+                var shell:int = _windingCounter.surface.shellOf(triangle);
+                if (_windingCounter.surface.shellStates[shell] != SurfaceTopology.ORIENTABLE)
                 {
                     continue;
                 }
-                _shells[shell] ||= new ClosedShell(shell, 3 * _tree.triangles[3 * triangle]);
+                _shells[shell] ||= new ClosedShell(3 * triangles[3 * triangle]);
                 var closed:ClosedShell = _shells[shell];
-                var vertices:Vector.<Number> = _tree.vertices;
                 var from:int = closed.origin;
                 readTriangle(triangle);
                 var volume:Number = _plane.doubleArea * (_plane.normal.x * (_corners[0] - vertices[from])
                         + _plane.normal.y * (_corners[1] - vertices[from + 1]) + _plane.normal.z * (_corners[2] - vertices[from + 2]));
-                closed.volume += _surface.isReversed(triangle) ? -volume : volume;
+                closed.volume += _windingCounter.surface.isReversed(triangle) ? -volume : volume;
                 for (var corner:int = 3 * triangle; corner < 3 * triangle + 3; corner++)
                 {
-                    var place:int = _welded[_tree.triangles[corner]];
+                    var place:int = _welded[triangles[corner]];
                     if (_lastShellAt[place] != shell + 1)
                     {
                         _lastShellAt[place] = shell + 1;
@@ -108,9 +105,13 @@ package starlogo.solid.interior
         // Sets _corners and _plane to those of a triangle.
         private function readTriangle(triangle:int):void
         {
-            for (var i:int = 0; i < 9; i++)
+            var tree:BoxTree = _windingCounter.mesh.tree;
+            for (var i:int = 0; i < 3; i++)
             {
-                _corners[i] = _tree.vertices[3 * _tree.triangles[3 * triangle + int(i / 3)] + i % 3];
+                var vertex:int = 3 * tree.triangles[int(3 * triangle + i)];
+                _corners[int(3 * i)] = tree.vertices[vertex];
+                _corners[int(3 * i + 1)] = tree.vertices[int(vertex + 1)];
+                _corners[int(3 * i + 2)] = tree.vertices[int(vertex + 2)];
             }
             _plane.setTriangle(_corners, 0);
         }
@@ -127,12 +128,13 @@ package starlogo.solid.interior
         private function orientShells():void
         {
             var isFound:Vector.<Boolean> = new Vector.<Boolean>(3, true);
-            for each (var closed:ClosedShell in _shells)
+            for (var shell:int = 0; shell < _shells.length; shell++)
             {
+                var closed:ClosedShell = _shells[shell];
                 if (closed != null)
                 {
                     var sign:int = closed.volume > 0 ? 1 : (closed.volume < 0 ? -1 : 0);
-                    var balance:int = _shellFinder.balances[closed.number];
+                    var balance:int = _shellFinder.balances[shell];
                     closed.orientation = balance > 0 ? sign : (balance < 0 ? -sign : sign * sign);
                     isFound[closed.orientation + 1] = true;
                 }
@@ -148,8 +150,9 @@ package starlogo.solid.interior
         private function openCopies():void
         {
             var shellWith:Object = {};
-            for each (var closed:ClosedShell in _shells)
+            for (var shell:int = 0; shell < _shells.length; shell++)
             {
+                var closed:ClosedShell = _shells[shell];
                 if (closed == null)
                 {
                     continue;
@@ -159,8 +162,8 @@ package starlogo.solid.interior
                 shellWith[corners] ||= closed;
                 if (earlier != null && !isLarger(earlier, closed) && !isLarger(closed, earlier))
                 {
-                    _surface.shellStates[closed.number] = SurfaceTopology.OPEN;
-                    _shells[closed.number] = null;
+                    _windingCounter.surface.shellStates[shell] = SurfaceTopology.OPEN;
+                    _shells[shell] = null;
                 }
             }
         }
@@ -171,7 +174,7 @@ package starlogo.solid.interior
             for (var i:int = first; i < end; i++)
             {
                 var triangle:int = _shellFinder.triangles[i];
-                var closed:ClosedShell = _shells[_surface.shellOf(triangle)];
+                var closed:ClosedShell = _shells[_windingCounter.surface.shellOf(triangle)];
                 readTriangle(triangle);
                 for (var corner:int = MIDDLE; corner >= 0 && closed != null && !_plane.isFlat && isUndecided(closed); corner--)
                 {
@@ -185,14 +188,14 @@ package starlogo.solid.interior
         private function isUndecided(closed:ClosedShell):Boolean
         {
             return closed.enclosing == null
-                || closed.enclosing.length > 0 && _countedCrossings < WindingCounter.MAX_CROSSINGS_PER_TRIANGLE * _tree.itemCount;
+                || closed.enclosing.length > 0 && _countedCrossings < WindingCounter.MAX_CROSSINGS_PER_TRIANGLE * _shellFinder.triangleCount;
         }
 
         // Finds the shells that enclose a point of a triangle of a shell: near a corner, or in the middle, and a little inside of the shell. readTriangle()
         // must have read the triangle.
         private function findEnclosingNear(closed:ClosedShell, triangle:int, corner:int):void
         {
-            var facesInwards:Boolean = _surface.isReversed(triangle) == closed.volume > 0;
+            var facesInwards:Boolean = _windingCounter.surface.isReversed(triangle) == closed.volume > 0;
             var inwards:Number = (facesInwards ? INWARDS : -INWARDS) * cubeRoot(Math.abs(closed.volume));
             var fraction:Number = corner == MIDDLE ? 1 / 3 : SHARE_OF_EACH;
             var point:Vector.<Number> = new <Number>[inwards * _plane.normal.x, inwards * _plane.normal.y, inwards * _plane.normal.z];
@@ -252,9 +255,9 @@ package starlogo.solid.interior
                         innermost = outer;
                     }
                 }
-                if (innermost >= 0 && !_surface.boundsCavity(innermost) && _shells[innermost].orientation == -closed.orientation)
+                if (innermost >= 0 && !_windingCounter.surface.boundsCavity(innermost) && _shells[innermost].orientation == -closed.orientation)
                 {
-                    _surface.cavityOf[shell] = innermost;
+                    _windingCounter.surface.shellStates[shell] = innermost;
                 }
             }
         }

@@ -3,9 +3,6 @@ package starlogo.solid.interior
     /** A closed, orientable shell, as a record of CavityFinder. */
     internal final class ClosedShell
     {
-        /** Its number in the surface. */
-        public var number:int;
-
         /** Where the coordinates of the vertex begin from which its volume is measured. */
         public var origin:int;
 
@@ -22,13 +19,9 @@ package starlogo.solid.interior
         /** The larger shells that enclose all of its points tested so far. Null before the first point. */
         public var enclosing:Vector.<int> = null;
 
-        /**
-         * @param number its number in the surface
-         * @param origin where the coordinates of one of its vertices begin
-         */
-        public function ClosedShell(number:int, origin:int)
+        /** @param origin where the coordinates of one of its vertices begin */
+        public function ClosedShell(origin:int)
         {
-            this.number = number;
             this.origin = origin;
         }
     }

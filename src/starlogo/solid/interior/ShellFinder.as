@@ -56,7 +56,7 @@ package starlogo.solid.interior
                 {
                     if (signedShells[_first] == 0 && _edges.hasEdges(_first))
                     {
-                        _surface.addShell(SurfaceTopology.ORIENTABLE, -1);
+                        _surface.shellStates.push(SurfaceTopology.ORIENTABLE);
                         balances.push(0);
                         addTriangle(_first, balances.length);
                     }

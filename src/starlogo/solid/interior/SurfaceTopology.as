@@ -38,13 +38,11 @@ package starlogo.solid.interior
         public var signedShells:Vector.<int>;
 
         /**
-         * For each shell, ORIENTABLE, NON_ORIENTABLE or OPEN. A point is inside of the surface if it is inside of a closed shell that bounds no cavity, and
-         * not in a cavity of that shell. So shells may overlap, whatever their orientation.
+         * For each shell, ORIENTABLE, NON_ORIENTABLE or OPEN; for an orientable one that bounds a cavity, the number of the shell in which the cavity is.
+         * A point is inside of the surface if it is inside of a closed shell that bounds no cavity, and not in a cavity of that shell. So shells may
+         * overlap, whatever their orientation.
          */
         public var shellStates:Vector.<int> = new Vector.<int>();
-
-        /** For each shell, the number of the shell in which it bounds a cavity, or -1 if it bounds none. Such a shell is orientable. */
-        public var cavityOf:Vector.<int> = new Vector.<int>();
 
         /** The largest distance of two corners that were welded. */
         public var widestSeam:Number = 0;
@@ -56,13 +54,6 @@ package starlogo.solid.interior
         {
             components = fixedInts(triangleCount);
             signedShells = fixedInts(triangleCount);
-        }
-
-        /** Adds a shell, with its number in <code>shellStates</code> and <code>cavityOf</code>. */
-        public function addShell(state:int, cavityOf:int):void
-        {
-            shellStates.push(state);
-            this.cavityOf.push(cavityOf);
         }
 
         /** The number of a triangle's shell, or -1 for a triangle with two corners at one place. The triangle is counted as the model does. */
@@ -81,7 +72,7 @@ package starlogo.solid.interior
         /** Whether a shell bounds a cavity in another one. */
         public function boundsCavity(shell:int):Boolean
         {
-            return cavityOf[shell] >= 0;
+            return shellStates[shell] >= 0;
         }
 
         /** Whether at least one shell of the surface is closed, so that the surface has an inside. */
@@ -119,31 +110,21 @@ package starlogo.solid.interior
             {
                 return null;
             }
-            var stored:Vector.<int> = new Vector.<int>(shells, true);
-            var isRead:Boolean = readRuns(bytes, stored, OPEN, shells - 1) && readRuns(bytes, surface.components, 0, surface.componentCount - 1)
+            surface.shellStates.length = shells;
+            var isRead:Boolean = readRuns(bytes, surface.shellStates, OPEN, shells - 1) && readRuns(bytes, surface.components, 0, surface.componentCount - 1)
                 && readRuns(bytes, surface.signedShells, -shells, shells);
-            for each (var number:int in stored)
-            {
-                surface.addShell(number < 0 ? number : ORIENTABLE, Math.max(-1, number));
-            }
             return isRead ? surface : null;
         }
 
         /**
-         * Writes the surface: the numbers of components and shells, the widest seam, and runs of equal numbers of the lists. A shell that bounds a cavity is
-         * stored as the number of the shell around it, any other one as its state, which is negative.
+         * Writes the surface: the numbers of components and shells, the widest seam, and runs of equal numbers of the lists.
          */
         public function writeTo(out:ByteArray):void
         {
             out.writeInt(componentCount);
             out.writeInt(shellStates.length);
             out.writeDouble(widestSeam);
-            var stored:Vector.<int> = new Vector.<int>();
-            for (var shell:int = 0; shell < shellStates.length; shell++)
-            {
-                stored.push(boundsCavity(shell) ? cavityOf[shell] : shellStates[shell]);
-            }
-            writeRuns(out, stored);
+            writeRuns(out, shellStates);
             writeRuns(out, components);
             writeRuns(out, signedShells);
         }

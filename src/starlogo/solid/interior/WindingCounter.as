@@ -155,7 +155,7 @@ package starlogo.solid.interior
         private function encloses(shell:int):Boolean
         {
             var state:int = surface.shellStates[shell];
-            return state == SurfaceTopology.ORIENTABLE && _windings[shell] != 0 && !surface.boundsCavity(shell)
+            return state == SurfaceTopology.ORIENTABLE && _windings[shell] != 0
                 || state == SurfaceTopology.NON_ORIENTABLE && (_windings[shell] & 1) != 0;
         }
 
@@ -184,7 +184,7 @@ package starlogo.solid.interior
                 var shell:int = _crossed[i];
                 if (surface.boundsCavity(shell) && _windings[shell] != 0)
                 {
-                    _windings[surface.cavityOf[shell]] = 0;
+                    _windings[surface.shellStates[shell]] = 0;
                 }
             }
         }

@@ -1,7 +1,6 @@
 package starlogo
 {
     import flash.utils.ByteArray;
-    import starlogo.bounding.BoundingStructure;
     import starlogo.data.requireGiven;
     import starlogo.libraries.BoundingStructuresLibrary;
     import starlogo.libraries.FitStore;
@@ -99,7 +98,7 @@ package starlogo
         /**
          * The degrees between the rotations that the search for an oriented box tries (§3.8).
          *
-         * @throws ArgumentError if you set it to a value that is not a positive, finite number
+         * @throws ArgumentError if you set it to a value that is less than 0.01, or not finite
          */
         public function get orientedBoxDegIncrement():Number
         {
@@ -186,13 +185,13 @@ package starlogo
         /** @inheritDoc */
         public function expect(name:String):void
         {
-            models.entryToWrite(name).beginLoad();
+            models.entryToWrite(name).expect();
         }
 
         /** @inheritDoc */
         public function expectNoMore(name:String, problem:String = null):void
         {
-            models.entryToWrite(name).endLoad(problem);
+            models.entryToWrite(name).expectNoMore(problem);
         }
 
         /** @private Why there is no model of a name, as the end of a message: what was wrong when its load failed, or else what to do. */
@@ -247,19 +246,6 @@ package starlogo
         engine function revisionOf(name:String):int
         {
             return models.entryOf(name).revision;
-        }
-
-        /**
-         * The smallest structure of a kind around a model. If it was not kept, it is computed now.
-         *
-         * @param name the name of a model that was added
-         * @param kind BoundingStructure.SPHERE, CAPSULE, BOX or HULL
-         * @throws ArgumentError if its structures were not loaded, or no fitter finds this kind
-         * @private
-         */
-        engine function structureOfKind(name:String, kind:int):BoundingStructure
-        {
-            return _boundingStructures.findOrFit(name, kind);
         }
 
         /** The names of all models that were added, in no order: a new list. */

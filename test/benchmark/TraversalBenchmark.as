@@ -12,7 +12,7 @@ package benchmark
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.OverlapTraversal;
-    import starlogo.hierarchy.PosedTrees;
+    import starlogo.hierarchy.TreePair;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.libraries.HierarchiesLibrary;
@@ -43,7 +43,7 @@ package benchmark
         private var _counts:TreeCounts = new TreeCounts();
         private var _twoTrees:TreeTreeQuery = new TreeTreeQuery(_counts);
         private var _treeAndStructure:TreeStructureQuery = new TreeStructureQuery(_counts);
-        private var _trees:PosedTrees = new PosedTrees();
+        private var _trees:TreePair = new TreePair();
         private var _random:SeededRandom = new SeededRandom(2101);
         private var _ball:ModelTree;
         private var _all:Vector.<Measurement> = new Vector.<Measurement>();

@@ -9,7 +9,7 @@ import { MessageChannel, receiveMessageOnPort } from "node:worker_threads";
 const root = fileURLToPath(new URL("../..", import.meta.url));
 const folder = path.join(root, "bin/module");
 const manifest = JSON.parse(readFileSync(path.join(folder, "package.json"), "utf8"));
-const { Agent, BinCollider, BuiltInModel, ByteArray, Collision, CookedModel, GltfAnimations, GltfModel, GreatLand, ModelError } =
+const { Agent, BinCollider, BuiltInModel, ByteArray, Collision, CookedModel, FitStore, GltfAnimations, GltfModel, GreatLand, ModelError } =
 	await import(pathToFileURL(path.join(folder, manifest.exports["."].default)));
 
 const posted = (value) => {
@@ -50,6 +50,15 @@ test("a cooked model is a Uint8Array, and so are its copies", () => {
 	const bytes = new GreatLand().cook(BuiltInModel.cube());
 	assert.ok(bytes instanceof Uint8Array);
 	for (const copy of [bytes, structuredClone(bytes), posted(bytes)]) assert.equal(CookedModel.fromBytes("cube", copy).vertices.length, BuiltInModel.cube().vertices.length);
+});
+
+test("a storage of fits that gives anything but a ByteArray has none", () => {
+	for (const read of [() => new Uint8Array(5), async () => null, () => undefined, () => "bytes"]) {
+		const land = new GreatLand();
+		land.fitStore = new FitStore(1e6, { read, write: () => true, remove() {} });
+		land.addModel(BuiltInModel.cube());
+		assert.equal(land.boundingStructures.tightestFit("cube").volume > 0, true);
+	}
 });
 
 test("a buffer beside a glTF file may have any name", () => {

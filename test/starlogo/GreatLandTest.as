@@ -42,7 +42,7 @@ package starlogo
             assertNull(_greatLand.modelOf("a"));
             assertFalse(_greatLand.removeModel("a"));
             assertStrictlyEquals(table.entryOf("a"), table.entryOf("b"));
-            table.entryToWrite("a").beginLoad();
+            table.entryToWrite("a").expect();
             assertTrue(_greatLand.isLoading("a"));
             assertFalse(_greatLand.isLoading("b"));
         }

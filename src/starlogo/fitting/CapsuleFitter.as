@@ -43,7 +43,7 @@ package starlogo.fitting
         /** @inheritDoc */
         override public function get signature():String
         {
-            return _boxFitter.signature == null ? null : "capsule of " + _boxFitter.signature;
+            return _boxFitter.signature ? "capsule of " + _boxFitter.signature : null;
         }
 
         /** @inheritDoc */

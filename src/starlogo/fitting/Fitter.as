@@ -41,7 +41,7 @@ package starlogo.fitting
         /**
          * For subclasses only.
          *
-         * @param signature the value of <code>signature</code>; null for none
+         * @param signature the value of <code>signature</code>; null or an empty text for none
          */
         public function Fitter(signature:String = null)
         {
@@ -50,7 +50,7 @@ package starlogo.fitting
 
         /**
          * The algorithm and its settings in a few words. Two fitters with the same signature find the same structures, so a FitSession computes
-         * them once. If it is null, the structures are not kept in a FitStore or a cooked file. A client's own fitter may have a signature, which
+         * them once. If it is null or empty, the structures are not kept in a FitStore or a cooked file. A client's own fitter may have a signature, which
          * must change whenever its results do.
          */
         public function get signature():String

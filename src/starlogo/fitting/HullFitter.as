@@ -6,7 +6,7 @@ package starlogo.fitting
     /**
      * Finds a convex hull of few corners around all vertices. It is beyond the thesis. No other convex shape around a model is smaller than
      * its convex hull, but that may have hundreds of corners, and each makes a test slower. This hull is a few percent larger as a mean
-     * of many models. If rounding stops the search, it is a box.
+     * of many models. If rounding stops the search, it is a box. It is never larger than the axis-aligned box.
      *
      * <p>It begins with the convex hull of the vertices, and collapses edges until few corners are left. A corner outside of all faces
      * at both ends takes the place of an edge, where the hull grows least (progressive hulls: Sander and others, "Silhouette Clipping",

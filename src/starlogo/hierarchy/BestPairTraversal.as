@@ -34,7 +34,7 @@ package starlogo.hierarchy
          * @param kernel decides about such nodes; null if their boxes decide
          * @return the best pair; the next search overwrites it
          */
-        protected final function find(trees:PosedTrees, kernel:NodePairKernel):BestPair
+        protected final function find(trees:TreePair, kernel:NodePairKernel):BestPair
         {
             var treeA:BoxTree = trees.a;
             var treeB:BoxTree = trees.b;
@@ -96,13 +96,13 @@ package starlogo.hierarchy
         }
 
         /** Sets <code>out.bound</code> for a pair of nodes. A bound that is not less than <code>out.limit</code> need not be exact. */
-        protected function estimate(trees:PosedTrees, a:int, b:int, out:BestPair):void
+        protected function estimate(trees:TreePair, a:int, b:int, out:BestPair):void
         {
             throw new IllegalOperationError(this + " does not implement estimate");
         }
 
         /** Measures two nodes that decide, by the kernel, or by their boxes if it is null. If they are better than the best pair so far, they become it. */
-        protected function measure(trees:PosedTrees, a:int, b:int, kernel:NodePairKernel, out:BestPair):void
+        protected function measure(trees:TreePair, a:int, b:int, kernel:NodePairKernel, out:BestPair):void
         {
             throw new IllegalOperationError(this + " does not implement measure");
         }

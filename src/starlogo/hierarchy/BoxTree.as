@@ -1,5 +1,5 @@
 // The package hierarchy keeps, builds and visits trees of boxes. A BoxTreeBuilder makes the nodes. A Search visits the nodes of one tree, and a Traversal
-// pairs of nodes of two trees (PosedTrees). Where they end, a Visitor decides about a node, and a Kernel about a pair. Read BoxTree first, then BoxSearch
+// pairs of nodes of two trees (TreePair). Where they end, a Visitor decides about a node, and a Kernel about a pair. Read BoxTree first, then BoxSearch
 // and NodeVisitor, then OverlapTraversal and NodePairKernel. A TriangleMesh lists the corners of a tree's triangles in the order of the tree.
 
 package starlogo.hierarchy
@@ -303,16 +303,12 @@ package starlogo.hierarchy
         public function completeNodes():void
         {
             // V8 keeps all of a list that is shortened by less than half
-            if (4 * _count < 3 * left.length)
-            {
-                boxes = boxes.slice(0, 6 * _count);
-                left = left.slice(0, _count);
-                firstSlot = firstSlot.slice(0, _count);
-                endSlot = endSlot.slice(0, _count);
-                endsUpToDepth = endsUpToDepth.slice(0, _count);
-                levelAndAxis = levelAndAxis.slice(0, _count);
-            }
-            setRoom(_count);
+            boxes = boxes.slice(0, 6 * _count);
+            left = left.slice(0, _count);
+            firstSlot = firstSlot.slice(0, _count);
+            endSlot = endSlot.slice(0, _count);
+            endsUpToDepth = endsUpToDepth.slice(0, _count);
+            levelAndAxis = levelAndAxis.slice(0, _count);
             _count = 0;
         }
 
@@ -328,19 +324,14 @@ package starlogo.hierarchy
             var node:int = _count;
             if (node == left.length)
             {
-                setRoom(2 * node);
+                boxes.length = 12 * node;
+                left.length = firstSlot.length = endSlot.length = endsUpToDepth.length = levelAndAxis.length = 2 * node;
             }
             firstSlot[node] = from;
             endSlot[node] = to;
             endsUpToDepth[node] = EXACT;
             levelAndAxis[node] = level << 2;
             _count = node + 1;
-        }
-
-        private function setRoom(count:int):void
-        {
-            boxes.length = 6 * count;
-            left.length = firstSlot.length = endSlot.length = endsUpToDepth.length = levelAndAxis.length = count;
         }
     }
 }

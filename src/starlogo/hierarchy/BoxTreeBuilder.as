@@ -25,9 +25,9 @@ package starlogo.hierarchy
     public final class BoxTreeBuilder extends StepSequence
     {
         /** The most vertices of a leaf, and the levels of a tree, if a game does not say (thesis §4.4). */
-        public static const DEFAULT_VERTICES_OF_LEAF:int = 5;
+        public static const DEFAULT_LEAF_VERTICES:int = 5;
 
-        /** @copy #DEFAULT_VERTICES_OF_LEAF */
+        /** @copy #DEFAULT_LEAF_VERTICES */
         public static const DEFAULT_DEPTH:int = 10;
 
         // The most triangles of a node without children.
@@ -38,10 +38,10 @@ package starlogo.hierarchy
         private static const ITEMS_PER_NODE:int = 10;
 
         private var _tree:BoxTree;
-        private var _mostVerticesOfLeaf:int;
+        private var _maxLeafVertices:int;
         private var _maxDepth:int;
         private var _splitByMean:Boolean;
-        private var _items:TreeItems;
+        private var _items:TreePartition;
 
         // The nodes still to visit, the next one last, and for each, whether it is a leaf or below one.
         private var _waiting:Vector.<int> = new Vector.<int>();
@@ -52,14 +52,14 @@ package starlogo.hierarchy
 
         /**
          * @param tree without nodes; receives them, and the order of its items
-         * @param mostVerticesOfLeaf a node with at most this many vertices is a leaf
+         * @param maxLeafVertices a node with at most this many vertices is a leaf
          * @param maxDepth a node on this level is a leaf
          * @param splitByMean whether to split at the mean, down to the leaves
          */
-        public function BoxTreeBuilder(tree:BoxTree, mostVerticesOfLeaf:int, maxDepth:int, splitByMean:Boolean)
+        public function BoxTreeBuilder(tree:BoxTree, maxLeafVertices:int, maxDepth:int, splitByMean:Boolean)
         {
             _tree = tree;
-            _mostVerticesOfLeaf = mostVerticesOfLeaf;
+            _maxLeafVertices = maxLeafVertices;
             _maxDepth = maxDepth;
             _splitByMean = splitByMean;
             call(takeItems);
@@ -82,7 +82,7 @@ package starlogo.hierarchy
 
         private function takeItems():void
         {
-            _items = new TreeItems(_tree);
+            _items = new TreePartition(_tree);
             slices(_tree.itemCount, ITEMS_PER_STEP, _items.measure).call(beginRoot).repeat(visitSome).call(_tree.completeNodes);
         }
 
@@ -147,7 +147,7 @@ package starlogo.hierarchy
         private function isSplit(node:int):Boolean
         {
             return _tree.levelOf(node) < _maxDepth && _tree.endSlot[node] - _tree.firstSlot[node] > 1
-                && _tree.countVertices(node, _mostVerticesOfLeaf) > _mostVerticesOfLeaf;
+                && _tree.countVertices(node, _maxLeafVertices) > _maxLeafVertices;
         }
 
         // The axis along which the box of a node is longest: 0, 1 or 2.

@@ -27,7 +27,7 @@ package starlogo.hierarchy
         // The axes of tree b, and the pair that is estimated.
         private var _pair:BoxPair = new BoxPair();
 
-        // The radii of the spheres around both trees together. The rounding error is relative to it.
+        // The radii of the spheres about both origins that contain the trees, together. The rounding error is relative to it.
         private var _radii:Number;
 
         private var _measured:ClosestPoints = new ClosestPoints();
@@ -44,10 +44,10 @@ package starlogo.hierarchy
          * @param kernel decides about nodes that decide; null if their boxes do
          * @param out receives the points and their distance, in a's space
          */
-        public function findClosest(trees:PosedTrees, kernel:NodePairKernel, out:ClosestPoints):void
+        public function findClosest(trees:TreePair, kernel:NodePairKernel, out:ClosestPoints):void
         {
             var relative:Placement = trees.pose.placement;
-            _radii = trees.a.radius + trees.b.radius * relative.size;
+            _radii = trees.a.radiusAboutOrigin + trees.b.radiusAboutOrigin * relative.size;
             _pair.axes.setAxes(relative);
             out.copyFrom(find(trees, kernel).points);
         }
@@ -58,7 +58,7 @@ package starlogo.hierarchy
          * <p>The bound is the greatest of three: the distance along a's axes, along b's axes, and along the line between the closest points so far. A
          * pair that is too far away along a's axes need not be estimated exactly.</p>
          */
-        override protected function estimate(trees:PosedTrees, a:int, b:int, out:BestPair):void
+        override protected function estimate(trees:TreePair, a:int, b:int, out:BestPair):void
         {
             var pair:BoxPair = _pair;
             var axes:BoxAxes = pair.axes;
@@ -85,7 +85,7 @@ package starlogo.hierarchy
                 out.bound = out.limit;
                 return;
             }
-            raise(Math.sqrt(squared), out);
+            raiseBound(Math.sqrt(squared), out);
             estimateAlongAxesOfB(pair, out);
             if (out.points.distance < Infinity)
             {
@@ -112,7 +112,7 @@ package starlogo.hierarchy
             distance -= axes.abs02 * pair.aHalfX + axes.abs12 * pair.aHalfY + axes.abs22 * pair.aHalfZ + pair.bHalfZ;
             distance = distance > 0 ? distance : 0;
             squared += distance * distance;
-            raise(Math.sqrt(squared), out);
+            raiseBound(Math.sqrt(squared), out);
         }
 
         // Raises the bound to the distance of two boxes along the line between the closest points so far. It rules out most of the pairs that are not
@@ -140,11 +140,11 @@ package starlogo.hierarchy
             toX = toX < 0 ? -toX : toX;
             toY = toY < 0 ? -toY : toY;
             toZ = toZ < 0 ? -toZ : toZ;
-            raise((distance - pair.aHalfX * toX - pair.aHalfY * toY - pair.aHalfZ * toZ) / length, out);
+            raiseBound((distance - pair.aHalfX * toX - pair.aHalfY * toY - pair.aHalfZ * toZ) / length, out);
         }
 
         // Raises the bound to a computed distance, less its rounding error.
-        private function raise(distance:Number, out:BestPair):void
+        private function raiseBound(distance:Number, out:BestPair):void
         {
             var bound:Number = distance - SLACK * (distance + _radii);
             if (bound > out.bound)
@@ -154,7 +154,7 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override protected function measure(trees:PosedTrees, a:int, b:int, kernel:NodePairKernel, out:BestPair):void
+        override protected function measure(trees:TreePair, a:int, b:int, kernel:NodePairKernel, out:BestPair):void
         {
             if (kernel != null)
             {
@@ -163,7 +163,7 @@ package starlogo.hierarchy
             }
             var placedB:BoundingStructure = trees.pose.placeWidened(trees.b.boxOf(b));
             StructurePairs.findClosest(trees.a.boxOf(a), placedB, _measured);
-            reduce(_measured, trees.a.levelOf(a), trees.b.levelOf(b), _radii);
+            subtractSlack(_measured, trees.a.levelOf(a), trees.b.levelOf(b), _radii);
             if (_measured.distance < out.limit)
             {
                 out.limit = _measured.distance;
@@ -176,9 +176,9 @@ package starlogo.hierarchy
          *
          * @param levelA the level of a's node
          * @param levelB the level of b's node; 0 for a structure
-         * @param radii the radii of both models together
+         * @param radii the rounding error is relative to this length and the distance together
          */
-        internal static function reduce(measured:ClosestPoints, levelA:int, levelB:int, radii:Number):void
+        internal static function subtractSlack(measured:ClosestPoints, levelA:int, levelB:int, radii:Number):void
         {
             var distance:Number = measured.distance - Tolerances.NESTING * (levelsBelow(levelA) + levelsBelow(levelB)) * (measured.distance + radii);
             measured.distance = distance > 0 ? distance : 0;

@@ -30,7 +30,7 @@ package starlogo.hierarchy
          * @param kernel decides about nodes that decide; null if their boxes do
          * @return the nodes or items that touch first, and the time; the next search overwrites it
          */
-        public function findFirstPair(trees:PosedTrees, motion:RelativeMotion, kernel:NodePairKernel):BestPair
+        public function findFirstPair(trees:TreePair, motion:RelativeMotion, kernel:NodePairKernel):BestPair
         {
             var relative:Placement = trees.pose.placement;
             _pair.axes.setAxes(relative);
@@ -48,7 +48,7 @@ package starlogo.hierarchy
          *
          * <p>The bound is the first time at which no face separates the boxes.</p>
          */
-        override protected function estimate(trees:PosedTrees, a:int, b:int, out:BestPair):void
+        override protected function estimate(trees:TreePair, a:int, b:int, out:BestPair):void
         {
             readPair(trees, a, b, out);
             _sweep.findTimeOfFaces(_pair);
@@ -56,7 +56,7 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override protected function measure(trees:PosedTrees, a:int, b:int, kernel:NodePairKernel, out:BestPair):void
+        override protected function measure(trees:TreePair, a:int, b:int, kernel:NodePairKernel, out:BestPair):void
         {
             if (kernel != null)
             {
@@ -74,7 +74,7 @@ package starlogo.hierarchy
         }
 
         // Reads the boxes of two nodes. Times after the best one so far do not count.
-        private function readPair(trees:PosedTrees, a:int, b:int, best:BestPair):void
+        private function readPair(trees:TreePair, a:int, b:int, best:BestPair):void
         {
             trees.writePair(a, b, _pair);
             if (best.limit < _pair.latestTime)

@@ -52,7 +52,7 @@ package starlogo.hierarchy
         override public function visit(tree:BoxTree, node:int):void
         {
             StructurePairs.findClosest(tree.boxOf(node), _structure, _measured);
-            DistanceTraversal.reduce(_measured, tree.levelOf(node), 0, _radii);
+            DistanceTraversal.subtractSlack(_measured, tree.levelOf(node), 0, _radii);
             if (_measured.distance < limit)
             {
                 limit = _measured.distance;

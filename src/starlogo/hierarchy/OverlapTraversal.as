@@ -51,7 +51,7 @@ package starlogo.hierarchy
          * @param kernel decides about such nodes; null if their boxes decide
          * @return APART, ONLY_ROOTS or OVERLAPPING
          */
-        public function find(trees:PosedTrees, kernel:NodePairKernel):int
+        public function find(trees:TreePair, kernel:NodePairKernel):int
         {
             var pair:BoxPair = _pair;
             var margin:Number = trees.pose.margin;
@@ -99,7 +99,7 @@ package starlogo.hierarchy
         }
 
         // Puts the children of one node or of both in place of the pair, so that the nearest pair is visited first. Returns the new top of the stack.
-        private function pushChildren(trees:PosedTrees, pair:BoxPair, a:int, aEnds:Boolean, b:int, bEnds:Boolean, isDeep:Boolean, top:int):int
+        private function pushChildren(trees:TreePair, pair:BoxPair, a:int, aEnds:Boolean, b:int, bEnds:Boolean, isDeep:Boolean, top:int):int
         {
             var stack:Vector.<int> = _nodes;
             var dividesA:Boolean = isDeep ? !aEnds : trees.dividesA(a, aEnds, b, bEnds);

@@ -48,7 +48,7 @@ package starlogo.libraries
          * Creates a library without models, with the three fitters of the thesis.
          *
          * @param orientedBoxDegIncrement degrees between the rotations that the default fitters try
-         * @throws ArgumentError if that is not a positive, finite number
+         * @throws ArgumentError if that is less than 0.01, or not finite
          */
         public function BoundingStructuresLibrary(orientedBoxDegIncrement:Number = 10)
         {
@@ -96,7 +96,7 @@ package starlogo.libraries
          * The degrees between the rotations that the default oriented box fitter tries (thesis §3.8). The default capsule is that of this
          * box, so it changes too. It has no effect on fitters that you put into the list.
          *
-         * @throws ArgumentError if you set it to a value that is not a positive, finite number
+         * @throws ArgumentError if you set it to a value that is less than 0.01, or not finite
          */
         public function get orientedBoxDegIncrement():Number
         {
@@ -126,7 +126,7 @@ package starlogo.libraries
             var needsCopy:Boolean = vertices != null && !keepHulls && (model == null || vertices != model.vertices);
             var structures:ModelStructures = newStructures(needsCopy ? vertices.concat() : vertices);
             finish(newBuilder(name, structures));
-            models.entryToWrite(name).setStructures(structures);
+            models.entryToWrite(name).replace(model, structures, models.entryOf(name).tree);
         }
 
         /** Whether the library has structures for a shape. */
@@ -195,7 +195,7 @@ package starlogo.libraries
         public function hasAll(name:String):Boolean
         {
             var structures:ModelStructures = models.entryOf(name).structures;
-            return structures != null && structures.showsAll && structures.smallest.indexOf(null) < 0;
+            return structures != null && structures.keepsAll && structures.smallest.indexOf(null) < 0;
         }
 
         /** Whether there is a hull for a shape by now, or a sphere in its place. */
@@ -256,7 +256,7 @@ package starlogo.libraries
         private function kept(name:String, kind:int):BoundingStructure
         {
             var structures:ModelStructures = find(name);
-            if (!structures.showsAll || structures.smallest[kind] == null)
+            if (!structures.keepsAll || structures.smallest[kind] == null)
             {
                 throw ModelTable.errorOf(name, "it shows no " + BoundingStructure.NAMES[kind] + ": set loadAllBoundingStructures (keepAll) before the model is added, "
                         + "and have a fitter that finds one in the list");

@@ -15,7 +15,7 @@ package starlogo.libraries
     public final class FitSettings
     {
         // Increase it whenever an algorithm of the engine gives other results for the same settings.
-        private static const REVISION:int = 14;
+        private static const REVISION:int = 15;
 
         // For each section of a cooked file, the settings of what is in it, as a text. Null if that is not wanted, or cannot be kept.
         private var _settingsOfSections:Vector.<String> = new Vector.<String>(CookedFile.SECTION_COUNT, true);
@@ -88,17 +88,17 @@ package starlogo.libraries
             return _settingsOfSections[section] == null ? null : fingerprintOfText(_settingsOfSections[section]);
         }
 
-        // null if a fitter has no signature
+        // Null if a fitter has no signature. A comma within a signature is doubled, so that other fitters give another text.
         private static function signaturesOf(fitters:Vector.<Fitter>):String
         {
             var signatures:Array = [];
             for each (var fitter:Fitter in fitters)
             {
-                if (fitter == null || fitter.signature == null)
+                if (fitter == null || !fitter.signature)
                 {
                     return null;
                 }
-                signatures.push(fitter.signature);
+                signatures.push(fitter.signature.split(",").join(",,"));
             }
             return signatures.join(", ");
         }

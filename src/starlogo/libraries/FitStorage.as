@@ -8,7 +8,7 @@ package starlogo.libraries
      */
     public interface FitStorage
     {
-        /** A copy of the bytes under a name; null if there are none, or they can't be read. Never throws. */
+        /** A copy of the bytes under a name; null if there are none, or they can't be read. Anything but a ByteArray counts as null. Never throws. */
         function read(name:String):ByteArray;
 
         /**

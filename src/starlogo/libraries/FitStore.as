@@ -199,7 +199,8 @@ package starlogo.libraries
         // What is stored under a name, from the beginning on: a copy that a game's own storage has just written stands at its end.
         private function bytesOf(name:String):ByteArray
         {
-            var bytes:ByteArray = _storage.read(name);
+            // in JavaScript, a game's own storage may return anything
+            var bytes:ByteArray = _storage.read(name) as ByteArray;
             if (bytes != null)
             {
                 bytes.position = 0;

@@ -39,7 +39,7 @@ package starlogo.libraries
         /** @private What was computed for each shape. The libraries of a GreatLand share its table. */
         engine var models:ModelTable = new ModelTable();
 
-        private var _minVerticesToSplit:int = BoxTreeBuilder.DEFAULT_VERTICES_OF_LEAF;
+        private var _minVerticesToSplit:int = BoxTreeBuilder.DEFAULT_LEAF_VERTICES;
         private var _maxDepth:int = BoxTreeBuilder.DEFAULT_DEPTH;
 
         /** Creates a library without models. */
@@ -109,7 +109,7 @@ package starlogo.libraries
             var keptTriangles:Vector.<uint> = model != null && triangles == model.triangles ? triangles : (hasTriangles ? triangles.concat() : null);
             var tree:ModelTree = newTree(keptVertices, keptTriangles);
             tree.finishBuilding();
-            models.entryToWrite(name).setTree(tree);
+            models.entryToWrite(name).replace(model, models.entryOf(name).structures, tree);
         }
 
         /** Whether the library has a hierarchy for a shape. */

@@ -42,13 +42,6 @@ package starlogo.libraries
             _table = table;
         }
 
-        /** Sets the structures; null for none. */
-        public function setStructures(structures:ModelStructures):void
-        {
-            this.structures = structures;
-            countChange();
-        }
-
         /** The tree; null if there is none. If it is not built yet, builds it. */
         public function builtTree():ModelTree
         {
@@ -59,19 +52,12 @@ package starlogo.libraries
             return tree;
         }
 
-        /** Sets the tree, which may not be built yet; null for none. */
-        public function setTree(tree:ModelTree):void
-        {
-            this.tree = tree;
-            countChange();
-        }
-
         /**
          * Replaces everything under this name.
          *
          * @param model null for none
          * @param structures null for none
-         * @param tree null for none
+         * @param tree may not be built yet; null for none
          */
         public function replace(model:Model, structures:ModelStructures, tree:ModelTree):void
         {
@@ -91,14 +77,14 @@ package starlogo.libraries
         }
 
         /** Counts one more model of this name that is loading. */
-        public function beginLoad():void
+        public function expect():void
         {
             _loadingCount++;
             loadProblem = null;
         }
 
         /** Counts one less, if one is loading. @param problem why its load failed; null if it did not */
-        public function endLoad(problem:String):void
+        public function expectNoMore(problem:String):void
         {
             _loadingCount = Math.max(0, _loadingCount - 1);
             loadProblem = problem || loadProblem;

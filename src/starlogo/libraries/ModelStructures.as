@@ -33,7 +33,7 @@ package starlogo.libraries
         public var tightest:BoundingStructure = null;
 
         /** Whether the client may read the smallest structure of each kind: the library's <code>keepAll</code>. */
-        public var showsAll:Boolean;
+        public var keepsAll:Boolean;
 
         /** The vertices that are enclosed; null once there is a hull. If they are a model's own, a pose may have moved them since. */
         public var vertices:Vector.<Number>;
@@ -46,13 +46,13 @@ package starlogo.libraries
          *
          * @param vertices the vertices that are enclosed; kept
          * @param hullFitter finds their hull, if it is needed later
-         * @param showsAll whether the client may read the smallest structure of each kind
+         * @param keepsAll whether the client may read the smallest structure of each kind
          */
-        public function ModelStructures(vertices:Vector.<Number>, hullFitter:HullFitter, showsAll:Boolean)
+        public function ModelStructures(vertices:Vector.<Number>, hullFitter:HullFitter, keepsAll:Boolean)
         {
             this.vertices = vertices;
             this.hullFitter = hullFitter;
-            this.showsAll = showsAll;
+            this.keepsAll = keepsAll;
         }
 
         /**

@@ -18,8 +18,8 @@ package starlogo.libraries
 
     /**
      * The work that finds the results for one model. It takes what is in the model's cooked file, otherwise what is in a store, and computes
-     * what is missing. Then it stores the results. A hierarchy whose division is stored is not built until it is needed, unless its surface is
-     * wanted too.
+     * what is missing. Then it stores the results. The constructor reads the cooked file; the first steps read the store. A hierarchy whose
+     * division is stored is not built until it is needed, unless its surface is wanted too.
      *
      * @private
      */
@@ -41,9 +41,6 @@ package starlogo.libraries
 
         // Finds the structures. Null if none are wanted, or if the cooked file has them.
         private var _structuresBuilder:StructuresBuilder = null;
-
-        // Makes the nodes of the tree again from a stored division; null for none.
-        private var _cookedTree:CookedTree = null;
 
         /**
          * @param model the model
@@ -68,7 +65,14 @@ package starlogo.libraries
             {
                 _structuresBuilder = structuresLibrary.newBuilder(model.name, structures);
             }
-            add(store == null || isComplete ? computing() : storing(store));
+            if (store == null || isComplete)
+            {
+                add(computing());
+            }
+            else
+            {
+                addStoring(store);
+            }
         }
 
         /** @inheritDoc @throws ArgumentError if the model was posed since this work was created, or as its parts */
@@ -81,12 +85,6 @@ package starlogo.libraries
             return super.step();
         }
 
-        /** Whether the hierarchy is made from a stored division. It becomes false if the division does not fit the model. */
-        public function get isTreeStored():Boolean
-        {
-            return _cookedTree != null && !_cookedTree.isRefused;
-        }
-
         /**
          * Makes a cooked file of the model, including the surface. Call it when no step is left. A surface that is missing is prepared now.
          *
@@ -97,7 +95,7 @@ package starlogo.libraries
             if (tree != null)
             {
                 tree.finishBuilding();
-                tree.prepareExact();
+                tree.preparedInterior();
             }
             return bytesOfResults(modelKey, CookedWriter.write(_model));
         }
@@ -111,21 +109,22 @@ package starlogo.libraries
         // Whether all results that are wanted are there, or stored.
         private function get isComplete():Boolean
         {
-            return hasStructures && (tree == null || isTreeStored)
+            return hasStructures && (tree == null || tree.restoring != null)
                 && (!_settings.preparesExact || _model.triangles == null || tree.surface != null);
         }
 
-        // The work that takes results from a store, computes what it does not have, and stores all.
-        private function storing(store:FitStore):Steps
+        // Adds the work that takes results from a store, computes what it does not have, and stores all.
+        private function addStoring(store:FitStore):void
         {
             var geometryKey:Fingerprint = new Fingerprint();
-            return new StepSequence().add(geometryKey.addingLists(_model.vertices, _model.triangles)).begin(function():Steps
+            var stored:CookedFile = null;
+            add(geometryKey.addingLists(_model.vertices, _model.triangles)).begin(function():Steps
                 {
-                    var stored:CookedFile = store.load(geometryKey, _settings);
-                    return new StepSequence().add(stored).begin(function():Steps
-                        {
-                            return completing(stored, geometryKey, store);
-                        });
+                    stored = store.load(geometryKey, _settings);
+                    return stored;
+                }).begin(function():Steps
+                {
+                    return completing(stored, geometryKey, store);
                 });
         }
 
@@ -155,7 +154,7 @@ package starlogo.libraries
             {
                 work.add(_structuresBuilder);
             }
-            if (tree != null && (_settings.preparesExact || !isTreeStored))
+            if (tree != null && (_settings.preparesExact || tree.restoring == null))
             {
                 work.add(tree.building);
             }
@@ -170,10 +169,9 @@ package starlogo.libraries
                 takeStructures(file);
             }
             var division:ByteArray = _settings.sectionOf(file, CookedFile.HIERARCHY);
-            if (division != null && _cookedTree == null)
+            if (division != null)
             {
-                _cookedTree = new CookedTree(division, tree.boxTree, _settings.maxDepth);
-                tree.restoreFirst(_cookedTree);
+                tree.restoring ||= new CookedTree(division, tree.boxTree, _settings.maxDepth);
             }
             var surface:ByteArray = division == null || _model.triangles == null ? null : _settings.sectionOf(file, CookedFile.SURFACE);
             var topology:SurfaceTopology = surface == null ? null : SurfaceTopology.read(surface, _model.triangles.length / 3);

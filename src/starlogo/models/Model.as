@@ -176,7 +176,8 @@ package starlogo.models
          *
          * <p>All agents with the model have the new shape from the next <code>update()</code> on, in each GreatLand to which the model was
          * added. <code>areColliding()</code> sees it at once. Hierarchies keep their division and get new boxes. Exact colliders test the new
-         * triangles. Bounding structures stay as they are, because fitting them takes much longer. To fit them to the pose, call
+         * triangles. Bounding structures stay as they are, because fitting them takes much longer. But a hull that nobody has asked for yet
+         * is found around the pose when it is first needed. To fit all to the pose, call
          * <code>greatLand.boundingStructures.add(model.name, model.vertices)</code>. Until then colliders that use structures have the old
          * ones. The order of the vertices must not change. A pose that is very different from the first one makes tests slower, but not
          * wrong.</p>

@@ -57,7 +57,7 @@ package starlogo.queries
             requireGiven("model", model);
             ModelTable.requireSize(model.name, model.vertices);
             var tree:ModelTree = new ModelTree(new BoxTree(model.vertices, model.triangles));
-            tree.beginBuilding(BoxTreeBuilder.DEFAULT_VERTICES_OF_LEAF, BoxTreeBuilder.DEFAULT_DEPTH, false, prepareExact);
+            tree.beginBuilding(BoxTreeBuilder.DEFAULT_LEAF_VERTICES, BoxTreeBuilder.DEFAULT_DEPTH, false, prepareExact);
             tree.finishBuilding();
             choice.models.entryToWrite(model.name).replace(model, null, tree);
         }

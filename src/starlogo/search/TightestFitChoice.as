@@ -44,7 +44,7 @@ package starlogo.search
             }
             if (shape.variant != Agent.ANY_KIND)
             {
-                shape.setStructure(greatLand.structureOfKind(model, shape.variant));
+                shape.setStructure(library.findOrFit(model, shape.variant));
                 return;
             }
             shape.setStructure(library.tightestFit(model));

@@ -21,13 +21,13 @@ package starlogo.solid
         /** The time of the earliest touch so far, or RelativeMotion.NEVER. Read only. */
         public var time:Number = RelativeMotion.NEVER;
 
-        // The time as which the chosen one counts.
-        private var _countedTime:Number = RelativeMotion.NEVER;
+        // The chosen one's time, which counts as earlier the more squarely the motion meets the plane.
+        private var _rank:Number = RelativeMotion.NEVER;
 
         /** Begins. */
         public function reset():void
         {
-            time = _countedTime = RelativeMotion.NEVER;
+            time = _rank = RelativeMotion.NEVER;
         }
 
         /**
@@ -57,12 +57,12 @@ package starlogo.solid
             }
             var length:Number = Math.sqrt(motion.x * motion.x + motion.y * motion.y + motion.z * motion.z);
             var squareness:Number = length > 0 ? approach / length : 0;
-            var countedTime:Number = motion.time - Tolerances.SAME_TIME * squareness;
-            if (!(countedTime < _countedTime))
+            var rank:Number = motion.time - Tolerances.SAME_TIME * squareness;
+            if (!(rank < _rank))
             {
                 return false;
             }
-            _countedTime = countedTime;
+            _rank = rank;
             return true;
         }
 

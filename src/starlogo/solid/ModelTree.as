@@ -32,7 +32,7 @@ package starlogo.solid
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.hierarchy.TriangleMesh;
     import starlogo.solid.interior.InteriorBuilder;
-    import starlogo.solid.interior.OpenSideVisitor;
+    import starlogo.solid.interior.ClearRayVisitor;
     import starlogo.solid.interior.SurfaceTopology;
     import starlogo.solid.interior.WindingCounter;
     import starlogo.steps.StepSequence;
@@ -50,7 +50,7 @@ package starlogo.solid
      */
     public final class ModelTree
     {
-        private static const OPEN_SIDES:OpenSideVisitor = new OpenSideVisitor();
+        private static const CLEAR_RAYS:ClearRayVisitor = new ClearRayVisitor();
 
         /** @private The tree of the model's triangles or vertices. */
         engine var boxTree:BoxTree;
@@ -60,6 +60,12 @@ package starlogo.solid
 
         /** @private The work that makes the nodes, which was begun. It may have no steps left. Null if there is none to do. */
         engine var building:Steps = null;
+
+        /**
+         * @private The beginning of that work: it makes the nodes from what is stored, if it can; otherwise they are built. Null for none. Set it before
+         *     the first step.
+         */
+        engine var restoring:Steps = null;
 
         // Null before they are asked for: the root, as clients see it; the triangles; what is inside of them.
         private var _root:HierarchyNode = null;
@@ -75,24 +81,21 @@ package starlogo.solid
         /**
          * @private Begins the work that makes the nodes. <code>finishBuilding()</code> does what is left of it.
          *
-         * @param mostVerticesOfLeaf a node with at most this many vertices is a leaf
+         * @param maxLeafVertices a node with at most this many vertices is a leaf
          * @param maxDepth a node on this level is a leaf
          * @param splitByMean whether to split at the mean, down to the leaves
          * @param preparesExact whether to prepare the triangles for exact tests and rays now; otherwise the first of these does
          */
-        engine function beginBuilding(mostVerticesOfLeaf:int, maxDepth:int, splitByMean:Boolean, preparesExact:Boolean):void
+        engine function beginBuilding(maxLeafVertices:int, maxDepth:int, splitByMean:Boolean, preparesExact:Boolean):void
         {
             var work:StepSequence = new StepSequence().begin(function():Steps
                 {
-                    return boxTree.isMade ? null : new BoxTreeBuilder(boxTree, mostVerticesOfLeaf, maxDepth, splitByMean);
+                    return restoring;
+                }).begin(function():Steps
+                {
+                    return boxTree.isMade ? null : new BoxTreeBuilder(boxTree, maxLeafVertices, maxDepth, splitByMean);
                 });
             building = preparesExact && hasTriangles ? work.begin(newInteriorWork) : work;
-        }
-
-        /** @private Puts work before the work that was begun. It makes the nodes from what is stored, if it can; otherwise they are built. */
-        engine function restoreFirst(restoring:Steps):void
-        {
-            building = new StepSequence().add(restoring).add(building);
         }
 
         /** @private Does what is left of the work that was begun. */
@@ -101,7 +104,7 @@ package starlogo.solid
             if (building != null)
             {
                 finish(building);
-                building = null;
+                building = restoring = null;
             }
         }
 
@@ -128,15 +131,6 @@ package starlogo.solid
             return boxTree.hasTriangles;
         }
 
-        /** @private Prepares all that exact tests need, if it is not prepared yet: the triangles and what is inside of them, which is slow. */
-        engine function prepareExact():void
-        {
-            if (_interior == null && hasTriangles)
-            {
-                finish(newInteriorWork());
-            }
-        }
-
         /** @private Whether all that exact tests need is prepared. */
         engine function get isExactPrepared():Boolean
         {
@@ -149,16 +143,19 @@ package starlogo.solid
             return _mesh ||= new TriangleMesh(boxTree);
         }
 
-        /** What is inside of the triangles, for models that have some. The first call prepares it, which is slow. */
-        internal function preparedInterior():WindingCounter
+        /** @private What is inside of the triangles; null if there are none. The first call prepares it, as exact tests need it, which is slow. */
+        engine function preparedInterior():WindingCounter
         {
-            prepareExact();
+            if (_interior == null && hasTriangles)
+            {
+                finish(newInteriorWork());
+            }
             return _interior;
         }
 
         /**
          * Whether a ball is inside. The ball must not touch the surface. False if there are no triangles, or if no shell of the surface is
-         * closed. The inside is only prepared if the ball is in the box around the model and has no open side.
+         * closed. The inside is only prepared if the ball is in the box around the model and no ray from it is clear.
          */
         internal function isInside(center:Vector3D, radius:Number):Boolean
         {
@@ -168,7 +165,7 @@ package starlogo.solid
             {
                 return false;
             }
-            if (_interior == null && OPEN_SIDES.hasOpenSide(center, boxTree))
+            if (_interior == null && CLEAR_RAYS.hasClearRay(center, boxTree))
             {
                 return false;
             }

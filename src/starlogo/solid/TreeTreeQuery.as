@@ -13,7 +13,7 @@ package starlogo.solid
     import starlogo.hierarchy.ImpactTraversal;
     import starlogo.hierarchy.NodePairKernel;
     import starlogo.hierarchy.OverlapTraversal;
-    import starlogo.hierarchy.PosedTrees;
+    import starlogo.hierarchy.TreePair;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.intersection.StructurePairs;
 
@@ -30,7 +30,7 @@ package starlogo.solid
         // The two, and their nodes for a traversal.
         private var _a:ModelTree = null;
         private var _b:ModelTree = null;
-        private var _trees:PosedTrees = new PosedTrees();
+        private var _trees:TreePair = new TreePair();
 
         // How triangles decide.
         private var _pairKernel:TrianglePairKernel;
@@ -79,7 +79,7 @@ package starlogo.solid
         {
             var result:int = _overlap.find(_trees, kernelFor(RelativeMotion.NONE));
             // If the roots do not overlap, neither model is inside of the other. This holds for most models that are close but do not collide.
-            return result == OverlapTraversal.OVERLAPPING || result == OverlapTraversal.ONLY_ROOTS && findPartInside(null);
+            return result == OverlapTraversal.OVERLAPPING || result == OverlapTraversal.ONLY_ROOTS && findComponentInside(null);
         }
 
         /** @inheritDoc */
@@ -123,26 +123,26 @@ package starlogo.solid
         override internal function findInside(out:ClosestPoints):Boolean
         {
             var placedB:BoundingStructure = pose.placeWidened(_trees.b.boxOf(0));
-            return StructurePairs.areTouching(_trees.a.boxOf(0), placedB) && findPartInside(out);
+            return StructurePairs.areTouching(_trees.a.boxOf(0), placedB) && findComponentInside(out);
         }
 
         // Does what findInside() does if the boxes of the roots touch.
-        private function findPartInside(out:ClosestPoints):Boolean
+        private function findComponentInside(out:ClosestPoints):Boolean
         {
             if (!_a.hasTriangles || !_b.hasTriangles)
             {
                 return false;
             }
             Placement.invert(pose.placement, _inverse);
-            return findPartIn(_a, _b, pose.placement, placementA, out) || findPartIn(_b, _a, _inverse, placementB, out);
+            return findComponentIn(_a, _b, pose.placement, placementA, out) || findComponentIn(_b, _a, _inverse, placementB, out);
         }
 
-        // Finds a point of a part of the inner model that is inside of the outer one. Their surfaces do not touch, so one point of each part decides. The
+        // Finds a point of a component of the inner model that is inside of the outer one. Their surfaces do not touch, so one point of each decides. The
         // pose is that of the inner model in the outer one's space, and the placement that of the outer model. It is asked for all agents that are close but
         // do not touch, so a ray is cast only if the point is in the box around the outer model.
-        private function findPartIn(outer:ModelTree, inner:ModelTree, pose:Placement, placement:Placement, out:ClosestPoints):Boolean
+        private function findComponentIn(outer:ModelTree, inner:ModelTree, pose:Placement, placement:Placement, out:ClosestPoints):Boolean
         {
-            var points:Vector.<Number> = inner.preparedInterior().partPoints;
+            var points:Vector.<Number> = inner.preparedInterior().componentPoints;
             var end:int = outer.preparedInterior().hasClosedShell ? points.length : 0;
             for (var at:int = 0; at < end; at += 3)
             {

@@ -9,7 +9,7 @@ package starlogo.solid
     import starlogo.geometry.Placement;
     import starlogo.geometry.placePoints;
     import starlogo.hierarchy.BestPair;
-    import starlogo.hierarchy.PosedTrees;
+    import starlogo.hierarchy.TreePair;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.intersection.TriangleKernel;
@@ -62,7 +62,7 @@ package starlogo.solid
          * @param motion of b, which is where it is at the motion's time; its start must be 0
          * @param out receives the contact, with a normal from a to b
          */
-        public function find(a:ModelTree, b:ModelTree, trees:PosedTrees, best:BestPair, motion:RelativeMotion, out:ContactPoint):void
+        public function find(a:ModelTree, b:ModelTree, trees:TreePair, best:BestPair, motion:RelativeMotion, out:ContactPoint):void
         {
             var placement:Placement = trees.pose.placement;
             var cullDistance:Number = trees.cullDistance(motion);

@@ -7,7 +7,7 @@ package starlogo.solid
     import starlogo.geometry.placePoints;
     import starlogo.hierarchy.BestPair;
     import starlogo.hierarchy.NodePairKernel;
-    import starlogo.hierarchy.PosedTrees;
+    import starlogo.hierarchy.TreePair;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.hierarchy.TriangleMesh;
     import starlogo.intersection.TriangleKernel;
@@ -24,12 +24,12 @@ package starlogo.solid
         private var _meshA:TriangleMesh = null;
         private var _meshB:TriangleMesh = null;
 
-        // The corners of a's current triangle, and its plane with the distance of quick tests: see PosedTrees.
+        // The corners of a's current triangle, and its plane with the distance of quick tests: see TreePair.
         private var _cornersOfA:Vector.<Number> = new Vector.<Number>(9, true);
         private var _planeOfA:TrianglePlane = new TrianglePlane();
 
         // The two trees, and the motion of b, which ends at the first touch so far.
-        private var _trees:PosedTrees = null;
+        private var _trees:TreePair = null;
         private var _motion:RelativeMotion = null;
 
         // The slot of the first triangle that is placed, or -1.
@@ -67,7 +67,7 @@ package starlogo.solid
          * @param motion of b in a's space; RelativeMotion.NONE if it stands. <code>findEarlier()</code> overwrites its time and its latest time
          * @return this
          */
-        public function begin(a:TriangleMesh, b:TriangleMesh, trees:PosedTrees, motion:RelativeMotion):NodePairKernel
+        public function begin(a:TriangleMesh, b:TriangleMesh, trees:TreePair, motion:RelativeMotion):NodePairKernel
         {
             _trees = trees;
             _meshA = a;

@@ -233,7 +233,7 @@ package starlogo.collision
 
         private function structureNow():BoundingStructure
         {
-            return TransformedStructure.of(sGreatLand.structureOfKind(_other.shape, _other.structureKind), _other);
+            return TransformedStructure.of(sGreatLand.boundingStructures.findOrFit(_other.shape, _other.structureKind), _other);
         }
 
         // The distance of a structure from the tree's triangles. It is 0 or less if it touches one.

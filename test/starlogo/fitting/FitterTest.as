@@ -6,6 +6,7 @@ package starlogo.fitting
     import flash.utils.getQualifiedClassName;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertNull;
     import org.flexunit.asserts.assertTrue;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
@@ -263,7 +264,9 @@ package starlogo.fitting
             session.structureOf(counting);
             session.structureOf(new CapsuleFitter(new CountingFitter()));
             assertEquals(1, counting.count);
-            // a cylinder has no signature
+            // a cylinder has no signature, and an empty one is none
+            assertFalse(session.fitOf(new Fitter("")) === session.fitOf(new Fitter("")));
+            assertNull(new CapsuleFitter(new Fitter("")).signature);
             assertFalse(session.fitOf(new CylinderFitter(counting)) === session.fitOf(new CylinderFitter(counting)));
         }
 

@@ -148,6 +148,26 @@ package starlogo.fitting
         }
 
         [Test]
+        public function isNeverLargerThanTheAxisAlignedBox():void
+        {
+            var random:SeededRandom = new SeededRandom(1032);
+            var equal:int = 0;
+            for (var i:int = 0; i < 300; i++)
+            {
+                var points:Vector.<Number> = new Vector.<Number>();
+                for (var count:int = random.integer(9, 40); count > 0; count--)
+                {
+                    points.push(random.integer(0, 3), random.integer(0, 3), random.integer(0, 3));
+                }
+                var hull:Number = new HullFitter(8).fit(points).volume;
+                var box:Number = new AxisAlignedBoxFitter().fit(points).volume;
+                assertTrue("set " + i + ": " + hull + ", the box " + box, hull <= box * (1 + 1e-9));
+                equal += hull >= box * (1 - 1e-9) ? 1 : 0;
+            }
+            assertTrue(equal + "", equal > 5 && equal < 150);
+        }
+
+        [Test]
         public function aHullWithFewCornersStaysAsItIs():void
         {
             var random:SeededRandom = new SeededRandom(7112);

@@ -21,6 +21,7 @@ package starlogo.libraries
     import starlogo.fitting.HullFitter;
     import starlogo.fitting.MinimalCapsuleFitter;
     import starlogo.libraries.cooked.CookedStructures;
+    import starlogo.libraries.cooked.CookedTree;
     import starlogo.models.BuiltInModel;
     import starlogo.models.CookedModel;
     import starlogo.models.Model;
@@ -269,6 +270,26 @@ package starlogo.libraries
             var cooked:ByteArray = _greatLand.cook(bear());
             assertFalse("structures", isTaken(bear(), cooked, true));
             assertTrue("its hierarchy is", isTaken(bear(), cooked, false));
+        }
+
+        [Test]
+        public function otherSignaturesAreOtherSettings():void
+        {
+            var texts:Array = [];
+            for each (var signatures:Array in [["a", "b"], ["a, b"], ["a,", "b"], ["a", ",b"], ["a,, b"], ["a,b"], ["ab"]])
+            {
+                var library:BoundingStructuresLibrary = new BoundingStructuresLibrary();
+                library.fitters.length = 0;
+                for each (var signature:String in signatures)
+                {
+                    library.fitters.push(new Fitter(signature));
+                }
+                var text:String = new FitSettings(library, null).toString();
+                assertEquals(signatures.join("; "), -1, texts.indexOf(text));
+                texts.push(text);
+            }
+            library.fitters[0] = new Fitter("");
+            assertNull("an empty one is none", new FitSettings(library, null).fingerprintsWith(null)[CookedFile.STRUCTURES]);
         }
 
         [Test(async, timeout="3600000")]
@@ -557,8 +578,9 @@ package starlogo.libraries
             {
                 return results.structures.tightest != null;
             }
+            var restoring:CookedTree = CookedTree(results.tree.restoring);
             results.tree.finishBuilding();
-            return results.isTreeStored;
+            return restoring != null && !restoring.isRefused;
         }
 
         private static function damage(cooked:Vector.<ByteArray>, index:int, random:SeededRandom):ByteArray

@@ -196,7 +196,7 @@ package starlogo.models
             var land:GreatLand = landOf(model);
             land.hierarchies.add("pyramid", model.vertices.slice(), model.triangles);
             var tree:ModelTree = land.hierarchies.treeOf("pyramid");
-            tree.prepareExact();
+            tree.preparedInterior();
             model.pose(moved(CORNERS, 5));
             assertClose(0, Box(land.hierarchies.root("pyramid").bounds).center.x, 1e-6);
             assertTrue(tree.isExactPrepared);
@@ -216,7 +216,7 @@ package starlogo.models
                     vertices[i] *= factor;
                 }
                 model.pose(vertices);
-                var hull:BoundingStructure = land.structureOfKind("cube", BoundingStructure.HULL);
+                var hull:BoundingStructure = land.boundingStructures.findOrFit("cube", BoundingStructure.HULL);
                 for (i = 0; i < vertices.length; i += 3)
                 {
                     assertTrue(hull.contains(new Vector3D(vertices[i], vertices[i + 1], vertices[i + 2])));

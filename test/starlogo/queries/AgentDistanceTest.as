@@ -1,5 +1,6 @@
 package starlogo.queries
 {
+    import evaluation.pairs.SeededRandom;
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
@@ -67,6 +68,41 @@ package starlogo.queries
                 var distance:Number = queries.distance(a, b);
                 assertTrue(depth + ": " + distance + " after " + before, distance >= before);
                 before = distance;
+            }
+        }
+
+        /** There the boxes' places have rounding errors, however small the model is. */
+        [Test]
+        public function aGreaterDepthIsNeverNearerIfAModelIsFarFromItsOwnOrigin():void
+        {
+            var far:Number = 11000;
+            var cube:Model = BuiltInModel.cube();
+            var vertices:Vector.<Number> = new Vector.<Number>();
+            for (var i:int = 0; i < cube.vertices.length; i++)
+            {
+                vertices.push(cube.vertices[i] + (i % 3 == 0 ? far : 0));
+            }
+            var land:GreatLand = landOf(new Model("far", vertices, cube.triangles, Model.AS_GIVEN), cube);
+            var random:SeededRandom = new SeededRandom(22);
+            for (i = 0; i < 60; i++)
+            {
+                var collider:HierarchicalCollider = new HierarchicalCollider(land);
+                var heading:Number = random.between(0, 360);
+                var a:Agent = agentAt("far", -far * Math.cos(heading * Math.PI / 180), -far * Math.sin(heading * Math.PI / 180), 0);
+                var b:Agent = agentAt("cube", random.between(-2, 2), random.between(-2, 2), random.between(-2, 2));
+                a.heading = heading;
+                b.heading = random.between(0, 360);
+                b.pitch = random.between(0, 90);
+                var before:Number = 0;
+                for each (var depth:int in [1, 2, 3, 4, 6, 10])
+                {
+                    collider.maxDepth = depth;
+                    var queries:AgentQueries = new AgentQueries(collider);
+                    queries.update(new <Agent>[a, b]);
+                    var distance:Number = queries.distance(a, b);
+                    assertTrue(i + ", depth " + depth + ": " + distance + " after " + before, distance >= before);
+                    before = distance;
+                }
             }
         }
 

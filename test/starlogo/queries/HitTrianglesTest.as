@@ -205,6 +205,10 @@ package starlogo.queries
             var hit:ShapeHit = queriesOf(model, agent, "triangles").castShape(ball, 0, 0, -5);
             assertEquals("0,-1,1,iron", [hit.triangle, hit.mesh, hit.material, hit.materialName].join());
             assertTrue(String(hit.weights), Vector3D.distance(hit.weights, new Vector3D(0.25, 0.5, 0.25)) < 1e-8);
+            ball.center.x = 0.5;
+            hit = queriesOf(model, agent, "triangles").castShape(ball, 0, 0, -5, null, hit);
+            assertEquals("a corner without a share", 0, Math.min(hit.weights.x, Math.min(hit.weights.y, hit.weights.z)));
+            ball.center.x = 0.25;
             hit = queriesOf(model, agent, "hierarchies").castShape(ball, 0, 0, -5, null, hit);
             assertTrue("nodes", hit.triangle == -1 && hit.material == -1 && hit.materialName == null && hit.weights.length == 0);
             hit = queriesOf(model, agent, "bins").castShape(ball, 0, 0, -5, null, hit);

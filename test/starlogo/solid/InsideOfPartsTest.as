@@ -69,6 +69,50 @@ package starlogo.solid
             }
         }
 
+        /** Each copy may divide the cube's sides by other diagonals. */
+        [Test]
+        public function cavitiesInCavitiesStayHollowInEachCopy():void
+        {
+            var boxes:Array = [];
+            for (var i:int = 0; i < 6; i++)
+            {
+                boxes.push([1 - 0.15 * i, 0, 0, 0.075 * i, i % 2 == 1]);
+            }
+            var model:Model = SolidModels.of("doll", boxes, Model.AS_GIVEN);
+            var all:Vector.<uint> = new Vector.<uint>().concat(model.triangles);
+            var backs:Vector.<uint> = all.concat().reverse();
+            var others:Vector.<uint> = withOtherDiagonals(all);
+            for each (var triangles:Vector.<uint> in [all, all.concat(all), all.concat(backs), backs.concat(all, all), all.concat(others), all.concat(all, all, backs)])
+            {
+                for (i = 0; i < 6; i++)
+                {
+                    assertEquals(triangles.length + ", level " + i, i % 2 == 0, isInside(model.vertices, triangles, [0.46 - 0.075 * i, 0.01, 0.51]));
+                }
+            }
+        }
+
+        // Each two triangles of a list are a quadrangle. Returns the two that meet at its other diagonal.
+        private static function withOtherDiagonals(triangles:Vector.<uint>):Vector.<uint>
+        {
+            var out:Vector.<uint> = new Vector.<uint>();
+            for (var i:int = 0; i < triangles.length; i += 6)
+            {
+                var first:Vector.<uint> = triangles.slice(i, i + 3);
+                var second:Vector.<uint> = triangles.slice(i + 3, i + 6);
+                while (second.indexOf(first[0]) >= 0)
+                {
+                    first.push(first.shift());
+                }
+                while (first.indexOf(second[0]) >= 0)
+                {
+                    second.push(second.shift());
+                }
+                assertEquals(first[1], second[2]);
+                out.push(first[0], first[1], second[0], first[0], second[0], first[2]);
+            }
+            return out;
+        }
+
         /** The cavity touches the shell with a face that has a triangle without area, in the file or after a pose. */
         [Test]
         public function aTriangleWithoutAreaDecidesNothingAboutACavity():void
@@ -107,7 +151,7 @@ package starlogo.solid
                             vertices[3 * middle + axis] += share * (vertices[3 * c + axis] - vertices[3 * middle + axis]);
                         }
                         hierarchy.refit();
-                        hierarchy.prepareExact();
+                        hierarchy.preparedInterior();
                         for (axis = 3 * middle; axis < 3 * middle + 3; axis++)
                         {
                             vertices[axis] = straight[axis];

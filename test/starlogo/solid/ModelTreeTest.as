@@ -75,7 +75,7 @@ package starlogo.solid
             for each (var model:Model in SolidModels.all())
             {
                 var known:ModelTree = hierarchyOf(model.vertices, model.triangles);
-                known.prepareExact();
+                known.preparedInterior();
                 for (var i:int = 0; i < 20; i++)
                 {
                     var point:Vector3D = new Vector3D(random.between(-0.5, 0.5), random.between(-0.5, 0.5), random.between(0, 1));
@@ -118,11 +118,11 @@ package starlogo.solid
             for each (var expected:Array in [[SolidModels.crossed(), 1], [SolidModels.doll(), 2], [SolidModels.apart(), 3], [BuiltInModel.sphere(), 1]])
             {
                 var hierarchy:ModelTree = hierarchyOf(expected[0].vertices, expected[0].triangles);
-                assertEquals(expected[0].name, 3 * expected[1], hierarchy.preparedInterior().partPoints.length);
+                assertEquals(expected[0].name, 3 * expected[1], hierarchy.preparedInterior().componentPoints.length);
             }
             // some of a bear's limbs run into its body
             var bear:Model = read("/assets/bear.obj");
-            var asked:int = hierarchyOf(bear.vertices, bear.triangles).preparedInterior().partPoints.length / 3;
+            var asked:int = hierarchyOf(bear.vertices, bear.triangles).preparedInterior().componentPoints.length / 3;
             assertTrue("parts: " + asked, asked < 28);
         }
 

@@ -33,7 +33,7 @@ package starlogo.solid
             {
                 var hierarchy:ModelTree = hierarchyOf(model, 6);
                 var before:String = describe(hierarchy.root);
-                hierarchy.prepareExact();
+                hierarchy.preparedInterior();
                 assertEquals(model.name, before, describe(hierarchy.root));
             }
         }
@@ -44,7 +44,7 @@ package starlogo.solid
             for each (var model:Model in models())
             {
                 var hierarchy:ModelTree = hierarchyOf(model, 4);
-                hierarchy.prepareExact();
+                hierarchy.preparedInterior();
                 var isListed:Vector.<Boolean> = new Vector.<Boolean>(hierarchy.boxTree.items.length, true);
                 for each (var triangle:int in hierarchy.boxTree.items)
                 {
@@ -66,7 +66,7 @@ package starlogo.solid
             }
             var hierarchy:ModelTree = hierarchyOf(new Model("pile", vertices, triangles), 10);
             assertTrue(hierarchy.root.isLeaf);
-            hierarchy.prepareExact();
+            hierarchy.preparedInterior();
             assertTrue(hierarchy.root.isLeaf);
             assertNull(hierarchy.root.left);
             assertEquals(37, hierarchy.root.triangleCount);
@@ -87,7 +87,7 @@ package starlogo.solid
             }
             var hierarchy:ModelTree = hierarchyOf(new Model("needles", vertices, triangles), 10);
             assertEquals("one at a time", 1, hierarchy.root.left.triangleCount);
-            hierarchy.prepareExact();
+            hierarchy.preparedInterior();
             check(hierarchy.boxTree, 0);
             var deepest:int = deepestOf(hierarchy.boxTree);
             assertTrue(deepest + " levels", deepest > 20 && deepest <= Tolerances.NESTED_LEVELS + 12);
@@ -117,7 +117,7 @@ package starlogo.solid
             agents[2].moveTo(0.7, 0.5, 0.1);
             agents[2].traversalDepth = int.MAX_VALUE;
             var before:int = visitsOf(collider, agents);
-            greatLand.hierarchies.treeOf("bear").prepareExact();
+            greatLand.hierarchies.treeOf("bear").preparedInterior();
             assertEquals(before, visitsOf(collider, agents));
         }
 

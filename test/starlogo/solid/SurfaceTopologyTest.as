@@ -46,9 +46,9 @@ package starlogo.solid
             {
                 for each (var sheet:Array in [[0, 1, 2], [1, 2, 0], [2, 0, 1]])
                 {
-                    assertEquals(SurfaceTopology.TWO_SIDED, stateOf(2, corners, face.concat(sheet, others)));
-                    assertEquals(SurfaceTopology.TWO_SIDED, stateOf(2, corners, sheet.concat(face, others)));
-                    assertEquals(SurfaceTopology.TWO_SIDED, stateOf(0, corners, others.concat(sheet, face)));
+                    assertEquals(SurfaceTopology.ORIENTABLE, stateOf(2, corners, face.concat(sheet, others)));
+                    assertEquals(SurfaceTopology.ORIENTABLE, stateOf(2, corners, sheet.concat(face, others)));
+                    assertEquals(SurfaceTopology.ORIENTABLE, stateOf(0, corners, others.concat(sheet, face)));
                 }
             }
         }
@@ -75,7 +75,7 @@ package starlogo.solid
                     }
                     var surface:SurfaceTopology = surfaceOf(vertices, triangles);
                     assertEquals(model.name + ", " + rounding, "-1", surface.shellStates.join());
-                    assertEquals(1, surface.partCount);
+                    assertEquals(1, surface.componentCount);
                     assertTrue("seam: " + surface.widestSeam, surface.widestSeam > rounding / 2 && surface.widestSeam <= 4 * rounding);
                 }
             }
@@ -97,7 +97,7 @@ package starlogo.solid
             {
                 triangles.push(24 + cube.triangles[i]);
             }
-            assertEquals(2, surfaceOf(vertices, triangles).partCount);
+            assertEquals(2, surfaceOf(vertices, triangles).componentCount);
             assertTrue(surfaceOf(vertices, triangles).hasClosedShell);
             assertEquals(0, surfaceOf(vertices, triangles).widestSeam);
             // without a triangle of the small one
@@ -120,20 +120,20 @@ package starlogo.solid
                 }
             }
             var surface:SurfaceTopology = surfaceOf(vertices, triangles);
-            assertEquals(1, surface.partCount);
+            assertEquals(1, surface.componentCount);
             assertFalse(surface.hasClosedShell);
             // in a plane across the direction along which an earlier engine sorted vertices
             for (i = 0; i < vertices.length; i += 3)
             {
                 vertices[i] = -(0.2717819 * vertices[i + 1] + 0.7972148 * vertices[i + 2]) / 0.5390711;
             }
-            assertEquals(1, surfaceOf(vertices, triangles).partCount);
+            assertEquals(1, surfaceOf(vertices, triangles).componentCount);
             // all in one place
             for (i = 0; i < vertices.length; i++)
             {
                 vertices[i] = 1;
             }
-            assertEquals(1, surfaceOf(vertices, triangles).partCount);
+            assertEquals(1, surfaceOf(vertices, triangles).componentCount);
         }
 
         [Test]
@@ -161,10 +161,10 @@ package starlogo.solid
         }
 
         // Bytes of a surface of four triangles, as writeTo() writes them.
-        private static function bytesOf(partCount:int, shells:int, widestSeam:Number):ByteArray
+        private static function bytesOf(componentCount:int, shells:int, widestSeam:Number):ByteArray
         {
             var bytes:ByteArray = new ByteArray();
-            bytes.writeInt(partCount);
+            bytes.writeInt(componentCount);
             bytes.writeInt(shells);
             bytes.writeDouble(widestSeam);
             // runs: a number, and where it ends
@@ -194,7 +194,7 @@ package starlogo.solid
             }
             var surface:SurfaceTopology = surfaceOf(vertices, triangles);
             assertEquals("-1", surface.shellStates.join());
-            assertEquals(1, surface.partCount);
+            assertEquals(1, surface.componentCount);
             for each (i in turnedIn(surface))
             {
                 isTurned[i] = !isTurned[i];
@@ -261,7 +261,7 @@ package starlogo.solid
         private static function surfaceOf(vertices:Vector.<Number>, triangles:Vector.<uint>):SurfaceTopology
         {
             var tree:ModelTree = new ModelTree(new BoxTree(vertices, triangles));
-            tree.beginBuilding(BoxTreeBuilder.DEFAULT_VERTICES_OF_LEAF, BoxTreeBuilder.DEFAULT_DEPTH, false, true);
+            tree.beginBuilding(BoxTreeBuilder.DEFAULT_LEAF_VERTICES, BoxTreeBuilder.DEFAULT_DEPTH, false, true);
             tree.finishBuilding();
             return tree.surface;
         }

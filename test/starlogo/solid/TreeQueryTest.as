@@ -18,7 +18,7 @@ package starlogo.solid
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.OverlapTraversal;
     import starlogo.hierarchy.HierarchyNode;
-    import starlogo.hierarchy.PosedTrees;
+    import starlogo.hierarchy.TreePair;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.intersection.intersects;
@@ -120,7 +120,7 @@ package starlogo.solid
         public function boxesFindWhatStructuresDo():void
         {
             var random:SeededRandom = new SeededRandom(2117);
-            var trees:PosedTrees = new PosedTrees();
+            var trees:TreePair = new TreePair();
             var pose:RelativePose = trees.pose = new RelativePose();
             var boxes:OverlapTraversal = new OverlapTraversal(new TreeCounts());
             var bear:ModelTree = hierarchyOf(new ObjModel("bear", Fixtures.text(FIXTURES[0])));

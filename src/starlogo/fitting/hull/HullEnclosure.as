@@ -3,6 +3,8 @@ package starlogo.fitting.hull
     import starlogo.bounding.Hull;
     import starlogo.engine;
     import starlogo.fitting.FitSession;
+    import starlogo.geometry.Tolerances;
+    import starlogo.geometry.vertices.VertexBounds;
     import starlogo.steps.StepSequence;
 
     use namespace engine;
@@ -41,9 +43,22 @@ package starlogo.fitting.hull
             add(simplification).call(function():void
                 {
                     hull = new Hull(simplification.listCorners());
+                    var box:Hull = axisAlignedBox(_session.hull.points);
+                    hull = box.volume < (1 - Tolerances.FIT_TIE) * hull.volume ? box : hull;
                     // Most hulls need to be scaled. So the first rounds measure the few vertices of the convex hull, and only the last ones measure all.
                     addRound(_session.hull.points, 0);
                 });
+        }
+
+        private static function axisAlignedBox(points:Vector.<Number>):Hull
+        {
+            var bounds:VertexBounds = VertexBounds.of(points);
+            var corners:Vector.<Number> = new Vector.<Number>();
+            for (var i:int = 0; i < 8; i++)
+            {
+                corners.push((i & 1) == 0 ? bounds.minX : bounds.maxX, (i & 2) == 0 ? bounds.minY : bounds.maxY, (i & 4) == 0 ? bounds.minZ : bounds.maxZ);
+            }
+            return new Hull(corners);
         }
 
         private function addRound(vertices:Vector.<Number>, scalings:int):void

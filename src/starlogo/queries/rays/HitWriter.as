@@ -23,6 +23,8 @@ package starlogo.queries.rays
      */
     public final class HitWriter
     {
+        private static const LEAST:Number = 1e-300;
+
         private var _seen:SeenAgents;
 
         // From the point to each corner of the triangle: x, y, z of each; and the triangle's point that is nearest to the point.
@@ -78,9 +80,15 @@ package starlogo.queries.rays
                 _nearest.squaredDistance = Infinity;
                 SimplexPart.tryTriangle(_corners, 0, 1, 2, -1, _nearest);
             }
-            hit.weights.x = _nearest.weights[0];
-            hit.weights.y = _nearest.weights[1];
-            hit.weights.z = _nearest.weights[2];
+            hit.weights.x = weightOf(0);
+            hit.weights.y = weightOf(1);
+            hit.weights.z = weightOf(2);
+        }
+
+        // SimplexPart gives a corner that has no share of the point the weight LEAST.
+        private function weightOf(corner:int):Number
+        {
+            return _nearest.weights[corner] > LEAST ? _nearest.weights[corner] : 0;
         }
 
         private function readCorners(tree:BoxTree, corner:int, placement:Placement, point:Vector3D):void

@@ -1,25 +1,27 @@
 package starlogo.solid.interior
 {
     import starlogo.convex.TrianglePlane;
+    import starlogo.data.zeroedInts;
     import starlogo.geometry.cubeRoot;
-    import starlogo.hierarchy.TriangleMesh;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.steps.StepSequence;
 
     /**
      * Finds which shells of a surface bound cavities, in steps. A shell bounds a cavity if it lies inside of a closed shell, has the opposite
      * orientation, and no other cavity of that closed shell contains it. Only surfaces with shells of both orientations are searched. If a shell copies
-     * another one, as in files that have triangles twice, it counts as open. Otherwise it would fill the other one's cavities.
+     * another one, as in files that have triangles twice, it counts as open. Otherwise it would fill the other one's cavities. A copy has the same
+     * corners and the same volume; its triangles may divide the same polygons otherwise.
      */
     internal final class CavityFinder extends StepSequence
     {
-        private static const VOLUMES_PER_STEP:int = 1000;
-        private static const TRIANGLES_PER_STEP:int = 25;
+        private static const TRIANGLES_PER_STEP:int = 1000;
+        private static const TESTED_TRIANGLES_PER_STEP:int = 25;
 
         // How far inside of its shell a point is tested, as a fraction of the cube root of six times the shell's volume. Smaller: rounding decides where shells touch.
         // Larger: it may be outside of a thin shell.
         private static const INWARDS:Number = 1e-7;
 
-        // How much larger a shell has to be to have the other one inside, as a fraction. A shell of the same volume may be a copy.
+        // How much larger a shell has to be to have the other one inside, as a fraction.
         private static const LARGER:Number = 1e-9;
 
         // A point near a corner of a triangle is the sum of these shares: of each corner, and of that one once more.
@@ -30,11 +32,13 @@ package starlogo.solid.interior
         private static const MIDDLE:int = 3;
 
         private var _windingCounter:WindingCounter;
-        private var _surface:SurfaceTopology;
-        private var _mesh:TriangleMesh;
-        private var _balances:Vector.<int>;
+        private var _shellFinder:ShellFinder;
 
-        // The shells that may bound cavities or have them, with null for the others.
+        // For each vertex, the first one at its place, and one more than the last shell that was found to have a corner there.
+        private var _welded:Vector.<int>;
+        private var _lastShellAt:Vector.<int>;
+
+        // The shells that may bound cavities or have them, by their numbers. Null for the others: shells that are open or non-orientable, and copies.
         private var _shells:Vector.<ClosedShell>;
 
         // The shells that enclose the point that is tested.
@@ -49,56 +53,75 @@ package starlogo.solid.interior
 
         /**
          * @param windingCounter of the surface, which has the shells and receives which of them bound cavities
-         * @param balances for each shell, the number of its triangles that are not reversed, minus the number of those that are
+         * @param shellFinder has found the shells
+         * @param welded for each vertex, the first one at its place
          */
-        public function CavityFinder(windingCounter:WindingCounter, balances:Vector.<int>)
+        public function CavityFinder(windingCounter:WindingCounter, shellFinder:ShellFinder, welded:Vector.<int>)
         {
             _windingCounter = windingCounter;
-            _surface = windingCounter.surface;
-            _mesh = windingCounter.mesh;
-            _balances = balances;
-            if (balances.length > 1)
+            _shellFinder = shellFinder;
+            _welded = welded;
+            if (shellFinder.balances.length > 1)
             {
-                _shells = new Vector.<ClosedShell>(balances.length, true);
-                slices(_mesh.tree.itemCount, VOLUMES_PER_STEP, addVolumes).call(orientShells);
+                _shells = new Vector.<ClosedShell>(shellFinder.balances.length, true);
+                _lastShellAt = zeroedInts(welded.length);
+                slices(shellFinder.triangleCount, TRIANGLES_PER_STEP, addTriangles).call(orientShells);
             }
         }
 
-        // The shell of the triangle in a slot.
-        private function shellAt(slot:int):int
+        // Adds triangles to their shells: their volumes, and the places of their corners, each place once. The triangles come shell by shell.
+        private function addTriangles(first:int, end:int):void
         {
-            return _surface.shellOf(_mesh.tree.items[slot]);
-        }
-
-        private function isTwoSided(shell:int):Boolean
-        {
-            return shell >= 0 && _surface.shellStates[shell] == SurfaceTopology.TWO_SIDED;
-        }
-
-        private function addVolumes(first:int, end:int):void
-        {
-            for (var slot:int = first; slot < end; slot++)
+            var vertices:Vector.<Number> = _windingCounter.mesh.vertices;
+            var triangles:Vector.<uint> = _windingCounter.mesh.tree.triangles;
+            for (var i:int = first; i < end; i++)
             {
-                var shell:int = shellAt(slot);
-                if (!isTwoSided(shell))
+                var triangle:int = _shellFinder.triangles[i];
+                var shell:int = _windingCounter.surface.shellOf(triangle);
+                if (_windingCounter.surface.shellStates[shell] != SurfaceTopology.ORIENTABLE)
                 {
                     continue;
                 }
-                _shells[shell] ||= new ClosedShell(_mesh.corners[3 * slot]);
-                readTriangle(slot);
-                var vertices:Vector.<Number> = _mesh.vertices;
-                var from:int = _shells[shell].origin;
+                _shells[shell] ||= new ClosedShell(3 * triangles[3 * triangle]);
+                var closed:ClosedShell = _shells[shell];
+                var from:int = closed.origin;
+                readTriangle(triangle);
                 var volume:Number = _plane.doubleArea * (_plane.normal.x * (_corners[0] - vertices[from])
                         + _plane.normal.y * (_corners[1] - vertices[from + 1]) + _plane.normal.z * (_corners[2] - vertices[from + 2]));
-                _shells[shell].volume += _surface.isReversed(_mesh.tree.items[slot]) ? -volume : volume;
+                closed.volume += _windingCounter.surface.isReversed(triangle) ? -volume : volume;
+                for (var corner:int = 3 * triangle; corner < 3 * triangle + 3; corner++)
+                {
+                    var place:int = _welded[triangles[corner]];
+                    if (_lastShellAt[place] != shell + 1)
+                    {
+                        _lastShellAt[place] = shell + 1;
+                        closed.firstCorner = Math.min(closed.firstCorner, place);
+                        closed.cornersHash += hashOf(place);
+                    }
+                }
             }
         }
 
         // Sets _corners and _plane to those of a triangle.
-        private function readTriangle(slot:int):void
+        private function readTriangle(triangle:int):void
         {
-            _mesh.readTriangle(slot, _corners);
+            var tree:BoxTree = _windingCounter.mesh.tree;
+            for (var i:int = 0; i < 3; i++)
+            {
+                var vertex:int = 3 * tree.triangles[int(3 * triangle + i)];
+                _corners[int(3 * i)] = tree.vertices[vertex];
+                _corners[int(3 * i + 1)] = tree.vertices[int(vertex + 1)];
+                _corners[int(3 * i + 2)] = tree.vertices[int(vertex + 2)];
+            }
             _plane.setTriangle(_corners, 0);
+        }
+
+        // The products are below 2 to the 53rd, so all of their lowest bits are exact.
+        private static function hashOf(place:int):int
+        {
+            var hash:int = place * 69069;
+            hash = (hash ^ hash >>> 15) * 69069;
+            return hash ^ hash >>> 15;
         }
 
         // A shell has the orientation of most of its triangles. If both are equally frequent, its triangles face outwards.
@@ -111,31 +134,52 @@ package starlogo.solid.interior
                 if (closed != null)
                 {
                     var sign:int = closed.volume > 0 ? 1 : (closed.volume < 0 ? -1 : 0);
-                    closed.orientation = _balances[shell] > 0 ? sign : (_balances[shell] < 0 ? -sign : sign * sign);
+                    var balance:int = _shellFinder.balances[shell];
+                    closed.orientation = balance > 0 ? sign : (balance < 0 ? -sign : sign * sign);
                     isFound[closed.orientation + 1] = true;
                 }
             }
             if (isFound[0] && isFound[2])
             {
-                slices(_mesh.tree.itemCount, TRIANGLES_PER_STEP, testPoints).call(findCavities);
+                openCopies();
+                slices(_shellFinder.triangleCount, TESTED_TRIANGLES_PER_STEP, testPoints).call(findCavities);
+            }
+        }
+
+        // Opens the shells that copy an earlier one.
+        private function openCopies():void
+        {
+            var shellWith:Object = {};
+            for (var shell:int = 0; shell < _shells.length; shell++)
+            {
+                var closed:ClosedShell = _shells[shell];
+                if (closed == null)
+                {
+                    continue;
+                }
+                var corners:String = closed.firstCorner + " " + closed.cornersHash;
+                var earlier:ClosedShell = shellWith[corners];
+                shellWith[corners] ||= closed;
+                if (earlier != null && !isLarger(earlier, closed) && !isLarger(closed, earlier))
+                {
+                    _windingCounter.surface.shellStates[shell] = SurfaceTopology.OPEN;
+                    _shells[shell] = null;
+                }
             }
         }
 
         // Tests four points of each triangle: its middle, and points near its corners. Triangles that count as segments have no inner side.
         private function testPoints(first:int, end:int):void
         {
-            for (var slot:int = first; slot < end; slot++)
+            for (var i:int = first; i < end; i++)
             {
-                var shell:int = shellAt(slot);
-                readTriangle(slot);
-                if (_plane.isFlat || !isTwoSided(shell))
+                var triangle:int = _shellFinder.triangles[i];
+                var closed:ClosedShell = _shells[_windingCounter.surface.shellOf(triangle)];
+                readTriangle(triangle);
+                for (var corner:int = MIDDLE; corner >= 0 && closed != null && !_plane.isFlat && isUndecided(closed); corner--)
                 {
-                    continue;
-                }
-                for (var corner:int = MIDDLE; corner >= 0 && isUndecided(_shells[shell]); corner--)
-                {
-                    findEnclosingNear(shell, slot, corner);
-                    keepEnclosing(shell);
+                    findEnclosingNear(closed, triangle, corner);
+                    keepEnclosing(closed);
                 }
             }
         }
@@ -143,20 +187,16 @@ package starlogo.solid.interior
         // Whether more points decide about a shell. One point decides if too many crossings are counted, as in models with very many nested shells.
         private function isUndecided(closed:ClosedShell):Boolean
         {
-            return closed.enclosing == null || closed.enclosing.length > 0 && isWorthCounting;
-        }
-
-        private function get isWorthCounting():Boolean
-        {
-            return _countedCrossings < WindingCounter.MAX_CROSSINGS_PER_TRIANGLE * _mesh.tree.itemCount;
+            return closed.enclosing == null
+                || closed.enclosing.length > 0 && _countedCrossings < WindingCounter.MAX_CROSSINGS_PER_TRIANGLE * _shellFinder.triangleCount;
         }
 
         // Finds the shells that enclose a point of a triangle of a shell: near a corner, or in the middle, and a little inside of the shell. readTriangle()
         // must have read the triangle.
-        private function findEnclosingNear(shell:int, slot:int, corner:int):void
+        private function findEnclosingNear(closed:ClosedShell, triangle:int, corner:int):void
         {
-            var facesInwards:Boolean = _surface.isReversed(_mesh.tree.items[slot]) == _shells[shell].volume > 0;
-            var inwards:Number = (facesInwards ? INWARDS : -INWARDS) * cubeRoot(Math.abs(_shells[shell].volume));
+            var facesInwards:Boolean = _windingCounter.surface.isReversed(triangle) == closed.volume > 0;
+            var inwards:Number = (facesInwards ? INWARDS : -INWARDS) * cubeRoot(Math.abs(closed.volume));
             var fraction:Number = corner == MIDDLE ? 1 / 3 : SHARE_OF_EACH;
             var point:Vector.<Number> = new <Number>[inwards * _plane.normal.x, inwards * _plane.normal.y, inwards * _plane.normal.z];
             for (var axis:int = 0; axis < 3; axis++)
@@ -167,19 +207,18 @@ package starlogo.solid.interior
             _countedCrossings += _windingCounter.findEnclosing(point[0], point[1], point[2], _enclosingPoint);
         }
 
-        // Keeps those of a shell's enclosing shells that enclose the last point too; after its first point, all shells that enclose it and are larger, or
-        // that it may copy. Keeps none if all of them are larger and have the orientation of this shell.
-        private function keepEnclosing(shell:int):void
+        // Keeps those of a shell's enclosing shells that enclose the last point too; after its first point, all larger shells that enclose it. Keeps none if
+        // all of them have the orientation of this shell.
+        private function keepEnclosing(closed:ClosedShell):void
         {
-            var closed:ClosedShell = _shells[shell];
             var kept:Vector.<int> = new Vector.<int>();
             var isNeeded:Boolean = false;
             for each (var other:int in closed.enclosing || _enclosingPoint)
             {
-                if (closed.enclosing == null ? isLarger(other, shell) || mayCopy(shell, other) : _enclosingPoint.indexOf(other) >= 0)
+                if (isLarger(_shells[other], closed) && _enclosingPoint.indexOf(other) >= 0)
                 {
                     kept.push(other);
-                    isNeeded ||= _shells[other].orientation == -closed.orientation || mayCopy(shell, other);
+                    isNeeded ||= _shells[other].orientation == -closed.orientation;
                 }
             }
             kept.length = isNeeded ? kept.length : 0;
@@ -187,18 +226,12 @@ package starlogo.solid.interior
         }
 
         // Whether a shell may have another one inside.
-        private function isLarger(outer:int, inner:int):Boolean
+        private static function isLarger(outer:ClosedShell, inner:ClosedShell):Boolean
         {
-            return isTwoSided(outer) && Math.abs(_shells[outer].volume) > (1 + LARGER) * Math.abs(_shells[inner].volume);
+            return outer != null && Math.abs(outer.volume) > (1 + LARGER) * Math.abs(inner.volume);
         }
 
-        // Whether a shell may have the same triangles as an earlier one.
-        private function mayCopy(shell:int, earlier:int):Boolean
-        {
-            return earlier < shell && isTwoSided(earlier) && !isLarger(earlier, shell) && !isLarger(shell, earlier);
-        }
-
-        // Finds the copies and the shells that bound cavities: the largest shells first. A shell that encloses another one is larger.
+        // Finds the shells that bound cavities: the largest shells first. A shell that encloses another one is larger.
         private function findCavities():void
         {
             // negative, so that the largest shell comes first
@@ -217,19 +250,14 @@ package starlogo.solid.interior
                 var innermost:int = -1;
                 for each (var outer:int in closed.enclosing)
                 {
-                    if (mayCopy(shell, outer) && isWorthCounting)
-                    {
-                        // it encloses all points that were tested
-                        _surface.shellStates[shell] = SurfaceTopology.OPEN;
-                    }
-                    else if (isLarger(outer, shell) && (innermost < 0 || sortKeys[outer] > sortKeys[innermost]))
+                    if (innermost < 0 || sortKeys[outer] > sortKeys[innermost])
                     {
                         innermost = outer;
                     }
                 }
-                if (isTwoSided(shell) && innermost >= 0 && !_surface.boundsCavity(innermost) && _shells[innermost].orientation == -closed.orientation)
+                if (innermost >= 0 && !_windingCounter.surface.boundsCavity(innermost) && _shells[innermost].orientation == -closed.orientation)
                 {
-                    _surface.cavityOf[shell] = innermost;
+                    _windingCounter.surface.shellStates[shell] = innermost;
                 }
             }
         }

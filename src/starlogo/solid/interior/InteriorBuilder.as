@@ -6,15 +6,15 @@ package starlogo.solid.interior
     import starlogo.steps.Steps;
 
     /**
-     * Prepares a model for exact tests, in steps: which vertices are at the same place; the surface that the triangles make; a point of each of its
-     * parts; which parts overlap. A surface that is known already is not found again. A SurfaceBuilder takes most of the time.
+     * Prepares a model for exact tests, in steps: which vertices are at the same place; the surface that the triangles make, which takes most of the
+     * time; a point of each of its components; which components overlap. A surface that is known already is not found again.
      *
      * @private
      */
     public final class InteriorBuilder extends StepSequence
     {
         private static const TRIANGLES_PER_STEP:int = 400;
-        private static const PARTS_PER_STEP:int = 50;
+        private static const COMPONENTS_PER_STEP:int = 50;
 
         /** Knows the surface that the triangles make, and what is inside of it, when no step is left. */
         public var windingCounter:WindingCounter = null;
@@ -25,10 +25,10 @@ package starlogo.solid.interior
         // Which vertices are at the same place; null if the surface is known, and no vertices of its seams are apart.
         private var _welding:Welding = null;
 
-        // For each part, where the coordinates of one of its vertices begin. For each shell, its part. The sets of parts that overlap, and how many
-        // crossings were counted to find them.
+        // For each component, where the coordinates of one of its vertices begin. For each shell, its component. The sets of components that overlap, and
+        // how many crossings were counted to find them.
         private var _vertexOf:Vector.<int>;
-        private var _partOf:Vector.<int>;
+        private var _componentOf:Vector.<int>;
         private var _overlapping:DisjointSets;
         private var _countedCrossings:int = 0;
 
@@ -45,7 +45,7 @@ package starlogo.solid.interior
                 _welding = new Welding(mesh.vertices);
                 add(_welding);
             }
-            begin(findSurface).call(beginParts).slices(mesh.tree.itemCount, TRIANGLES_PER_STEP, addToParts).call(beginOverlaps);
+            begin(findSurface).call(beginComponents).slices(mesh.tree.itemCount, TRIANGLES_PER_STEP, addToComponents).call(beginOverlaps);
         }
 
         private function findSurface():Steps
@@ -53,17 +53,28 @@ package starlogo.solid.interior
             var isKnown:Boolean = _surface != null;
             _surface ||= new SurfaceTopology(_mesh.tree.itemCount);
             windingCounter = new WindingCounter(_mesh, _surface, _welding == null || _welding.widestSeam == 0 ? null : _welding.welded);
-            return isKnown ? null : new SurfaceBuilder(windingCounter, _welding);
+            if (isKnown)
+            {
+                return null;
+            }
+            _surface.widestSeam = _welding.widestSeam;
+            var triangles:Vector.<uint> = _mesh.tree.triangles;
+            var edges:EdgeMatcher = new EdgeMatcher(triangles, _welding);
+            var shells:ShellFinder = new ShellFinder(_surface, edges);
+            return new StepSequence().add(new ComponentFinder(_surface, triangles, _welding.welded)).add(edges).add(shells).begin(function():Steps
+                {
+                    return new CavityFinder(windingCounter, shells, _welding.welded);
+                });
         }
 
-        private function beginParts():void
+        private function beginComponents():void
         {
-            _vertexOf = zeroedInts(_surface.partCount);
-            _partOf = zeroedInts(_surface.shellStates.length);
-            _overlapping = new DisjointSets(_surface.partCount);
+            _vertexOf = zeroedInts(_surface.componentCount);
+            _componentOf = zeroedInts(_surface.shellStates.length);
+            _overlapping = new DisjointSets(_surface.componentCount);
         }
 
-        private function addToParts(first:int, end:int):void
+        private function addToComponents(first:int, end:int):void
         {
             for (var slot:int = first; slot < end; slot++)
             {
@@ -71,34 +82,36 @@ package starlogo.solid.interior
                 var shell:int = _surface.shellOf(triangle);
                 if (shell >= 0)
                 {
-                    _partOf[shell] = _surface.parts[triangle];
+                    _componentOf[shell] = _surface.components[triangle];
                 }
-                _vertexOf[_surface.parts[triangle]] = _mesh.corners[3 * slot];
+                _vertexOf[_surface.components[triangle]] = _mesh.corners[3 * slot];
             }
         }
 
-        // A figure often consists of shells that overlap. Another model contains all of them or none, unless it is inside one of them. So one part
+        // A figure often consists of shells that overlap. Another model contains all of them or none, unless it is inside one of them. So one component
         // stands for all those that it overlaps, and each pair of models needs fewer points.
         private function beginOverlaps():void
         {
-            if (_surface.hasClosedShell)
+            windingCounter.hasClosedShell = _surface.hasClosedShell;
+            if (windingCounter.hasClosedShell)
             {
-                slices(_surface.partCount, PARTS_PER_STEP, findOverlaps);
+                slices(_surface.componentCount, COMPONENTS_PER_STEP, findOverlaps);
             }
             call(conclude);
         }
 
-        // If too many crossings are counted, the parts that are left stand for themselves. The answers are the same.
+        // If too many crossings are counted, the components that are left stand for themselves. The answers are the same.
         private function findOverlaps(first:int, end:int):void
         {
             var enclosing:Vector.<int> = new Vector.<int>();
-            for (var part:int = first; part < end && _countedCrossings < WindingCounter.MAX_CROSSINGS_PER_TRIANGLE * _mesh.tree.itemCount; part++)
+            var most:int = WindingCounter.MAX_CROSSINGS_PER_TRIANGLE * _mesh.tree.itemCount;
+            for (var component:int = first; component < end && _countedCrossings < most; component++)
             {
-                var at:int = _vertexOf[part];
+                var at:int = _vertexOf[component];
                 _countedCrossings += windingCounter.findEnclosing(_mesh.vertices[at], _mesh.vertices[at + 1], _mesh.vertices[at + 2], enclosing);
                 for each (var shell:int in enclosing)
                 {
-                    _overlapping.join(_partOf[shell], part);
+                    _overlapping.join(_componentOf[shell], component);
                 }
             }
         }
@@ -106,16 +119,15 @@ package starlogo.solid.interior
         private function conclude():void
         {
             var points:Vector.<Number> = new Vector.<Number>();
-            for (var part:int = 0; part < _surface.partCount; part++)
+            for (var component:int = 0; component < _surface.componentCount; component++)
             {
-                if (_overlapping.rootOf(part) == part)
+                if (_overlapping.rootOf(component) == component)
                 {
-                    var at:int = _vertexOf[part];
+                    var at:int = _vertexOf[component];
                     points.push(_mesh.vertices[at], _mesh.vertices[at + 1], _mesh.vertices[at + 2]);
                 }
             }
-            windingCounter.partPoints = points;
-            windingCounter.hasClosedShell = _surface.hasClosedShell;
+            windingCounter.componentPoints = points;
         }
     }
 }

@@ -14,14 +14,18 @@ package starlogo.solid.interior
         /** For each shell, the number of its triangles that are not reversed, minus the number of those that are. */
         public var balances:Vector.<int> = new Vector.<int>();
 
+        /**
+         * The triangles of all shells so far, shell by shell, and how many they are. It is also the queue of triangles to visit: from the next one on, as
+         * far as it goes.
+         */
+        public var triangles:Vector.<int>;
+        public var triangleCount:int = 0;
+
         private var _surface:SurfaceTopology;
         private var _edges:EdgeMatcher;
         private var _first:int = 0;
 
-        // The triangles of all shells so far. It is also the queue of triangles to visit: from the next one on, as far as it goes.
-        private var _queue:Vector.<int>;
         private var _next:int = 0;
-        private var _end:int = 0;
 
         /**
          * @param surface receives the shells
@@ -31,7 +35,7 @@ package starlogo.solid.interior
         {
             _surface = surface;
             _edges = edges;
-            _queue = zeroedInts(surface.signedShells.length);
+            triangles = zeroedInts(surface.signedShells.length);
             repeat(visitTriangles);
         }
 
@@ -40,9 +44,9 @@ package starlogo.solid.interior
             var signedShells:Vector.<int> = _surface.signedShells;
             for (var i:int = 0; i < TRIANGLES_PER_STEP; i++)
             {
-                if (_next < _end)
+                if (_next < triangleCount)
                 {
-                    goOnFrom(_queue[_next++]);
+                    goOnFrom(triangles[_next++]);
                 }
                 else if (_first == signedShells.length)
                 {
@@ -52,7 +56,7 @@ package starlogo.solid.interior
                 {
                     if (signedShells[_first] == 0 && _edges.hasEdges(_first))
                     {
-                        _surface.addShell(SurfaceTopology.TWO_SIDED, -1);
+                        _surface.shellStates.push(SurfaceTopology.ORIENTABLE);
                         balances.push(0);
                         addTriangle(_first, balances.length);
                     }
@@ -66,7 +70,7 @@ package starlogo.solid.interior
         {
             _surface.signedShells[triangle] = signedShell;
             balances[int(balances.length - 1)] += signedShell > 0 ? 1 : -1;
-            _queue[_end++] = triangle;
+            triangles[triangleCount++] = triangle;
         }
 
         private function goOnFrom(triangle:int):void
@@ -91,12 +95,12 @@ package starlogo.solid.interior
                 }
                 else if (found != expected)
                 {
-                    lowerState(SurfaceTopology.ONE_SIDED);
+                    lowerState(SurfaceTopology.NON_ORIENTABLE);
                 }
             }
         }
 
-        // The last shell is open rather than one-sided, and one-sided rather than two-sided: the least state counts.
+        // The last shell is open rather than non-orientable, and that rather than orientable: the least state counts.
         private function lowerState(state:int):void
         {
             var states:Vector.<int> = _surface.shellStates;

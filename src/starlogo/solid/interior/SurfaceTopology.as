@@ -4,32 +4,32 @@ package starlogo.solid.interior
     import starlogo.data.zeroedInts;
 
     /**
-     * The properties of a model's surface as a whole: its parts, its shells, and which of these are closed. A SurfaceBuilder computes them,
-     * and a cooked file stores them.
+     * The properties of a model's surface as a whole: its components, its shells, and which of these are closed. An InteriorBuilder computes
+     * them, and a cooked file stores them.
      *
      * @private
      */
     public final class SurfaceTopology
     {
-        /** In shellStates: the shell is closed and has two sides. A point is inside if the shell winds around it. */
-        public static const TWO_SIDED:int = -1;
+        /** In shellStates: the shell is closed and has two sides: it is orientable. A point is inside if the shell winds around it. */
+        public static const ORIENTABLE:int = -1;
 
         /** In shellStates: the shell is closed and has one side only. A point is inside if the shell winds around it an odd number of times. */
-        public static const ONE_SIDED:int = -2;
+        public static const NON_ORIENTABLE:int = -2;
 
         /** In shellStates: the shell is not closed, and has no inside; or it copies another one. */
         public static const OPEN:int = -3;
 
-        // The number of parts, the number of shells, and the widest seam.
+        // The number of components, the number of shells, and the widest seam.
         private static const HEAD_LENGTH:int = 16;
 
-        /** The number of parts. */
-        public var partCount:int = 0;
+        /** The number of components. */
+        public var componentCount:int = 0;
 
         /**
-         * For each triangle, in the model's order, the number of its part. Triangles that share vertices are one part.
+         * For each triangle, in the model's order, the number of its component. Triangles that share vertices are in one component.
          */
-        public var parts:Vector.<int>;
+        public var components:Vector.<int>;
 
         /**
          * For each triangle, in the model's order, one more than the number of its shell, or 0 for a triangle with two corners at one place. Shells are
@@ -38,13 +38,11 @@ package starlogo.solid.interior
         public var signedShells:Vector.<int>;
 
         /**
-         * For each shell, TWO_SIDED, ONE_SIDED or OPEN. A point is inside of the surface if it is inside of a closed shell that bounds no cavity, and
-         * not in a cavity of that shell. So shells may overlap, whatever their orientation.
+         * For each shell, ORIENTABLE, NON_ORIENTABLE or OPEN; for an orientable one that bounds a cavity, the number of the shell in which the cavity is.
+         * A point is inside of the surface if it is inside of a closed shell that bounds no cavity, and not in a cavity of that shell. So shells may
+         * overlap, whatever their orientation.
          */
         public var shellStates:Vector.<int> = new Vector.<int>();
-
-        /** For each shell, the number of the shell in which it bounds a cavity, or -1 if it bounds none. Such a shell has two sides. */
-        public var cavityOf:Vector.<int> = new Vector.<int>();
 
         /** The largest distance of two corners that were welded. */
         public var widestSeam:Number = 0;
@@ -54,15 +52,8 @@ package starlogo.solid.interior
          */
         public function SurfaceTopology(triangleCount:int)
         {
-            parts = zeroedInts(triangleCount);
+            components = zeroedInts(triangleCount);
             signedShells = zeroedInts(triangleCount);
-        }
-
-        /** Adds a shell, with its number in <code>shellStates</code> and <code>cavityOf</code>. */
-        public function addShell(state:int, cavityOf:int):void
-        {
-            shellStates.push(state);
-            this.cavityOf.push(cavityOf);
         }
 
         /** The number of a triangle's shell, or -1 for a triangle with two corners at one place. The triangle is counted as the model does. */
@@ -81,7 +72,7 @@ package starlogo.solid.interior
         /** Whether a shell bounds a cavity in another one. */
         public function boundsCavity(shell:int):Boolean
         {
-            return cavityOf[shell] >= 0;
+            return shellStates[shell] >= 0;
         }
 
         /** Whether at least one shell of the surface is closed, so that the surface has an inside. */
@@ -111,40 +102,30 @@ package starlogo.solid.interior
                 return null;
             }
             var surface:SurfaceTopology = new SurfaceTopology(triangleCount);
-            surface.partCount = bytes.readInt();
+            surface.componentCount = bytes.readInt();
             var shells:int = bytes.readInt();
             surface.widestSeam = bytes.readDouble();
-            if (!(shells >= 0 && shells <= triangleCount && surface.partCount <= triangleCount
+            if (!(shells >= 0 && shells <= triangleCount && surface.componentCount <= triangleCount
                         && surface.widestSeam >= 0 && surface.widestSeam < Infinity))
             {
                 return null;
             }
-            var stored:Vector.<int> = new Vector.<int>(shells, true);
-            var isRead:Boolean = readRuns(bytes, stored, OPEN, shells - 1) && readRuns(bytes, surface.parts, 0, surface.partCount - 1)
+            surface.shellStates.length = shells;
+            var isRead:Boolean = readRuns(bytes, surface.shellStates, OPEN, shells - 1) && readRuns(bytes, surface.components, 0, surface.componentCount - 1)
                 && readRuns(bytes, surface.signedShells, -shells, shells);
-            for each (var number:int in stored)
-            {
-                surface.addShell(number < 0 ? number : TWO_SIDED, Math.max(-1, number));
-            }
             return isRead ? surface : null;
         }
 
         /**
-         * Writes the surface: the numbers of parts and shells, the widest seam, and runs of equal numbers of the lists. A shell that bounds a cavity is
-         * stored as the number of the shell around it, any other one as its state, which is negative.
+         * Writes the surface: the numbers of components and shells, the widest seam, and runs of equal numbers of the lists.
          */
         public function writeTo(out:ByteArray):void
         {
-            out.writeInt(partCount);
+            out.writeInt(componentCount);
             out.writeInt(shellStates.length);
             out.writeDouble(widestSeam);
-            var stored:Vector.<int> = new Vector.<int>();
-            for (var shell:int = 0; shell < shellStates.length; shell++)
-            {
-                stored.push(boundsCavity(shell) ? cavityOf[shell] : shellStates[shell]);
-            }
-            writeRuns(out, stored);
-            writeRuns(out, parts);
+            writeRuns(out, shellStates);
+            writeRuns(out, components);
             writeRuns(out, signedShells);
         }
 

@@ -1,14 +1,15 @@
 // The package solid.interior says which points are inside of a model whose triangles come from a file: with seams, holes, shells that overlap and
-// cavities. A shell is connected over edges, a part over vertices. Engines whose meshes are hollow need none of it.
+// cavities. A shell is connected over edges, a component over vertices. Engines whose meshes are hollow need none of it.
 // 
 // An InteriorBuilder makes a WindingCounter, which answers, and prepares it in steps:
 // Welding           finds the vertices that are at the same place
-// SurfaceBuilder    finds the SurfaceTopology, with three classes:
+// then the SurfaceTopology is found, by four classes:
+// - ComponentFinder finds the components
 // - EdgeMatcher     pairs the triangles that continue each other over an edge
 // - ShellFinder     follows these pairs, and so finds the shells
 // - CavityFinder    decides which shells bound cavities
 // 
-// Read WindingCounter first, then SurfaceTopology and SurfaceBuilder.
+// Read WindingCounter first, then SurfaceTopology and InteriorBuilder.
 
 package starlogo.solid.interior
 {
@@ -52,10 +53,10 @@ package starlogo.solid.interior
         public var hasClosedShell:Boolean = false;
 
         /**
-         * A point of each part of the surface: x, y, z. A part is connected. So a part that does not touch another surface is inside or outside of it as a
-         * whole, and its point decides. Of parts that overlap there is one: it stands for the others. Known when the surface is complete.
+         * A point of each component of the surface: x, y, z. It is connected. So if it does not touch another surface, it is inside or outside of it as a
+         * whole, and its point decides. Of components that overlap there is one: it stands for the others. Known when the surface is complete.
          */
-        public var partPoints:Vector.<Number> = null;
+        public var componentPoints:Vector.<Number> = null;
 
         // How often each shell winds around the point of the last countWindings(), or 0 if a cavity of it does. Null before that.
         private var _windings:Vector.<int> = null;
@@ -154,8 +155,8 @@ package starlogo.solid.interior
         private function encloses(shell:int):Boolean
         {
             var state:int = surface.shellStates[shell];
-            return state == SurfaceTopology.TWO_SIDED && _windings[shell] != 0 && !surface.boundsCavity(shell)
-                || state == SurfaceTopology.ONE_SIDED && (_windings[shell] & 1) != 0;
+            return state == SurfaceTopology.ORIENTABLE && _windings[shell] != 0
+                || state == SurfaceTopology.NON_ORIENTABLE && (_windings[shell] & 1) != 0;
         }
 
         // Counts how often each shell winds around a point. A shell counts 0 if the point is in a cavity of it. A ray along an axis, away from where most
@@ -183,7 +184,7 @@ package starlogo.solid.interior
                 var shell:int = _crossed[i];
                 if (surface.boundsCavity(shell) && _windings[shell] != 0)
                 {
-                    _windings[surface.cavityOf[shell]] = 0;
+                    _windings[surface.shellStates[shell]] = 0;
                 }
             }
         }

@@ -8,7 +8,7 @@ package starlogo.hierarchy
      *
      * @private
      */
-    public final class TreeItems
+    public final class TreePartition
     {
         /** The extents of all items together after <code>measure()</code>. */
         public var bounds:Vector.<Number> = new Vector.<Number>(6, true);
@@ -37,7 +37,7 @@ package starlogo.hierarchy
         /**
          * @param tree has the items; receives their order, which begins as that of their indices
          */
-        public function TreeItems(tree:BoxTree)
+        public function TreePartition(tree:BoxTree)
         {
             _tree = tree;
             clear(bounds);

@@ -12,7 +12,7 @@ package starlogo.hierarchy
      *
      * @private
      */
-    public final class PosedTrees
+    public final class TreePair
     {
         /** One tree, and how many of its levels are visited (see BoxTree). */
         public var a:BoxTree = null;

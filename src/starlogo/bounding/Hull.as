@@ -27,8 +27,6 @@ package starlogo.bounding
         private static var sTurned:Vector.<Number> = new Vector.<Number>();
         private static var sBounds:VertexBounds = new VertexBounds();
         private static var sKernel:ConvexKernel = new ConvexKernel();
-        private static var sShape:ConvexShape = new ConvexShape();
-        private static var sBall:ConvexShape = new ConvexShape();
 
         // Structures may be larger than what ConvexHull takes. So it gets the corners divided by this number: 2^40, which loses no
         // digits.
@@ -173,10 +171,12 @@ package starlogo.bounding
                 return true;
             }
             // beyond a sharp edge the hull is much farther away than the planes of its faces
-            setShape(sShape);
-            sBall.setPoint(point);
-            sBall.radius = limit - radius;
-            return sKernel.areTouching(sShape, sBall);
+            var shape:ConvexShape = new ConvexShape();
+            var ball:ConvexShape = new ConvexShape();
+            setShape(shape);
+            ball.setPoint(point);
+            ball.radius = limit - radius;
+            return sKernel.areTouching(shape, ball);
         }
 
         /** @inheritDoc */

@@ -280,12 +280,15 @@ package starlogo.collision
             _handlers.clear();
             // a handler may call this, and the frame under way goes on with its own
             _lastFrame = new LastFrame();
-            for each (var system:BaseCollider in [_system, systemOfFrame])
+            forgetMotions(_system);
+            forgetMotions(systemOfFrame);
+        }
+
+        private static function forgetMotions(system:BaseCollider):void
+        {
+            if (system.innerCollider != null)
             {
-                if (system.innerCollider != null)
-                {
-                    system.innerCollider.forgetMotions();
-                }
+                system.innerCollider.forgetMotions();
             }
         }
 

@@ -85,10 +85,10 @@ package starlogo.ground
             var next:int = grid.isBlocky ? 0 : 1;
             var rowStep:int = next * grid.columns;
             var tops:Vector.<Number> = _tops;
-            tops[0] = tops[9] = _path.alongX.cellsBegin + _column * grid.cellWidth;
-            tops[3] = tops[6] = _path.alongX.cellsBegin + (_column + 1) * grid.cellWidth;
-            tops[1] = tops[4] = _path.alongY.cellsBegin + _row * grid.cellWidth;
-            tops[7] = tops[10] = _path.alongY.cellsBegin + (_row + 1) * grid.cellWidth;
+            tops[0] = tops[9] = _path.cellsBegin[BoxPath.X] + _column * grid.cellWidth;
+            tops[3] = tops[6] = _path.cellsBegin[BoxPath.X] + (_column + 1) * grid.cellWidth;
+            tops[1] = tops[4] = _path.cellsBegin[BoxPath.Y] + _row * grid.cellWidth;
+            tops[7] = tops[10] = _path.cellsBegin[BoxPath.Y] + (_row + 1) * grid.cellWidth;
             var first:Number = heights[at] - _path.search.origin.z;
             var second:Number = heights[int(at + next)] - _path.search.origin.z;
             var third:Number = heights[int(at + next + rowStep)] - _path.search.origin.z;

@@ -6,13 +6,13 @@ package starlogo.queries
     import starlogo.collision.Contact;
     import starlogo.engine;
     import starlogo.queries.motion.TouchResult;
+    import starlogo.queries.motion.Depenetration;
     import starlogo.queries.motion.MotionResult;
     import starlogo.queries.motion.MovingBody;
-    import starlogo.queries.motion.OverlapRecovery;
     import starlogo.queries.motion.SlideLimits;
     import starlogo.queries.motion.Slider;
     import starlogo.queries.motion.TouchSweep;
-    import starlogo.queries.motion.Walk;
+    import starlogo.queries.motion.WalkState;
     import starlogo.queries.motion.WalkPlanner;
     import starlogo.queries.rays.HitWriter;
     import starlogo.queries.rays.SpareHits;
@@ -35,14 +35,14 @@ package starlogo.queries
         private var _seen:SeenAgents;
 
         private var _slider:Slider = new Slider();
-        private var _recovery:OverlapRecovery = new OverlapRecovery();
+        private var _depenetration:Depenetration = new Depenetration();
         private var _planner:WalkPlanner;
         private var _sweep:TouchSweep = new TouchSweep();
         private var _writer:HitWriter;
         private var _spare:SpareHits = new SpareHits(ShapeHit);
 
         // The walk of a question. If the question is another one, only the walk's body takes part.
-        private var _walks:PerQuery;
+        private var _walks:NestedPool;
 
         // How a slide ends.
         private var _slid:MotionResult = new MotionResult();
@@ -53,7 +53,7 @@ package starlogo.queries
             _seen = seen;
             _writer = new HitWriter(seen);
             _planner = new WalkPlanner(seen);
-            _walks = new PerQuery(seen, Walk);
+            _walks = new NestedPool(seen, WalkState);
         }
 
         /** See AgentMotions.castShape. */
@@ -105,15 +105,15 @@ package starlogo.queries
             return first.time;
         }
 
-        /** See AgentMotions.slide. There may be limits. */
+        /** See AgentMotions.slide. There may be limits: with SlideLimits.HORIZONTAL the agent stays at its height. */
         public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, limits:SlideLimits = null):Number
         {
             _seen.requireMovable(agent, "slide");
             var body:MovingBody = currentBody().setToAgent(agent).aim(dx, dy, dz);
             body.collectRowsWithin(body.motion.length, 0, 0, filter);
             _slider.slide(body, body.rows, body.from, body.motion, limits || SlideLimits.NONE, _slid);
-            _recovery.restoreClearance(body, _slid.place);
-            if (limits == SlideLimits.LEVEL)
+            _depenetration.restoreClearance(body, _slid.place);
+            if (limits == SlideLimits.HORIZONTAL)
             {
                 // the clearance leads off slopes by their normals
                 _slid.place.z = body.from.z;
@@ -122,17 +122,11 @@ package starlogo.queries
             return _slid.fraction;
         }
 
-        /** Slides, but at the agent's height: a slope is an upright wall. The errors are those of <code>slide()</code>. */
-        public function slideLevel(agent:Agent, dx:Number, dy:Number, filter:AgentFilter):Number
-        {
-            return slide(agent, dx, dy, 0, filter, SlideLimits.LEVEL);
-        }
-
         /** See AgentMotions.walk. */
         public function walk(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:Footing):Footing
         {
             _seen.requireMovable(agent, "walk");
-            var walk:Walk = Walk(_walks.current);
+            var walk:WalkState = WalkState(_walks.top);
             _planner.go(agent, dx, dy, options || DEFAULTS, walk);
             // before the footing is written, because an agent that would leave the world throws an error
             _seen.moveAgent(agent, walk.place, walk.carryTurn);
@@ -153,7 +147,7 @@ package starlogo.queries
          */
         public function findFooting(agent:Agent, options:WalkOptions, out:Footing):Footing
         {
-            var walk:Walk = Walk(_walks.current);
+            var walk:WalkState = WalkState(_walks.top);
             _planner.go(agent, 0, 0, options, walk);
             out.copyFrom(walk.footing);
             return out;
@@ -162,7 +156,7 @@ package starlogo.queries
         // The body of the question that begins now.
         private function currentBody():MovingBody
         {
-            var walk:Walk = Walk(_walks.current);
+            var walk:WalkState = WalkState(_walks.top);
             return walk.body;
         }
 

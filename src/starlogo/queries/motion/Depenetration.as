@@ -9,7 +9,7 @@ package starlogo.queries.motion
     use namespace engine;
 
     /**
-     * Gets a body out of what it overlaps. It frees the shrunk body where a motion begins (leaveOverlaps), leads the body off what it touches where its
+     * Gets a body out of what it overlaps. It frees the shrunk body where a motion begins (depenetrate), leads the body off what it touches where its
      * motions end (restoreClearance), and tells a walk how deep the body is in others (measureOverlaps).
      *
      * <p>A shallow overlap comes from rounding in the game: the body is pushed out of it. If the body overlaps a row more deeply, the plane of their
@@ -22,7 +22,7 @@ package starlogo.queries.motion
      *
      * @private
      */
-    public final class OverlapRecovery
+    public final class Depenetration
     {
         private static const NO_MOTION:Vector3D = new Vector3D();
 
@@ -59,9 +59,9 @@ package starlogo.queries.motion
          * @param state how the motion starts. It receives the planes of overlaps that stay. Obstacles for which a plane stands are none from then on. The
          *     place changes if the body is pushed
          */
-        public function leaveOverlaps(state:MotionState):void
+        public function depenetrate(state:MotionState):void
         {
-            if (replaceByPlanes(state, false) && !pushInRounds(state.shrunk, state.obstacles, state.start, false, state.pushes))
+            if (replaceByPlanes(state, false) && !pushOut(state))
             {
                 replaceByPlanes(state, true);
             }
@@ -140,43 +140,76 @@ package starlogo.queries.motion
             return _shrunk.shrunkTouches(row, place) && !_shrunk.shrunkTouches(row, _above);
         }
 
-        // Pushes a body off the rows that it touches. If it does not get free, it is where it was.
-        private function pushOffTouches(shrunk:ShrunkBody, rows:IntList, place:Vector3D):void
+        // Pushes the body out of the obstacles that the shrunk body overlaps, one after the other, in rounds, until a round needs no push. Returns whether it
+        // is free then. It is not if an overlap is not shallow. Then the body is where it was, and there are no pushes.
+        private function pushOut(state:MotionState):Boolean
         {
-            pushInRounds(shrunk, rows, place, true, _pushesOff);
-        }
-
-        // Pushes a body from one row after the other, in rounds, until a round needs no push: off the rows that it touches, or out of those that the
-        // shrunk body overlaps. Returns whether it is free then. It is not if an overlap is not shallow. Then the body is where it was, and there are
-        // no pushes.
-        private function pushInRounds(shrunk:ShrunkBody, rows:IntList, place:Vector3D, isOffTouches:Boolean, pushes:ContactList):Boolean
-        {
+            var shrunk:ShrunkBody = state.shrunk;
+            var rows:IntList = state.obstacles;
             var last:ContactPoint = null;
             var isFree:Boolean = false;
-            _before.copyFrom(place);
-            pushes.clear();
+            _before.copyFrom(state.start);
+            state.pushes.clear();
             for (var round:int = 0; !isFree; round++)
             {
                 isFree = true;
                 for (var i:int = 0; i < rows.count; i++)
                 {
                     var row:int = rows.values[i];
-                    var length:Number = isOffTouches ? findPushOff(shrunk, row, place, round, last, _contact) : findPushOut(shrunk, row, place, round, last, _contact);
-                    if (length > 0)
+                    if (shrunk.shrunkTouches(row, state.start))
                     {
-                        if (round == MAX_ROUNDS || length == Infinity || leadsBack(_contact, last))
+                        findContactOfPush(shrunk.mover, row, state.start, round, last, _contact);
+                        var isShallow:Boolean = shrunk.mover.isShallow(row, _contact);
+                        last = isShallow ? push(row, _contact.depth + shrunk.clearance, round, last, state.start, state.pushes) : null;
+                        if (last == null)
                         {
-                            place.copyFrom(_before);
-                            pushes.clear();
+                            state.start.copyFrom(_before);
+                            state.pushes.clear();
                             return false;
                         }
-                        _contact.movePoint(place, length);
-                        last = pushes.contacts[pushes.add(_contact, row)];
                         isFree = false;
                     }
                 }
             }
             return true;
+        }
+
+        // Pushes a body off the rows that it touches, one after the other, in rounds, until a round needs no push. If it does not get free, it is where it was.
+        private function pushOffTouches(shrunk:ShrunkBody, rows:IntList, place:Vector3D):void
+        {
+            var last:ContactPoint = null;
+            var isFree:Boolean = false;
+            _before.copyFrom(place);
+            _pushesOff.clear();
+            for (var round:int = 0; !isFree; round++)
+            {
+                isFree = true;
+                for (var i:int = 0; i < rows.count; i++)
+                {
+                    var length:Number = findPushOff(shrunk, rows.values[i], place, round, last, _contact);
+                    if (length > 0)
+                    {
+                        last = push(rows.values[i], length, round, last, place, _pushesOff);
+                        if (last == null)
+                        {
+                            place.copyFrom(_before);
+                            return;
+                        }
+                        isFree = false;
+                    }
+                }
+            }
+        }
+
+        // Pushes a place along the contact with a row. Returns the push; null if there have been too many rounds, or it would lead back against the last one.
+        private function push(row:int, length:Number, round:int, last:ContactPoint, place:Vector3D, pushes:ContactList):ContactPoint
+        {
+            if (round == MAX_ROUNDS || leadsBack(_contact, last))
+            {
+                return null;
+            }
+            _contact.movePoint(place, length);
+            return pushes.contacts[pushes.add(_contact, row)];
         }
 
         // Lets planes stand for obstacles that the shrunk body overlaps: for deep overlaps, and also for shallow ones if they are to count. These are
@@ -218,18 +251,6 @@ package starlogo.queries.motion
             state.planes.add(_contact, row);
             shrunk.mover.warnIfInside(row, _contact);
             return true;
-        }
-
-        // Finds the contact for a push out of a row. Returns the length of the push: 0 if the shrunk body does not overlap the row, Infinity if the overlap
-        // is not shallow.
-        private static function findPushOut(shrunk:ShrunkBody, row:int, place:Vector3D, round:int, last:ContactPoint, out:ContactPoint):Number
-        {
-            if (!shrunk.shrunkTouches(row, place))
-            {
-                return 0;
-            }
-            findContactOfPush(shrunk.mover, row, place, round, last, out);
-            return shrunk.mover.isShallow(row, out) ? out.depth + shrunk.clearance : Infinity;
         }
 
         // Finds the contact for a push off a row. Returns the length of the push: 0 if the body does not touch the row, overlaps it deeply or passes it.

@@ -25,7 +25,7 @@ package starlogo.queries.motion
         // The shrunk body meets a surface at a grazing angle if the sine of the angle between the surface and the motion is at most this.
         private static const GRAZING_SINE:Number = 0.1;
 
-        private var _recovery:OverlapRecovery = new OverlapRecovery();
+        private var _depenetration:Depenetration = new Depenetration();
 
         // How the shrunk body meets one row.
         private var _met:Impact = new Impact();
@@ -53,7 +53,7 @@ package starlogo.queries.motion
             out.isImpactKnown = !hasLength(motion) || tryStartFree(out.shrunk, out.obstacles, from, motion, out.impact);
             if (!out.isImpactKnown)
             {
-                _recovery.leaveOverlaps(out);
+                _depenetration.depenetrate(out);
             }
         }
 

@@ -28,6 +28,9 @@ package starlogo.queries.motion
         private var _remaining:RemainingMotion = new RemainingMotion();
         private var _impactWithoutPlane:Impact = new Impact();
 
+        // A way straight up or down.
+        private var _vertical:Vector3D = new Vector3D();
+
         /**
          * Computes a motion that slides along what it meets.
          *
@@ -51,7 +54,7 @@ package starlogo.queries.motion
             if (!_state.isImpactKnown)
             {
                 _remaining.beginCorner();
-                if (limits == SlideLimits.LEVEL)
+                if (limits == SlideLimits.HORIZONTAL)
                 {
                     makePlanesUpright(planes, _remaining);
                 }
@@ -106,6 +109,13 @@ package starlogo.queries.motion
             ShrunkSweep.setAlong(_state.start, motion, end, out.place);
         }
 
+        /** Computes a way straight up, or down if dz is less than 0: a straight motion among the body's own rows. */
+        public function moveVertically(body:MovingBody, from:Vector3D, dz:Number, out:MotionResult):void
+        {
+            _vertical.z = dz;
+            moveStraight(body, body.rows, from, _vertical, out);
+        }
+
         /** Whether a row, one of those near the way of a body, would stop a straight motion. */
         public function meets(body:MovingBody, row:int, from:Vector3D, motion:Vector3D):Boolean
         {
@@ -122,18 +132,18 @@ package starlogo.queries.motion
                 out.contact.copyFrom(contact);
                 out.row = impact.row;
             }
-            if (contact.normalZ < limits.leastFloorZ)
+            if (contact.normalZ < limits.minFloorNormalZ)
             {
                 out.wallRow = impact.row;
                 makeUpright(contact, remaining);
             }
-            else if (limits.leastFloorZ > 0)
+            else if (limits.minFloorNormalZ > 0)
             {
                 remaining.liftOverPlane(contact);
             }
         }
 
-        // Turns a contact that is too steep into an upright wall. The rest of the motion becomes level, because the slope would stop a motion up
+        // Turns a contact that is too steep into an upright wall. The rest of the motion becomes horizontal, because the slope would stop a motion up
         // or down.
         private static function makeUpright(contact:ContactPoint, remaining:RemainingMotion):void
         {
@@ -145,12 +155,12 @@ package starlogo.queries.motion
             }
         }
 
-        // Turns the planes of what the body overlaps into upright walls, except of level floors and ceilings.
+        // Turns the planes of what the body overlaps into upright walls, except of horizontal floors and ceilings.
         private static function makePlanesUpright(planes:ContactList, remaining:RemainingMotion):void
         {
             for (var i:int = 0; i < planes.count; i++)
             {
-                if (Math.abs(planes.contacts[i].normalZ) < SlideLimits.LEVEL_Z)
+                if (Math.abs(planes.contacts[i].normalZ) < SlideLimits.HORIZONTAL_Z)
                 {
                     makeUpright(planes.contacts[i], remaining);
                 }

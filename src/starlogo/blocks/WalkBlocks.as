@@ -118,7 +118,7 @@ package starlogo.blocks
         {
             check("forward", agent, steps, "steps");
             _detection.queries.moves.slide(agent, steps * Trigonometry.cosine(agent.heading), steps * Trigonometry.sine(agent.heading), 0, _solid,
-                SlideLimits.HORIZONTAL);
+                    SlideLimits.HORIZONTAL);
         }
 
         /**

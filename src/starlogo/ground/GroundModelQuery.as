@@ -155,7 +155,7 @@ package starlogo.ground
         }
 
         /**
-         * Finds how far the two are apart where the model stands, and between which points. The search goes only as far as an estimate says, and twice as
+         * Finds how far the two are apart where the model stands, and between which points. The search goes only as far as a cell is wide, and twice as
          * far if there is no ground so near.
          *
          * @param areTouching whether they overlap. If so, a point of both is found
@@ -166,7 +166,7 @@ package starlogo.ground
             var origin:Placement = _pairs.search.origin;
             var kernel:TriangleKernel = _pairs.pieces.kernel;
             var isFound:Boolean = false;
-            for (var limit:Number = estimateDistance(); !isFound && limit < FARTHEST; limit *= 2)
+            for (var limit:Number = _pairs.search.grid.cellWidth; !isFound && limit < FARTHEST; limit *= 2)
             {
                 out.distance = limit;
                 _pairs.begin(RelativeMotion.NONE, limit);
@@ -191,22 +191,6 @@ package starlogo.ground
             }
             out.correct(areTouching);
             out.placePoints(origin);
-        }
-
-        // The distance from the box around the model to the height of the grid that is nearest to its middle as seen from above, and a cell's width. There may be
-        // a hole, or higher ground nearby.
-        private function estimateDistance():Number
-        {
-            var grid:HeightGrid = _pairs.search.grid;
-            var origin:Placement = _pairs.search.origin;
-            var box:GroundBox = _pairs.pieces.wholeBox;
-            _pairs.pieces.findWholeBox();
-            var column:int = Math.max(0, Math.min(grid.columns - 1, Math.round((box.x + origin.x - grid.x) / grid.cellWidth)));
-            var row:int = Math.max(0, Math.min(grid.rows - 1, Math.round((box.y + origin.y - grid.y) / grid.cellWidth)));
-            var x:Number = Math.max(0, Math.abs(grid.x + column * grid.cellWidth - origin.x - box.x) - box.halfX);
-            var y:Number = Math.max(0, Math.abs(grid.y + row * grid.cellWidth - origin.y - box.y) - box.halfY);
-            var z:Number = Math.max(0, Math.abs(grid.heights[int(row * grid.columns + column)] - origin.z - box.z) - box.halfZ);
-            return Math.sqrt(x * x + y * y + z * z) + grid.cellWidth;
         }
     }
 }

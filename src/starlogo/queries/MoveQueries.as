@@ -1,10 +1,12 @@
 package starlogo.queries
 {
+    import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.agents.PlatformLink;
     import starlogo.bounding.BoundingStructure;
     import starlogo.collision.Contact;
     import starlogo.engine;
+    import starlogo.geometry.copyVector;
     import starlogo.queries.motion.TouchResult;
     import starlogo.queries.motion.Depenetration;
     import starlogo.queries.motion.MotionResult;
@@ -31,6 +33,7 @@ package starlogo.queries
     public final class MoveQueries
     {
         private static const DEFAULTS:WalkOptions = new WalkOptions();
+        private static const UP:Vector3D = new Vector3D(0, 0, 1);
 
         private var _seen:SeenAgents;
 
@@ -130,8 +133,7 @@ package starlogo.queries
             _planner.go(agent, dx, dy, options || DEFAULTS, walk);
             // before the footing is written, because an agent that would leave the world throws an error
             _seen.moveAgent(agent, walk.place, walk.carryTurn);
-            var footing:Footing = out || new Footing();
-            footing.copyFrom(walk.footing);
+            var footing:Footing = writeFooting(walk, out || new Footing());
             var link:PlatformLink = agent.platformLink ||= new PlatformLink(agent);
             link.platform = null;
             if (footing.stands && walk.floorRow >= ListedAgents.FIRST_LISTED)
@@ -149,7 +151,19 @@ package starlogo.queries
         {
             var walk:WalkState = WalkState(_walks.top);
             _planner.go(agent, 0, 0, options, walk);
-            out.copyFrom(walk.footing);
+            return writeFooting(walk, out);
+        }
+
+        // Writes how the agent stands where a walk has ended. Returns the footing.
+        private function writeFooting(walk:WalkState, out:Footing):Footing
+        {
+            var agents:Vector.<Agent> = _seen.table.listed.agentsByRow;
+            out.stands = walk.stands;
+            out.on = walk.stands ? agents[walk.floorRow] : null;
+            out.against = walk.wallRow >= 0 ? agents[walk.wallRow] : null;
+            out.part = walk.part;
+            out.pushed = walk.pushed;
+            copyVector(walk.stands ? walk.floorNormal : UP, out.normal);
             return out;
         }
 

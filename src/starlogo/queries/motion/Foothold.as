@@ -74,7 +74,12 @@ package starlogo.queries.motion
          */
         public function tryStandOn(walk:WalkState, met:MotionResult, place:Vector3D):Boolean
         {
-            if (!findSurface(walk, met.contact, met.row, place, walk.floorNormal))
+            var contact:ContactPoint = met.contact;
+            if (contact.normalZ >= walk.minFloorNormalZ)
+            {
+                walk.floorNormal.setTo(contact.normalX, contact.normalY, contact.normalZ);
+            }
+            else if (isTooHigh(walk, contact, place) || !findFaceBehind(walk, contact, met.row, walk.floorNormal))
             {
                 return false;
             }
@@ -89,17 +94,6 @@ package starlogo.queries.motion
             _limits.setFall(Math.sqrt(1 - walk.minFloorNormalZ * walk.minFloorNormalZ) / walk.minFloorNormalZ, maxHorizontal);
             _motion.setTo(0, 0, -depth);
             _slider.slide(walk.body, walk.body.rows, from, _motion, _limits, out);
-        }
-
-        // Finds the surface of a row that carries the agent at a place: its normal. Returns whether there is one.
-        private function findSurface(walk:WalkState, contact:ContactPoint, row:int, place:Vector3D, out:Vector3D):Boolean
-        {
-            if (contact.normalZ >= walk.minFloorNormalZ)
-            {
-                out.setTo(contact.normalX, contact.normalY, contact.normalZ);
-                return true;
-            }
-            return !isTooHigh(walk, contact, place) && findFaceBehind(walk, contact, row, out);
         }
 
         // Whether an edge is more than a step above the lowest point of the agent, where the substep began or at its place.

@@ -4,8 +4,6 @@ package starlogo.queries.motion
     import starlogo.agents.Agent;
     import starlogo.engine;
     import starlogo.geometry.Trigonometry;
-    import starlogo.geometry.copyVector;
-    import starlogo.queries.Footing;
     import starlogo.queries.SeenAgents;
     import starlogo.queries.WalkOptions;
     import starlogo.search.Body;
@@ -42,8 +40,6 @@ package starlogo.queries.motion
         // The most pushes out of what the agent overlaps where a walk begins.
         private static const MAX_PUSHES:int = 8;
 
-        private static const UP:Vector3D = new Vector3D(0, 0, 1);
-
         private var _seen:SeenAgents;
         private var _slider:Slider = new Slider();
         private var _depenetration:Depenetration = new Depenetration();
@@ -75,14 +71,13 @@ package starlogo.queries.motion
          * @param dx how far along x
          * @param dy how far along y
          * @param options how it walks
-         * @param out receives where the walk ends, and the footing there
+         * @param out receives where the walk ends, and how the agent stands there
          */
         public function go(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:WalkState):void
         {
             var carrier:int = begin(agent, dx, dy, options, out);
-            var stands:Boolean = walkSubsteps(out, standOrPushOut(out, carrier)) || fall(out);
+            out.stands = walkSubsteps(out, standOrPushOut(out, carrier)) || fall(out);
             _depenetration.restoreClearance(out.body, out.place);
-            writeFooting(out, stands, out.footing);
         }
 
         // Begins a walk where the agent is, or where its platform carries it. Returns the platform's row; -1 if none carries it.
@@ -104,16 +99,6 @@ package starlogo.queries.motion
                 _platforms.carry(walk, platform);
             }
             return platform;
-        }
-
-        // Writes how the agent stands where the walk has ended. The push and the part of the way are written already.
-        private function writeFooting(walk:WalkState, stands:Boolean, out:Footing):void
-        {
-            var agents:Vector.<Agent> = _seen.table.listed.agentsByRow;
-            out.stands = stands;
-            out.on = stands ? agents[walk.floorRow] : null;
-            out.against = walk.wallRow >= 0 ? agents[walk.wallRow] : null;
-            copyVector(stands ? walk.floorNormal : UP, out.normal);
         }
 
         // Finds the rows near a walk, and up to a distance from it, and how close to them it stands.
@@ -149,7 +134,7 @@ package starlogo.queries.motion
             var x:Number = walk.place.x - walk.substepStart.x;
             var y:Number = walk.place.y - walk.substepStart.y;
             var z:Number = walk.place.z - walk.substepStart.z;
-            walk.footing.pushed = Math.sqrt(x * x + y * y + z * z);
+            walk.pushed = Math.sqrt(x * x + y * y + z * z);
             walk.substepStart.copyFrom(walk.place);
             return _foothold.tryStandAtEnd(walk, _down);
         }
@@ -219,7 +204,7 @@ package starlogo.queries.motion
             }
             var dx:Number = walk.place.x - startX;
             var dy:Number = walk.place.y - startY;
-            walk.footing.part = walk.substepLength > 0 ? Math.min(1, Math.sqrt(dx * dx + dy * dy) / (walk.substepCount * walk.substepLength)) : 1;
+            walk.part = walk.substepLength > 0 ? Math.min(1, Math.sqrt(dx * dx + dy * dy) / (walk.substepCount * walk.substepLength)) : 1;
             return stands;
         }
 

@@ -2,7 +2,6 @@ package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
-    import starlogo.queries.Footing;
     import starlogo.queries.SeenAgents;
     import starlogo.queries.WalkOptions;
 
@@ -52,8 +51,10 @@ package starlogo.queries.motion
         /** The row of the last wall that the agent met and did not step over; -1 if it met none. */
         public var wallRow:int = -1;
 
-        /** How the agent stands at the end. */
-        public var footing:Footing = new Footing();
+        /** Whether the agent stands at the end; how far it was pushed; and the part of its way that it has come. See Footing. */
+        public var stands:Boolean = false;
+        public var pushed:Number = 0;
+        public var part:Number = 1;
 
         /** @param seen the agents that the walk is among */
         public function WalkState(seen:SeenAgents)

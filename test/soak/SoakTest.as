@@ -11,7 +11,7 @@ package soak
         private static const CHECK_EVERY:int = 20;
 
         // A hash of all that the game has seen. They are the same on every machine.
-        private static const HASH:String = "fc42f5b3";
+        private static const HASH:String = "6bf4071c";
         private static const HASH_OF_THE_FIRST:String = "915d103c";
         private static const FRAMES_HASHED:int = 200;
         private static const FIRST_FRAMES:int = 48;

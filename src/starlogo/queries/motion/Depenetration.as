@@ -47,11 +47,8 @@ package starlogo.queries.motion
         // The contact of an overlap, or of this push.
         private var _contact:ContactPoint = new ContactPoint();
 
-        // Where the body was above a row, as the row sees it, before the row rose.
-        private var _above:Vector3D = new Vector3D();
-
-        // A place where the body touches a row.
-        private var _touching:Vector3D = new Vector3D();
+        // A place that is tried: where the body was above a row, as the row sees it, before the row rose; and where the body touches a row.
+        private var _tried:Vector3D = new Vector3D();
 
         /**
          * Frees the shrunk body from the obstacles that it overlaps where its motion starts.
@@ -136,8 +133,8 @@ package starlogo.queries.motion
         private function hasRisenInto(row:int, rise:Number, body:MovingBody, place:Vector3D):Boolean
         {
             _shrunk.begin(body, body.rows, place, NO_MOTION);
-            _above.setTo(place.x, place.y, place.z + rise);
-            return _shrunk.shrunkTouches(row, place) && !_shrunk.shrunkTouches(row, _above);
+            _tried.setTo(place.x, place.y, place.z + rise);
+            return _shrunk.shrunkTouches(row, place) && !_shrunk.shrunkTouches(row, _tried);
         }
 
         // Pushes the body out of the obstacles that the shrunk body overlaps, one after the other, in rounds, until a round needs no push. Returns whether it
@@ -258,19 +255,19 @@ package starlogo.queries.motion
         {
             var mover:MovingBody = shrunk.mover;
             // mostly it is known faster that the shrunk body touches the row than how deep the overlap is
-            if (!findTouchingPlace(shrunk, row, place, _touching) || mover.passesOneWayAt(row, _touching)
+            if (!findTouchingPlace(shrunk, row, place, _tried) || mover.passesOneWayAt(row, _tried)
                     || (!shrunk.isFlat && shrunk.shrunkTouches(row, place)))
             {
                 return 0;
             }
-            findContactOfPush(mover, row, _touching, round, last, out);
+            findContactOfPush(mover, row, _tried, round, last, out);
             var most:Number = SLOPS_OF_TOUCH * shrunk.slop;
             if (out.depth > most && !mover.isShallow(row, out))
             {
                 return 0;
             }
             // from the body's place, which a flat body does not touch the row at
-            var beside:Number = out.normalX * (place.x - _touching.x) + out.normalY * (place.y - _touching.y) + out.normalZ * (place.z - _touching.z);
+            var beside:Number = out.normalX * (place.x - _tried.x) + out.normalY * (place.y - _tried.y) + out.normalZ * (place.z - _tried.z);
             return Math.min(out.depth, most) - beside + shrunk.clearance;
         }
 

@@ -52,8 +52,7 @@ package starlogo.queries.motion
 
         // How a slide, and a way straight up or down, ends. Only the method that passes it reads it.
         private var _slid:MotionResult = new MotionResult();
-        private var _up:MotionResult = new MotionResult();
-        private var _down:MotionResult = new MotionResult();
+        private var _vertical:MotionResult = new MotionResult();
 
         /** @param seen has the rows */
         public function WalkPlanner(seen:SeenAgents)
@@ -124,19 +123,19 @@ package starlogo.queries.motion
         {
             walk.substepStart.copyFrom(walk.place);
             var risen:Number = riseWithPlatforms(walk, carrier);
-            _slider.moveVertically(walk.body, walk.place, -walk.closeDepth, _down);
-            var isOverlapping:Boolean = _down.hasPlanes;
+            _slider.moveVertically(walk.body, walk.place, -walk.closeDepth, _vertical);
+            var isOverlapping:Boolean = _vertical.hasPlanes;
             if (isOverlapping)
             {
                 pushOut(walk, risen);
-                _slider.moveVertically(walk.body, walk.place, -walk.closeDepth, _down);
+                _slider.moveVertically(walk.body, walk.place, -walk.closeDepth, _vertical);
             }
             var x:Number = walk.place.x - walk.substepStart.x;
             var y:Number = walk.place.y - walk.substepStart.y;
             var z:Number = walk.place.z - walk.substepStart.z;
             walk.pushed = Math.sqrt(x * x + y * y + z * z);
             walk.substepStart.copyFrom(walk.place);
-            return _foothold.tryStandAtEnd(walk, _down);
+            return _foothold.tryStandAtEnd(walk, _vertical);
         }
 
         // Leads the agent up with one-way rows that have risen into it since it was moved, if there is room. Returns how far they have.
@@ -146,8 +145,8 @@ package starlogo.queries.motion
             if (height > 0)
             {
                 collectRows(walk, height);
-                _slider.moveVertically(walk.body, walk.place, height, _up);
-                walk.place.copyFrom(_up.place);
+                _slider.moveVertically(walk.body, walk.place, height, _vertical);
+                walk.place.copyFrom(_vertical.place);
             }
             return height;
         }
@@ -247,21 +246,21 @@ package starlogo.queries.motion
         // Tries a substep again a step higher, and goes down again. Returns whether the agent comes farther than without the step, and stands.
         private function tryStepUp(walk:WalkState):Boolean
         {
-            _slider.moveVertically(walk.body, walk.substepStart, walk.options.stepHeight, _up);
-            var height:Number = _up.place.z - walk.substepStart.z;
+            _slider.moveVertically(walk.body, walk.substepStart, walk.options.stepHeight, _vertical);
+            var height:Number = _vertical.place.z - walk.substepStart.z;
             if (height <= walk.closeDepth)
             {
                 return false;
             }
-            slideAlong(walk, _up.place, 0, walk.minFloorNormalZ, _slid);
+            slideAlong(walk, _vertical.place, 0, walk.minFloorNormalZ, _slid);
             if (!isFarther(walk, _slid.place))
             {
                 return false;
             }
             var depth:Number = height + walk.options.snap + walk.closeDepth;
             var top:Number = _slid.place.z;
-            _slider.moveVertically(walk.body, _slid.place, -depth, _down);
-            return _foothold.tryStandAtEnd(walk, _down) || (_down.hasContact && trySlideOff(walk, _down.place, depth - (top - _down.place.z)));
+            _slider.moveVertically(walk.body, _slid.place, -depth, _vertical);
+            return _foothold.tryStandAtEnd(walk, _vertical) || (_vertical.hasContact && trySlideOff(walk, _vertical.place, depth - (top - _vertical.place.z)));
         }
 
         // Whether a place is farther along the substep than where the walk is.
@@ -289,16 +288,16 @@ package starlogo.queries.motion
             {
                 return false;
             }
-            var left:Number = dropUntilStopped(walk, _down);
-            if (_down.hasContact)
+            var left:Number = dropUntilStopped(walk, _vertical);
+            if (_vertical.hasContact)
             {
-                return settle(walk, _down, left);
+                return settle(walk, _vertical, left);
             }
             if (left == Infinity)
             {
                 return false;
             }
-            walk.place.copyFrom(_down.place);
+            walk.place.copyFrom(_vertical.place);
             walk.place.z -= left;
             // a fall can also end where the ground begins, without being stopped
             return _foothold.tryStandBelow(walk, walk.place, walk.closeDepth);

@@ -26,6 +26,7 @@ package growth
                     new GrowthRow("ground: a walk over many cells", "cells", 400, 100000, beginLongWalk),
                     new GrowthRow("ground: a wide agent walks", "cells", 400, 100000, beginWideWalk),
                     new GrowthRow("ground: distances from far above", "cells", 400, 1000000, beginFar),
+                    new GrowthRow("ground: distances over holes", "cells", 400, 1000000, beginOverHoles),
                     new GrowthRow("ground: rays along it", "cells", 400, 1000000, beginRays),
                     new GrowthRow("ground: walks", "agents", 25, 40000, beginWalks),
                     new GrowthRow("ground: snapshots", "cells", 400, 200000, beginSnapshots)];
@@ -142,6 +143,28 @@ package growth
                 {
                     sum += queries.distanceToPoint(terrain.agent, new Vector3D(0, 0, z));
                     sum += queries.distance(GrowthGame.agentAt("cube", "turtles", 3, 4, z), terrain.agent);
+                }
+                return sum;
+            };
+        }
+
+        // All of the ground is holes but its last cells. A question may take no longer on more ground.
+        private static function beginOverHoles(n:int, row:GrowthRow):Function
+        {
+            var terrain:Terrain = rough(n, 1);
+            var queries:AgentQueries = new AgentQueries(new TightestFitCollider(GrowthGame.land()));
+            row.exponent = GrowthRow.CONSTANT;
+            queries.terrain = terrain;
+            for (var i:int = 0; i < terrain.columns * (terrain.rows - 2); i++)
+            {
+                terrain.setHole(i % terrain.columns, i / terrain.columns, true);
+            }
+            return function():Object
+            {
+                var sum:Number = 0;
+                for (var x:int = 0; x < 100; x++)
+                {
+                    sum += queries.distance(GrowthGame.agentAt("ball", "turtles", 0.01 * x * terrain.columns, 1, 1), terrain.agent);
                 }
                 return sum;
             };

@@ -8,6 +8,7 @@ package starlogo.blocks
     import starlogo.queries.AgentFilter;
     import starlogo.queries.Footing;
     import starlogo.queries.WalkOptions;
+    import starlogo.queries.motion.SlideLimits;
 
     use namespace engine;
 
@@ -123,7 +124,8 @@ package starlogo.blocks
         public function forward(agent:Agent, steps:Number):void
         {
             check("forward", agent, steps, "steps");
-            _detection.queries.moves.slideLevel(agent, steps * Trigonometry.cosine(agent.heading), steps * Trigonometry.sine(agent.heading), _solid);
+            _detection.queries.moves.slide(agent, steps * Trigonometry.cosine(agent.heading), steps * Trigonometry.sine(agent.heading), 0, _solid,
+                    SlideLimits.HORIZONTAL);
         }
 
         /**

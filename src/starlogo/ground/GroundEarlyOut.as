@@ -65,7 +65,7 @@ package starlogo.ground
             // agents that are this close may touch, because of rounding
             var touchMargin:Number = Tolerances.ROUNDING * (Math.abs(grid.x) + Math.abs(grid.y) + (grid.columns + grid.rows) * grid.cellWidth
                     + Math.abs(whole.min) + Math.abs(whole.max));
-            var slope:Number = grid.isBlocky ? Infinity : Math.max(whole.riseX, whole.riseY) / grid.cellWidth;
+            var slope:Number = grid.isBlocky ? Infinity : Math.max(whole.maxStepX, whole.maxStepY) / grid.cellWidth;
             // The height that the steepest slope of all reaches. For a sphere it is its radius times the root of 1 + 2 s², at most 1 + s².
             var height:Number = isSphere ? inner + inner * slope * slope : extents.halfZ + slope * (extents.halfX + extents.halfY);
             // an agent whose lowest height is in the ground under its middle is not far
@@ -84,9 +84,9 @@ package starlogo.ground
             {
                 return true;
             }
-            var riseX:Number = _heightsAround.riseX * halfX / grid.cellWidth;
-            var riseY:Number = _heightsAround.riseY * halfY / grid.cellWidth;
-            var height:Number = isSphere ? Math.sqrt(halfZ * halfZ + riseX * riseX + riseY * riseY) : halfZ + riseX + riseY;
+            var maxStepX:Number = _heightsAround.maxStepX * halfX / grid.cellWidth;
+            var maxStepY:Number = _heightsAround.maxStepY * halfY / grid.cellWidth;
+            var height:Number = isSphere ? Math.sqrt(halfZ * halfZ + maxStepX * maxStepX + maxStepY * maxStepY) : halfZ + maxStepX + maxStepY;
             return !grid.isBlocky && above > height;
         }
     }

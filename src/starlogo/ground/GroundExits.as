@@ -46,8 +46,8 @@ package starlogo.ground
             {
                 return least;
             }
-            var slopeX:Number = _heightsAround.riseX / grid.cellWidth;
-            var slopeY:Number = _heightsAround.riseY / grid.cellWidth;
+            var slopeX:Number = _heightsAround.maxStepX / grid.cellWidth;
+            var slopeY:Number = _heightsAround.maxStepY / grid.cellWidth;
             return Math.max(least, below / Math.sqrt(1 + slopeX * slopeX + slopeY * slopeY));
         }
 

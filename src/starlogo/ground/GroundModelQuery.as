@@ -4,12 +4,15 @@ package starlogo.ground
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
+    import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.TriangleKernel;
     import starlogo.solid.FirstImpact;
     import starlogo.solid.ImpactQuery;
     import starlogo.solid.ModelTree;
+
+    use namespace engine;
 
     /**
      * Tests a placed model against the ground: whether the two overlap, when and how they first touch, and how far they are apart. The model is
@@ -27,15 +30,14 @@ package starlogo.ground
         /** Asks how deep the model is in the ground where it stands. Read only. */
         public var penetration:GroundPenetrationQuery;
 
+        // Longer than any distance in the world.
+        private static const FARTHEST:Number = 8 * Placement.LARGEST_COORDINATE;
+
         private var _pairs:PieceTrianglePairs = new PieceTrianglePairs();
 
         // The motion until the first touch so far. It begins where the model is, because the model is moved to the beginning.
         private var _sweep:RelativeMotion = new RelativeMotion();
         private var _firstImpact:FirstImpact = new FirstImpact();
-
-        // For the upper bound of a distance: a point of the ground, and the same point as the corners of a triangle.
-        private var _nearest:GroundPoint = new GroundPoint();
-        private var _point:Vector.<Number> = new Vector.<Number>(9, true);
 
         public function GroundModelQuery()
         {
@@ -153,7 +155,8 @@ package starlogo.ground
         }
 
         /**
-         * Finds how far the two are apart where the model stands, and between which points.
+         * Finds how far the two are apart where the model stands, and between which points. The search goes only as far as a cell is wide, and twice as
+         * far if there is no ground so near.
          *
          * @param areTouching whether they overlap. If so, a point of both is found
          * @param out receives the distance and the points, in the world
@@ -162,14 +165,23 @@ package starlogo.ground
         {
             var origin:Placement = _pairs.search.origin;
             var kernel:TriangleKernel = _pairs.pieces.kernel;
-            boundDistance(out);
-            _pairs.begin(RelativeMotion.NONE, out.distance);
-            while (_pairs.next())
+            var isFound:Boolean = false;
+            for (var limit:Number = _pairs.search.grid.cellWidth; !isFound && limit < FARTHEST; limit *= 2)
             {
-                if (kernel.findCloser(_pairs.triangle.corners, out))
+                out.distance = limit;
+                _pairs.begin(RelativeMotion.NONE, limit);
+                while (_pairs.next())
                 {
-                    _pairs.search.maxDistance = out.distance;
+                    if (kernel.findCloser(_pairs.triangle.corners, out))
+                    {
+                        isFound = true;
+                        _pairs.search.maxDistance = out.distance;
+                    }
                 }
+            }
+            if (!isFound)
+            {
+                out.distance = Infinity;
             }
             if (areTouching)
             {
@@ -179,43 +191,6 @@ package starlogo.ground
             }
             out.correct(areTouching);
             out.placePoints(origin);
-        }
-
-        // Sets an upper bound of the distance. A structure's is its distance from one point of the ground, the nearest one to its middle as seen from above. A
-        // tree's is the distance from there to the farthest corner of the box around it. Without ground it is infinite.
-        private function boundDistance(out:ClosestPoints):void
-        {
-            var origin:Placement = _pairs.search.origin;
-            var box:GroundBox = _pairs.pieces.wholeBox;
-            _pairs.pieces.findWholeBox();
-            _nearest.x = box.x + origin.x;
-            _nearest.y = box.y + origin.y;
-            _pairs.search.grid.findNearest(_nearest);
-            if (isNaN(_nearest.height))
-            {
-                out.distance = Infinity;
-                return;
-            }
-            var x:Number = _nearest.x - origin.x;
-            var y:Number = _nearest.y - origin.y;
-            var z:Number = _nearest.height - origin.z;
-            var farX:Number = Math.abs(x - box.x) + box.halfX;
-            var farY:Number = Math.abs(y - box.y) + box.halfY;
-            var farZ:Number = Math.abs(z - box.z) + box.halfZ;
-            out.distance = Math.sqrt(farX * farX + farY * farY + farZ * farZ);
-            _pairs.pieces.begin();
-            _pairs.pieces.next();
-            if (_pairs.pieces.kind == ModelPieces.STRUCTURE)
-            {
-                for (var i:int = 0; i < 9; i += 3)
-                {
-                    _point[i] = x;
-                    _point[int(i + 1)] = y;
-                    _point[int(i + 2)] = z;
-                }
-                _pairs.pieces.kernel.findCloser(_point, out);
-            }
-            out.distance = out.distance * Tolerances.OUTER + Tolerances.SURFACES * _pairs.search.grid.cellWidth;
         }
     }
 }

@@ -58,7 +58,7 @@ package starlogo.ground
         public function findLift(out:ContactPoint):void
         {
             var origin:Placement = _pairs.search.origin;
-            var box:GroundBox = _pairs.pieces.wholeBox;
+            var box:GroundBox = _pairs.pieces.box;
             _pairs.pieces.findWholeBox();
             var low:Number = box.z - box.halfZ;
             _pairs.search.grid.pyramid.findAround(box.x + origin.x, box.y + origin.y, box.halfX, box.halfY, _heightsAround);

@@ -1,7 +1,5 @@
 package starlogo.ground
 {
-    import starlogo.convex.RelativeMotion;
-
     /**
      * Finds the triangles of the ground's surface that a box may meet, one after the other: the source of triangles for all tests of the
      * ground, and for drawing it. If the box moves, they come nearly in the order in which it meets them.
@@ -85,25 +83,29 @@ package starlogo.ground
             return true;
         }
 
-        // Puts the squares of a level in some columns and rows on the stack if the box may pass over them in the current passage. The nearest square is put
-        // last, and visited first.
+        // Puts the squares of a level in some columns and rows on the stack if the box may pass over them in the current passage. The one that the box comes to
+        // first is put last, and visited first.
         private function addSquares(level:int, firstColumn:int, firstRow:int, lastColumn:int, lastRow:int):void
         {
-            var motion:RelativeMotion = _path.search.motion;
             var grid:HeightGrid = _path.search.grid;
             lastColumn = Math.min(lastColumn, HeightPyramid.squareOf(grid.lastCellColumn, level));
             lastRow = Math.min(lastRow, HeightPyramid.squareOf(grid.lastCellRow, level));
-            var left:int = Math.max(firstColumn, _path.firstSquareAlong(_path.alongX, _passage, level));
-            var right:int = Math.min(lastColumn, _path.lastSquareAlong(_path.alongX, _passage, level));
-            var bottom:int = Math.max(firstRow, _path.firstSquareAlong(_path.alongY, _passage, level));
-            var top:int = Math.min(lastRow, _path.lastSquareAlong(_path.alongY, _passage, level));
-            for (var row:int = bottom; row <= top; row++)
+            var left:int = Math.max(firstColumn, _path.firstSquareAlong(BoxPath.X, _passage, level));
+            var right:int = Math.min(lastColumn, _path.lastSquareAlong(BoxPath.X, _passage, level));
+            var bottom:int = Math.max(firstRow, _path.firstSquareAlong(BoxPath.Y, _passage, level));
+            var top:int = Math.min(lastRow, _path.lastSquareAlong(BoxPath.Y, _passage, level));
+            var nearColumn:int = _path.firstMetAlong(BoxPath.X, level);
+            var nearRow:int = _path.firstMetAlong(BoxPath.Y, level);
+            while (bottom <= top)
             {
-                for (var column:int = left; column <= right; column++)
+                var row:int = nearRow - bottom > top - nearRow ? bottom++ : top--;
+                var first:int = left;
+                var last:int = right;
+                while (first <= last)
                 {
                     _squares[_squaresEnd] = level;
-                    _squares[int(_squaresEnd + 1)] = motion.x < 0 ? column : left + right - column;
-                    _squares[int(_squaresEnd + 2)] = motion.y < 0 ? row : bottom + top - row;
+                    _squares[int(_squaresEnd + 1)] = nearColumn - first > last - nearColumn ? first++ : last--;
+                    _squares[int(_squaresEnd + 2)] = row;
                     _squaresEnd += 3;
                 }
             }
@@ -126,7 +128,7 @@ package starlogo.ground
                 return;
             }
             readHeights(level, column, row);
-            if (_passage.minHeight <= _heights.max && _passage.maxHeight >= _heights.min && !_path.isFarther(level, column, row, _heights))
+            if (!_heights.areHoles && _passage.minHeight <= _heights.max && _passage.maxHeight >= _heights.min && !_path.isFarther(level, column, row, _heights))
             {
                 column <<= HeightPyramid.SHIFT;
                 row <<= HeightPyramid.SHIFT;

@@ -14,12 +14,15 @@ package starlogo.ground
         public var max:Number = -Infinity;
 
         /** The most by which two heights differ that are neighbours along x. */
-        public var riseX:Number = 0;
+        public var maxStepX:Number = 0;
 
         /** The same along y. */
-        public var riseY:Number = 0;
+        public var maxStepY:Number = 0;
 
         /** Whether a cell there is a hole. The heights of holes count too. */
         public var hasHole:Boolean = false;
+
+        /** Whether all cells there are holes. */
+        public var areHoles:Boolean = true;
     }
 }

@@ -309,46 +309,5 @@ package starlogo.ground
                 out.z = cellWidth / length;
             }
         }
-
-        /**
-         * Moves a point to a point of the grid that belongs to the ground, and finds the height there. It is the nearest one as seen from above,
-         * or one around it if that is in a hole. If all of the ground is holes, the height becomes NaN.
-         */
-        public function findNearest(point:GroundPoint):void
-        {
-            var column:int = Math.max(0, Math.min(columns - 1, Math.round((point.x - x) / cellWidth)));
-            var row:int = Math.max(0, Math.min(rows - 1, Math.round((point.y - y) / cellWidth)));
-            point.height = NaN;
-            for (var ring:int = 0; isNaN(point.height) && ring < columns + rows; ring++)
-            {
-                findOnRing(column, row, ring, point);
-            }
-        }
-
-        // Moves a point to the last height of a ring that belongs to the ground, if there is one. The ring is the border of a square of heights around a
-        // height. <code>ring</code> is how many columns and rows away from that height the border is.
-        private function findOnRing(column:int, row:int, ring:int, point:GroundPoint):void
-        {
-            for (var i:int = Math.max(0, row - ring); i <= Math.min(rows - 1, row + ring); i++)
-            {
-                // in rows between the first and the last, only both ends
-                var step:int = Math.abs(i - row) == ring ? 1 : 2 * ring;
-                for (var k:int = column - ring; k <= column + ring; k += step)
-                {
-                    if (k >= 0 && k < columns && isOfCell(k, i))
-                    {
-                        point.x = x + k * cellWidth;
-                        point.y = y + i * cellWidth;
-                        point.height = heights[int(i * columns + k)];
-                    }
-                }
-            }
-        }
-
-        // Whether a height belongs to a cell that is no hole.
-        private function isOfCell(column:int, row:int):Boolean
-        {
-            return hasCell(column, row) || !isBlocky && (hasCell(column - 1, row) || hasCell(column, row - 1) || hasCell(column - 1, row - 1));
-        }
     }
 }

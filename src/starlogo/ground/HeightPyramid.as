@@ -19,7 +19,7 @@ package starlogo.ground
         private static const MAX_SQUARES:int = 16;
 
         // How many numbers a square has: the least height, the greatest height, the greatest difference of two heights that are neighbours along x, the same
-        // along y, and 1 if a cell there is a hole, or 0.
+        // along y, and 2 if all cells there are holes, 1 if one is, or 0.
         private static const NUMBERS:int = 5;
 
         /** The number of the last level. Level 0 is the cells, whose heights need no bounds. */
@@ -89,8 +89,9 @@ package starlogo.ground
             var stride:int = countSquares(_grid.columns, level);
             var low:Number = Infinity;
             var high:Number = -Infinity;
-            out.riseX = out.riseY = 0;
+            out.maxStepX = out.maxStepY = 0;
             out.hasHole = false;
+            out.areHoles = true;
             for (var row:int = firstRow; row <= lastRow; row++)
             {
                 for (var column:int = firstColumn; column <= lastColumn; column++)
@@ -98,9 +99,10 @@ package starlogo.ground
                     var at:int = _begins[level] + NUMBERS * (row * stride + column);
                     low = Math.min(low, _bounds[at]);
                     high = Math.max(high, _bounds[int(at + 1)]);
-                    out.riseX = Math.max(out.riseX, _bounds[int(at + 2)]);
-                    out.riseY = Math.max(out.riseY, _bounds[int(at + 3)]);
+                    out.maxStepX = Math.max(out.maxStepX, _bounds[int(at + 2)]);
+                    out.maxStepY = Math.max(out.maxStepY, _bounds[int(at + 3)]);
                     out.hasHole ||= _bounds[int(at + 4)] > 0;
+                    out.areHoles &&= _bounds[int(at + 4)] > 1;
                 }
             }
             out.min = low;
@@ -115,9 +117,10 @@ package starlogo.ground
             var columns:int = _grid.columns;
             var low:Number = Infinity;
             var high:Number = -Infinity;
-            var riseX:Number = 0;
-            var riseY:Number = 0;
+            var maxStepX:Number = 0;
+            var maxStepY:Number = 0;
             out.hasHole = false;
+            out.areHoles = true;
             for (var row:int = firstRow; row <= lastRow; row++)
             {
                 for (var column:int = firstColumn; column <= lastColumn; column++)
@@ -127,18 +130,25 @@ package starlogo.ground
                     low = here < low ? here : low;
                     high = here > high ? here : high;
                     var rise:Number = column == firstColumn ? 0 : here - all[int(at - 1)];
-                    riseX = rise > riseX ? rise : riseX;
-                    riseX = -rise > riseX ? -rise : riseX;
+                    maxStepX = rise > maxStepX ? rise : maxStepX;
+                    maxStepX = -rise > maxStepX ? -rise : maxStepX;
                     rise = row == firstRow ? 0 : here - all[int(at - columns)];
-                    riseY = rise > riseY ? rise : riseY;
-                    riseY = -rise > riseY ? -rise : riseY;
-                    out.hasHole ||= holes[at >> 5] != 0 && _grid.isHole(at);
+                    maxStepY = rise > maxStepY ? rise : maxStepY;
+                    maxStepY = -rise > maxStepY ? -rise : maxStepY;
+                    if (holes[at >> 5] != 0 && _grid.isHole(at))
+                    {
+                        out.hasHole = true;
+                    }
+                    else
+                    {
+                        out.areHoles = false;
+                    }
                 }
             }
             out.min = low;
             out.max = high;
-            out.riseX = riseX;
-            out.riseY = riseY;
+            out.maxStepX = maxStepX;
+            out.maxStepY = maxStepY;
         }
 
         /**
@@ -205,9 +215,9 @@ package starlogo.ground
             var at:int = _begins[level] + NUMBERS * (row * countSquares(_grid.columns, level) + column);
             _bounds[at] = _range.min;
             _bounds[int(at + 1)] = _range.max;
-            _bounds[int(at + 2)] = _range.riseX;
-            _bounds[int(at + 3)] = _range.riseY;
-            _bounds[int(at + 4)] = int(_range.hasHole);
+            _bounds[int(at + 2)] = _range.maxStepX;
+            _bounds[int(at + 3)] = _range.maxStepY;
+            _bounds[int(at + 4)] = int(_range.hasHole) + int(_range.areHoles);
         }
     }
 }

@@ -44,11 +44,11 @@ package starlogo.ground
         /** The margin of the current piece, with the margins of the model's place and surface. Read only. */
         public var shapeMargin:Number = 0;
 
-        /** The box around the current piece, relative to the origin. If the piece is a triangle, it is around the node of the triangle. Read only. */
+        /**
+         * The box around the current piece, relative to the origin. If the piece is a triangle, it is around the node of the triangle. After
+         * <code>findWholeBox()</code> it is around the whole model. Read only.
+         */
         public var box:GroundBox = new GroundBox();
-
-        /** The box around the whole model when <code>findWholeBox()</code> was called, relative to the origin. Read only. */
-        public var wholeBox:GroundBox = new GroundBox();
 
         /** The corners of the current piece if it is a triangle, relative to the origin. Read only. */
         public var corners:Vector.<Number> = new Vector.<Number>(9, true);
@@ -178,10 +178,10 @@ package starlogo.ground
             }
         }
 
-        /** Finds <code>wholeBox</code>, where the model stands now. */
+        /** Finds the box around the whole model, where it stands now. There is no current piece then. */
         public function findWholeBox():void
         {
-            findBoxAround(_structure, wholeBox);
+            findBoxAround(_structure, box);
         }
 
         // Makes the next triangle the current piece.

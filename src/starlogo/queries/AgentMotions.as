@@ -1,6 +1,6 @@
-// A walk is read in this order. WalkOptions go in; a Walk is filled, with the Footing that comes out:
-// 1. WalkPlanner.go: carried by a platform, pushed out of overlaps, leg by leg along the ground, a fall, and a clearance at the end
-// 2. MoveQueries.walk: moves the agent to where the Walk ends, and copies its Footing
+// A walk is read in this order. WalkOptions go in; a WalkState is filled, with the Footing that comes out:
+// 1. WalkPlanner.go: carried by a platform, pushed out of overlaps, substep by substep along the ground, a fall, and a clearance at the end
+// 2. MoveQueries.walk: moves the agent to where the walk ends, and copies its Footing
 // 3. Slider: each way of a walk is a slide, or goes straight up or down. Both end in a MotionResult
 // 4. ShrunkSweep: how such a way starts (begin), what stops it first (findImpact), and when (findTouchTime)
 // 5. ShrunkBody: what stops it is what the shrunk body meets, and not what the body only touches
@@ -161,8 +161,9 @@ package starlogo.queries
         /**
          * Moves an agent, and lets it slide along what it touches. It begins like <code>moveUntilTouch()</code>. When the agent touches another,
          * the rest of the motion is projected on the plane of the contact, or on the line where two such planes meet. So the agent stops in a
-         * corner. It turns at eight contacts at most. If there is room, it ends a clearance (1e-10 of its extent and more) away from what it touches,
-         * so that the next motion along it is free.
+         * corner. It turns at eight contacts at most. If there is room, it ends a clearance away from what it touches: at least 1e-10 of its
+         * extent, and more near what is far larger, far from the origin, or after a motion that is far longer than the agent. So the next
+         * motion along it is free.
          *
          * @param agent the agent that moves
          * @param dx how far along x, in patches
@@ -192,7 +193,7 @@ package starlogo.queries
          * <code>slopeDegrees</code>, and at most half as far sideways as the agent may fall, or half its size. The agent ends a clearance
          * above the ground, as with <code>slide()</code>.</p>
          *
-         * <p>A walk that is longer than the agent goes in legs of the agent's size, 64 at most.</p>
+         * <p>A walk that is longer than the agent goes in substeps of the agent's size, 64 at most.</p>
          *
          * @param agent the agent that walks. While its model is loading it touches nothing
          * @param dx how far along x, in patches

@@ -31,7 +31,7 @@ package starlogo.queries
         private var _entry:RayEntry = new RayEntry();
 
         // How the ray of a question meets rows.
-        private var _hits:PerQuery;
+        private var _hits:NestedPool;
 
         private var _spare:SpareHits = new SpareHits(RayHit);
 
@@ -51,7 +51,7 @@ package starlogo.queries
             _seen = seen;
             _rowRays = new RowRayTest(seen);
             _rowSurfaces = new RowSurfaceTest(seen);
-            _hits = new PerQuery(seen, RayHits);
+            _hits = new NestedPool(seen, RayHits);
         }
 
         /**
@@ -217,7 +217,7 @@ package starlogo.queries
         // Finds the rows that the ray meets. Returns how it meets them.
         private function collect(collector:Collector):RayHits
         {
-            var hits:RayHits = RayHits(_hits.current);
+            var hits:RayHits = RayHits(_hits.top);
             hits.clear();
             for (var row:int = _search.next(collector); row >= 0; row = _search.next(collector))
             {
@@ -234,7 +234,7 @@ package starlogo.queries
         // Finds the rows that the ray meets. Returns all surfaces of them that it crosses.
         private function collectSurfaces(collector:Collector):RayHits
         {
-            var hits:RayHits = RayHits(_hits.current);
+            var hits:RayHits = RayHits(_hits.top);
             hits.clear();
             for (var row:int = _search.next(collector); row >= 0; row = _search.next(collector))
             {

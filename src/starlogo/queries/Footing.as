@@ -2,10 +2,6 @@ package starlogo.queries
 {
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
-    import starlogo.engine;
-    import starlogo.geometry.copyVector;
-
-    use namespace engine;
 
     /** How an agent stands after it has walked. */
     public final class Footing
@@ -40,17 +36,6 @@ package starlogo.queries
         /** An empty Footing. Pass it to <code>AgentQueries.walk()</code>, which fills it. */
         public function Footing()
         {
-        }
-
-        /** @private Becomes a copy of another footing. */
-        engine function copyFrom(other:Footing):void
-        {
-            stands = other.stands;
-            on = other.on;
-            against = other.against;
-            part = other.part;
-            pushed = other.pushed;
-            copyVector(other.normal, normal);
         }
 
         /** Its values, for a trace. */

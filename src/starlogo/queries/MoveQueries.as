@@ -1,18 +1,20 @@
 package starlogo.queries
 {
+    import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.agents.PlatformLink;
     import starlogo.bounding.BoundingStructure;
     import starlogo.collision.Contact;
     import starlogo.engine;
+    import starlogo.geometry.copyVector;
     import starlogo.queries.motion.TouchResult;
+    import starlogo.queries.motion.Depenetration;
     import starlogo.queries.motion.MotionResult;
     import starlogo.queries.motion.MovingBody;
-    import starlogo.queries.motion.OverlapRecovery;
     import starlogo.queries.motion.SlideLimits;
     import starlogo.queries.motion.Slider;
     import starlogo.queries.motion.TouchSweep;
-    import starlogo.queries.motion.Walk;
+    import starlogo.queries.motion.WalkState;
     import starlogo.queries.motion.WalkPlanner;
     import starlogo.queries.rays.HitWriter;
     import starlogo.queries.rays.SpareHits;
@@ -31,18 +33,19 @@ package starlogo.queries
     public final class MoveQueries
     {
         private static const DEFAULTS:WalkOptions = new WalkOptions();
+        private static const UP:Vector3D = new Vector3D(0, 0, 1);
 
         private var _seen:SeenAgents;
 
         private var _slider:Slider = new Slider();
-        private var _recovery:OverlapRecovery = new OverlapRecovery();
+        private var _depenetration:Depenetration = new Depenetration();
         private var _planner:WalkPlanner;
         private var _sweep:TouchSweep = new TouchSweep();
         private var _writer:HitWriter;
         private var _spare:SpareHits = new SpareHits(ShapeHit);
 
         // The walk of a question. If the question is another one, only the walk's body takes part.
-        private var _walks:PerQuery;
+        private var _walks:NestedPool;
 
         // How a slide ends.
         private var _slid:MotionResult = new MotionResult();
@@ -53,7 +56,7 @@ package starlogo.queries
             _seen = seen;
             _writer = new HitWriter(seen);
             _planner = new WalkPlanner(seen);
-            _walks = new PerQuery(seen, Walk);
+            _walks = new NestedPool(seen, WalkState);
         }
 
         /** See AgentMotions.castShape. */
@@ -105,15 +108,15 @@ package starlogo.queries
             return first.time;
         }
 
-        /** See AgentMotions.slide. There may be limits. */
+        /** See AgentMotions.slide. There may be limits: with SlideLimits.HORIZONTAL the agent stays at its height. */
         public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, limits:SlideLimits = null):Number
         {
             _seen.requireMovable(agent, "slide");
             var body:MovingBody = currentBody().setToAgent(agent).aim(dx, dy, dz);
             body.collectRowsWithin(body.motion.length, 0, 0, filter);
             _slider.slide(body, body.rows, body.from, body.motion, limits || SlideLimits.NONE, _slid);
-            _recovery.restoreClearance(body, _slid.place);
-            if (limits == SlideLimits.LEVEL)
+            _depenetration.restoreClearance(body, _slid.place);
+            if (limits == SlideLimits.HORIZONTAL)
             {
                 // the clearance leads off slopes by their normals
                 _slid.place.z = body.from.z;
@@ -122,22 +125,15 @@ package starlogo.queries
             return _slid.fraction;
         }
 
-        /** Slides, but at the agent's height: a slope is an upright wall. The errors are those of <code>slide()</code>. */
-        public function slideLevel(agent:Agent, dx:Number, dy:Number, filter:AgentFilter):Number
-        {
-            return slide(agent, dx, dy, 0, filter, SlideLimits.LEVEL);
-        }
-
         /** See AgentMotions.walk. */
         public function walk(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:Footing):Footing
         {
             _seen.requireMovable(agent, "walk");
-            var walk:Walk = Walk(_walks.current);
+            var walk:WalkState = WalkState(_walks.top);
             _planner.go(agent, dx, dy, options || DEFAULTS, walk);
             // before the footing is written, because an agent that would leave the world throws an error
             _seen.moveAgent(agent, walk.place, walk.carryTurn);
-            var footing:Footing = out || new Footing();
-            footing.copyFrom(walk.footing);
+            var footing:Footing = writeFooting(walk, out || new Footing());
             var link:PlatformLink = agent.platformLink ||= new PlatformLink(agent);
             link.platform = null;
             if (footing.stands && walk.floorRow >= ListedAgents.FIRST_LISTED)
@@ -153,16 +149,28 @@ package starlogo.queries
          */
         public function findFooting(agent:Agent, options:WalkOptions, out:Footing):Footing
         {
-            var walk:Walk = Walk(_walks.current);
+            var walk:WalkState = WalkState(_walks.top);
             _planner.go(agent, 0, 0, options, walk);
-            out.copyFrom(walk.footing);
+            return writeFooting(walk, out);
+        }
+
+        // Writes how the agent stands where a walk has ended. Returns the footing.
+        private function writeFooting(walk:WalkState, out:Footing):Footing
+        {
+            var agents:Vector.<Agent> = _seen.table.listed.agentsByRow;
+            out.stands = walk.stands;
+            out.on = walk.stands ? agents[walk.floorRow] : null;
+            out.against = walk.wallRow >= 0 ? agents[walk.wallRow] : null;
+            out.part = walk.part;
+            out.pushed = walk.pushed;
+            copyVector(walk.stands ? walk.floorNormal : UP, out.normal);
             return out;
         }
 
         // The body of the question that begins now.
         private function currentBody():MovingBody
         {
-            var walk:Walk = Walk(_walks.current);
+            var walk:WalkState = WalkState(_walks.top);
             return walk.body;
         }
 

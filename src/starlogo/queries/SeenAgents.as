@@ -49,9 +49,9 @@ package starlogo.queries
 
         /**
          * @private How many questions under way are calling a filter's <code>accepts</code>. It may ask questions itself, nested one deeper than the
-         * question that calls it, but not change the agents. What a question needs after these calls is PerQuery. Only a Collector counts it.
+         * question that calls it, but not change the agents. What a question needs after these calls is NestedPool. Only a Collector counts it.
          */
-        engine var nesting:int = 0;
+        engine var callbackDepth:int = 0;
 
         private var _source:QuerySource;
 
@@ -73,7 +73,7 @@ package starlogo.queries
         private var _spare:Body = new Body();
 
         // What collects the rows of a question.
-        private var _collectors:PerQuery;
+        private var _collectors:NestedPool;
 
         /**
          * Begins without agents, as an AgentQueries does.
@@ -90,10 +90,17 @@ package starlogo.queries
             }
             narrowPhase = _source.findNarrowPhase();
             table = new AgentTable(narrowPhase.choice);
-            _collectors = new PerQuery(this, Collector);
+            _collectors = new NestedPool(this, Collector);
         }
 
-        /** The ground that rays, walks and the like meet. See AgentQueries. It may be null. */
+        /**
+         * The ground that questions see after the next update; null for none. If the questions were made for a Collision, this is the
+         * Collision's ground, and setting it changes the Collision.
+         *
+         * <p>The ground touches agents, blocks rays and stops motions as an agent does. Answers have its <code>agent</code>. If the ground
+         * and an agent are equally far away, the agent comes first. In lists of agents that touch, the ground comes last. Questions about
+         * near agents never find it. A filter can exclude it.</p>
+         */
         public function get terrain():Terrain
         {
             var collision:Collision = _source.collisionOfGround;
@@ -114,10 +121,12 @@ package starlogo.queries
         }
 
         /**
-         * Reads the agents, once a frame. Questions see them as they are now, until the next update. See AgentQueries.
+         * Sets the agents that questions are about, and reads each of them as it is now.
          *
-         * @param agents the agents. The list is copied
-         * @throws ArgumentError if the list or an agent in it is null, an agent is listed twice, or its model is unknown
+         * @param agents the list. You may change it afterwards; questions do not see the change
+         * @throws ArgumentError if the list or an agent is null, if an agent is listed twice, if a model is unknown or lacks data that the
+         *     collision system needs, or if a Collision's system is not one of the engine's. Questions are then still about the old agents
+         * @throws RangeError if a structure is out of the world. Questions are then still about the old agents
          * @throws flash.errors.IllegalOperationError if called from a filter's <code>accepts</code>
          */
         public function update(agents:Vector.<Agent>):void
@@ -146,10 +155,12 @@ package starlogo.queries
         }
 
         /**
-         * Reads one agent again, which has changed since the last update.
+         * Reads one agent again, as it is now.
          *
-         * @param agent an agent of the last update
-         * @throws ArgumentError if the agent is not in the list
+         * @param agent an agent of the last update's list
+         * @throws ArgumentError if it is null or not in that list, or if its model is unknown or lacks data that the collision system needs.
+         *     Questions then see it as before
+         * @throws RangeError if its structure is out of the world. Questions then see it as before
          * @throws flash.errors.IllegalOperationError if called from a filter's <code>accepts</code>
          */
         public function refresh(agent:Agent):void
@@ -225,7 +236,7 @@ package starlogo.queries
         /** @private Begins the search of a question, and returns what collects its rows: see Collector.begin. */
         engine function beginCollecting(maxCount:int, limit:Number, asker:Agent, filter:AgentFilter):Collector
         {
-            var collector:Collector = Collector(_collectors.current);
+            var collector:Collector = Collector(_collectors.top);
             collector.begin(maxCount, limit, asker, filter);
             return collector;
         }
@@ -315,7 +326,7 @@ package starlogo.queries
             {
                 tree.build(table.listed.rows.values, table.listed.rows.count, points, sizes);
             }
-            if (nesting == 0)
+            if (callbackDepth == 0)
             {
                 // the set of breeds of a question under way may lack a breed that its accepts has made
                 tree.learnBreeds(table.listed.agentsByRow);
@@ -325,7 +336,7 @@ package starlogo.queries
 
         private function requireOutsideFilter(what:String):void
         {
-            if (nesting > 0)
+            if (callbackDepth > 0)
             {
                 throw new IllegalOperationError(what + " must not be called from a filter's accepts");
             }

@@ -47,7 +47,7 @@ package starlogo.terrain
          * @param cellWidth how far neighbours are apart, in patches
          * @param x where the first height is
          * @param y where the first height is
-         * @throws RangeError if there would be no cell or more than MOST_CELLS, or a number is not finite, or too large
+         * @throws RangeError if there would be no cell or more than MOST_CELLS, a number is not finite, or a block would not be in the world
          */
         public function Terrain(columns:int, rows:int, cellWidth:Number = 1, x:Number = 0, y:Number = 0)
         {
@@ -59,8 +59,8 @@ package starlogo.terrain
             {
                 throw new RangeError("a terrain's cellWidth must be between " + Agent.SMALLEST_SIZE + " and " + Agent.LARGEST_COORDINATE + ": " + cellWidth);
             }
-            requireInWorld("a terrain's x and y", x, y, 0);
-            requireInWorld("the end of a terrain", x + columns * cellWidth, y + rows * cellWidth, 0);
+            requireInWorld("the beginning of a terrain's blocks", x - cellWidth / 2, y - cellWidth / 2, 0);
+            requireInWorld("the end of a terrain's blocks", x + (columns - 0.5) * cellWidth, y + (rows - 0.5) * cellWidth, 0);
             environmentAgent.surface = ModelShape.ofEnvironment(new HeightGrid(columns, rows, cellWidth, x, y), null, GroundPairTests.addTo);
             // only the edges' agents have negative ids: see Agent.id
             environmentAgent.idNumber = Agent.takeId();
@@ -250,10 +250,9 @@ package starlogo.terrain
         public function raiseMound(x:Number, y:Number, width:Number, height:Number):void
         {
             requireInWorld("a mound's place and height", x, y, height);
-            requireInWorld("a mound's width", width, 0, 0);
-            if (!(width > 0))
+            if (!(width > 0 && width < Infinity))
             {
-                throw new RangeError("a mound's width must be more than 0: " + width);
+                throw new RangeError("a mound's width must be more than 0, a finite number: " + width);
             }
             var ground:HeightGrid = grid;
             // rounding must not make it 0
@@ -332,16 +331,15 @@ package starlogo.terrain
         public function normalAt(x:Number, y:Number, out:Vector3D = null):Vector3D
         {
             requireInWorld("a place", x, y, 0);
-            var point:GroundPoint = _point;
-            point.x = x;
-            point.y = y;
-            grid.findHeight(point);
-            if (isNaN(point.height))
+            _point.x = x;
+            _point.y = y;
+            grid.findHeight(_point);
+            if (isNaN(_point.height))
             {
                 return null;
             }
             var normal:Vector3D = out || new Vector3D();
-            grid.findNormal(point, normal);
+            grid.findNormal(_point, normal);
             return normal;
         }
 

@@ -100,8 +100,8 @@ package starlogo.ground
                 var height:Number = grid.heights[i];
                 loop.min = Math.min(loop.min, height);
                 loop.max = Math.max(loop.max, height);
-                loop.riseX = i % grid.columns == 0 ? loop.riseX : Math.max(loop.riseX, Math.abs(height - grid.heights[i - 1]));
-                loop.riseY = i < grid.columns ? loop.riseY : Math.max(loop.riseY, Math.abs(height - grid.heights[i - grid.columns]));
+                loop.maxStepX = i % grid.columns == 0 ? loop.maxStepX : Math.max(loop.maxStepX, Math.abs(height - grid.heights[i - 1]));
+                loop.maxStepY = i < grid.columns ? loop.maxStepY : Math.max(loop.maxStepY, Math.abs(height - grid.heights[i - grid.columns]));
                 loop.hasHole ||= grid.isHole(i);
             }
             _seen.holes += loop.hasHole ? 1 : 0;
@@ -139,7 +139,7 @@ package starlogo.ground
             if (!grid.isBlocky && rise > 0)
             {
                 _seen.steep++;
-                _wrong.addIf(rise > _bounds.riseX * (next - atX) / grid.cellWidth + 1e-9 * (1 + _bounds.riseX), "rise", name + ": " + rise + ", " + textOf(_bounds));
+                _wrong.addIf(rise > _bounds.maxStepX * (next - atX) / grid.cellWidth + 1e-9 * (1 + _bounds.maxStepX), "rise", name + ": " + rise + ", " + textOf(_bounds));
             }
         }
 
@@ -151,7 +151,7 @@ package starlogo.ground
 
         private static function textOf(bounds:HeightBounds):String
         {
-            return [bounds.min, bounds.max, bounds.riseX, bounds.riseY, bounds.hasHole].join(" ");
+            return [bounds.min, bounds.max, bounds.maxStepX, bounds.maxStepY, bounds.hasHole].join(" ");
         }
     }
 }

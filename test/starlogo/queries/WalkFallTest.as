@@ -14,6 +14,7 @@ package starlogo.queries
     import support.Effort;
     import support.FrameByFrame;
     import support.agentAt;
+    import support.assertThrows;
     import support.fillHeights;
     import support.landOf;
 
@@ -134,6 +135,54 @@ package starlogo.queries
                     }
                 }
             }
+        }
+
+        // A wall of the ground has no lower end. In a fall without end, rounding would make a floor of it.
+        [Test]
+        public function aSmallAgentFindsNoFloorInAHole():void
+        {
+            _options.fall = Infinity;
+            for each (var shape:String in ["sphere", "cube"])
+            {
+                for each (var size:Number in [1e-6, 1e-5, 1e-3])
+                {
+                    _terrain = new Terrain(11, 11, size, -5 * size, -5 * size);
+                    _walker = agentAt(shape, size, size, size);
+                    _walker.size = size;
+                    ask("tightest fits");
+                    for each (var corner:Array in [[5, 5], [6, 5], [5, 6], [6, 6]])
+                    {
+                        _terrain.setHole(corner[0], corner[1], true);
+                    }
+                    staysInTheAir(shape + " " + size + " over a hole");
+                    // beside the end of the ground
+                    _walker.moveTo(5.6 * size, 0, size);
+                    staysInTheAir(shape + " " + size + " beside the ground");
+                }
+            }
+        }
+
+        private function staysInTheAir(name:String):void
+        {
+            var z:Number = _walker.z;
+            _queries.moved(_walker);
+            _queries.walk(_walker, 0, 0, _options, _footing);
+            assertTrue(name + ": " + _walker.z, !_footing.stands && _walker.z == z);
+        }
+
+        [Test]
+        public function aFallOutOfTheWorldIsRefused():void
+        {
+            _terrain = null;
+            _walker = agentAt("cube", 0, 0, -1e9 + 3);
+            ask("tightest fits");
+            _options.fall = 3;
+            _queries.walk(_walker, 0, 0, _options, _footing);
+            assertEquals(-1e9, _walker.z);
+            assertThrows(RangeError, "-1000000003", _queries.walk, _walker, 0, 0, _options, _footing);
+            assertEquals(-1e9, _walker.z);
+            _options.fall = Infinity;
+            staysInTheAir("at the end of the world");
         }
 
         [Test]

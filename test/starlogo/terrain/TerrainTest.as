@@ -354,6 +354,17 @@ package starlogo.terrain
             }
         }
 
+        // With blocks, the ground reaches half a cell beyond its heights.
+        [Test]
+        public function allBlocksAreInTheWorld():void
+        {
+            var largest:Terrain = new Terrain(2, 2, 1e9, -5e8, -5e8);
+            largest.isBlocky = true;
+            assertEquals(0, largest.heightAt(1e9, -1e9));
+            assertThrows(RangeError, "-1500000000", create, Terrain, 2, 2, 1e9, -1e9, -1e9);
+            assertThrows(RangeError, "1000000001", create, Terrain, 2, 2, 1e9, -5e8 + 1, -5e8);
+        }
+
         [Test]
         public function badHeightsAndRegionsAreRefusedAndNothingChanges():void
         {
@@ -438,8 +449,8 @@ package starlogo.terrain
         {
             var least:Number = Infinity;
             var greatest:Number = -Infinity;
-            var riseX:Number = 0;
-            var riseY:Number = 0;
+            var maxStepX:Number = 0;
+            var maxStepY:Number = 0;
             var hasHole:Boolean = false;
             var end:int = Math.min(terrain.columns, first + size + 1);
             var endRow:int = Math.min(terrain.rows, firstRow + size + 1);
@@ -453,14 +464,14 @@ package starlogo.terrain
                     hasHole ||= terrain.isHole(column, row);
                     least = Math.min(least, height);
                     greatest = Math.max(greatest, height);
-                    riseX = Math.max(riseX, column == first ? 0 : Math.abs(height - terrain.getHeight(column - 1, row)));
-                    riseY = Math.max(riseY, row == firstRow ? 0 : Math.abs(height - terrain.getHeight(column, row - 1)));
+                    maxStepX = Math.max(maxStepX, column == first ? 0 : Math.abs(height - terrain.getHeight(column - 1, row)));
+                    maxStepY = Math.max(maxStepY, row == firstRow ? 0 : Math.abs(height - terrain.getHeight(column, row - 1)));
                 }
             }
             assertEquals(least, bounds.min);
             assertEquals(greatest, bounds.max);
-            assertEquals(riseX, bounds.riseX);
-            assertEquals(riseY, bounds.riseY);
+            assertEquals(maxStepX, bounds.maxStepX);
+            assertEquals(maxStepY, bounds.maxStepY);
             assertEquals(hasHole, bounds.hasHole);
         }
     }

@@ -9,7 +9,7 @@ package starlogo.queries.motion
     import starlogo.search.Body;
 
     /**
-     * Decides whether an agent that walks can stand on what is below it. A surface carries the agent if it is not too steep. At an edge, such as that of a
+     * Lets an agent that walks stand on what is below it, if that carries the agent. A surface carries the agent if it is not too steep. At an edge, such as that of a
      * step, the face behind the edge decides.
      *
      * @private
@@ -22,46 +22,90 @@ package starlogo.queries.motion
         private static const DOWN:Vector3D = new Vector3D(0, 0, -1);
 
         private var _rowRays:RowRayTest;
+        private var _slider:Slider;
+
+        // A slide down, its limits, and how it ends; and how a way straight down ends.
+        private var _motion:Vector3D = new Vector3D();
+        private var _limits:SlideLimits = new SlideLimits(-Infinity);
+        private var _slid:MotionResult = new MotionResult();
+        private var _down:MotionResult = new MotionResult();
 
         // The ray at an edge: where it begins, and what it meets.
         private var _origin:Vector3D = new Vector3D();
         private var _ray:Ray = new Ray();
         private var _entry:RayEntry = new RayEntry();
 
-        /** @param seen has the rows */
-        public function Foothold(seen:SeenAgents)
+        /**
+         * @param seen has the rows
+         * @param slider moves the agent
+         */
+        public function Foothold(seen:SeenAgents, slider:Slider)
         {
+            _slider = slider;
             _rowRays = new RowRayTest(seen);
         }
 
         /**
-         * Finds the surface of a row that carries an agent.
-         *
-         * @param contact the contact with the row below the agent
-         * @param place where the agent would stand
-         * @param out receives the normal of the surface
-         * @return whether there is one
+         * Lets the agent stand on the ground below a place, if the ground is no deeper than this depth, and not too steep. Otherwise the agent stays where it
+         * is. Returns whether it stands.
          */
-        public function findSurface(walk:Walk, contact:ContactPoint, row:int, place:Vector3D, out:Vector3D):Boolean
+        public function tryStandBelow(walk:WalkState, place:Vector3D, depth:Number):Boolean
         {
-            if (contact.normalZ >= walk.walkableZ)
-            {
-                out.setTo(contact.normalX, contact.normalY, contact.normalZ);
-                return true;
-            }
-            return !isTooHigh(walk, contact, place) && findFaceBehind(walk, contact, row, out);
+            _slider.moveVertically(walk.body, place, -depth, _down);
+            return tryStandAtEnd(walk, _down);
         }
 
-        // Whether an edge is more than a step above the lowest point of the agent, where the leg began or at its place.
-        private static function isTooHigh(walk:Walk, contact:ContactPoint, place:Vector3D):Boolean
+        /**
+         * Lets the agent stand where a way down has ended, on what has stopped it or on what else it touches there. Otherwise the agent stays where it is.
+         * Returns whether it stands.
+         */
+        public function tryStandAtEnd(walk:WalkState, down:MotionResult):Boolean
+        {
+            if (!down.hasContact || tryStandOn(walk, down, down.place))
+            {
+                return down.hasContact;
+            }
+            slideDown(walk, down.place, walk.closeDepth, walk.body.extent, _slid);
+            return _slid.hasContact && tryStandOn(walk, _slid, down.place);
+        }
+
+        /**
+         * Lets the agent stand at a place, on the row that a motion has met there, if the row carries it. Returns whether it does.
+         */
+        public function tryStandOn(walk:WalkState, met:MotionResult, place:Vector3D):Boolean
+        {
+            var contact:ContactPoint = met.contact;
+            if (contact.normalZ >= walk.minFloorNormalZ)
+            {
+                walk.floorNormal.setTo(contact.normalX, contact.normalY, contact.normalZ);
+            }
+            else if (isTooHigh(walk, contact, place) || !findFaceBehind(walk, contact, met.row, walk.floorNormal))
+            {
+                return false;
+            }
+            walk.place.copyFrom(place);
+            walk.floorRow = met.row;
+            return true;
+        }
+
+        /** Slides down like a fall, as long as what it slides on is too steep to stand on. */
+        public function slideDown(walk:WalkState, from:Vector3D, depth:Number, maxHorizontal:Number, out:MotionResult):void
+        {
+            _limits.setFall(Math.sqrt(1 - walk.minFloorNormalZ * walk.minFloorNormalZ) / walk.minFloorNormalZ, maxHorizontal);
+            _motion.setTo(0, 0, -depth);
+            _slider.slide(walk.body, walk.body.rows, from, _motion, _limits, out);
+        }
+
+        // Whether an edge is more than a step above the lowest point of the agent, where the substep began or at its place.
+        private static function isTooHigh(walk:WalkState, contact:ContactPoint, place:Vector3D):Boolean
         {
             var body:Body = walk.body.whole;
             var bottom:Number = body.middleZ - body.halfZ - body.placement.z;
-            return contact.z > Math.min(walk.legStart.z, place.z) + bottom + walk.options.stepHeight + walk.closeDepth;
+            return contact.z > Math.min(walk.substepStart.z, place.z) + bottom + walk.options.stepHeight + walk.closeDepth;
         }
 
         // Finds the normal of the face behind an edge. Returns whether there is a face that is not too steep.
-        private function findFaceBehind(walk:Walk, contact:ContactPoint, row:int, out:Vector3D):Boolean
+        private function findFaceBehind(walk:WalkState, contact:ContactPoint, row:int, out:Vector3D):Boolean
         {
             var across:Number = Math.sqrt(contact.normalX * contact.normalX + contact.normalY * contact.normalY);
             if (!(across > 0))
@@ -71,11 +115,11 @@ package starlogo.queries.motion
             }
             var behind:Number = BEHIND_EDGE * walk.body.extent;
             // the ray begins outside of all faces that are not too steep
-            var above:Number = 2 * behind / walk.walkableZ;
+            var above:Number = 2 * behind / walk.minFloorNormalZ;
             _origin.setTo(contact.x - behind * contact.normalX / across, contact.y - behind * contact.normalY / across, contact.z + above);
             _ray.aim(_origin, DOWN);
             _ray.to = 2 * above;
-            if (!_rowRays.findRayEntry(row, _ray, _entry) || _entry.distance == 0 || !(_entry.normalZ >= walk.walkableZ))
+            if (!_rowRays.findRayEntry(row, _ray, _entry) || _entry.distance == 0 || !(_entry.normalZ >= walk.minFloorNormalZ))
             {
                 return false;
             }

@@ -1,6 +1,6 @@
 // This folder moves a MovingBody among the rows of a table. The head of AgentMotions says in which order to read it. Its words:
 // Shrunk body: the body, but smaller by a slop (ShrunkBody). Only what it meets stops the body, so the body may touch what it stands on or runs along.
-// Shallow overlap: one that can come from rounding in the game. A motion begins with pushes out of those (OverlapRecovery), a walk with pushes out of
+// Shallow overlap: one that can come from rounding in the game. A motion begins with pushes out of those (Depenetration), a walk with pushes out of
 // deep ones too.
 // Plane: it stands for a row that the body overlaps deeply or without a way out, or has met on a slide. The motion must not cross it.
 // Obstacles: the rows that can stop a motion. Rows with a plane for an overlap are none, nor one-way rows that the body passes.

@@ -55,7 +55,7 @@ package starlogo.queries.motion
          * @param walk has the options, and receives how the platform carries the agent
          * @return the platform's row; -1 if none carries the agent
          */
-        public function find(agent:Agent, walk:Walk):int
+        public function find(agent:Agent, walk:WalkState):int
         {
             var link:PlatformLink = agent.platformLink;
             var row:int = link != null && walk.options.carried && link.isValid ? _seen.rowOf(link.platform) : -1;
@@ -116,7 +116,7 @@ package starlogo.queries.motion
          *
          * @param platform its row
          */
-        public function carry(walk:Walk, platform:int):void
+        public function carry(walk:WalkState, platform:int):void
         {
             _others.copyExcept(walk.body.rows, platform);
             _carried.copyFrom(walk.place);
@@ -135,7 +135,7 @@ package starlogo.queries.motion
         }
 
         // Whether the way to a place, from where the platform carries the agent, leads into the platform.
-        private function leadsIntoPlatform(platform:int, walk:Walk, place:Vector3D):Boolean
+        private function leadsIntoPlatform(platform:int, walk:WalkState, place:Vector3D):Boolean
         {
             _motion.copyFrom(place);
             _motion.decrementBy(_carried);

@@ -75,7 +75,7 @@ package starlogo.queries.motion
             _desired.scaleBy(1 - fraction);
         }
 
-        /** Makes the desired motion level. */
+        /** Makes the desired motion horizontal. */
         public function flatten():void
         {
             _desired.z = 0;

@@ -48,7 +48,7 @@ package starlogo.queries.motion
         /** What the shrunk body meets next, once it is known. */
         public var impact:Impact = new Impact();
 
-        private var _recovery:OverlapRecovery = new OverlapRecovery();
+        private var _depenetration:Depenetration = new Depenetration();
 
         // How the shrunk body meets one row.
         private var _met:Impact = new Impact();
@@ -78,7 +78,7 @@ package starlogo.queries.motion
             if (shrunk.isFlat || (findFirst(start, motion, true, impact) && (impact.time == 0 || body.isOneWay(impact.row))))
             {
                 // it overlaps something, or a sweep cannot tell
-                _recovery.leaveOverlaps(this);
+                _depenetration.depenetrate(this);
                 return false;
             }
             return true;

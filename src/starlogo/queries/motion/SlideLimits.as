@@ -1,27 +1,27 @@
 package starlogo.queries.motion
 {
     /**
-     * How a slide may go, as a record. There are four ways: without limits (NONE), at one height (LEVEL), along the ground and walls (setWalls), and down
+     * How a slide may go, as a record. There are four ways: without limits (NONE), at one height (HORIZONTAL), along the ground and walls (setWalls), and down
      * what is steep (setFall).
      *
      * @private
      */
     public final class SlideLimits
     {
-        /** The least z of the normal of a level floor. */
-        public static const LEVEL_Z:Number = 1 - 1e-12;
+        /** The least z of the normal of a horizontal floor. */
+        public static const HORIZONTAL_Z:Number = 1 - 1e-12;
 
         /** No limits. It must not be changed. */
         public static const NONE:SlideLimits = new SlideLimits(-Infinity);
 
         /**
-         * For a level motion that ends as high as it begins: all contacts but level ones are upright walls, also those of what the body overlaps deeply
+         * For a horizontal motion that ends as high as it begins: all contacts but horizontal ones are upright walls, also those of what the body overlaps deeply
          * where it begins. It must not be changed.
          */
-        public static const LEVEL:SlideLimits = new SlideLimits(LEVEL_Z);
+        public static const HORIZONTAL:SlideLimits = new SlideLimits(HORIZONTAL_Z);
 
         /** A contact counts as an upright wall if the z of its normal is less than this, and else as floor. At -Infinity nothing is either. */
-        public var leastFloorZ:Number;
+        public var minFloorNormalZ:Number;
 
         /** The greatest length of its way on the ground plane. The planes of contacts can turn a motion up or down more level. */
         public var maxHorizontal:Number = Infinity;
@@ -32,16 +32,16 @@ package starlogo.queries.motion
         /** For a fall: the least slope on which it goes on, as a tangent. */
         public var fallSlope:Number = 0;
 
-        /** @param leastFloorZ see the field. There are no other limits */
-        public function SlideLimits(leastFloorZ:Number)
+        /** @param minFloorNormalZ see the field. There are no other limits */
+        public function SlideLimits(minFloorNormalZ:Number)
         {
-            this.leastFloorZ = leastFloorZ;
+            this.minFloorNormalZ = minFloorNormalZ;
         }
 
         /** Sets the limits of a way along the ground and walls. */
-        public function setWalls(leastFloorZ:Number, maxHorizontal:Number):void
+        public function setWalls(minFloorNormalZ:Number, maxHorizontal:Number):void
         {
-            this.leastFloorZ = leastFloorZ;
+            this.minFloorNormalZ = minFloorNormalZ;
             this.maxHorizontal = maxHorizontal;
             isFall = false;
         }
@@ -51,7 +51,7 @@ package starlogo.queries.motion
         {
             this.fallSlope = fallSlope;
             this.maxHorizontal = maxHorizontal;
-            leastFloorZ = -Infinity;
+            minFloorNormalZ = -Infinity;
             isFall = true;
         }
     }

@@ -26,6 +26,9 @@ package starlogo.queries.motion
         private var _remaining:RemainingMotion = new RemainingMotion();
         private var _impactWithoutPlane:Impact = new Impact();
 
+        // A way straight up or down.
+        private var _vertical:Vector3D = new Vector3D();
+
         /**
          * Computes a motion that slides along what it meets.
          *
@@ -48,7 +51,7 @@ package starlogo.queries.motion
             if (!isKnown)
             {
                 _remaining.beginCorner();
-                if (limits == SlideLimits.LEVEL)
+                if (limits == SlideLimits.HORIZONTAL)
                 {
                     makePlanesUpright(_sweep.planes, _remaining);
                 }
@@ -107,6 +110,13 @@ package starlogo.queries.motion
             ShrunkSweep.setAlong(_sweep.start, motion, end, out.place);
         }
 
+        /** Computes a way straight up, or down if dz is less than 0: a straight motion among the body's own rows. */
+        public function moveVertically(body:MovingBody, from:Vector3D, dz:Number, out:MotionResult):void
+        {
+            _vertical.z = dz;
+            moveStraight(body, body.rows, from, _vertical, out);
+        }
+
         // Notes what a slide meets. What is too steep becomes an upright wall. The rest climbs what is not.
         private static function noteContact(impact:Impact, limits:SlideLimits, remaining:RemainingMotion, out:MotionResult):void
         {
@@ -116,18 +126,18 @@ package starlogo.queries.motion
                 out.contact.copyFrom(contact);
                 out.row = impact.row;
             }
-            if (contact.normalZ < limits.leastFloorZ)
+            if (contact.normalZ < limits.minFloorNormalZ)
             {
                 out.wallRow = impact.row;
                 makeUpright(contact, remaining);
             }
-            else if (limits.leastFloorZ > 0)
+            else if (limits.minFloorNormalZ > 0)
             {
                 remaining.liftOverPlane(contact);
             }
         }
 
-        // Turns a contact that is too steep into an upright wall. The rest of the motion becomes level, because the slope would stop a motion up
+        // Turns a contact that is too steep into an upright wall. The rest of the motion becomes horizontal, because the slope would stop a motion up
         // or down.
         private static function makeUpright(contact:ContactPoint, remaining:RemainingMotion):void
         {
@@ -139,12 +149,12 @@ package starlogo.queries.motion
             }
         }
 
-        // Turns the planes of what the body overlaps into upright walls, except of level floors and ceilings.
+        // Turns the planes of what the body overlaps into upright walls, except of horizontal floors and ceilings.
         private static function makePlanesUpright(planes:ContactList, remaining:RemainingMotion):void
         {
             for (var i:int = 0; i < planes.count; i++)
             {
-                if (Math.abs(planes.contacts[i].normalZ) < SlideLimits.LEVEL.leastFloorZ)
+                if (Math.abs(planes.contacts[i].normalZ) < SlideLimits.HORIZONTAL_Z)
                 {
                     makeUpright(planes.contacts[i], remaining);
                 }

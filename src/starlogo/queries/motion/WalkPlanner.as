@@ -4,20 +4,20 @@ package starlogo.queries.motion
     import starlogo.agents.Agent;
     import starlogo.engine;
     import starlogo.geometry.Trigonometry;
-    import starlogo.geometry.copyVector;
-    import starlogo.queries.Footing;
     import starlogo.queries.SeenAgents;
     import starlogo.queries.WalkOptions;
+    import starlogo.search.Body;
+    import starlogo.search.ModelShape;
 
     use namespace engine;
 
     /**
-     * Goes a Walk, as a game character does. The agent slides along the ground. For this slide, surfaces that are too steep are walls. If a wall stops
+     * Computes a walk, as a game character does. The agent slides along the ground. For this slide, surfaces that are too steep are walls. If a wall stops
      * the agent, it tries the same way a step higher, and goes down again. At the end it goes down to the ground, or falls. The method
      * <code>go()</code> shows the order.
      *
-     * <p>Steps take the walk to its next place, <code>Walk.place</code>, and return whether the agent stands there. Then the walk has the floor too. If the
-     * agent does not stand after a method that begins with "try", the walk is where it was.</p>
+     * <p>Steps take the walk to its next place, <code>WalkState.place</code>, and return whether the agent stands there. Then the walk has the floor too. If the
+     * agent does not stand after a method that begins with "try", here or in Foothold, the walk is where it was.</p>
      *
      * @private
      */
@@ -26,10 +26,10 @@ package starlogo.queries.motion
         // Ground as steep as the limit is not too steep, although its normal has rounding errors. A fraction of the limit's cosine.
         private static const SLOPE_ROUNDING:Number = 1e-9;
 
-        // A leg of a walk is as long as the agent, or longer if the walk would have more legs than this.
-        private static const MAX_LEGS:int = 64;
+        // A substep of a walk is as long as the agent, or longer if the walk would have more substeps than this.
+        private static const MAX_SUBSTEPS:int = 64;
 
-        // Walk.closeDepth is this part of the extent, or this many slops if they are more: near what is far larger, and far from the origin. A walk ends a
+        // WalkState.closeDepth is this part of the extent, or this many slops if they are more: near what is far larger, and far from the origin. A walk ends a
         // clearance above the ground, and the shrunk body meets the ground up to ten slops farther down.
         private static const CLOSE_DEPTH:Number = 1e-6;
         private static const CLOSE_SLOPS:Number = 20;
@@ -40,11 +40,9 @@ package starlogo.queries.motion
         // The most pushes out of what the agent overlaps where a walk begins.
         private static const MAX_PUSHES:int = 8;
 
-        private static const UP:Vector3D = new Vector3D(0, 0, 1);
-
         private var _seen:SeenAgents;
         private var _slider:Slider = new Slider();
-        private var _recovery:OverlapRecovery = new OverlapRecovery();
+        private var _depenetration:Depenetration = new Depenetration();
         private var _platforms:PlatformCarry;
         private var _foothold:Foothold;
 
@@ -52,7 +50,7 @@ package starlogo.queries.motion
         private var _motion:Vector3D = new Vector3D();
         private var _limits:SlideLimits = new SlideLimits(-Infinity);
 
-        // How a slide ended, and a way straight up or down. Each is returned, and valid until the next one of its kind.
+        // How a slide, and a way straight up or down, ends. Only the method that passes it reads it.
         private var _slid:MotionResult = new MotionResult();
         private var _vertical:MotionResult = new MotionResult();
 
@@ -61,37 +59,36 @@ package starlogo.queries.motion
         {
             _seen = seen;
             _platforms = new PlatformCarry(seen, _slider);
-            _foothold = new Foothold(seen);
+            _foothold = new Foothold(seen, _slider);
         }
 
         /**
-         * Finds where a walk leads. A platform carries the agent first. Then it is pushed out of what it overlaps, goes the legs of its way, and falls if
+         * Finds where a walk leads. A platform carries the agent first. Then it is pushed out of what it overlaps, goes the substeps of its way, and falls if
          * it does not stand. Nothing moves.
          *
          * @param agent the agent that walks
          * @param dx how far along x
          * @param dy how far along y
          * @param options how it walks
-         * @param out receives where the walk ends, and the footing there
+         * @param out receives where the walk ends, and how the agent stands there
          */
-        public function go(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:Walk):void
+        public function go(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:WalkState):void
         {
             var carrier:int = begin(agent, dx, dy, options, out);
-            var stands:Boolean = walkLegs(out, standOrPushOut(out, carrier)) || fall(out);
-            _recovery.restoreClearance(out.body, out.place);
-            writeFooting(out, stands, out.footing);
+            out.stands = walkSubsteps(out, standOrPushOut(out, carrier)) || fall(out);
+            _depenetration.restoreClearance(out.body, out.place);
         }
 
         // Begins a walk where the agent is, or where its platform carries it. Returns the platform's row; -1 if none carries it.
-        private function begin(agent:Agent, dx:Number, dy:Number, options:WalkOptions, walk:Walk):int
+        private function begin(agent:Agent, dx:Number, dy:Number, options:WalkOptions, walk:WalkState):int
         {
             _seen.requirePlaced(agent);
             walk.options.copyFrom(options);
-            walk.walkableZ = (1 - SLOPE_ROUNDING) * Trigonometry.cosine(options.slopeDegrees);
+            walk.minFloorNormalZ = (1 - SLOPE_ROUNDING) * Trigonometry.cosine(options.slopeDegrees);
             var length:Number = Math.sqrt(dx * dx + dy * dy);
-            walk.legCount = Math.min(MAX_LEGS, Math.max(1, Math.ceil(length / agent.size)));
-            walk.legMotion.setTo(dx / walk.legCount, dy / walk.legCount, 0);
-            walk.legLength = length / walk.legCount;
+            walk.substepCount = Math.min(MAX_SUBSTEPS, Math.max(1, Math.ceil(length / agent.size)));
+            walk.substepMotion.setTo(dx / walk.substepCount, dy / walk.substepCount, 0);
+            walk.substepLength = length / walk.substepCount;
             var platform:int = _platforms.find(agent, walk);
             walk.body.setToAgent(agent, walk.carryTurn).aim(dx, dy, 0);
             walk.place.copyFrom(walk.body.from);
@@ -103,71 +100,62 @@ package starlogo.queries.motion
             return platform;
         }
 
-        // Writes how the agent stands where the walk has ended. The push and the part of the way are written already.
-        private function writeFooting(walk:Walk, stands:Boolean, out:Footing):void
-        {
-            var agents:Vector.<Agent> = _seen.table.listed.agentsByRow;
-            out.stands = stands;
-            out.on = stands ? agents[walk.floorRow] : null;
-            out.against = walk.wallRow >= 0 ? agents[walk.wallRow] : null;
-            copyVector(stands ? walk.floorNormal : UP, out.normal);
-        }
-
         // Finds the rows near a walk, and up to a distance from it, and how close to them it stands.
-        private function collectRows(walk:Walk, distance:Number):void
+        private function collectRows(walk:WalkState, distance:Number):void
         {
             var options:WalkOptions = walk.options;
             var body:MovingBody = walk.body;
             // the way on the steepest slope, how far a slide after a fall goes sideways, and the way of the platform, whatever their directions
-            var range:Number = walk.legCount * walk.legLength / walk.walkableZ + depthAfterFall(walk) / 2 + walk.carry.length + distance;
+            var range:Number = walk.substepCount * walk.substepLength / walk.minFloorNormalZ + depthAfterFall(walk) / 2 + walk.carry.length + distance;
             range += closeDepthAmong(walk, body.boundOfExtents);
-            body.collectRowsWithin(range, walk.legCount * options.stepHeight, walk.legCount * options.snap + options.fall, options.filter);
+            body.collectRowsWithin(range, walk.substepCount * options.stepHeight, walk.substepCount * options.snap + options.fall, options.filter);
             walk.closeDepth = closeDepthAmong(walk, body.largestExtent);
         }
 
         // How close a walk stands to rows of at most this extent.
-        private static function closeDepthAmong(walk:Walk, largest:Number):Number
+        private static function closeDepthAmong(walk:WalkState, largest:Number):Number
         {
-            return Math.max(CLOSE_DEPTH * walk.body.extent, CLOSE_SLOPS * walk.body.maxSlop(walk.legLength, largest));
+            return Math.max(CLOSE_DEPTH * walk.body.extent, CLOSE_SLOPS * walk.body.maxSlop(walk.substepLength, largest));
         }
 
         // Pushes the agent out of what it overlaps. Returns whether it stands then.
-        private function standOrPushOut(walk:Walk, carrier:int):Boolean
+        private function standOrPushOut(walk:WalkState, carrier:int):Boolean
         {
-            walk.legStart.copyFrom(walk.place);
+            walk.substepStart.copyFrom(walk.place);
             var risen:Number = riseWithPlatforms(walk, carrier);
-            var down:MotionResult = moveVertically(walk, walk.place, -walk.closeDepth);
-            var isOverlapping:Boolean = down.hasPlanes;
+            _slider.moveVertically(walk.body, walk.place, -walk.closeDepth, _vertical);
+            var isOverlapping:Boolean = _vertical.hasPlanes;
             if (isOverlapping)
             {
                 pushOut(walk, risen);
+                _slider.moveVertically(walk.body, walk.place, -walk.closeDepth, _vertical);
             }
-            var x:Number = walk.place.x - walk.legStart.x;
-            var y:Number = walk.place.y - walk.legStart.y;
-            var z:Number = walk.place.z - walk.legStart.z;
-            walk.footing.pushed = Math.sqrt(x * x + y * y + z * z);
-            walk.legStart.copyFrom(walk.place);
-            return isOverlapping ? tryStandBelow(walk, walk.place, walk.closeDepth) : tryStandAtEnd(walk, down);
+            var x:Number = walk.place.x - walk.substepStart.x;
+            var y:Number = walk.place.y - walk.substepStart.y;
+            var z:Number = walk.place.z - walk.substepStart.z;
+            walk.pushed = Math.sqrt(x * x + y * y + z * z);
+            walk.substepStart.copyFrom(walk.place);
+            return _foothold.tryStandAtEnd(walk, _vertical);
         }
 
         // Leads the agent up with one-way rows that have risen into it since it was moved, if there is room. Returns how far they have.
-        private function riseWithPlatforms(walk:Walk, carrier:int):Number
+        private function riseWithPlatforms(walk:WalkState, carrier:int):Number
         {
-            var height:Number = _recovery.measureRise(walk.body, walk.place, carrier);
+            var height:Number = _depenetration.measureRise(walk.body, walk.place, carrier);
             if (height > 0)
             {
                 collectRows(walk, height);
-                walk.place.copyFrom(moveVertically(walk, walk.place, height).place);
+                _slider.moveVertically(walk.body, walk.place, height, _vertical);
+                walk.place.copyFrom(_vertical.place);
             }
             return height;
         }
 
         // Pushes the agent out of what it overlaps deeply. The deepest overlap comes first. A push is a slide, so it leads through nothing else. All pushes
-        // together are as long as the depths of all overlaps at the beginning.
-        // The agent has risen so far before.
-        private function pushOut(walk:Walk, risen:Number):void
+        // together are as long as the depths of all overlaps at the beginning. The agent has risen so far before.
+        private function pushOut(walk:WalkState, risen:Number):void
         {
-            var left:Number = _recovery.measureOverlaps(walk.body, walk.place, walk.deepestOverlap);
+            var left:Number = _depenetration.measureOverlaps(walk.body, walk.place, walk.deepestOverlap);
             if (!(left > 0))
             {
                 return;
@@ -184,23 +172,23 @@ package starlogo.queries.motion
                 walk.place.copyFrom(_slid.place);
                 pushes++;
             }
-            while (pushes < MAX_PUSHES && left > 0 && _recovery.measureOverlaps(walk.body, walk.place, walk.deepestOverlap) > 0);
+            while (pushes < MAX_PUSHES && left > 0 && _depenetration.measureOverlaps(walk.body, walk.place, walk.deepestOverlap) > 0);
         }
 
-        // Goes all legs: along the ground if the agent stands, else straight on through the air. Returns whether it stands at the end.
-        private function walkLegs(walk:Walk, beginsStanding:Boolean):Boolean
+        // Goes all substeps: along the ground if the agent stands, else straight on through the air. Returns whether it stands at the end.
+        private function walkSubsteps(walk:WalkState, beginsStanding:Boolean):Boolean
         {
             var stands:Boolean = beginsStanding;
-            var startX:Number = walk.legStart.x;
-            var startY:Number = walk.legStart.y;
+            var startX:Number = walk.substepStart.x;
+            var startY:Number = walk.substepStart.y;
             walk.wallRow = -1;
-            for (var i:int = 0; i < walk.legCount; i++)
+            for (var i:int = 0; i < walk.substepCount; i++)
             {
                 if (i > 0)
                 {
-                    walk.legStart.copyFrom(walk.place);
+                    walk.substepStart.copyFrom(walk.place);
                     // beyond a gap there may be ground again
-                    stands ||= beginsStanding && tryStandBelow(walk, walk.place, walk.closeDepth);
+                    stands ||= beginsStanding && _foothold.tryStandBelow(walk, walk.place, walk.closeDepth);
                 }
                 if (stands)
                 {
@@ -208,44 +196,45 @@ package starlogo.queries.motion
                 }
                 else
                 {
-                    // in the air all surfaces are walls, except of level floors
-                    endLeg(walk, slideAlong(walk, walk.legStart, 0, SlideLimits.LEVEL_Z));
+                    // in the air all surfaces are walls, except of horizontal floors
+                    slideAlong(walk, walk.substepStart, 0, SlideLimits.HORIZONTAL_Z, _slid);
+                    endSubstep(walk, _slid);
                 }
             }
             var dx:Number = walk.place.x - startX;
             var dy:Number = walk.place.y - startY;
-            walk.footing.part = walk.legLength > 0 ? Math.min(1, Math.sqrt(dx * dx + dy * dy) / (walk.legCount * walk.legLength)) : 1;
+            walk.part = walk.substepLength > 0 ? Math.min(1, Math.sqrt(dx * dx + dy * dy) / (walk.substepCount * walk.substepLength)) : 1;
             return stands;
         }
 
-        // Goes a leg along the ground, and up or down with it. If a wall stops the agent there, it tries to step up. Otherwise it steps down to the ground.
+        // Goes a substep along the ground, and up or down with it. If a wall stops the agent there, it tries to step up. Otherwise it steps down to the ground.
         // Returns whether it stands then.
-        private function walkOnGround(walk:Walk):Boolean
+        private function walkOnGround(walk:WalkState):Boolean
         {
-            if (walk.legLength == 0)
+            if (walk.substepLength == 0)
             {
                 // it stays exactly where it is
-                walk.place.copyFrom(walk.legStart);
+                walk.place.copyFrom(walk.substepStart);
                 return true;
             }
             // the slide begins along the ground below the agent
             var normal:Vector3D = walk.floorNormal;
-            var rise:Number = -(normal.x * walk.legMotion.x + normal.y * walk.legMotion.y) / normal.z;
+            var rise:Number = -(normal.x * walk.substepMotion.x + normal.y * walk.substepMotion.y) / normal.z;
             var wallBefore:int = walk.wallRow;
-            var slid:MotionResult = slideAlong(walk, walk.place, rise, walk.walkableZ);
-            endLeg(walk, slid);
-            if (slid.wallRow >= 0 && tryStepUp(walk))
+            slideAlong(walk, walk.place, rise, walk.minFloorNormalZ, _slid);
+            endSubstep(walk, _slid);
+            if (_slid.wallRow >= 0 && tryStepUp(walk))
             {
                 walk.wallRow = wallBefore;
                 return true;
             }
-            // the ground may have led up only for a part of the leg: on a ramp, and over the edge of a step
-            var height:Number = Math.max(0, walk.place.z - walk.legStart.z);
-            return tryStandBelow(walk, walk.place, height + walk.options.snap + walk.closeDepth);
+            // the ground may have led up only for a part of the substep: on a ramp, and over the edge of a step
+            var height:Number = Math.max(0, walk.place.z - walk.substepStart.z);
+            return _foothold.tryStandBelow(walk, walk.place, height + walk.options.snap + walk.closeDepth);
         }
 
-        // Ends a leg where its slide ended.
-        private static function endLeg(walk:Walk, slid:MotionResult):void
+        // Ends a substep where its slide ended.
+        private static function endSubstep(walk:WalkState, slid:MotionResult):void
         {
             walk.place.copyFrom(slid.place);
             if (slid.wallRow >= 0)
@@ -254,148 +243,127 @@ package starlogo.queries.motion
             }
         }
 
-        // Tries a leg again a step higher, and goes down again. Returns whether the agent comes farther than without the step, and stands.
-        private function tryStepUp(walk:Walk):Boolean
+        // Tries a substep again a step higher, and goes down again. Returns whether the agent comes farther than without the step, and stands.
+        private function tryStepUp(walk:WalkState):Boolean
         {
-            var up:MotionResult = moveVertically(walk, walk.legStart, walk.options.stepHeight);
-            var height:Number = up.place.z - walk.legStart.z;
+            _slider.moveVertically(walk.body, walk.substepStart, walk.options.stepHeight, _vertical);
+            var height:Number = _vertical.place.z - walk.substepStart.z;
             if (height <= walk.closeDepth)
             {
                 return false;
             }
-            var slid:MotionResult = slideAlong(walk, up.place, 0, walk.walkableZ);
-            if (!isFarther(walk, slid.place))
+            slideAlong(walk, _vertical.place, 0, walk.minFloorNormalZ, _slid);
+            if (!isFarther(walk, _slid.place))
             {
                 return false;
             }
             var depth:Number = height + walk.options.snap + walk.closeDepth;
-            var top:Number = slid.place.z;
-            var down:MotionResult = moveVertically(walk, slid.place, -depth);
-            return tryStandAtEnd(walk, down) || (down.hasContact && trySlideOff(walk, down.place, depth - (top - down.place.z)));
+            var top:Number = _slid.place.z;
+            _slider.moveVertically(walk.body, _slid.place, -depth, _vertical);
+            return _foothold.tryStandAtEnd(walk, _vertical) || (_vertical.hasContact && trySlideOff(walk, _vertical.place, depth - (top - _vertical.place.z)));
         }
 
-        // Whether a place is farther along the leg than where the walk is.
-        private static function isFarther(walk:Walk, place:Vector3D):Boolean
+        // Whether a place is farther along the substep than where the walk is.
+        private static function isFarther(walk:WalkState, place:Vector3D):Boolean
         {
-            var farther:Number = (place.x - walk.place.x) * walk.legMotion.x + (place.y - walk.place.y) * walk.legMotion.y;
-            return farther > walk.closeDepth * walk.legLength;
+            var farther:Number = (place.x - walk.place.x) * walk.substepMotion.x + (place.y - walk.place.y) * walk.substepMotion.y;
+            return farther > walk.closeDepth * walk.substepLength;
         }
 
         // Slides down what is too steep to stand on, from the end of the way down: a round agent that has met the edge of the next step hangs on it. Returns
-        // whether the agent comes farther than without the step, but no farther from where the leg began than the leg is long, and stands.
-        private function trySlideOff(walk:Walk, from:Vector3D, depth:Number):Boolean
+        // whether the agent comes farther than without the step, but no farther from where the substep began than the substep is long, and stands.
+        private function trySlideOff(walk:WalkState, from:Vector3D, depth:Number):Boolean
         {
-            var place:Vector3D = slideDown(walk, from, depth, walk.legLength).place;
-            var dx:Number = place.x - walk.legStart.x;
-            var dy:Number = place.y - walk.legStart.y;
-            return dx * dx + dy * dy <= walk.legLength * walk.legLength && isFarther(walk, place) && tryStandBelow(walk, place, walk.closeDepth);
+            _foothold.slideDown(walk, from, depth, walk.substepLength, _slid);
+            var dx:Number = _slid.place.x - walk.substepStart.x;
+            var dy:Number = _slid.place.y - walk.substepStart.y;
+            return dx * dx + dy * dy <= walk.substepLength * walk.substepLength && isFarther(walk, _slid.place) && _foothold.tryStandBelow(walk, _slid.place, walk.closeDepth);
         }
 
-        // Falls until something stops the agent, and slides down what is too steep. It falls in drops that get longer, because rounding
-        // errors grow with the length of a motion. If nothing stops an endless fall, it ends where it began. Returns whether the agent stands then. While its
-        // model is loading it does not fall.
-        private function fall(walk:Walk):Boolean
+        // Falls until something stops the agent, and slides down what is too steep. If nothing stops an endless fall, it ends where it began. Returns whether the
+        // agent stands then. While its model is loading it does not fall.
+        private function fall(walk:WalkState):Boolean
         {
             if (!walk.body.hasShape)
             {
                 return false;
             }
+            var left:Number = dropUntilStopped(walk, _vertical);
+            if (_vertical.hasContact)
+            {
+                return settle(walk, _vertical, left);
+            }
+            if (left == Infinity)
+            {
+                return false;
+            }
+            walk.place.copyFrom(_vertical.place);
+            walk.place.z -= left;
+            // a fall can also end where the ground begins, without being stopped
+            return _foothold.tryStandBelow(walk, walk.place, walk.closeDepth);
+        }
+
+        // Goes straight down until something stops the agent, it has gone as far as it may fall, or it is below all that is near. It goes in drops that get
+        // longer, because rounding errors grow with the length of a motion, and no farther than needed: walls of the ground have no lower end, and a very
+        // long wall would have errors as large as a floor. Returns how much farther it may fall.
+        private function dropUntilStopped(walk:WalkState, out:MotionResult):Number
+        {
+            var body:MovingBody = walk.body;
             var left:Number = walk.options.fall;
-            var place:Vector3D = walk.place;
-            var isStopped:Boolean = false;
-            var down:MotionResult = null;
-            for (var drop:Number = 1; left > 0 && !isStopped; drop *= 2)
+            var above:Number = Math.max(body.extent, walk.place.z + body.whole.offsetZ + body.extent - lowestOf(body));
+            out.place.copyFrom(walk.place);
+            out.row = -1;
+            for (var drop:Number = 1; left > 0 && above > 0 && !out.hasContact; drop *= 2)
             {
-                var depth:Number = Math.min(left, drop);
-                if (place.z - depth < -Agent.LARGEST_COORDINATE)
-                {
-                    return false;
-                }
-                down = moveVertically(walk, place, -depth);
-                left -= down.fraction * depth;
-                isStopped = down.hasContact;
-                place = down.place;
+                var depth:Number = Math.min(left, Math.min(drop, above));
+                _slider.moveVertically(walk.body, out.place, -depth, out);
+                left -= out.fraction * depth;
+                above -= depth;
             }
-            if (!isStopped)
+            return left;
+        }
+
+        // The lowest height of the rows near a walk. Below it, only walls of the ground are left.
+        private static function lowestOf(body:MovingBody):Number
+        {
+            var lowest:Number = Infinity;
+            for (var i:int = 0; i < body.rows.count; i++)
             {
-                // a fall can also end where the ground begins, without being stopped
-                walk.place.copyFrom(place);
-                return tryStandBelow(walk, walk.place, walk.closeDepth);
+                var row:Body = body.bodyOf(body.rows.values[i]);
+                lowest = Math.min(lowest, row.kind == ModelShape.GROUND ? row.shape.grid.pyramid.whole.min : row.middleZ - row.halfZ);
             }
-            if (tryStandOn(walk, down, place))
+            return lowest;
+        }
+
+        // Lets the agent stand on what has stopped its fall. If that is too steep, it slides down there, at most as far as it may still fall. Returns whether it
+        // stands.
+        private function settle(walk:WalkState, stop:MotionResult, left:Number):Boolean
+        {
+            if (_foothold.tryStandOn(walk, stop, stop.place))
             {
                 return true;
             }
-            var depthAfter:Number = depthAfterFall(walk);
-            var slid:MotionResult = slideDown(walk, place, Math.min(left, depthAfter), depthAfter / 2);
-            if (!(walk.place.z - slid.place.z < MIN_FALL * walk.body.extent))
+            var depth:Number = depthAfterFall(walk);
+            _foothold.slideDown(walk, stop.place, Math.min(left, depth), depth / 2, _slid);
+            if (!(walk.place.z - _slid.place.z < MIN_FALL * walk.body.extent))
             {
-                walk.place.copyFrom(slid.place);
+                walk.place.copyFrom(_slid.place);
             }
-            return tryStandBelow(walk, walk.place, walk.closeDepth);
+            return _foothold.tryStandBelow(walk, walk.place, walk.closeDepth);
         }
 
         // How far down the slide after a fall may lead. Sideways it may lead half as far.
-        private static function depthAfterFall(walk:Walk):Number
+        private static function depthAfterFall(walk:WalkState):Number
         {
             return Math.min(walk.options.fall, walk.body.whole.placement.size);
         }
 
-        // Lets the agent stand on the ground below a place, if the ground is no deeper than this depth, and not too steep. Otherwise the agent stays where it
-        // is. Returns whether it stands.
-        private function tryStandBelow(walk:Walk, place:Vector3D, depth:Number):Boolean
+        // Slides along the way of a substep, and up or down.
+        private function slideAlong(walk:WalkState, from:Vector3D, rise:Number, minFloorNormalZ:Number, out:MotionResult):void
         {
-            return tryStandAtEnd(walk, moveVertically(walk, place, -depth));
-        }
-
-        // Lets the agent stand where a way down has ended, on what has stopped it or on what else it touches there. Otherwise the agent stays where it is.
-        // Returns whether it stands.
-        private function tryStandAtEnd(walk:Walk, down:MotionResult):Boolean
-        {
-            if (!down.hasContact || tryStandOn(walk, down, down.place))
-            {
-                return down.hasContact;
-            }
-            var slid:MotionResult = slideDown(walk, down.place, walk.closeDepth, walk.body.extent);
-            return slid.hasContact && tryStandOn(walk, slid, down.place);
-        }
-
-        // Lets the agent stand at a place, on the row that a motion has met there, if the row carries it. Returns whether it does.
-        private function tryStandOn(walk:Walk, met:MotionResult, place:Vector3D):Boolean
-        {
-            if (!_foothold.findSurface(walk, met.contact, met.row, place, walk.floorNormal))
-            {
-                return false;
-            }
-            walk.place.copyFrom(place);
-            walk.floorRow = met.row;
-            return true;
-        }
-
-        // Goes straight up, or down if dz is less than 0, until something is in the way.
-        private function moveVertically(walk:Walk, from:Vector3D, dz:Number):MotionResult
-        {
-            _motion.setTo(0, 0, dz);
-            _slider.moveStraight(walk.body, walk.body.rows, from, _motion, _vertical);
-            return _vertical;
-        }
-
-        // Slides along the way of a leg, and up or down.
-        private function slideAlong(walk:Walk, from:Vector3D, rise:Number, leastFloorZ:Number):MotionResult
-        {
-            _limits.setWalls(leastFloorZ, walk.legLength);
-            _motion.setTo(walk.legMotion.x, walk.legMotion.y, rise);
-            _slider.slide(walk.body, walk.body.rows, from, _motion, _limits, _slid);
-            return _slid;
-        }
-
-        // Slides down like a fall, as long as what it slides on is too steep to stand on.
-        private function slideDown(walk:Walk, from:Vector3D, depth:Number, maxHorizontal:Number):MotionResult
-        {
-            _limits.setFall(Math.sqrt(1 - walk.walkableZ * walk.walkableZ) / walk.walkableZ, maxHorizontal);
-            _motion.setTo(0, 0, -depth);
-            _slider.slide(walk.body, walk.body.rows, from, _motion, _limits, _slid);
-            return _slid;
+            _limits.setWalls(minFloorNormalZ, walk.substepLength);
+            _motion.setTo(walk.substepMotion.x, walk.substepMotion.y, rise);
+            _slider.slide(walk.body, walk.body.rows, from, _motion, _limits, out);
         }
     }
 }

@@ -32,14 +32,7 @@ package starlogo.queries.rays
             _all.count = indices.count = 0;
             for (var i:int = 0; i < crossings.count; i++)
             {
-                if (areTriangles)
-                {
-                    _all.add(i, crossings.distances[i]);
-                }
-                else
-                {
-                    _all.add(i, endKeyOf(crossings, i));
-                }
+                _all.add(i, areTriangles ? crossings.distances[i] : endKeyOf(crossings, i));
             }
             _all.sortFirst(_all.count);
             if (areTriangles)

@@ -18,7 +18,7 @@ package starlogo.queries.trees
      *
      * <p>Rows that a filter excludes are left out before they are tested. The filter's own function, <code>accepts</code>, is called
      * for rows that pass all tests, in the order of their keys, and no oftener than the answer needs. Motions and casts of shapes call it for all rows
-     * near them. It may ask questions itself. These have Collectors of their own (PerQuery).</p>
+     * near them. It may ask questions itself. These have Collectors of their own (NestedPool).</p>
      *
      * @private
      */
@@ -149,7 +149,7 @@ package starlogo.queries.trees
         private function admitTo(end:int):void
         {
             var decide:Function = filter.accepts;
-            _seen.nesting++;
+            _seen.callbackDepth++;
             try
             {
                 for (var i:int = _admitted; i < end && _admitted < maxCount; i++)
@@ -163,7 +163,7 @@ package starlogo.queries.trees
             }
             finally
             {
-                _seen.nesting--;
+                _seen.callbackDepth--;
             }
         }
 

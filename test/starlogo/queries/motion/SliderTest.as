@@ -66,11 +66,11 @@ package starlogo.queries.motion
             var body:MovingBody = new MovingBody(seen);
             body.setToAgent(agent);
             body.collectRowsWithin(1, 0, 0, null);
-            for each (var limits:SlideLimits in [SlideLimits.NONE, SlideLimits.LEVEL])
+            for each (var limits:SlideLimits in [SlideLimits.NONE, SlideLimits.HORIZONTAL])
             {
                 var result:MotionResult = new MotionResult();
                 slider.slide(body, body.rows, new Vector3D(1.2, 0, 0), new Vector3D(0.5, 0, 0), limits, result);
-                assertEquals(limits === SlideLimits.LEVEL, Math.abs(result.place.z) < 1e-9);
+                assertEquals(limits === SlideLimits.HORIZONTAL, Math.abs(result.place.z) < 1e-9);
             }
         }
     }

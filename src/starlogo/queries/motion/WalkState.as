@@ -2,7 +2,6 @@ package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
-    import starlogo.queries.Footing;
     import starlogo.queries.SeenAgents;
     import starlogo.queries.WalkOptions;
 
@@ -11,7 +10,7 @@ package starlogo.queries.motion
      *
      * @private
      */
-    public final class Walk
+    public final class WalkState
     {
         /** The options of the walk, a copy: a filter's <code>accepts</code> may change those of the game. */
         public var options:WalkOptions = new WalkOptions();
@@ -19,15 +18,15 @@ package starlogo.queries.motion
         /** The body of the agent, and the rows near the walk. */
         public var body:MovingBody;
 
-        /** The number of legs. A walk that is longer than the agent goes in legs of its size, because the ground may be even only so far. */
-        public var legCount:int = 1;
+        /** The number of substeps. A walk that is longer than the agent goes in substeps of its size, because the ground may be even only so far. */
+        public var substepCount:int = 1;
 
-        /** The motion of a leg on the ground plane, and its length. */
-        public var legMotion:Vector3D = new Vector3D();
-        public var legLength:Number = 0;
+        /** The motion of a substep on the ground plane, and its length. */
+        public var substepMotion:Vector3D = new Vector3D();
+        public var substepLength:Number = 0;
 
         /** The least z of the normal of a surface that is not too steep to stand on. */
-        public var walkableZ:Number = 1;
+        public var minFloorNormalZ:Number = 1;
 
         /** The agent stands on ground that is at most this far below it. The shrunk body meets such ground. */
         public var closeDepth:Number = 0;
@@ -36,8 +35,8 @@ package starlogo.queries.motion
         public var carry:Vector3D = new Vector3D();
         public var carryTurn:Number = 0;
 
-        /** Where the present leg begins. */
-        public var legStart:Vector3D = new Vector3D();
+        /** Where the present substep begins. */
+        public var substepStart:Vector3D = new Vector3D();
 
         /** Where the agent is now. */
         public var place:Vector3D = new Vector3D();
@@ -52,11 +51,13 @@ package starlogo.queries.motion
         /** The row of the last wall that the agent met and did not step over; -1 if it met none. */
         public var wallRow:int = -1;
 
-        /** How the agent stands at the end. */
-        public var footing:Footing = new Footing();
+        /** Whether the agent stands at the end; how far it was pushed; and the part of its way that it has come. See Footing. */
+        public var stands:Boolean = false;
+        public var pushed:Number = 0;
+        public var part:Number = 1;
 
         /** @param seen the agents that the walk is among */
-        public function Walk(seen:SeenAgents)
+        public function WalkState(seen:SeenAgents)
         {
             body = new MovingBody(seen);
         }

@@ -9,7 +9,7 @@ package starlogo.queries.motion
     use namespace engine;
 
     /**
-     * Gets a body out of what it overlaps. It frees the shrunk body where a motion begins (leaveOverlaps), leads the body off what it touches where its
+     * Gets a body out of what it overlaps. It frees the shrunk body where a motion begins (depenetrate), leads the body off what it touches where its
      * motions end (restoreClearance), and tells a walk how deep the body is in others (measureOverlaps).
      *
      * <p>A shallow overlap comes from rounding in the game: the body is pushed out of it. If the body overlaps a row more deeply, the plane of their
@@ -22,7 +22,7 @@ package starlogo.queries.motion
      *
      * @private
      */
-    public final class OverlapRecovery
+    public final class Depenetration
     {
         private static const NO_MOTION:Vector3D = new Vector3D();
 
@@ -47,11 +47,8 @@ package starlogo.queries.motion
         // The contact of an overlap, or of this push.
         private var _contact:ContactPoint = new ContactPoint();
 
-        // Where the body was above a row, as the row sees it, before the row rose.
-        private var _above:Vector3D = new Vector3D();
-
-        // A place where the body touches a row.
-        private var _touching:Vector3D = new Vector3D();
+        // A place that is tried: where the body was above a row, as the row sees it, before the row rose; and where the body touches a row.
+        private var _tried:Vector3D = new Vector3D();
 
         /**
          * Frees the shrunk body from the obstacles that it overlaps where its motion starts.
@@ -59,16 +56,16 @@ package starlogo.queries.motion
          * @param motion the motion. It receives the planes of overlaps that stay. Obstacles for which a plane stands are none from then on. Its start
          *     changes if the body is pushed
          */
-        public function leaveOverlaps(motion:ShrunkSweep):void
+        public function depenetrate(motion:ShrunkSweep):void
         {
-            if (replaceByPlanes(motion, false) && !pushInRounds(motion.shrunk, motion.obstacles, motion.start, false, motion.pushes))
+            if (replaceByPlanes(motion, false) && !pushOut(motion))
             {
                 replaceByPlanes(motion, true);
             }
             if (motion.shrunk.isFlat && motion.planes.count == 0)
             {
                 // the shrunk body is as flat, and a sweep touches across a wider gap than a body that stands
-                pushInRounds(motion.shrunk, motion.obstacles, motion.start, true, _pushesOff);
+                pushOffTouches(motion.shrunk, motion.obstacles, motion.start);
             }
         }
 
@@ -81,7 +78,7 @@ package starlogo.queries.motion
         public function restoreClearance(body:MovingBody, place:Vector3D):void
         {
             _shrunk.begin(body, body.rows, place, NO_MOTION);
-            pushInRounds(_shrunk, body.rows, place, true, _pushesOff);
+            pushOffTouches(_shrunk, body.rows, place);
         }
 
         /**
@@ -136,41 +133,80 @@ package starlogo.queries.motion
         private function hasRisenInto(row:int, rise:Number, body:MovingBody, place:Vector3D):Boolean
         {
             _shrunk.begin(body, body.rows, place, NO_MOTION);
-            _above.setTo(place.x, place.y, place.z + rise);
-            return _shrunk.shrunkTouches(row, place) && !_shrunk.shrunkTouches(row, _above);
+            _tried.setTo(place.x, place.y, place.z + rise);
+            return _shrunk.shrunkTouches(row, place) && !_shrunk.shrunkTouches(row, _tried);
         }
 
-        // Pushes a body from one row after the other, in rounds, until a round needs no push: off the rows that it touches, or out of those that the
-        // shrunk body overlaps. Returns whether it is free then. It is not if an overlap is not shallow. Then the body is where it was, and there are
-        // no pushes.
-        private function pushInRounds(shrunk:ShrunkBody, rows:IntList, place:Vector3D, isOffTouches:Boolean, pushes:ContactList):Boolean
+        // Pushes the body out of the obstacles that the shrunk body overlaps, one after the other, in rounds, until a round needs no push. Returns whether it
+        // is free then. It is not if an overlap is not shallow. Then the body is where it was, and there are no pushes.
+        private function pushOut(motion:ShrunkSweep):Boolean
         {
+            var shrunk:ShrunkBody = motion.shrunk;
+            var rows:IntList = motion.obstacles;
             var last:ContactPoint = null;
             var isFree:Boolean = false;
-            _before.copyFrom(place);
-            pushes.clear();
+            _before.copyFrom(motion.start);
+            motion.pushes.clear();
             for (var round:int = 0; !isFree; round++)
             {
                 isFree = true;
                 for (var i:int = 0; i < rows.count; i++)
                 {
                     var row:int = rows.values[i];
-                    var length:Number = isOffTouches ? findPushOff(shrunk, row, place, round, last, _contact) : findPushOut(shrunk, row, place, round, last, _contact);
-                    if (length > 0)
+                    if (shrunk.shrunkTouches(row, motion.start))
                     {
-                        if (round == MAX_ROUNDS || length == Infinity || leadsBack(_contact, last))
+                        findContactOfPush(shrunk.body, row, motion.start, round, last, _contact);
+                        var isShallow:Boolean = shrunk.body.isShallow(row, _contact);
+                        last = isShallow ? push(row, _contact.depth + shrunk.clearance, round, last, motion.start, motion.pushes) : null;
+                        if (last == null)
                         {
-                            place.copyFrom(_before);
-                            pushes.clear();
+                            motion.start.copyFrom(_before);
+                            motion.pushes.clear();
                             return false;
                         }
-                        _contact.movePoint(place, length);
-                        last = pushes.contacts[pushes.add(_contact, row)];
                         isFree = false;
                     }
                 }
             }
             return true;
+        }
+
+        // Pushes a body off the rows that it touches, one after the other, in rounds, until a round needs no push. If it does not get free, it is where it was.
+        private function pushOffTouches(shrunk:ShrunkBody, rows:IntList, place:Vector3D):void
+        {
+            var last:ContactPoint = null;
+            var isFree:Boolean = false;
+            _before.copyFrom(place);
+            _pushesOff.clear();
+            for (var round:int = 0; !isFree; round++)
+            {
+                isFree = true;
+                for (var i:int = 0; i < rows.count; i++)
+                {
+                    var length:Number = findPushOff(shrunk, rows.values[i], place, round, last, _contact);
+                    if (length > 0)
+                    {
+                        last = push(rows.values[i], length, round, last, place, _pushesOff);
+                        if (last == null)
+                        {
+                            place.copyFrom(_before);
+                            return;
+                        }
+                        isFree = false;
+                    }
+                }
+            }
+        }
+
+        // Pushes a place along the contact with a row. Returns the push; null if there have been too many rounds, or it would lead back against the last one.
+        private function push(row:int, length:Number, round:int, last:ContactPoint, place:Vector3D, pushes:ContactList):ContactPoint
+        {
+            if (round == MAX_ROUNDS || leadsBack(_contact, last))
+            {
+                return null;
+            }
+            _contact.movePoint(place, length);
+            return pushes.contacts[pushes.add(_contact, row)];
         }
 
         // Lets planes stand for obstacles that the shrunk body overlaps: for deep overlaps, and also for shallow ones if they are to count. These are
@@ -214,36 +250,24 @@ package starlogo.queries.motion
             return true;
         }
 
-        // Finds the contact for a push out of a row. Returns the length of the push: 0 if the shrunk body does not overlap the row, Infinity if the overlap
-        // is not shallow.
-        private static function findPushOut(shrunk:ShrunkBody, row:int, place:Vector3D, round:int, last:ContactPoint, out:ContactPoint):Number
-        {
-            if (!shrunk.shrunkTouches(row, place))
-            {
-                return 0;
-            }
-            findContactOfPush(shrunk.body, row, place, round, last, out);
-            return shrunk.body.isShallow(row, out) ? out.depth + shrunk.clearance : Infinity;
-        }
-
         // Finds the contact for a push off a row. Returns the length of the push: 0 if the body does not touch the row, overlaps it deeply or passes it.
         private function findPushOff(shrunk:ShrunkBody, row:int, place:Vector3D, round:int, last:ContactPoint, out:ContactPoint):Number
         {
             var body:MovingBody = shrunk.body;
             // mostly it is known faster that the shrunk body touches the row than how deep the overlap is
-            if (!findTouchingPlace(shrunk, row, place, _touching) || body.passesOneWayAt(row, _touching)
+            if (!findTouchingPlace(shrunk, row, place, _tried) || body.passesOneWayAt(row, _tried)
                     || (!shrunk.isFlat && shrunk.shrunkTouches(row, place)))
             {
                 return 0;
             }
-            findContactOfPush(body, row, _touching, round, last, out);
+            findContactOfPush(body, row, _tried, round, last, out);
             var most:Number = SLOPS_OF_TOUCH * shrunk.slop;
             if (out.depth > most && !body.isShallow(row, out))
             {
                 return 0;
             }
             // from the body's place, which a flat body does not touch the row at
-            var beside:Number = out.normalX * (place.x - _touching.x) + out.normalY * (place.y - _touching.y) + out.normalZ * (place.z - _touching.z);
+            var beside:Number = out.normalX * (place.x - _tried.x) + out.normalY * (place.y - _tried.y) + out.normalZ * (place.z - _tried.z);
             return Math.min(out.depth, most) - beside + shrunk.clearance;
         }
 

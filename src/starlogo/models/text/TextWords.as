@@ -58,6 +58,22 @@ package starlogo.models.text
             return text.charCodeAt(0) == 0xFEFF ? text.substr(1) : text;
         }
 
+        /** The text without the spaces, tabs and ends of lines around it. */
+        public static function trimmed(text:String):String
+        {
+            var start:int = 0;
+            var end:int = text.length;
+            while (text.charCodeAt(start) <= SPACE)
+            {
+                start++;
+            }
+            while (end > start && text.charCodeAt(end - 1) <= SPACE)
+            {
+                end--;
+            }
+            return text.substring(start, end);
+        }
+
         /** The text with one space wherever there are more in a row. */
         public static function singleSpaced(text:String):String
         {

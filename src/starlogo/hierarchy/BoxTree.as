@@ -302,13 +302,17 @@ package starlogo.hierarchy
         /** Ends the making of nodes. */
         public function completeNodes():void
         {
-            // V8 keeps all of a list that is shortened by less than half
-            boxes = boxes.slice(0, 6 * _count);
-            left = left.slice(0, _count);
-            firstSlot = firstSlot.slice(0, _count);
-            endSlot = endSlot.slice(0, _count);
-            endsUpToDepth = endsUpToDepth.slice(0, _count);
-            levelAndAxis = levelAndAxis.slice(0, _count);
+            // V8 keeps all of a list that is shortened by less than half, and copying takes time
+            if (4 * _count < 3 * left.length)
+            {
+                boxes = boxes.slice(0, 6 * _count);
+                left = left.slice(0, _count);
+                firstSlot = firstSlot.slice(0, _count);
+                endSlot = endSlot.slice(0, _count);
+                endsUpToDepth = endsUpToDepth.slice(0, _count);
+                levelAndAxis = levelAndAxis.slice(0, _count);
+            }
+            setRoom(_count);
             _count = 0;
         }
 
@@ -324,14 +328,19 @@ package starlogo.hierarchy
             var node:int = _count;
             if (node == left.length)
             {
-                boxes.length = 12 * node;
-                left.length = firstSlot.length = endSlot.length = endsUpToDepth.length = levelAndAxis.length = 2 * node;
+                setRoom(2 * node);
             }
             firstSlot[node] = from;
             endSlot[node] = to;
             endsUpToDepth[node] = EXACT;
             levelAndAxis[node] = level << 2;
             _count = node + 1;
+        }
+
+        private function setRoom(count:int):void
+        {
+            boxes.length = 6 * count;
+            left.length = firstSlot.length = endSlot.length = endsUpToDepth.length = levelAndAxis.length = count;
         }
     }
 }

@@ -18,10 +18,8 @@ package starlogo.models.text
         {
             text = replaceAll(text, "\n", " ");
             text = replaceAll(text, "\r", " ");
-            text = singleSpaced(replaceAll(text, "\t", " "));
-            var start:int = text.charCodeAt(0) == SPACE ? 1 : 0;
-            var end:int = text.charCodeAt(text.length - 1) == SPACE ? text.length - 1 : text.length;
-            return end > start ? text.substring(start, end).split(" ") : [];
+            text = trimmed(singleSpaced(replaceAll(text, "\t", " ")));
+            return text == "" ? [] : text.split(" ");
         }
 
         /**

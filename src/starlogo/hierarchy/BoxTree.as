@@ -312,7 +312,8 @@ package starlogo.hierarchy
                 endsUpToDepth = endsUpToDepth.slice(0, _count);
                 levelAndAxis = levelAndAxis.slice(0, _count);
             }
-            setRoom(_count);
+            boxes.length = 6 * _count;
+            left.length = firstSlot.length = endSlot.length = endsUpToDepth.length = levelAndAxis.length = _count;
             _count = 0;
         }
 
@@ -328,19 +329,14 @@ package starlogo.hierarchy
             var node:int = _count;
             if (node == left.length)
             {
-                setRoom(2 * node);
+                boxes.length = 12 * node;
+                left.length = firstSlot.length = endSlot.length = endsUpToDepth.length = levelAndAxis.length = 2 * node;
             }
             firstSlot[node] = from;
             endSlot[node] = to;
             endsUpToDepth[node] = EXACT;
             levelAndAxis[node] = level << 2;
             _count = node + 1;
-        }
-
-        private function setRoom(count:int):void
-        {
-            boxes.length = 6 * count;
-            left.length = firstSlot.length = endSlot.length = endsUpToDepth.length = levelAndAxis.length = count;
         }
     }
 }

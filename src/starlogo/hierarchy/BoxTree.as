@@ -302,13 +302,18 @@ package starlogo.hierarchy
         /** Ends the making of nodes. */
         public function completeNodes():void
         {
-            // V8 keeps all of a list that is shortened by less than half
-            boxes = boxes.slice(0, 6 * _count);
-            left = left.slice(0, _count);
-            firstSlot = firstSlot.slice(0, _count);
-            endSlot = endSlot.slice(0, _count);
-            endsUpToDepth = endsUpToDepth.slice(0, _count);
-            levelAndAxis = levelAndAxis.slice(0, _count);
+            // V8 keeps all of a list that is shortened by less than half, and copying takes time
+            if (4 * _count < 3 * left.length)
+            {
+                boxes = boxes.slice(0, 6 * _count);
+                left = left.slice(0, _count);
+                firstSlot = firstSlot.slice(0, _count);
+                endSlot = endSlot.slice(0, _count);
+                endsUpToDepth = endsUpToDepth.slice(0, _count);
+                levelAndAxis = levelAndAxis.slice(0, _count);
+            }
+            boxes.length = 6 * _count;
+            left.length = firstSlot.length = endSlot.length = endsUpToDepth.length = levelAndAxis.length = _count;
             _count = 0;
         }
 

@@ -31,8 +31,8 @@ package starlogo.solid
     import starlogo.hierarchy.BoxTreeBuilder;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.hierarchy.TriangleMesh;
-    import starlogo.solid.interior.InteriorBuilder;
     import starlogo.solid.interior.ClearRayVisitor;
+    import starlogo.solid.interior.InteriorBuilder;
     import starlogo.solid.interior.SurfaceTopology;
     import starlogo.solid.interior.WindingCounter;
     import starlogo.steps.StepSequence;

@@ -13,8 +13,8 @@ package starlogo.solid
     import starlogo.hierarchy.ImpactTraversal;
     import starlogo.hierarchy.NodePairKernel;
     import starlogo.hierarchy.OverlapTraversal;
-    import starlogo.hierarchy.TreePair;
     import starlogo.hierarchy.TreeCounts;
+    import starlogo.hierarchy.TreePair;
     import starlogo.intersection.StructurePairs;
 
     use namespace engine;

@@ -7,8 +7,8 @@ package starlogo.solid
     import starlogo.geometry.placePoints;
     import starlogo.hierarchy.BestPair;
     import starlogo.hierarchy.NodePairKernel;
-    import starlogo.hierarchy.TreePair;
     import starlogo.hierarchy.TreeCounts;
+    import starlogo.hierarchy.TreePair;
     import starlogo.hierarchy.TriangleMesh;
     import starlogo.intersection.TriangleKernel;
 

@@ -181,7 +181,7 @@ package starlogo.models.collada
             var roots:Vector.<ColladaElement> = new Vector.<ColladaElement>();
             for each (var skeleton:ColladaElement in instance.childrenNamed("skeleton"))
             {
-                var url:String = TextWords.of(skeleton.text).join(" ");
+                var url:String = TextWords.trimmed(skeleton.text);
                 var root:ColladaElement = skeleton.elementAt("node", url) || skeleton.elementAt("visual_scene", url);
                 skeleton.refuseIf(root == null, "there is no <node> with the id \"" + shortened(url.substr(1)) + "\"");
                 roots.push(root);

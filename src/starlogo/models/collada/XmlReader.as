@@ -29,7 +29,6 @@ package starlogo.models.collada
         private static const LINE_END:RegExp = /\r\n|\r|\n/;
         private static const NAME_END:RegExp = /[\s\/]/;
         private static const ATTRIBUTE:RegExp = /^\s+([^\s=]+)\s*=\s*$/;
-        private static const SPACE_AROUND:RegExp = /^\s+|\s+$/g;
         private static const TAG_END:RegExp = /^\s*\/?$/;
         private static const ENTITY:RegExp = /&(#x[\da-fA-F]+|#\d+|lt|gt|amp|quot|apos);/g;
         private static const ENTITIES:Object = {lt: "<", gt: ">", amp: "&", quot: "\"", apos: "'"};
@@ -140,7 +139,7 @@ package starlogo.models.collada
                 // those with a prefix are of other namespaces: "xml:id", "xmlns:name"
                 if (words[1].indexOf(":") < 0)
                 {
-                    attributes[keyOf(words[1])] = decoded(_text.substring(quote + 1, close)).replace(SPACE_AROUND, "");
+                    attributes[keyOf(words[1])] = TextWords.trimmed(decoded(_text.substring(quote + 1, close)));
                 }
                 _at = close + 1;
                 end = end < close ? endOf(">") - 1 : end;

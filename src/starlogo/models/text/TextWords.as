@@ -18,10 +18,8 @@ package starlogo.models.text
         {
             text = replaceAll(text, "\n", " ");
             text = replaceAll(text, "\r", " ");
-            text = singleSpaced(replaceAll(text, "\t", " "));
-            var start:int = text.charCodeAt(0) == SPACE ? 1 : 0;
-            var end:int = text.charCodeAt(text.length - 1) == SPACE ? text.length - 1 : text.length;
-            return end > start ? text.substring(start, end).split(" ") : [];
+            text = trimmed(singleSpaced(replaceAll(text, "\t", " ")));
+            return text == "" ? [] : text.split(" ");
         }
 
         /**
@@ -56,6 +54,22 @@ package starlogo.models.text
         public static function withoutByteOrderMark(text:String):String
         {
             return text.charCodeAt(0) == 0xFEFF ? text.substr(1) : text;
+        }
+
+        /** The text without the spaces, tabs and ends of lines around it. */
+        public static function trimmed(text:String):String
+        {
+            var start:int = 0;
+            var end:int = text.length;
+            while (text.charCodeAt(start) <= SPACE)
+            {
+                start++;
+            }
+            while (end > start && text.charCodeAt(end - 1) <= SPACE)
+            {
+                end--;
+            }
+            return text.substring(start, end);
         }
 
         /** The text with one space wherever there are more in a row. */

@@ -9,7 +9,7 @@ package starlogo.solid.interior
      * Finds the vertices that are at the same place, within a tolerance, because rounding may have separated the vertices of a seam. A hash
      * table has the places by the cells of a grid. A cell is so much wider than the tolerance that most vertices are farther than that from
      * all other cells. Then no other cell is searched. Places are farther apart than the tolerance, so a cell has few of them. The table is not
-     * a IntPairMap, because it need not tell cells apart: a vertex is compared with the places anyway. A IntPairMap would take longer.
+     * an IntPairMap, because it need not tell cells apart: a vertex is compared with the places anyway. An IntPairMap would take longer.
      */
     internal final class Welding extends StepSequence
     {

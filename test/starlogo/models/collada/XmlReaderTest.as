@@ -1,7 +1,9 @@
 package starlogo.models.collada
 {
+    import flash.utils.getTimer;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertNull;
+    import org.flexunit.asserts.assertTrue;
     import starlogo.models.ModelError;
     import starlogo.models.files.FileBudget;
     import starlogo.models.text.TextWords;
@@ -32,6 +34,18 @@ package starlogo.models.collada
             assertEquals("1", root.attribute("b"));
             assertEquals("", root.attribute("e"));
             assertEquals("d", root.children[0].name);
+        }
+
+        [Test]
+        public function attributesHaveNoBlanksAroundThem():void
+        {
+            assertEquals("b  c", read("<a b=' \t\r\nb  c\n '/>").attribute("b"));
+            assertEquals("", read("<a b=' \n '/>").attribute("b"));
+            // the time must not be that of the square of the length
+            var blanks:String = new Array(300000).join(" ");
+            var start:int = getTimer();
+            assertEquals("b" + blanks + "c", read("<a b='" + blanks + "b" + blanks + "c'/>").attribute("b"));
+            assertTrue(getTimer() - start < 2000);
         }
 
         [Test]

@@ -48,8 +48,8 @@ package starlogo.debug
 
         /**
          * The lines of the shape that a collision system tests for an agent. While the agent's model is loading, if it was removed from the GreatLand,
-         * and for the ground and the edges of the world there are none. The lines of a model are computed on the first call, and after a call with another system. Other
-         * calls take a time proportional to the number of lines.
+         * and for the ground and the edges of the world there are none. The lines of a model are computed on the first call, and after a call with
+         * another system. Other calls take a time proportional to the number of lines.
          *
          * @param agent any agent
          * @param system has the shapes: one of the engine's systems, a LevelCollider, or a Collider with a ShapeChoice of the game's own. For a system

@@ -142,7 +142,7 @@ package starlogo.search
             return displacements.x[a] != 0 || displacements.y[a] != 0 || displacements.z[a] != 0 ? 0 : 1;
         }
 
-        // Whether two rows touch where they are. Only the second may be of the world.
+        // Whether two rows touch where they are. Only the second may be the ground or the edges.
         private function areTouching(a:int, b:int):Boolean
         {
             return _narrowPhase.areTouching(_table.bodyOf(a), _table.bodyOf(b));

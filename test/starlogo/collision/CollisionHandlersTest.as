@@ -276,10 +276,10 @@ package starlogo.collision
 
         private static function throwing(push:Function, random:SeededRandom, things:Array):Function
         {
-            var serial:int = random.integer(0, 1000000);
+            var name:int = random.integer(0, 1000000);
             return function(collider:Agent, collidee:Agent):void
             {
-                push(serial + " " + collider.x + " " + collidee.x);
+                push(name + " " + collider.x + " " + collidee.x);
                 var chosen:Number = random.next();
                 if (random.chance(0.3))
                 {

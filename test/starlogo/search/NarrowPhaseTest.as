@@ -31,10 +31,10 @@ package starlogo.search
 
         private function checkOrder(agent:EnvironmentAgent):void
         {
-            var world:Body = new Body();
-            world.setToAgent(agent, agent.surface);
-            assertTrue(_tests.pairTestsFor(_body, world) != null);
-            assertTrue("in either order", _tests.areTouching(world, _body) == _tests.areTouching(_body, world));
+            var environment:Body = new Body();
+            environment.setToAgent(agent, agent.surface);
+            assertTrue(_tests.pairTestsFor(_body, environment) != null);
+            assertTrue("in either order", _tests.areTouching(environment, _body) == _tests.areTouching(_body, environment));
         }
     }
 }

@@ -253,10 +253,10 @@ package starlogo.collision.snapshots
             requireIntact(parts.hasTraits || bytes.position == bytes.length);
         }
 
-        // What stands for the environment: the ground and the edges, or null, and those that were exchanged.
-        private static function readTouches(bytes:ByteArray, agents:Vector.<Agent>, world:Vector.<Agent>, names:SnapshotNames):TouchTracker
+        // @param environment the ground and the edges, or null, and those that were exchanged
+        private static function readTouches(bytes:ByteArray, agents:Vector.<Agent>, environment:Vector.<Agent>, names:SnapshotNames):TouchTracker
         {
-            var partners:Vector.<Agent> = agents.concat(world);
+            var partners:Vector.<Agent> = agents.concat(environment);
             var touches:TouchTracker = new TouchTracker();
             var pairs:uint = bytes.readUnsignedInt();
             for (var left:uint = pairs; left > 0; left--)

@@ -4,7 +4,7 @@
 // - findFirstTouch: the time 0, and the contact there.
 // - findImpactOfSurfaces: the time 0, or the first moment at which their surfaces touch, also if one is inside of the other.
 // - findImpactOfSolids: the same, but the time 0 if one is inside of the other.
-// Otherwise all find the first touch. Only findFirstTouch finds one that rounding hides at the end of the motion.
+// Otherwise all find the first touch. Only findFirstTouch finds one that rounding hides at the end of a motion far shorter than they are.
 package starlogo.search.pairs
 {
     import flash.errors.IllegalOperationError;

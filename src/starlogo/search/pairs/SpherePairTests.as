@@ -194,7 +194,7 @@ package starlogo.search.pairs
             // The margin of the motion. Its start is 0 or the reverse of it: see Touching.
             gap.radiusA += Tolerances.ROUNDING * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             findTimeOfSpheres(gap, motion);
-            // rounding can miss a touch at the end of the motion
+            // rounding can miss a touch at the end of a motion that is far shorter than the two
             if (motion.time == RelativeMotion.NEVER && areTouchingAtEnd)
             {
                 motion.time = 1;

@@ -52,7 +52,7 @@ package starlogo.search.pairs
             var structureB:BoundingStructure = b.worldStructure();
             _counts.structures[BoundingStructure.KIND_COUNT * a.kind + b.kind]++;
             StructurePairs.findTimeOfImpact(structureA, structureB, motion);
-            // rounding can miss a touch at the end of the motion
+            // rounding can miss a touch at the end of a motion that is far shorter than the two
             if (motion.time == RelativeMotion.NEVER && StructurePairs.areTouching(structureA, structureB))
             {
                 motion.time = 1;

@@ -385,6 +385,26 @@ test('set back by frames, the game goes on as it did', () => {
 	assert.equal(places(world), end);
 });
 
+test('set back by frames, breeds have the settings of then, and questions see the agents of then', () => {
+	const at = (frame, block) => each('walls', { type: 'controls_if', inputs: { IF0: value('logic_compare', { OP: 'EQ' }, { A: value('starlogo_clock'), B: number(frame / 60) }), DO0: { block } } });
+	const world = played(program(
+		start(create(2, 'bears', 'bear'), create(1, 'walls', 'wall', go(9, 9, 0))), each('bears', forward(0.1)),
+		at(10, { type: 'starlogo_hierarchical', fields: { WHO: 'bears', ON: 'on' } }), at(10, { type: 'starlogo_show', fields: { WHO: 'bears', ON: 'on' } }), at(10, { type: 'starlogo_hatch', fields: { SHAPE: 'bear', BREED: 'bears' } }),
+	), 12);
+	const [bear, other] = world.agents;
+	const born = () => world.add('bear', 'bears', null);
+	assert.deepEqual([born().hierarchical, world.structures.isShown(bear), world.senses.queries.touching(bear).includes(other)], [true, true, true]);
+	world.history.show(7);
+	assert.deepEqual([world.frame, born().hierarchical, bear.hierarchical, world.structures.isShown(bear)], [5, false, false, false]);
+	for (let i = 0; i < 7; i++) world.step();
+	assert.deepEqual([born().hierarchical, world.structures.isShown(bear)], [true, true], 'it goes the same way again');
+	other.moveTo(5, 5, 0);
+	world.collide();
+	assert.ok(!world.senses.queries.touching(bear).includes(other), 'an agent that was dragged is seen at its place');
+	world.history.show(1);
+	assert.ok(world.senses.queries.touching(bear).includes(other));
+});
+
 test('one game hears the keys of another: under the same system it is the same, under another one others touch', () => {
 	const game = program(...parts.GAMES.paintball.blocks.blocks, start({ type: 'starlogo_system', fields: { SYSTEM: 'exact' } }));
 	const play = (system) => {
@@ -964,6 +984,21 @@ test('a program as JavaScript is a module on the package that plays the same gam
 		}
 		if (name in parts.GAMES || name === 'everything') assert.ok(moved > 30, `${name}: ${moved} frames in which somebody moved`);
 	}
+});
+
+test('a text in a variable counts as its number, in the game and as JavaScript', async () => {
+	const VAR = { id: 'v' };
+	const state = { ...program(start(create(1, 'bears', 'bear',
+		{ type: 'variables_set', fields: { VAR }, inputs: { VALUE: value('text', { TEXT: '5' }) } }, { type: 'math_change', fields: { VAR }, inputs: { DELTA: number(1) } },
+		{ type: 'starlogo_own_set', fields: { NAME: 'n' }, inputs: { VALUE: value('text', { TEXT: '2' }) } }, { type: 'starlogo_own_change', fields: { NAME: 'n' }, inputs: { DELTA: value('starlogo_own', { NAME: 'n' }) } },
+		{ type: 'starlogo_score_set', inputs: { SCORE: value('math_arithmetic', { OP: 'ADD' }, { A: value('variables_get', { VAR }), B: value('starlogo_own', { NAME: 'n' }) }) } }))), variables: [{ id: 'v', name: 'v' }] };
+	const text = parts.javascriptOf(state, 'texts', made).replace(/^for \(let i = 0; i < 600 .*\nconsole\.log.*$/m, '');
+	const file = path.join(root, 'bin/generated/javascript/texts.mjs');
+	mkdirSync(path.dirname(file), { recursive: true });
+	writeFileSync(file, text.replace('"starlogo-collision"', JSON.stringify(pathToFileURL(path.join(root, 'bin/module/starlogo-collision.js')).href)));
+	const { game } = await import(pathToFileURL(file).href);
+	assert.deepEqual([played(state, 0).score, game.score], [10, 10]);
+	assert.ok(!parts.javascriptOf(everything(), 'none', made).includes('Number('), 'and is left out where no variable is a text');
 });
 
 test('a program as JavaScript runs in Node as its first line says, with the package beside it and no other file', async () => {

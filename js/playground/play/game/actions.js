@@ -80,10 +80,10 @@ const about = (use) => (block, world) => () => use(me(block, world), block.field
 
 export const STATEMENTS = {
 	starlogo_system: (block, world) => () => world.isSystemFixed || world.useSystem(block.fields.SYSTEM),
-	starlogo_hierarchical: (block, world) => () => world.traits.setHierarchical(whom(block, world), block.fields.ON === "on"),
-	starlogo_depth: withInputs(value, ["DEPTH"], ([depth], block, world) => world.traits.setCollisionDepth(whom(block, world), Number(depth))),
-	starlogo_collide_as: (block, world) => () => world.traits.collideAs(whom(block, world), block.fields.AS),
-	starlogo_show: (block, world) => () => world.structures.show(whom(block, world), block.fields.ON === "on"),
+	starlogo_hierarchical: (block, world) => () => world.setTrait("setHierarchical", whom(block, world), block.fields.ON === "on"),
+	starlogo_depth: withInputs(value, ["DEPTH"], ([depth], block, world) => world.setTrait("setCollisionDepth", whom(block, world), Number(depth))),
+	starlogo_collide_as: (block, world) => () => world.setTrait("collideAs", whom(block, world), block.fields.AS),
+	starlogo_show: (block, world) => () => world.showStructures(whom(block, world), block.fields.ON === "on"),
 	starlogo_sweep: (block, world) => () => world.sweep(whom(block, world), block.fields.ON === "on"),
 	starlogo_until: withNumber("STEPS", (agent, steps, { BREED, HOW }, world) => world.moves.advance(agent, steps, breedOf(BREED), HOW)),
 	starlogo_face: withValue("AGENT", (agent, other, fields, world) => world.moves.face(agent, other), null),

@@ -59,11 +59,11 @@ export class History {
 		const { world } = this;
 		const at = Math.max(0, this.#frames.length - 1 - back);
 		const { searched, living, all, traits, bytes, system, state } = this.#frames[at];
-		all.forEach((agent, i) => restore(agent, traits[i]));
 		world.agents.splice(0, Infinity, ...living);
 		Object.assign(world.state, copyOf(state));
 		world.useSystem(system);
-		world.solidBreeds = state.solid;
+		world.restoreBlocks();
+		all.forEach((agent, i) => restore(agent, traits[i]));
 		world.collisions.collision.restore(bytes, searched);
 		this.shown = at;
 	}

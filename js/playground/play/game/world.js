@@ -63,7 +63,7 @@ export class World {
 		this.state = {
 			frame: 0, seed, made: 0,
 			score: null, goal: null, limit: null, ground: MEADOW, ended: null,
-			sweeping: {}, solid: [],
+			sweeping: {}, breedTraits: new Map(), structures: new Map(), solid: [],
 			messages: [], shown: [], variables: {}, threads: [],
 			totals: new Map(), events: [], pairs: new Map(), meetings: 0, touching: 0,
 		};
@@ -191,6 +191,7 @@ export class World {
 		this.collisions.collision.update(this.agents);
 		this.collisionMs = Math.max(0, performance.now() - start - this.#handled);
 		this.state.touching = this.collisions.collision.statistics.collisions;
+		this.#areSensesOld = true;
 	}
 
 	#isDue(event, fields, seconds) {
@@ -285,6 +286,28 @@ export class World {
 	#welcome(agent) {
 		this.traits.welcome(agent);
 		agent.sweeps = this.state.sweeping[agent.breed] ?? agent.sweeps;
+	}
+
+	/** Sets a trait by one of the engine's blocks. For a breed it counts for agents that join it later, too. */
+	setTrait(block, whom, value) {
+		this.traits[block](whom, value);
+		if (typeof whom === "string") this.state.breedTraits = new Map(this.state.breedTraits).set(`${block} ${whom}`, [block, whom, value]);
+	}
+
+	/** Shows the bounding structures of an agent or of a breed, or no more. */
+	showStructures(whom, isOn) {
+		this.structures.show(whom, isOn);
+		this.state.structures = new Map(this.state.structures).set(whom, isOn);
+	}
+
+	/** Tells the engine's blocks of breeds and structures what the state says of them, because it is another frame's. */
+	restoreBlocks() {
+		this.traits.forgetBreeds();
+		for (const [block, breed, value] of this.state.breedTraits.values()) this.traits[block](breed, value);
+		this.structures.showNone();
+		for (const [whom, isOn] of this.state.structures) this.structures.show(whom, isOn);
+		this.solidBreeds = this.state.solid;
+		this.#areSensesOld = true;
 	}
 
 	/** Has an agent collide along its way, or not. For a breed it counts for agents that join it later, too. */

@@ -261,7 +261,7 @@ export class Programs {
 
 	/** Renames one of the user's programs. */
 	rename(id, name) {
-		this.shelf.put({ id, name });
+		if (this.shelf.find(id)) this.shelf.put({ id, name });
 		if (id === this.#name) this.#showTitle(name);
 	}
 

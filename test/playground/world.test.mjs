@@ -423,7 +423,7 @@ test('one game hears the keys of another: under the same system it is the same, 
 				first.press('space');
 				first.release('space');
 			}
-			second.hear(first);
+			second.copyInputOf(first);
 			second.step();
 			first.step();
 			differences += [...first.state.pairs.keys()].join() === [...second.state.pairs.keys()].join() ? 0 : 1;

@@ -4,7 +4,7 @@
 import { CollisionBlocks } from "starlogo-collision";
 import { CAST } from "../shared/scattered.js";
 import { button, choice, field, fileButton, h, modes, short } from "../shared/dom.js";
-import { hand } from "../shared/files/hand.js";
+import { download } from "../shared/files/download.js";
 import { texts } from "../shared/language.js";
 import { recallList, rememberValue } from "../shared/files/memory.js";
 import { MODEL_FILE } from "../shared/files/files.js";
@@ -53,8 +53,8 @@ class MeasureView {
 		const most = choice(COUNTS.slice(2).map((count) => [String(count), String(count)]), String(FIRST_MOST), (count) => {
 			this.#most = Number(count);
 		});
-		this.keepers = [button(words.keep, () => this.#keep()), button(words.download, () => hand(JSON.stringify(this.result, null, 1), words.fileName, "application/json")),
-			button(words.downloadChart, () => hand(fileOf(this.picture.firstChild), words.chartName, "image/svg+xml"))];
+		this.keepers = [button(words.keep, () => this.#keep()), button(words.download, () => download(JSON.stringify(this.result, null, 1), words.fileName, "application/json")),
+			button(words.downloadChart, () => download(fileOf(this.picture.firstChild), words.chartName, "image/svg+xml"))];
 		this.live = new Live(greatLand);
 		this.series = h("div.series", { hidden: true });
 		main.replaceChildren(modes(words, "live", (mode) => this.#turnTo(mode)), this.live.element, this.series);

@@ -57,7 +57,7 @@ export class Beside {
 	/** Does a frame, before the first game does its own. */
 	step() {
 		if (this.world.ended) return;
-		this.world.hear(this.view.world);
+		this.world.copyInputOf(this.view.world);
 		this.world.step();
 	}
 

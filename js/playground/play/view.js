@@ -8,7 +8,7 @@ import { texts } from "../shared/language.js";
 import { Loop } from "../shared/loop.js";
 import { BuildBar } from "./screen/buildbar.js";
 import { Keys } from "./screen/keys.js";
-import { Models } from "./programs/kept.js";
+import { Models } from "./programs/modelshelf.js";
 import { LandStage } from "./screen/landstage.js";
 import { Layout } from "./screen/layout.js";
 import { loadMessages } from "./blocks/messages.js";

@@ -1,7 +1,7 @@
 /** The page of a class: what pupils have handed in, who has solved what, and each program with its picture, to play at a click. */
 import { button, fileButton, h } from "../shared/dom.js";
-import { hand } from "../shared/files/hand.js";
-import { handed } from "../shared/files/handed.js";
+import { download } from "../shared/files/download.js";
+import { handed } from "../shared/files/submissions.js";
 import { failure, texts } from "../shared/language.js";
 
 const words = texts.handing;
@@ -27,7 +27,7 @@ export class ClassPage {
 		this.list = h("div.class");
 		this.how = h("ol.steps.no-print", {}, ...words.classSteps.map((step) => h("li", {}, step)));
 		this.forgetButton = button(words.forgetClass, () => this.#ask());
-		this.tableButton = button(words.csv, () => hand(this.#csv, "class.csv", "text/csv"));
+		this.tableButton = button(words.csv, () => download(this.#csv, "class.csv", "text/csv"));
 		this.printButton = button(texts.teach.print, () => print());
 		main.replaceChildren(h("section.sheet.wide", { "aria-label": words.classTitle },
 			h("div.tools.no-print", {}, h("a", { href: "#teach" }, texts.teach.all), this.printButton),

@@ -1,6 +1,6 @@
 /** A program to print: its name, its picture and its blocks. */
 import { button, h } from "../shared/dom.js";
-import { handed } from "../shared/files/handed.js";
+import { handed } from "../shared/files/submissions.js";
 import { texts } from "../shared/language.js";
 import { loadMessages } from "../play/blocks/messages.js";
 
@@ -12,12 +12,12 @@ const SMALLEST = 0.5;
 
 /** The program of an address, with its name, its pupil's name and its own models; null if there is none. */
 async function find(address) {
-	const [{ BROUGHT }, { Shelf, fromLink }] = await Promise.all([import("../play/brought/library.js"), import("../play/programs/storage.js")]);
+	const [{ BUILT_IN_PROGRAMS }, { Shelf, fromLink }] = await Promise.all([import("../play/builtin/library.js"), import("../play/programs/storage.js")]);
 	const entry = handed.at(address) ?? new Shelf().find(address);
 	if (entry) return entry;
-	if (Object.hasOwn(BROUGHT, address)) {
+	if (Object.hasOwn(BUILT_IN_PROGRAMS, address)) {
 		const lesson = address.replace(/^lesson-/, "");
-		return { program: BROUGHT[address], name: texts.play.games[address] ?? texts.play.examples[address] ?? texts.lessons.list[lesson].title };
+		return { program: BUILT_IN_PROGRAMS[address], name: texts.play.games[address] ?? texts.play.examples[address] ?? texts.lessons.list[lesson].title };
 	}
 	try {
 		const { name, ...program } = await fromLink(address);
@@ -45,7 +45,7 @@ export async function showProgram(main, address) {
 		h("div.tools.no-print", {}, h("a", { href: `#play/${address}` }, words.backToPlay), button(words.print, () => print(), { class: "primary" })),
 		h("h2", {}, name), h("p.by", {}, `${texts.handing.name}: `, pupil ? h("strong", {}, pupil) : h("span.blank-line")), picture,
 		h("p.note", {}, `${texts.play.system}: ${system}`), h("h3", {}, words.blocks), blocks));
-	const [{ drawInto }, { Models }] = await Promise.all([import("../play/screen/pictures.js"), import("../play/programs/kept.js"), loadMessages()]);
+	const [{ drawInto }, { Models }] = await Promise.all([import("../play/screen/pictures.js"), import("../play/programs/modelshelf.js"), loadMessages()]);
 	const own = Object.entries(models ?? await Models.kept()).filter(([each]) => JSON.stringify(program).includes(JSON.stringify(each)));
 	await drawInto(picture, main, program, Object.fromEntries(own));
 	const { showBlocks } = await import("../play/blocks/editor.js");

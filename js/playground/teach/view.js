@@ -41,7 +41,7 @@ class TeachView {
 			if (this.asked === name && this.main.isConnected) showInClass(this.main);
 			return;
 		}
-		const [{ ClassPage }, { showProgram }, { handed }] = await Promise.all([import("./class.js"), import("./program.js"), import("../shared/files/handed.js")]);
+		const [{ ClassPage }, { showProgram }, { handed }] = await Promise.all([import("./class.js"), import("./program.js"), import("../shared/files/submissions.js")]);
 		await handed.open();
 		if (this.asked !== name || !this.main.isConnected) return;
 		if (name === "class") this.class = new ClassPage(this.main);
@@ -118,7 +118,7 @@ class TeachView {
 
 	/** Draws the pictures of a sheet, which come late. The words can be read meanwhile. Returns whether the sheet is still shown. */
 	async #draw(name, picture, blocks, solvedBlocks) {
-		const [{ LESSONS }, { drawInto }, { loadMessages }, { solved, isSolvedBySystem }] = await Promise.all([import("../play/brought/library.js"), import("../play/screen/pictures.js"), import("../play/blocks/messages.js"), import("./solutions.js")]);
+		const [{ LESSONS }, { drawInto }, { loadMessages }, { solved, isSolvedBySystem }] = await Promise.all([import("../play/builtin/library.js"), import("../play/screen/pictures.js"), import("../play/blocks/messages.js"), import("./solutions.js")]);
 		if (!picture.isConnected) return false;
 		const { program } = LESSONS[name];
 		await drawInto(picture, this.main, program);

@@ -344,8 +344,8 @@ export function javascriptOf(program, title, models, file = "game", ending = TEN
 		return `${EVENTS[block.type](it)}function* (${isAlone ? "" : isPair ? "me, collidee" : "me"}) {${body.length > 0 ? `\n${body.join("\n")}\n` : ""}});`;
 	});
 	const shapes = shapesOf(program);
-	const brought = shapes.filter((name) => models.has(name) && !BUILT_IN.includes(name)).map((name) => making(name, models.get(name)));
-	const addModels = [...shapes.filter((name) => BUILT_IN.includes(name)).map((name) => `greatLand.addModel(BuiltInModel.${name}());`), ...linesIf(brought.length > 0, "for (const model of models()) greatLand.addModel(model);")];
+	const included = shapes.filter((name) => models.has(name) && !BUILT_IN.includes(name)).map((name) => making(name, models.get(name)));
+	const addModels = [...shapes.filter((name) => BUILT_IN.includes(name)).map((name) => `greatLand.addModel(BuiltInModel.${name}());`), ...linesIf(included.length > 0, "for (const model of models()) greatLand.addModel(model);")];
 	const { system = CollisionBlocks.TIGHTEST_FITS } = program;
 	const main = [...addModels, ...scripts].join("\n");
 	const hasEdges = /\bedges\.|Collision\.EDGE/.test(main);
@@ -386,7 +386,7 @@ export function javascriptOf(program, title, models, file = "game", ending = TEN
 		...linesIf(hasEdges, "const edges = new TerrainBlocks(collisions, detection);", `collisions.collision.bounds = new WorldBounds(${-HALF_WIDTH}, ${-HALF_WIDTH}, -Infinity, ${HALF_WIDTH}, ${HALF_WIDTH}, Infinity);`),
 		...linesIf(has("systemsOfNow"), "const systemsOfNow = new CollisionBlocks(greatLand, []);"),
 	];
-	const code = [main, BEING, ENGINE, ...helpers, ...blocks, brought.length > 0 ? "new Model" : "", "new GreatLand"].join("\n");
+	const code = [main, BEING, ENGINE, ...helpers, ...blocks, included.length > 0 ? "new Model" : "", "new GreatLand"].join("\n");
 	return [
 		`// “${title.replaceAll(/\s+/g, " ")}”: a program of blocks as a module, with its models. It plays without a picture: node ${file}.mjs`,
 		INSTALL,
@@ -401,7 +401,7 @@ export function javascriptOf(program, title, models, file = "game", ending = TEN
 		ending,
 		"// what makes it a game", "",
 		[ENGINE, ...helpers].map(fill).join("\n\n"), "",
-		...linesIf(brought.length > 0, MODELS(brought), ""),
+		...linesIf(included.length > 0, MODELS(included), ""),
 	].join("\n");
 }
 

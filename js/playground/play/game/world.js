@@ -108,7 +108,7 @@ export class World {
 			if (this.isWatched && a.number < b.number) this.state.pairs.set(`${a.number} ${b.number}`, [a, b]);
 		}));
 		this.collisions.whenTouchingStarts(Collision.ANY_BREED, Collision.ANY_BREED, (a, b, { point }) => this.#timed(() => {
-			if (a.id < b.id) this.#meet(a, b, point);
+			if (a.id < b.id) this.#recordTouch(a, b, point);
 		}));
 		for (const { event, fields, code } of this.#scripts) this.#listen(event, fields, code);
 		this.rounds.begin();
@@ -141,7 +141,7 @@ export class World {
 		if (!thread.run(this)) this.threads.push(thread);
 	}
 
-	#meet(a, b, { x, y, z }) {
+	#recordTouch(a, b, { x, y, z }) {
 		// agents that touch from the beginning have not hit each other
 		if (this.frame > 1) a.hit = b.hit = this.frame;
 		const names = [a.breed, b.breed].sort().join("\n");
@@ -228,7 +228,7 @@ export class World {
 	}
 
 	/** Takes the keys and the mouse of another game, which has not done its next step yet. */
-	hear(other) {
+	copyInputOf(other) {
 		this.held = other.held;
 		this.mouse = other.mouse;
 		this.#pressed = new Set(other.#pressed);

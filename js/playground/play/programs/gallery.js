@@ -1,8 +1,8 @@
 /** What is on the first screen: all programs and lessons, and models of the user's own. */
 import { texts } from "../../shared/language.js";
-import { brought, lessonOf, programOfLesson } from "../brought/brought.js";
+import { builtInProgram, lessonOf, programOfLesson } from "../builtin/builtin.js";
 import { LESSON_NAMES } from "./lessoncard.js";
-import { create, program, size, start } from "../brought/notation.js";
+import { create, program, size, start } from "../builtin/notation.js";
 
 const words = texts.play;
 /** The ids of models have this prefix. */
@@ -33,7 +33,7 @@ export class Gallery {
 	async programOf(id) {
 		const model = modelOf(id);
 		if (model !== null) return program(start(create(1, "turtles", model, size(3))));
-		return this.programs.shelf.find(id)?.program ?? brought(id);
+		return this.programs.shelf.find(id)?.program ?? builtInProgram(id);
 	}
 
 	async open(id) {

@@ -1,8 +1,8 @@
 /** Hands in a pupil's work: lessons, games, programs and models, as a file or a code for the teacher. Makes room for the next pupil. */
 import { toClipboard } from "../../shared/copying.js";
 import { button, field, h, openDialog } from "../../shared/dom.js";
-import { hand } from "../../shared/files/hand.js";
-import { toCode, toFile } from "../../shared/files/handed.js";
+import { download } from "../../shared/files/download.js";
+import { toCode, toFile } from "../../shared/files/submissions.js";
 import { texts } from "../../shared/language.js";
 import { recall, remember } from "../../shared/files/memory.js";
 import { fileName, meaning } from "./storage.js";
@@ -51,7 +51,7 @@ export function handIn(programs) {
 	const save = () => {
 		const all = work();
 		if (!all) return;
-		hand(toFile(all), words.fileName(fileName(all.pupil)), "application/json");
+		download(toFile(all), words.fileName(fileName(all.pupil)), "application/json");
 		said.textContent = words.saved(words.fileName(fileName(all.pupil)));
 		leave.textContent = texts.gallery.close;
 	};

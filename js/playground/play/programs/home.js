@@ -1,7 +1,7 @@
 /** The first screen: lessons, games and the user's own programs. Each has a picture of its beginning. */
 import { button, h } from "../../shared/dom.js";
 import { texts } from "../../shared/language.js";
-import { handIn, nextPupil } from "./giving.js";
+import { handIn, nextPupil } from "./sharing.js";
 
 const words = texts.gallery;
 

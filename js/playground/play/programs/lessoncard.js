@@ -101,7 +101,7 @@ export class LessonCard {
 		this.element.dataset.needs = ABOUT_SYSTEM.includes(name) ? "system" : "";
 		this.element.replaceChildren();
 		if (name === null) return this.onShow();
-		if (!this.#lessons) import("../brought/library.js").then(({ LESSONS }) => {
+		if (!this.#lessons) import("../builtin/library.js").then(({ LESSONS }) => {
 			this.#lessons = LESSONS;
 		});
 		const at = LESSON_NAMES.indexOf(name);

@@ -3,12 +3,12 @@ import { CollisionBlocks } from "starlogo-collision";
 import { button, fileButton, h } from "../../shared/dom.js";
 import { MODEL_FILE } from "../../shared/files/files.js";
 import { fixed, learn, texts } from "../../shared/language.js";
-import { brought, isBrought, lessonOf, programOfLesson } from "../brought/brought.js";
+import { builtInProgram, isBuiltIn, lessonOf, programOfLesson } from "../builtin/builtin.js";
 import { Gallery } from "./gallery.js";
-import { download, handIn, print, share, showJavascript } from "./giving.js";
+import { downloadProgram, handIn, print, share, showJavascript } from "./sharing.js";
 import { LESSON_NAMES, LessonCard } from "./lessoncard.js";
 import { menu, menuButton } from "./menu.js";
-import { create, program as programOf, size, start } from "../brought/notation.js";
+import { create, program as programOf, size, start } from "../builtin/notation.js";
 import { isProgram, isWork, modelsOf } from "../../shared/files/packing.js";
 import { Shelf, fromLink, meaning, toLink } from "./storage.js";
 
@@ -54,7 +54,7 @@ export class Programs {
 		this.title = h("input.title", { type: "text", maxlength: 60, "aria-label": words.title, onchange: () => this.#rename() });
 		this.kept = h("span.keeping");
 		this.keepButton = button(words.keep, () => this.#keep(), { title: words.keepNote });
-		this.menu = menu(button(words.new, () => this.openNew()), this.keepButton, button(words.save, () => download(this)),
+		this.menu = menu(button(words.new, () => this.openNew()), this.keepButton, button(words.save, () => downloadProgram(this)),
 			fileButton(words.open, ".json,.obj,.dae,.glb,.gltf,.stl,.bin", (...files) => this.openFile(...files)),
 			button(words.share, () => share(this)), button(words.javascript.title, () => showJavascript(this)), button(words.print, () => print(this)), button(texts.gallery.handIn, () => handIn(this)));
 		this.menuButton = menuButton(words.menu, this.menu);
@@ -82,7 +82,7 @@ export class Programs {
 			const isHome = !isFirst || this.isHome(argument);
 			if (isFirst) await this.#openLast();
 			if (isHome && !this.#home?.element.isConnected) await this.openHome();
-		} else if (isBrought(argument) || this.shelf.find(argument)) await this.choose(argument);
+		} else if (isBuiltIn(argument) || this.shelf.find(argument)) await this.choose(argument);
 		else if (argument.startsWith(HANDED)) await this.#openHanded(argument);
 		else await this.#openLink(argument);
 	}
@@ -101,7 +101,7 @@ export class Programs {
 
 	/** Opens a program that a pupil has handed in. */
 	async #openHanded(argument) {
-		const { handed } = await import("../../shared/files/handed.js");
+		const { handed } = await import("../../shared/files/submissions.js");
 		await handed.open();
 		const found = handed.at(argument);
 		if (!found) return this.#openNone(words.handedElsewhere);
@@ -120,10 +120,10 @@ export class Programs {
 	async first(argument) {
 		try {
 			if (this.shelf.find(argument)) return this.shelf.find(argument).program;
-			if (isBrought(argument)) return await brought(argument);
+			if (isBuiltIn(argument)) return await builtInProgram(argument);
 			return argument && argument !== HOME ? await fromLink(argument) : (await this.#last()).program;
 		} catch {
-			return brought(FIRST);
+			return builtInProgram(FIRST);
 		}
 	}
 
@@ -141,8 +141,8 @@ export class Programs {
 		const { last, all } = this.shelf;
 		const entry = this.shelf.find(last) ?? (last === null ? all.at(-1) : null);
 		if (entry && isProgram(entry.program)) return { program: entry.program, name: entry.id };
-		const name = last !== null && isBrought(last) ? last : FIRST;
-		return { program: await brought(name), name };
+		const name = last !== null && isBuiltIn(last) ? last : FIRST;
+		return { program: await builtInProgram(name), name };
 	}
 
 	async #openLast() {
@@ -154,7 +154,7 @@ export class Programs {
 			this.#show(program, name);
 		} catch {
 			// of another version
-			this.#show(await brought(FIRST), FIRST);
+			this.#show(await builtInProgram(FIRST), FIRST);
 		}
 		this.#isStopgap = !isChosen;
 	}
@@ -164,7 +164,7 @@ export class Programs {
 		const { view } = this;
 		const isFirst = this.#name === null || (this.#isStopgap && view.world.frame === 0);
 		const before = isFirst ? null : { program: this.program, name: this.#name, title: this.#title, lesson: this.#lesson };
-		view.editor.show(program, isBrought(name) || name === "link");
+		view.editor.show(program, isBuiltIn(name) || name === "link");
 		if (this.#name !== null || this.#asked !== null) this.#home?.leave();
 		this.#isStopgap = false;
 		this.#name = name;
@@ -245,7 +245,7 @@ export class Programs {
 	/** Called when a game has done its lesson. Keeps what did it, for the teacher. */
 	async solved(game) {
 		const { system = CollisionBlocks.TIGHTEST_FITS } = this.program;
-		const own = meaning(await brought(programOfLesson(this.#lesson)));
+		const own = meaning(await builtInProgram(programOfLesson(this.#lesson)));
 		this.shelf.putSolution(this.#lesson, game === own ? { system } : { ...JSON.parse(game), system });
 	}
 
@@ -287,7 +287,7 @@ export class Programs {
 		const name = isNew ? asked : this.#ownOf(asked);
 		this.#asked = name;
 		await this.view.editing;
-		const program = this.shelf.find(name)?.program ?? await brought(name);
+		const program = this.shelf.find(name)?.program ?? await builtInProgram(name);
 		if (this.#asked !== name) return;
 		try {
 			this.#show(program, name);
@@ -377,7 +377,7 @@ export class Programs {
 
 	#hearOtherTab() {
 		const entry = this.shelf.find(this.#name);
-		if (this.#isTaken || this.#name === null || this.#name === "link" || isBrought(this.#name)) return;
+		if (this.#isTaken || this.#name === null || this.#name === "link" || isBuiltIn(this.#name)) return;
 		if (entry && JSON.stringify(entry.program) === JSON.stringify(this.program)) return;
 		this.#isTaken = true;
 		this.view.say(words.elsewhere(entry?.name ?? this.#title));

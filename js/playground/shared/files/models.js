@@ -1,6 +1,6 @@
 /** The game's models: the twelve in the thesis's table, and those that only the playground has. */
 import { BuiltInModel, GreatLand, Model } from "starlogo-collision";
-import { MADE } from "./made.js";
+import { MADE } from "./generatedmodels.js";
 import { readModel } from "./served.js";
 
 const BUILT_IN = { sphere: () => BuiltInModel.sphere(), cube: () => BuiltInModel.cube(), cylinder: () => BuiltInModel.cylinder(), ...MADE };

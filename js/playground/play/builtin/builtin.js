@@ -12,11 +12,11 @@ export const programOfLesson = (lesson) => LESSON + lesson;
 export const lessonOf = (name) => (name.startsWith(LESSON) ? name.slice(LESSON.length) : null);
 
 /** Whether the page has a program with this name. */
-export const isBrought = (name) => name in texts.play.games || name in texts.play.examples || LESSON_NAMES.includes(lessonOf(name));
+export const isBuiltIn = (name) => name in texts.play.games || name in texts.play.examples || LESSON_NAMES.includes(lessonOf(name));
 
 /** A program of the page. */
-export async function brought(name) {
+export async function builtInProgram(name) {
 	await learn("game");
-	const { BROUGHT } = await import("./library.js");
-	return BROUGHT[name];
+	const { BUILT_IN_PROGRAMS } = await import("./library.js");
+	return BUILT_IN_PROGRAMS[name];
 }

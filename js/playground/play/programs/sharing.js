@@ -1,15 +1,15 @@
 /** Gives the open program away: as a file, a link, a module, a page to print; or all of the user's work to a teacher. */
 import { copyLink } from "../../shared/copying.js";
-import { hand } from "../../shared/files/hand.js";
+import { download } from "../../shared/files/download.js";
 import { learn, texts } from "../../shared/language.js";
 import { fileName, toLink } from "./storage.js";
 
 const words = texts.play;
 
 /** Saves the program as a file, with the user's own models in it. */
-export function download({ view, whole }) {
+export function downloadProgram({ view, whole }) {
 	const models = view.own.in(whole);
-	hand(JSON.stringify({ ...whole, ...(Object.keys(models).length > 0 && { models }) }, null, 1), `${fileName(whole.name)}.json`, "application/json");
+	download(JSON.stringify({ ...whole, ...(Object.keys(models).length > 0 && { models }) }, null, 1), `${fileName(whole.name)}.json`, "application/json");
 }
 
 /** Copies a link to the program. If the browser refuses, the link is shown. */

@@ -363,6 +363,36 @@ test('a random number between random numbers is between them', () => {
 	assert.deepEqual([...found].sort(), [1, 2, 3, 4, 5]);
 });
 
+test('a frame that stands still is searched again: collisions have run in it already, but touches may begin', () => {
+	const score = (type, OTHER, SCORE) => ({ type, fields: { BREED: 'bears', OTHER }, inputs: inside({ type: 'starlogo_score_change', inputs: { SCORE: number(SCORE) } }) });
+	const world = played(program(start(create(1, 'bears', 'bear'), create(1, 'walls', 'wall'), create(1, 'turtles', 'turtle', go(9, 9, 0))),
+		score('starlogo_collision', 'walls', 1), score('starlogo_collision', 'turtles', 10), score('starlogo_touch_start', 'turtles', 100)), 1);
+	assert.equal(world.score, 1);
+	for (const system of ['exact', 'unit spheres', 'tightest fits']) {
+		world.useSystem(system);
+		world.collideAgain();
+	}
+	assert.deepEqual([world.score, world.collisions.collision.statistics.collisions], [1, 1]);
+	world.agents[2].jumpTo(0, 0, 0);
+	world.collideAgain();
+	assert.equal(world.score, 101);
+	world.step();
+	assert.equal(world.score, 112);
+});
+
+test('every object\'s names are no names of programs; a game of a link leaves no best time for the next link', () => {
+	assert.deepEqual(['constructor', 'toString', 'lesson-constructor', 'maze', 'lesson-wing'].map(parts.isBuiltIn), [false, false, false, true, true]);
+	const kept = new Map();
+	globalThis.localStorage = { getItem: (key) => kept.get(key) ?? null, setItem: (key, text) => kept.set(key, text), removeItem: (key) => kept.delete(key) };
+	const shelf = new parts.Shelf();
+	for (const id of ['maze', 'link']) {
+		shelf.putRecord(id, 3);
+		shelf.putCamera(id, 'eyes');
+	}
+	assert.deepEqual(['maze', 'link'].map((id) => [shelf.recordOf(id), shelf.cameraOf(id)]), [[3, 'eyes'], [null, null]]);
+	delete globalThis.localStorage;
+});
+
 test('set back by frames, the game goes on as it did', () => {
 	const game = program(
 		start(create(20, 'turtles', 'turtle', { type: 'starlogo_scatter' }), create(8, 'walls', 'wall', { type: 'starlogo_scatter' }, sized(4))),

@@ -36,6 +36,8 @@ class MeasureView {
 	result = null;
 	/** The measurement of another machine, or an earlier one of this machine. */
 	other = null;
+	/** The measurement of the file that was opened last. */
+	#file = null;
 	#turn = 0;
 	#isRunning = false;
 	#most = FIRST_MOST;
@@ -136,12 +138,12 @@ class MeasureView {
 
 	#listOthers() {
 		const title = ({ machine, date }) => words.entry(machine, new Date(date).toLocaleString(texts.code, { dateStyle: "short", timeStyle: "short" }));
-		this.others.replaceChildren(h("option", { value: "" }, words.nothing), ...this.#all.map((each, i) => h("option", { value: i }, title(each))));
-		if (this.other && !this.#all.some(({ date }) => date === this.other.date)) this.others.append(h("option", { value: "file", selected: true }, title(this.other)));
+		const entries = [...this.#all.entries(), ...(this.#file ? [["file", this.#file]] : [])];
+		this.others.replaceChildren(h("option", { value: "" }, words.nothing), ...entries.map(([value, each]) => h("option", { value, selected: each.date === this.other?.date }, title(each))));
 	}
 
 	#choose(value) {
-		if (value !== "file") this.other = value === "" ? null : this.#all[Number(value)];
+		this.other = value === "file" ? this.#file : this.#all[value] ?? null;
 		this.#show();
 	}
 
@@ -151,7 +153,7 @@ class MeasureView {
 		try {
 			const result = JSON.parse(await file.text());
 			if (!isMeasured(result)) throw new Error("something else");
-			this.other = result;
+			this.other = this.#file = result;
 			this.#listOthers();
 			this.#show();
 			this.status.textContent = words.opened(result.machine);

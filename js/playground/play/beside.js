@@ -51,7 +51,7 @@ export class Beside {
 	/** Moves the agent that is the same as one of the first game to the same place. */
 	moveLike({ number, x, y, z }) {
 		this.world.agents.find((agent) => agent.number === number)?.jumpTo(x, y, z);
-		if (!this.view.isRunning && this.world.frame > 0) this.world.collide();
+		if (!this.view.isRunning && this.world.frame > 0) this.world.collideAgain();
 	}
 
 	/** Does a frame, before the first game does its own. */
@@ -71,6 +71,11 @@ export class Beside {
 	/** Finds the agents that touch in only one of the two games. */
 	compare() {
 		const games = [this.view, this];
+		// a game that has ended stands still
+		if (this.world.frame !== this.view.world.frame) {
+			for (const { scene } of games) scene.differing = new Map();
+			return;
+		}
 		const [mine, its] = games.map(({ world }) => world.state.pairs);
 		const only = [[...mine.keys()].filter((key) => !its.has(key)), [...its.keys()].filter((key) => !mine.has(key))];
 		games.forEach(({ world, scene }, i) => {

@@ -80,7 +80,7 @@ class PlayView {
 			this.#choose(agent);
 		}, () => {
 			// as in Level; a game that is stepped through, or that is built, waits for “Run”
-			if (!this.isRunning && world.frame === 0 && !this.isBroken && !this.buildBar.isOn) this.run();
+			if (this.editor && !this.isRunning && world.frame === 0 && !this.isBroken && !this.buildBar.isOn) this.run();
 		});
 		this.buildBar.listen(this.stage);
 		dragAgents(this.stage, {
@@ -148,14 +148,21 @@ class PlayView {
 		this.#forgetDragNote();
 		this.programs.lessons.begin();
 		this.#beside?.moveLike(agent);
-		if (!this.isRunning && world.frame > 0) this.#attempt(() => {
-			world.history.goOn();
-			world.collide();
-			this.#beside?.compare();
-			if (isDone) world.history.amend([...world.agents]);
-		});
+		if (!this.isRunning && world.frame > 0) this.#collideAgain();
+		if (isDone) world.history.amend([...world.agents]);
 		if (!this.isRunning) this.draw();
 		if (isDone) this.#playOn();
+	}
+
+	/** Shows who touches whom in a frame that stands still. */
+	#collideAgain() {
+		const { ended } = this.world;
+		this.#attempt(() => {
+			this.world.history.goOn();
+			this.world.collideAgain();
+			this.#beside?.compare();
+		});
+		if (this.world.ended !== ended) this.#end();
 	}
 
 	#forgetDragNote() {
@@ -211,11 +218,10 @@ class PlayView {
 		if (!isStale) this.#begun = meaning(this.programs.program);
 		this.world.useSystem(name);
 		// a game that stands still shows the new system's results
-		if (!this.isRunning && this.world.frame > 0 && this.world.history.back === 0) this.#attempt(() => {
-			this.world.collide();
-			this.#beside?.compare();
+		if (!this.isRunning && this.world.frame > 0 && this.world.history.back === 0) {
+			this.#collideAgain();
 			this.#take();
-		});
+		}
 		// the lesson is about the system: its game shows at once what the system does
 		const { lessons } = this.programs;
 		if (lessons.isOfSystem) {
@@ -269,10 +275,12 @@ class PlayView {
 		return this.programs.openFile(file, files);
 	}
 
-	/** Shows a message with a button. */
+	/** Shows a message with a button, and returns the button. */
 	offer(text, action, onclick) {
+		const offered = button(action, onclick, { title: action });
 		this.say(text);
-		this.layout.status.append(" ", button(action, onclick, { title: action }));
+		this.layout.status.append(" ", offered);
+		return offered;
 	}
 
 	/** Goes to the beginning of a newly opened program. */
@@ -437,7 +445,7 @@ class PlayView {
 
 	#frames(now) {
 		for (let due = this.#loop.due(now, FRAMES_A_SECOND * this.#speed, MOST_AT_ONCE); due > 0 && this.isRunning; due--) this.#tick();
-		this.draw(now);
+		this.draw();
 	}
 
 	/** Does something in which a program may fail. Shows the error. If it is quiet, the editor does not scroll to the wrong block. */
@@ -457,12 +465,12 @@ class PlayView {
 		this.layout.say(text, isProblem);
 	}
 
-	draw(now = 0) {
+	draw() {
 		const { world } = this;
 		this.scene.draw(() => this.#anew());
 		this.buildBar.show();
 		this.#beside?.draw();
-		this.panel.show(this.isRunning ? now : 0);
+		this.panel.show(this.isRunning ? performance.now() : 0);
 		this.layout.showTime(world.history);
 	}
 

@@ -156,7 +156,7 @@ export class ClassPage {
 			}, { class: "no-print", "aria-label": words.remove(work.pupil), title: words.remove(work.pupil) })),
 			work.programs.length === 0 ? h("p.note", {}, words.noPrograms) : h("ul.cards", {}, ...work.programs.map(({ name, lesson }, i) => h("li", {}, h("a.open", { href: addressIn(work, i) },
 				h("span.picture", {}, h("img", { "data-program": handed.addressOf(work, i), alt: "", width: 240, height: 150 })),
-				h("span.name", {}, name), lesson in LESSONS ? h("small", {}, texts.teach.numbered(Object.keys(LESSONS).indexOf(lesson) + 1, LESSONS[lesson].title)) : null)))),
+				h("span.name", {}, name), Object.hasOwn(LESSONS, lesson) ? h("small", {}, texts.teach.numbered(Object.keys(LESSONS).indexOf(lesson) + 1, LESSONS[lesson].title)) : null)))),
 			earlier.length === 0 ? null : h("details.no-print", {}, h("summary", {}, words.earlier(earlier.length)),
 				...earlier.map((each) => h("p", {}, `${dateOf(each)}: `, ...each.programs.flatMap(({ name }, i) => [i > 0 ? ", " : "", h("a", { href: addressIn(each, i) }, name)])))));
 	}

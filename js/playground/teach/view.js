@@ -27,7 +27,7 @@ class TeachView {
 		delete this.main.dataset.drawn;
 		this.asked = name;
 		this.main.scrollTop = 0;
-		if (name in MINUTES) this.#showSheets([name]);
+		if (Object.hasOwn(MINUTES, name)) this.#showSheets([name]);
 		else if (name === "sheets") this.#showSheets(NAMES);
 		else if (name === "") this.#showAll();
 		else return this.#showPage(name);

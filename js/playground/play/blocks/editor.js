@@ -218,7 +218,7 @@ KeyboardNavigation.registerFlyoutCursor();
 export class Editor {
 	#isLoading = false;
 	#failed = null;
-	/** The blocks that the last change deleted, with those that it deleted in earlier events. */
+	/** The blocks that the last change deleted, in all of its events. */
 	#deleted = { group: "", count: 0 };
 
 	/**
@@ -298,8 +298,8 @@ export class Editor {
 
 	/** The number of blocks that the user has deleted at once, in the events up to this one. */
 	#countDeleted({ type, group, ids, recordUndo }) {
-		if (type !== Blockly.Events.BLOCK_DELETE || !recordUndo) return 0;
-		this.#deleted = { group, count: ids.length + (this.#deleted.group === group ? this.#deleted.count : 0) };
+		if (group === "" || group !== this.#deleted.group) this.#deleted = { group, count: 0 };
+		if (type === Blockly.Events.BLOCK_DELETE && recordUndo) this.#deleted.count += ids.length;
 		return this.#deleted.count;
 	}
 

@@ -12,7 +12,7 @@ export const programOfLesson = (lesson) => LESSON + lesson;
 export const lessonOf = (name) => (name.startsWith(LESSON) ? name.slice(LESSON.length) : null);
 
 /** Whether the page has a program with this name. */
-export const isBuiltIn = (name) => name in texts.play.games || name in texts.play.examples || LESSON_NAMES.includes(lessonOf(name));
+export const isBuiltIn = (name) => Object.hasOwn(texts.play.games, name) || Object.hasOwn(texts.play.examples, name) || LESSON_NAMES.includes(lessonOf(name));
 
 /** A program of the page. */
 export async function builtInProgram(name) {

@@ -45,6 +45,7 @@ export class World {
 	state = null;
 	#scripts = [];
 	#areSensesOld = true;
+	#isAgain = false;
 	/** The blocks of the late engine, once a program uses them. */
 	#asking = null;
 
@@ -121,7 +122,7 @@ export class World {
 		if (fields.OTHER === Collision.TERRAIN) this.needTerrain();
 		if (fields.OTHER === Collision.EDGE) this.needEdges();
 		// the ground and the edges are no agents for blocks
-		this.collisions[add](breedOf(fields.BREED), breedOf(fields.OTHER), (collider, collidee) => this.#timed(() => this.#start(code, collider, collidee instanceof Being ? collidee : null)));
+		this.collisions[add](breedOf(fields.BREED), breedOf(fields.OTHER), (collider, collidee) => (this.#isAgain && event === "collision") || this.#timed(() => this.#start(code, collider, collidee instanceof Being ? collidee : null)));
 	}
 
 	/** Does what a handler is for. Its time is no time of the engine. */
@@ -181,6 +182,17 @@ export class World {
 		if (this.limit && this.frame >= this.limit.until) this.ended ??= { how: "lost", text: this.limit.text };
 		this.history.add(listed);
 		this.scriptMs = performance.now() - start - this.collisionMs;
+	}
+
+	/** Finds the pairs that touch once more in a frame that stands still. Scripts of collisions do not run: they have run in it already. */
+	collideAgain() {
+		this.sounds.length = 0;
+		this.#isAgain = true;
+		try {
+			this.collide();
+		} finally {
+			this.#isAgain = false;
+		}
 	}
 
 	/** Ends the frame: finds the pairs that touch. */

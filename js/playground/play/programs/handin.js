@@ -1,4 +1,5 @@
 /** Hands in a pupil's work: lessons, games, programs and models, as a file or a code for the teacher. Makes room for the next pupil. */
+import { CollisionBlocks } from "starlogo-collision";
 import { toClipboard } from "../../shared/copying.js";
 import { button, field, h, openDialog } from "../../shared/dom.js";
 import { download } from "../../shared/files/download.js";
@@ -15,7 +16,7 @@ const keepName = (name) => remember(KEY, name || null);
 /** All of the pupil's work. The programs that did lessons go along, so that the teacher's page can play them again. */
 function workOf({ shelf, lessons, view }, pupil) {
 	const programs = shelf.all.map(({ name, lesson, program }) => ({ name, ...(lesson && { lesson }), program }));
-	const isListed = (name, solution) => programs.some(({ lesson, program }) => lesson === name && program.system === solution.system && meaning(program) === meaning(solution));
+	const isListed = (name, solution) => programs.some(({ lesson, program }) => lesson === name && (program.system ?? CollisionBlocks.TIGHTEST_FITS) === solution.system && meaning(program) === meaning(solution));
 	const solutions = Object.fromEntries(Object.entries(shelf.solutions).filter(([name, solution]) => !isListed(name, solution)));
 	return { pupil, ...lessons.results, programs, solutions, models: view.own.in([programs, solutions]) };
 }

@@ -54,8 +54,8 @@ export class Home {
 		if (!canRemove) return item;
 		const input = h("input", { type: "text", value: name, maxlength: 60, "aria-label": words.rename(name), onchange: () => {
 			const text = input.value.trim();
-			if (text === "") input.value = name;
-			else this.programs.rename(id, text);
+			if (text === "") input.value = input.defaultValue;
+			else this.programs.rename(id, input.defaultValue = text);
 		} });
 		item.append(h("div.own", {}, canRename ? input : null, button("✕", () => {
 			this.#close();

@@ -40,6 +40,8 @@ export class Programs {
 	/** The last program that was requested. */
 	#asked = null;
 	#home = null;
+	/** The button that undoes the last deletion. It is no longer offered after another change. */
+	#undo = null;
 	/** Whether the program that is shown is only there because something has to be: the user has not chosen it. */
 	#isStopgap = false;
 
@@ -235,7 +237,7 @@ export class Programs {
 
 	/** Called when a game is won. The page's own games get a tick. Returns what there is to say about the best time. */
 	win(seconds) {
-		if (this.#name in words.games) this.lessons.win(this.#name);
+		if (Object.hasOwn(words.games, this.#name)) this.lessons.win(this.#name);
 		const { record } = this;
 		if (record !== null && record <= seconds) return words.best(fixed(record, 1));
 		this.shelf.putRecord(this.#name, seconds);
@@ -270,7 +272,8 @@ export class Programs {
 		const entry = this.shelf.find(id);
 		this.shelf.remove(id);
 		if (this.#name === id) await this.choose(FIRST);
-		this.view.offer(texts.gallery.removed(entry.name), words.undo, () => {
+		// another tab may have removed it before
+		if (entry) this.view.offer(texts.gallery.removed(entry.name), words.undo, () => {
 			this.shelf.put(entry);
 			this.choose(id);
 		});
@@ -351,10 +354,11 @@ export class Programs {
 		view.showRun();
 		if (!this.shelf.isKept) view.say(words.notKept, true);
 		else if (view.isRunning && view.isStale) view.say(words.stale);
-		else if (deleted > 0 && !view.isRunning) view.offer(words.deleted(deleted), words.undo, () => {
+		else if (deleted > 0 && !view.isRunning) this.#undo = view.offer(words.deleted(deleted), words.undo, () => {
 			view.editor.undo();
 			view.say(words.ready);
 		});
+		else if (this.#undo?.isConnected) view.say(words.ready);
 	}
 
 	/** Keeps the program as a new one of the user's, under a new name. */

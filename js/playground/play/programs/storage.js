@@ -57,8 +57,9 @@ export class Shelf {
 		return recallValue(`${KEY}.records`)?.[id] ?? null;
 	}
 
+	/** Keeps a best time. A program from a link has none, because the next link is another one. */
 	putRecord(id, seconds) {
-		this.#keep(`${KEY}.records`, { ...recallValue(`${KEY}.records`), [id]: seconds });
+		if (id !== "link") this.#keep(`${KEY}.records`, { ...recallValue(`${KEY}.records`), [id]: seconds });
 	}
 
 	/** The camera that was chosen for a program, or null. A program from a link has none, because the next link is another one. */

@@ -40,7 +40,7 @@ export class Layout {
 			this.lessons.element,
 			program,
 			splitter(main, program),
-			h("div.show", {}, this.controls, h("section.game", { "aria-label": words.world },
+			this.show = h("div.show", {}, this.controls, h("section.game", { "aria-label": words.world },
 				tools,
 				this.theatre,
 				buildBar.element,
@@ -84,7 +84,7 @@ export class Layout {
 		this.fullscreen = button(h("span.icon"), () => this.theatre.requestFullscreen?.(), { class: "fullscreen", "aria-label": words.fullscreen, title: words.fullscreen });
 		this.theatre.addEventListener("fullscreenchange", () => {
 			if (document.fullscreenElement === this.theatre) this.theatre.prepend(this.controls);
-			else this.main.querySelector(".show").prepend(this.controls);
+			else this.show.prepend(this.controls);
 			this.on.playOn();
 		});
 	}
@@ -147,9 +147,9 @@ export class Layout {
 		for (const each of this.tabs) each.setAttribute("aria-pressed", each.dataset.tab === tab);
 	}
 
-	/** Makes the controls and the blocks usable, or not. */
+	/** Makes the game and the blocks usable, or not. */
 	set isUsable(isUsable) {
-		for (const part of [this.controls, this.blocksHost.parentElement]) part.inert = !isUsable;
+		for (const part of [this.show, this.blocksHost.parentElement]) part.inert = !isUsable;
 	}
 
 	/** Shows what the button does: run, stop, or start a changed program anew. */

@@ -6,7 +6,7 @@ import { pathToFileURL } from 'node:url';
 import { root } from './browser.mjs';
 
 const { buildSync } = createRequire(path.join(root, 'js/playground/package.json'))('esbuild');
-const MODULES = ['play/game/world.js', 'play/game/moves.js', 'play/builtin/examples.js', 'play/builtin/games.js', 'play/game/program.js', 'play/blocks/blocks.js', 'play/programs/storage.js', 'play/builtin/builtin.js', 'play/builtin/lessons.js', 'play/export/javascript.js', 'teach/solutions.js', 'shared/language.js', 'shared/drawing/colours.js', 'shared/files/generatedmodels.js'];
+const MODULES = ['play/game/world.js', 'play/game/moves.js', 'play/builtin/examples.js', 'play/builtin/games.js', 'play/game/program.js', 'play/blocks/blocks.js', 'play/programs/shelf.js', 'play/programs/programtext.js', 'play/programs/finder.js', 'play/builtin/builtin.js', 'play/builtin/lessons.js', 'play/export/javascript.js', 'teach/solutions.js', 'shared/language.js', 'shared/drawing/colours.js', 'shared/files/generatedmodels.js'];
 const FILES = ['bear.obj', 'seagull.dae', 'fireman.dae', 'dragon.dae', 'person.dae', 'fortress.obj', 'spaceship.obj', 'kelp.obj', 'tree.obj'];
 const folder = path.join(root, 'bin/generated');
 

@@ -541,7 +541,7 @@ test('refused storage, another tab, and dropped files are said in words', async 
 	await page.waitForFunction(() => /forgets the model “cone”/.test(document.querySelector('.game .status').textContent));
 	await page.reload();
 	await ready(page, 'play');
-	assert.deepEqual(await page.evaluate(() => [globalThis.playground.own.names, globalThis.playground.models.has('cone')]), [[], false]);
+	assert.deepEqual(await page.evaluate(() => [globalThis.playground.modelShelf.names, globalThis.playground.models.has('cone')]), [[], false]);
 	assert.deepEqual(said, []);
 	await leave();
 });

@@ -8,7 +8,7 @@ import { texts } from "../shared/language.js";
 import { Loop } from "../shared/loop.js";
 import { BuildBar } from "./screen/buildbar.js";
 import { Keys } from "./screen/keys.js";
-import { Models } from "./programs/modelshelf.js";
+import { ModelShelf } from "./programs/modelshelf.js";
 import { LandStage } from "./screen/landstage.js";
 import { Layout } from "./screen/layout.js";
 import { loadMessages } from "./blocks/messages.js";
@@ -17,7 +17,7 @@ import { Panel } from "./screen/panel.js";
 import { Scene } from "./screen/scene.js";
 import { Sound } from "./screen/sound.js";
 import { Programs } from "./programs/programs.js";
-import { meaning } from "./programs/storage.js";
+import { meaning } from "./programs/programtext.js";
 import { FRAMES_A_SECOND, SEED, World } from "./game/world.js";
 
 const words = texts.play;
@@ -33,10 +33,11 @@ export async function createView(main, link) {
 	const view = new PlayView(main, models, new World(greatLand));
 	const opening = view.open(link);
 	await messages;
-	view.preview(await view.programs.first(link));
-	if (view.programs.isHome(link)) await view.programs.openHome();
-	const [{ Editor }] = await Promise.all([messages.then(() => import("./blocks/editor.js")), view.own.takeKept()]);
-	view.edit(Editor);
+	const { finder } = view.programs;
+	view.preview((await finder.first(link)).program);
+	if (finder.isHome(link)) await view.programs.openHome();
+	const [{ Editor }] = await Promise.all([messages.then(() => import("./blocks/editor.js")), view.modelShelf.takeKept()]);
+	view.takeEditor(Editor);
 	await opening;
 	return view;
 }
@@ -53,6 +54,8 @@ class PlayView {
 		this.#beginEditing = resolve;
 	});
 	#begun = "";
+	/** The button that undoes the last deletion. It is no longer offered after another change. */
+	#undo = null;
 	/** The seed of the game's random numbers. */
 	#seed = SEED;
 	/** Whether the game has started by itself, because a system was chosen. */
@@ -66,7 +69,7 @@ class PlayView {
 		this.world = world;
 		this.programs = new Programs(this);
 		this.keys = new Keys(world);
-		this.own = new Models(this);
+		this.modelShelf = new ModelShelf(this);
 		this.sound = new Sound();
 		this.panel = new Panel(world, (agent) => this.#choose(agent));
 		this.buildBar = new BuildBar(this);
@@ -102,9 +105,9 @@ class PlayView {
 
 	#makeLayout(main) {
 		return new Layout(main, this, {
-			run: () => (this.isRunning && this.#isAnewOffered ? this.#anew() : this.isRunning ? this.stop() : this.run()),
+			run: () => this.#pressRun(),
 			step: () => this.#step(),
-			reset: () => this.#renew(),
+			reset: () => this.#resetWithNewSeed(),
 			useSystem: (name) => this.#useSystem(name),
 			putBeside: (name) => this.putBeside(name),
 			useCamera: (name) => this.#useCamera(name),
@@ -146,7 +149,7 @@ class PlayView {
 		const { world } = this;
 		if (isDone && this.buildBar.moved(agent)) return;
 		this.#forgetDragNote();
-		this.programs.lessons.begin();
+		this.programs.lessonCard.begin();
 		this.#beside?.moveLike(agent);
 		if (!this.isRunning && world.frame > 0) this.#collideAgain();
 		if (isDone) world.history.amend([...world.agents]);
@@ -203,9 +206,9 @@ class PlayView {
 	}
 
 	/** Takes the editor, which the page loads last. */
-	edit(Editor) {
+	takeEditor(Editor) {
 		this.editor = new Editor(this.layout.blocksHost, this.layout.editBar, {
-			onChange: (deleted) => this.programs.changed(deleted), pictureOf: (shape) => this.scene.pictureOf(shape), say: (text) => this.say(text),
+			onChange: (deleted) => this.#programChanged(deleted), pictureOf: (shape) => this.scene.pictureOf(shape), say: (text) => this.say(text),
 		});
 		this.layout.isUsable = true;
 		this.#beginEditing();
@@ -223,13 +226,13 @@ class PlayView {
 			this.#take();
 		}
 		// the lesson is about the system: its game shows at once what the system does
-		const { lessons } = this.programs;
-		if (lessons.isOfSystem) {
+		const { lessonCard } = this.programs;
+		if (lessonCard.isOfSystem) {
 			this.reset();
 			this.run();
 			this.#isSelfStarted = true;
 			this.showRun();
-		} else lessons.hush();
+		} else lessonCard.hush();
 		this.draw();
 		this.#playOn();
 	}
@@ -278,26 +281,25 @@ class PlayView {
 	/** Shows a message with a button, and returns the button. */
 	offer(text, action, onclick) {
 		const offered = button(action, onclick, { title: action });
-		this.say(text);
-		this.layout.status.append(" ", offered);
+		this.say(text, false, offered);
 		return offered;
 	}
 
-	/** Goes to the beginning of a newly opened program. */
-	begin() {
-		this.#seed = SEED;
-		this.reset();
+	/** Plays a newly opened program: goes to its beginning, and points the camera at it. */
+	play(program, camera) {
+		this.reset({ seed: SEED });
+		this.lookAt(program, camera);
 	}
 
 	/** Goes to the program's beginning, with other random numbers. Those of a lesson stay, because the teacher's page plays it again. */
-	#renew() {
-		if (!this.programs.lessons.isOpen) this.#seed = 1 + Math.floor(Math.random() * 2147483646);
-		this.reset();
+	#resetWithNewSeed() {
+		this.reset(this.programs.lessonCard.isOpen ? {} : { seed: 1 + Math.floor(Math.random() * 2147483646) });
 	}
 
-	/** Goes to the program's beginning, with the same random numbers. If it is quiet, the editor does not scroll to a wrong block. */
-	reset(isQuiet = false) {
+	/** Goes to the program's beginning, with the same random numbers or those of another seed. If it is quiet, the editor does not scroll to a wrong block. */
+	reset({ isQuiet = false, seed = this.#seed } = {}) {
 		this.#halt();
+		this.#seed = seed;
 		this.editor.mark(null);
 		this.isBroken = false;
 		this.say(words.ready);
@@ -314,25 +316,41 @@ class PlayView {
 		this.scene.begin();
 		this.buildBar.begin();
 		this.scene.frame();
-		this.programs.lessons.begin();
+		this.programs.lessonCard.begin();
 		this.scene.best = "";
 		this.scene.record = this.programs.record;
 		this.draw();
 	}
 
-	/** Shows the beginning of the changed program's game. An error is marked at its block. */
-	showBeginning() {
-		this.reset(true);
+	/** Called when the user has changed the program, with the number of blocks that the change deleted. */
+	#programChanged(deleted) {
+		const isKept = this.programs.keepChange();
+		// an error is marked at its block
+		if (!this.isRunning && this.isStale) this.reset({ isQuiet: true });
+		this.showRun();
+		if (!isKept) this.say(words.notKept, true);
+		else if (this.isRunning && this.isStale) this.say(words.stale);
+		else if (deleted > 0 && !this.isRunning) this.#undo = this.offer(words.deleted(deleted), words.undo, () => {
+			this.editor.undo();
+			this.say(words.ready);
+		});
+		else if (this.#undo?.isConnected) this.say(words.ready);
 	}
 
-	#anew() {
-		this.#renew();
+	#restart() {
+		this.#resetWithNewSeed();
 		this.run();
+	}
+
+	#pressRun() {
+		if (!this.isRunning) this.run();
+		else if (this.#isAnewOffered) this.#restart();
+		else this.stop();
 	}
 
 	run() {
 		// changes count from the beginning
-		if (this.world.ended) this.#renew();
+		if (this.world.ended) this.#resetWithNewSeed();
 		else if (this.isBroken || this.isStale) this.reset();
 		if (this.isBroken) return;
 		this.#isSelfStarted = false;
@@ -403,9 +421,9 @@ class PlayView {
 		this.panel.count();
 		this.sound.hear(this.world);
 		if (this.isBroken) return;
-		const { lessons } = this.programs;
-		const isSolved = lessons.look(this.world);
-		if (this.#isSelfStarted && lessons.isJudged) {
+		const { lessonCard } = this.programs;
+		const isSolved = lessonCard.look(this.world);
+		if (this.#isSelfStarted && lessonCard.isJudged) {
 			this.#isSelfStarted = false;
 			this.showRun();
 		}
@@ -461,13 +479,14 @@ class PlayView {
 		}
 	}
 
-	say(text, isProblem = false) {
-		this.layout.say(text, isProblem);
+	/** Shows a message, with further elements behind it. */
+	say(text, isProblem = false, ...more) {
+		this.layout.say(text, isProblem, ...more);
 	}
 
 	draw() {
 		const { world } = this;
-		this.scene.draw(() => this.#anew());
+		this.scene.draw(() => this.#restart());
 		this.buildBar.show();
 		this.#beside?.draw();
 		this.panel.show(this.isRunning ? performance.now() : 0);

@@ -1,6 +1,6 @@
 /** The programs that the page brings along, by their names: games, examples, and those of lessons. They load when one is first wanted. */
 import { learn, texts } from "../../shared/language.js";
-import { LESSON_NAMES } from "../programs/lessoncard.js";
+import { LESSON_NAMES } from "./names.js";
 
 /** The name of a lesson's program begins with this. */
 const LESSON = "lesson-";

@@ -6,7 +6,7 @@ import { download } from "../../shared/files/download.js";
 import { toCode, toFile } from "../../shared/files/submissions.js";
 import { texts } from "../../shared/language.js";
 import { recall, remember } from "../../shared/files/memory.js";
-import { fileName, meaning } from "./storage.js";
+import { fileName, meaning } from "./programtext.js";
 
 const words = texts.handing;
 const KEY = "starlogo-playground.pupil";
@@ -14,16 +14,16 @@ const KEY = "starlogo-playground.pupil";
 const keepName = (name) => remember(KEY, name || null);
 
 /** All of the pupil's work. The programs that did lessons go along, so that the teacher's page can play them again. */
-function workOf({ shelf, lessons, view }, pupil) {
+function workOf({ shelf, progress, view }, pupil) {
 	const programs = shelf.all.map(({ name, lesson, program }) => ({ name, ...(lesson && { lesson }), program }));
 	const isListed = (name, solution) => programs.some(({ lesson, program }) => lesson === name && (program.system ?? CollisionBlocks.TIGHTEST_FITS) === solution.system && meaning(program) === meaning(solution));
 	const solutions = Object.fromEntries(Object.entries(shelf.solutions).filter(([name, solution]) => !isListed(name, solution)));
-	return { pupil, ...lessons.results, programs, solutions, models: view.own.in([programs, solutions]) };
+	return { pupil, ...progress.results, programs, solutions, models: view.modelShelf.filesFor([programs, solutions]) };
 }
 
 /** The numbers of lessons that were done, of programs, and of games that were won. */
-function countsOf({ shelf, lessons }) {
-	const { done, won } = lessons.results;
+function countsOf({ shelf, progress }) {
+	const { done, won } = progress.results;
 	return [done.length, shelf.all.length, won.length];
 }
 
@@ -77,11 +77,11 @@ export function handIn(programs) {
 }
 
 /** Makes the browser forget everything of its user, for the next one. */
-async function forgetAll({ shelf, lessons, view }) {
+async function forgetAll({ shelf, progress, view }) {
 	keepName("");
 	shelf.forget();
-	lessons.forget();
-	await view.own.forgetAll();
+	progress.forget();
+	await view.modelShelf.forgetAll();
 	location.hash = "play/all";
 	location.reload();
 }

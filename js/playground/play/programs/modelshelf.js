@@ -6,7 +6,7 @@ import { texts } from "../../shared/language.js";
 
 const words = texts.play;
 
-export class Models {
+export class ModelShelf {
 	/** The models of this page: names and files' contents. */
 	#known = new Map();
 
@@ -64,7 +64,7 @@ export class Models {
 	}
 
 	/** The user's own models in a program: their names and their files as text. */
-	in(program) {
+	filesFor(program) {
 		const found = {};
 		JSON.stringify(program, (key, value) => {
 			if (key === "SHAPE" && this.#known.has(value)) found[value] = toText(this.#known.get(value));

@@ -652,7 +652,7 @@ test('the space bar throws after a tick, Speed keeps the keyboard, and an error 
 	await press(page, 'Run');
 	await page.getByLabel('What the engine sees').check();
 	await page.keyboard.press('Space');
-	await page.waitForFunction(() => globalThis.playground.world.agents.some(({ breed }) => breed === 'paintballs') || globalThis.playground.world.state.made > 22);
+	await page.waitForFunction(() => globalThis.playground.world.agents.some(({ breed }) => breed === 'paintballs') || globalThis.playground.world.made > 22);
 	assert.ok(await page.getByLabel('What the engine sees').isChecked());
 	await page.getByLabel('What the engine sees').uncheck();
 	await page.getByLabel('Speed').focus();

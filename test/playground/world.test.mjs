@@ -122,13 +122,13 @@ test('keys that are held, pressed, and timers', () => {
 	const world = played(program(start(create(1, 'bears', 'bear')), key('up', 'held', forward(1)), key('space', 'pressed', up),
 		{ type: 'starlogo_timer', fields: { BREED: 'bears' }, inputs: { SECONDS: number(0.5), ...inside({ type: 'starlogo_size', inputs: { SIZE: number(3) } }) } }), 0);
 	const [bear] = world.agents;
-	world.press('up');
-	world.press('space');
+	world.input.press('up');
+	world.input.press('space');
 	for (let i = 0; i < 3; i++) {
 		world.step();
 	}
 	assert.deepEqual([bear.x, bear.z, bear.size], [3, 1, 1]);
-	world.release('up');
+	world.input.release('up');
 	for (let i = 0; i < 27; i++) {
 		world.step();
 	}
@@ -152,7 +152,7 @@ test('a message is received in the next frame, by those of a breed who are there
 	assert.deepEqual(bears(world), [[2, 0], [2, 0]], 'it is received once');
 	world.history.show(1);
 	world.step();
-	assert.deepEqual([bears(world), world.state.shown], [[[2, 0], [2, 0]], ['lives']], 'the same again after going back');
+	assert.deepEqual([bears(world), world.shownVariables], [[[2, 0], [2, 0]], ['lives']], 'the same again after going back');
 	world.begin(program(...state.blocks.blocks.map((block, i) => (i === 0 ? { ...block, inputs: inside(create(2, 'bears', 'bear', own('starlogo_own_set', 'lives', { VALUE: number(3) })), { type: 'starlogo_broadcast', fields: { MESSAGE: 'go' } }) } : block))));
 	world.step();
 	world.step();
@@ -208,12 +208,12 @@ const walker = (...walls) => program(
 const sized = (size) => ({ type: 'starlogo_size', inputs: { SIZE: number(size) } });
 const go = (x, y, z) => ({ type: 'starlogo_go', inputs: { X: number(x), Y: number(y), Z: number(z) } });
 const hold = (world, key, frames) => {
-	world.releaseAll();
-	world.press(key);
+	world.input.releaseAll();
+	world.input.press(key);
 	for (let i = 0; i < frames; i++) {
 		world.step();
 	}
-	world.releaseAll();
+	world.input.releaseAll();
 };
 
 test('who goes back from a wall never gets stuck in it', () => {
@@ -223,8 +223,8 @@ test('who goes back from a wall never gets stuck in it', () => {
 	let touched = 0;
 	for (let i = 0; i < 4000; i++) {
 		if (i % 40 === 0) {
-			world.releaseAll();
-			world.press(keys[Math.floor(world.random() * keys.length)]);
+			world.input.releaseAll();
+			world.input.press(keys[Math.floor(world.random() * keys.length)]);
 		}
 		world.step();
 		touched += bear.before.every((each, k) => each === [bear.x, bear.y, bear.z, bear.heading][k]) ? 1 : 0;
@@ -447,16 +447,16 @@ test('one game hears the keys of another: under the same system it is the same, 
 		}
 		let differences = 0;
 		for (let frame = 0; frame < 240; frame++) {
-			first[frame % 60 < 30 ? 'press' : 'release']('left');
-			first[frame % 40 < 30 ? 'press' : 'release']('up');
+			first.input[frame % 60 < 30 ? 'press' : 'release']('left');
+			first.input[frame % 40 < 30 ? 'press' : 'release']('up');
 			if (frame % 15 === 0) {
-				first.press('space');
-				first.release('space');
+				first.input.press('space');
+				first.input.release('space');
 			}
-			second.copyInputOf(first);
+			second.input.take(first.input, second.agents);
 			second.step();
 			first.step();
-			differences += [...first.state.pairs.keys()].join() === [...second.state.pairs.keys()].join() ? 0 : 1;
+			differences += [...first.pairs.keys()].join() === [...second.pairs.keys()].join() ? 0 : 1;
 		}
 		assert.equal(second.collisions.systemName, system, 'blocks leave it as it is');
 		return { differences, places: [first, second].map((world) => JSON.stringify(world.agents.map(({ number: name, x, y, heading, color }) => [name, x, y, heading, color]))) };
@@ -488,7 +488,7 @@ test('what agents know of others, and how they move by it', () => {
 	const [bear] = world.agents;
 	assert.ok(bear.x > 2 && bear.x < 2.9, `it stands at the wall: ${bear.x}`);
 	assert.equal(world.variables.touching, true);
-	world.press('w');
+	world.input.press('w');
 	world.step();
 	assert.deepEqual(world.agents.filter(({ breed }) => breed === 'friends').map(({ said }) => said.text), ['Hi']);
 	assert.ok(Math.abs(bear.heading) < 1, `${bear.heading}`);
@@ -665,12 +665,12 @@ const angleTo = (from, to) => ((((Math.atan2(to.y - from.y, to.x - from.x) * 180
 /** Turns and walks an agent towards a place with the arrow keys. */
 function steer(world, agent, to, isWalking = true) {
 	const angle = angleTo(agent, to);
-	world.releaseAll();
+	world.input.releaseAll();
 	if (Math.abs(angle) > 2) {
-		world.press(angle > 0 ? 'left' : 'right');
+		world.input.press(angle > 0 ? 'left' : 'right');
 	}
 	if (isWalking && Math.abs(angle) < 40) {
-		world.press('up');
+		world.input.press('up');
 	}
 	return Math.abs(angle);
 }
@@ -692,7 +692,7 @@ const PLAYERS = {
 		const [bear] = all(world, 'bears');
 		const left = all(world, 'turtles').filter(({ color }) => color === -1);
 		if (left.length > 0 && steer(world, bear, nearestTo(bear, left)) < 8 && world.frame % 20 === 0) {
-			world.press('space');
+			world.input.press('space');
 		}
 	},
 	chase(world) {
@@ -721,15 +721,15 @@ const PLAYERS = {
 		const [ship] = all(world, 'spaceships');
 		const rocks = all(world, 'rocks');
 		if (rocks.length > 0 && steer(world, ship, nearestTo(ship, rocks), false) < 10 && world.frame % 12 === 0) {
-			world.press('space');
+			world.input.press('space');
 		}
 	},
 	catch(world) {
 		const [turtle] = all(world, 'turtles');
 		const [pearl] = all(world, 'pearls').sort((a, b) => a.z - b.z);
-		world.releaseAll();
+		world.input.releaseAll();
 		if (pearl && Math.abs(pearl.x - turtle.x) > 0.3) {
-			world.press(pearl.x > turtle.x ? 'right' : 'left');
+			world.input.press(pearl.x > turtle.x ? 'right' : 'left');
 		}
 	},
 	tag(world) {
@@ -741,9 +741,9 @@ const PLAYERS = {
 	},
 	pinball(world) {
 		const [[paddle], [ball]] = [all(world, 'paddles'), all(world, 'balls')];
-		world.releaseAll();
+		world.input.releaseAll();
 		if (Math.abs(ball.x - paddle.x) > 0.3) {
-			world.press(ball.x > paddle.x ? 'right' : 'left');
+			world.input.press(ball.x > paddle.x ? 'right' : 'left');
 		}
 	},
 	hills(world) {
@@ -759,13 +759,13 @@ PLAYERS.jump = (world) => {
 	const [[person], [lift], [turtle], [house]] = ['people', 'lifts', 'turtles', 'houses'].map((breed) => all(world, breed));
 	const coins = all(world, 'coins').sort((a, b) => a.x - b.x);
 	const to = coins[0] ?? house;
-	world.releaseAll();
+	world.input.releaseAll();
 	const below = world.walking.standsOn(person);
-	world.press(to.x > person.x ? 'right' : 'left');
+	world.input.press(to.x > person.x ? 'right' : 'left');
 	const gap = below && to.x > person.x && person.x > below.x + below.size / 2 - 0.35;
 	const isLiftNear = person.x > -4 && person.x < -2 ? lift.x < -0.6 : true;
-	if (gap && !isLiftNear) world.releaseAll();
-	if ((gap && isLiftNear) || (below && Math.abs(to.x - person.x) < 1.3 && to.z > person.z + 0.9) || (turtle && below && Math.abs(turtle.x - person.x) < 1.6 && Math.abs(turtle.z - person.z) < 0.5)) world.press('space');
+	if (gap && !isLiftNear) world.input.releaseAll();
+	if ((gap && isLiftNear) || (below && Math.abs(to.x - person.x) < 1.3 && to.z > person.z + 0.9) || (turtle && below && Math.abs(turtle.x - person.x) < 1.6 && Math.abs(turtle.z - person.z) < 0.5)) world.input.press('space');
 };
 PLAYERS.drive = (world, memory) => {
 	const [car] = all(world, 'cars');
@@ -810,19 +810,19 @@ test('agents fall onto solid breeds, jump, are carried and turn at the edge; set
 	for (let i = 0; i < 30; i++) world.step();
 	near(hero.x - platform.x, before, 0.021);
 	assert.ok(hero.x > 0.5, 'carried');
-	world.press('space');
+	world.input.press('space');
 	const way = () => Array.from({ length: 60 }, () => {
 		world.step();
-		world.releaseAll();
+		world.input.releaseAll();
 		return `${hero.x} ${hero.z} ${hero.rise}`;
 	});
 	const first = way();
 	near(Math.max(...first.map((each) => Number(each.split(' ')[1]))), 5, 0.01);
 	near(hero.z, 3);
 	world.history.show(60);
-	world.press('space');
+	world.input.press('space');
 	assert.deepEqual(way(), first);
-	world.press('down');
+	world.input.press('down');
 	for (let i = 0; i < 60; i++) world.step();
 	near(hero.z, 0);
 	world.history.show(60);
@@ -1000,11 +1000,12 @@ test('a program as JavaScript is a module on the package that plays the same gam
 		for (let frame = 0; frame < 300; frame++) {
 			if (frame % 25 === 0) {
 				const key = keys[(frame / 25) % keys.length];
-				for (const each of keys) [world, module].forEach((game) => game.release(each));
-				[world, module].forEach((game) => game.press(key));
+				for (const each of keys) [world.input, module].forEach((game) => game.release(each));
+				[world.input, module].forEach((game) => game.press(key));
 			}
-			if (frame === 40) [world, module].forEach((game) => game.click(game.agents[0]));
-			if (frame === 60 && module.mouse) [world, module].forEach(({ mouse }) => Object.assign(mouse, { x: 3 }));
+			if (frame === 40) [world.input.clicked] = world.agents;
+			if (frame === 40) module.click(module.agents[0]);
+			if (frame === 60 && module.mouse) [world.input, module].forEach(({ mouse }) => Object.assign(mouse, { x: 3 }));
 			const places = () => world.agents.map(({ x, y, z }) => `${x} ${y} ${z}`).join();
 			const before = places();
 			world.step();

@@ -57,7 +57,7 @@ export class Beside {
 	/** Does a frame, before the first game does its own. */
 	step() {
 		if (this.world.ended) return;
-		this.world.copyInputOf(this.view.world);
+		this.world.input.take(this.view.world.input, this.world.agents);
 		this.world.step();
 	}
 
@@ -76,7 +76,7 @@ export class Beside {
 			for (const { scene } of games) scene.differing = new Map();
 			return;
 		}
-		const [mine, its] = games.map(({ world }) => world.state.pairs);
+		const [mine, its] = games.map(({ world }) => world.pairs);
 		const only = [[...mine.keys()].filter((key) => !its.has(key)), [...its.keys()].filter((key) => !mine.has(key))];
 		games.forEach(({ world, scene }, i) => {
 			const numbered = new Map(world.agents.map((agent) => [String(agent.number), agent]));
@@ -87,7 +87,7 @@ export class Beside {
 		const at = only[0].length > 0 ? 0 : 1;
 		if (only[at].length === 0 || this.#frames.at(-1) >= frame) return;
 		if (this.#frames.length === 0) {
-			const [a, b] = games[at].world.state.pairs.get(only[at][0]);
+			const [a, b] = games[at].world.pairs.get(only[at][0]);
 			this.#first = words.firstDifference(fixed(frame / FRAMES_A_SECOND, 1), systemOf(games[at]), nameOf(a), nameOf(b));
 		}
 		this.#frames.push(frame);
@@ -101,7 +101,7 @@ export class Beside {
 		scene.isSeen = view.scene.isSeen;
 		scene.draw(null);
 		this.#isFollowing = false;
-		for (const game of [view, this]) game.scene.caption.textContent = words.reports(systemOf(game), game.world.state.pairs.size, game.world.state.meetings);
+		for (const game of [view, this]) game.scene.caption.textContent = words.reports(systemOf(game), game.world.pairs.size, game.world.meetings);
 		const { length } = this.#frames;
 		this.count.textContent = length === 0 ? words.noDifference : words.differences(length);
 		const first = length === 0 ? "" : this.#first;

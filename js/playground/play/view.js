@@ -68,7 +68,7 @@ class PlayView {
 		this.models = models;
 		this.world = world;
 		this.programs = new Programs(this);
-		this.keys = new Keys(world);
+		this.keys = new Keys(world.input);
 		this.modelShelf = new ModelShelf(this);
 		this.sound = new Sound();
 		this.panel = new Panel(world, (agent) => this.#choose(agent));
@@ -79,7 +79,7 @@ class PlayView {
 		this.layout.placeCorner([this.scene.legend, this.keys.pad], [this.buildBar.tick, this.sound.button]);
 		this.layout.worldHost.addEventListener("pointerdown", () => this.editor?.closeMenus());
 		this.keys.listen(this.stage, (agent) => {
-			world.click(agent);
+			world.input.clicked = agent;
 			this.#choose(agent);
 		}, () => {
 			// as in Level; a game that is stepped through, or that is built, waits for “Run”
@@ -394,7 +394,7 @@ class PlayView {
 	#halt() {
 		this.#loop.stop();
 		this.showRun();
-		this.world.releaseAll();
+		this.world.input.releaseAll();
 	}
 
 	#step() {

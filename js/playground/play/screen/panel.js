@@ -56,11 +56,11 @@ export class Panel {
 	show(now = 0) {
 		this.#frames++;
 		if (now > 0 && now - this.#since < 500) return;
-		const { agents, state } = this.world;
+		const { agents, frame, meetings, touching } = this.world;
 		// while the game stands still, the last figures stay
-		const counted = this.#ticks > 0 || state.frame === 0 ? { ms: short(this.#ms / this.#ticks), scripts: short(this.#scriptMs / this.#ticks), ...this.#most } : {};
+		const counted = this.#ticks > 0 || frame === 0 ? { ms: short(this.#ms / this.#ticks), scripts: short(this.#scriptMs / this.#ticks), ...this.#most } : {};
 		const fps = now > 0 ? Math.round((this.#frames * 1000) / (now - this.#since)) : "–";
-		this.figures.show({ ...counted, agents: agents.length, meetings: state.meetings, ...(now === 0 && { collisions: state.touching }), fps });
+		this.figures.show({ ...counted, agents: agents.length, meetings, ...(now === 0 && { collisions: touching }), fps });
 		this.forget(now);
 		this.#list();
 		this.#listCast();
@@ -91,8 +91,8 @@ export class Panel {
 	}
 
 	#list() {
-		const { events, totals, state } = this.world;
-		const shown = `${state.meetings} ${state.frame < (events[0]?.frame ?? 0)} ${events[0]?.frame}`;
+		const { events, totals, meetings, frame: now } = this.world;
+		const shown = `${meetings} ${now < (events[0]?.frame ?? 0)} ${events[0]?.frame}`;
 		if (shown === this.#shown) return;
 		this.#shown = shown;
 		this.list.replaceChildren(...(events.length === 0 ? [h("li", {}, words.noEvents)] : events.slice(0, LISTED).map(({ frame, a, b, names }) => h("li", {},

@@ -315,9 +315,8 @@ export class Scene {
 
 	/** Shows the agents' words over their heads. */
 	#placeBubbles() {
-		const { agents, frame } = this.world;
-		const { shown } = this.world.state;
-		const wordsOf = ({ said, own }) => [...(said.text !== "" && said.until > frame ? [said.text] : []), ...shown.filter((name) => name in own).map((name) => `${name} ${asSaid(own[name])}`)].join("\n");
+		const { agents, frame, shownVariables } = this.world;
+		const wordsOf = ({ said, own }) => [...(said.text !== "" && said.until > frame ? [said.text] : []), ...shownVariables.filter((name) => name in own).map((name) => `${name} ${asSaid(own[name])}`)].join("\n");
 		const talking = agents.filter((agent) => wordsOf(agent) !== "").slice(0, MOST_SAID);
 		for (const [agent, bubble] of this.#said) {
 			if (talking.includes(agent)) continue;

@@ -33,7 +33,7 @@ export async function showProgram(main, address) {
 	const [{ drawInto }, { ModelShelf }] = await Promise.all([import("../play/screen/pictures.js"), import("../play/programs/modelshelf.js"), loadMessages()]);
 	const own = Object.entries(models ?? await ModelShelf.kept()).filter(([each]) => JSON.stringify(program).includes(JSON.stringify(each)));
 	await drawInto(picture, main, program, Object.fromEntries(own));
-	const { showBlocks } = await import("../play/blocks/editor.js");
+	const { showBlocks } = await import("../play/blocks/blockpicture.js");
 	if (!blocks.isConnected) return true;
 	showBlocks(blocks, program, HIGHEST, SMALLEST);
 	main.dataset.drawn = address;

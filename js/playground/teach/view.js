@@ -123,7 +123,7 @@ class TeachView {
 		const { program } = LESSONS[name];
 		await drawInto(picture, this.main, program);
 		await loadMessages();
-		const { showBlocks } = await import("../play/blocks/editor.js");
+		const { showBlocks } = await import("../play/blocks/blockpicture.js");
 		if (!blocks.isConnected) return false;
 		showBlocks(blocks, program, HIGHEST);
 		// a system is chosen above the world, so the blocks stay as they are

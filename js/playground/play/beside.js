@@ -72,11 +72,7 @@ export class Beside {
 	compare() {
 		const games = [this.view, this];
 		// a game that has ended stands still
-		if (this.world.frame !== this.view.world.frame) {
-			for (const { scene } of games) scene.differing = new Map();
-			return;
-		}
-		const [mine, its] = games.map(({ world }) => world.pairs);
+		const [mine, its] = games.map(({ world }) => (this.world.frame === this.view.world.frame ? world.pairs : new Map()));
 		const only = [[...mine.keys()].filter((key) => !its.has(key)), [...its.keys()].filter((key) => !mine.has(key))];
 		games.forEach(({ world, scene }, i) => {
 			const numbered = new Map(world.agents.map((agent) => [String(agent.number), agent]));
@@ -98,7 +94,7 @@ export class Beside {
 		this.#isFollowing = true;
 		stage.lookAs(view.stage);
 		scene.camera = "all";
-		scene.isSeen = view.scene.isSeen;
+		scene.isEngineShown = view.scene.isEngineShown;
 		scene.draw(null);
 		this.#isFollowing = false;
 		for (const game of [view, this]) game.scene.caption.textContent = words.reports(systemOf(game), game.world.pairs.size, game.world.meetings);

@@ -23,7 +23,6 @@ import { FRAMES_A_SECOND, SEED, World } from "./game/world.js";
 const words = texts.play;
 /** The most frames that are computed between two pictures to make up for lost time. */
 const MOST_AT_ONCE = 8;
-const PICTURE = [240, 150];
 /** A game with at most so many agents is looked at closely. */
 const FEW = 4;
 
@@ -116,7 +115,7 @@ class PlayView {
 			},
 			goBack: (frames) => this.#goBack(frames),
 			showSeen: (isOn) => {
-				this.scene.isSeen = isOn;
+				this.scene.isEngineShown = isOn;
 				this.draw();
 				this.#playOn();
 			},
@@ -127,7 +126,7 @@ class PlayView {
 
 	#useCamera(name) {
 		this.scene.camera = name;
-		this.scene.frame(true);
+		this.scene.frameAgents(true);
 		this.programs.keepCamera(name);
 		this.draw();
 		this.#playOn();
@@ -151,21 +150,22 @@ class PlayView {
 		this.#forgetDragNote();
 		this.programs.lessonCard.begin();
 		this.#beside?.moveLike(agent);
-		if (!this.isRunning && world.frame > 0) this.#collideAgain();
-		if (isDone) world.history.amend([...world.agents]);
+		if (!this.isRunning && world.frame > 0) this.#collideAgain(isDone);
 		if (!this.isRunning) this.draw();
 		if (isDone) this.#playOn();
 	}
 
-	/** Shows who touches whom in a frame that stands still. */
-	#collideAgain() {
-		const { ended } = this.world;
+	/** Shows who touches whom in a frame that stands still. If it is amended, one can go back to what it shows. */
+	#collideAgain(isAmended = false) {
+		const { world } = this;
+		const { ended } = world;
 		this.#attempt(() => {
-			this.world.history.goOn();
-			this.world.collideAgain();
+			world.history.goOn();
+			world.collideAgain();
 			this.#beside?.compare();
+			if (isAmended) world.history.amend([...world.agents]);
 		});
-		if (this.world.ended !== ended) this.#end();
+		if (world.ended !== ended) this.#end();
 	}
 
 	#forgetDragNote() {
@@ -255,18 +255,6 @@ class PlayView {
 		if (this.isRunning) this.layout.worldHost.focus({ preventScroll: true });
 	}
 
-	/** A picture of the beginning of a program's game; null if there is none. */
-	pictureOf(program) {
-		const world = new World(this.world.greatLand);
-		try {
-			world.begin(program);
-			world.step();
-		} catch {
-			return null;
-		}
-		return this.scene.pictureOfGame(program, world, ...PICTURE);
-	}
-
 	/** Opens the program in an address. */
 	async open(link) {
 		await this.editing;
@@ -312,12 +300,12 @@ class PlayView {
 		}, isQuiet);
 		if (!this.isBroken && this.world.agents.length === 0) this.say(words.empty);
 		this.layout.system.value = this.world.collisions.systemName;
-		this.panel.forget();
+		this.panel.restartCount();
 		this.scene.begin();
 		this.buildBar.begin();
-		this.scene.frame();
+		this.scene.frameAgents();
 		this.programs.lessonCard.begin();
-		this.scene.best = "";
+		this.scene.bestNote = "";
 		this.scene.record = this.programs.record;
 		this.draw();
 	}
@@ -359,7 +347,7 @@ class PlayView {
 		this.showRun();
 		this.say(words.running);
 		this.layout.worldHost.focus({ preventScroll: true });
-		this.panel.forget(performance.now());
+		this.panel.restartCount(performance.now());
 	}
 
 	get isRunning() {
@@ -436,7 +424,7 @@ class PlayView {
 		const { how, text } = this.world.ended;
 		this.#halt();
 		if (how === "won") {
-			this.scene.best = this.programs.win(this.world.seconds);
+			this.scene.bestNote = this.programs.win(this.world.seconds);
 			this.draw();
 			this.#celebrate(text);
 		} else {

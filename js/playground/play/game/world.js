@@ -39,6 +39,7 @@ export class World {
 	#received = [];
 	#scripts = [];
 	#areSensesOld = true;
+	/** Whether the pairs are found again, in a frame that stands still. */
 	#isAgain = false;
 	/** The blocks of the late engine, once a program uses them. */
 	#lateBlocks = null;
@@ -66,13 +67,11 @@ export class World {
 
 	/** The blocks that answer questions, those for contacts, for the ground and the edges, and those that walk. */
 	get lateBlocks() {
-		return this.#lateBlocks ??= this.#makeLateBlocks();
-	}
-
-	#makeLateBlocks() {
+		if (this.#lateBlocks) return this.#lateBlocks;
 		const { ContactBlocks, DetectionBlocks, TerrainBlocks, WalkBlocks } = lateEngine;
 		const detection = new DetectionBlocks(this.collisions);
-		return { detection, contacts: new ContactBlocks(this.collisions), edges: new TerrainBlocks(this.collisions, detection), walker: new WalkBlocks(detection) };
+		this.#lateBlocks = { detection, contacts: new ContactBlocks(this.collisions), edges: new TerrainBlocks(this.collisions, detection), walker: new WalkBlocks(detection) };
+		return this.#lateBlocks;
 	}
 
 	/**
@@ -173,16 +172,12 @@ export class World {
 	/** Finds the pairs that touch once more in a frame that stands still. Scripts of collisions do not run: they have run in it already. */
 	collideAgain() {
 		this.sounds.length = 0;
-		this.#isAgain = true;
-		try {
-			this.collide();
-		} finally {
-			this.#isAgain = false;
-		}
+		this.collide(true);
 	}
 
-	/** Ends the frame: finds the pairs that touch. */
-	collide() {
+	/** Finds the pairs that touch, at the end of a frame or again. */
+	collide(isAgain = false) {
+		this.#isAgain = isAgain;
 		if (this.isWatched) this.pairs = new Map();
 		this.#handled = 0;
 		const start = performance.now();

@@ -72,12 +72,8 @@ export class Finder {
 	}
 
 	/** The program whose beginning Play shows first for an address. */
-	async first(address) {
-		try {
-			return await (address === "" || address === "all" ? this.last() : this.find(this.ownOf(address)));
-		} catch {
-			return this.find(FIRST);
-		}
+	first(address) {
+		return (address === "" || address === "all" ? this.last() : this.find(this.ownOf(address))).catch(() => this.find(FIRST));
 	}
 
 	/** The id of what the user has made of a lesson's program last; otherwise the same name. */

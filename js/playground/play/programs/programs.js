@@ -85,7 +85,7 @@ export class Programs {
 		try {
 			const name = isNew ? address : this.finder.ownOf(address);
 			const found = await this.finder.find(name);
-			if (found.models) found.program = await this.view.modelShelf.bring(found.program, found.models);
+			if (found.models && turn === this.#turn) found.program = await this.view.modelShelf.bring(found.program, found.models);
 			if (turn !== this.#turn) return;
 			this.#show(found.pupil ? { ...found, title: words.handedBy(found.title, found.pupil) } : found);
 			if (found.name === name) this.#remember(name, true);
@@ -119,7 +119,6 @@ export class Programs {
 	 */
 	#show({ name, program, title, lesson }, isLast = false) {
 		const { view } = this;
-		this.#turn++;
 		const isFirst = this.#open === null || (this.#open.isStopgap && view.world.frame === 0);
 		const before = isFirst ? null : { ...this.#open, program: this.program };
 		try {
@@ -127,6 +126,7 @@ export class Programs {
 		} catch {
 			throw new AddressError(name === "link" ? words.brokenLink : words.brokenProgram);
 		}
+		this.#turn++;
 		if (!isLast) this.#home?.leave();
 		this.#open = {
 			name, title, isTaken: false, isStopgap: isLast && !this.finder.hasLast,
@@ -174,13 +174,8 @@ export class Programs {
 	}
 
 	#keep() {
-		this.#putNew(this.#titleOfCopy);
+		this.#putNew();
 		this.title.focus();
-	}
-
-	get #titleOfCopy() {
-		const { name, title } = this.#open;
-		return name === "link" ? title : words.copyOf(title);
 	}
 
 	/** Makes an open program the last one, and puts its name into the address: as a step, or in place of the one before. */
@@ -279,7 +274,7 @@ export class Programs {
 	 */
 	keepChange() {
 		if (this.#isOwn && !this.#open.isTaken) this.#put();
-		else this.#putNew(this.#titleOfCopy);
+		else this.#putNew();
 		return this.shelf.isKept;
 	}
 
@@ -291,8 +286,8 @@ export class Programs {
 		return name;
 	}
 
-	/** Keeps the program as a new one of the user's, under a new name. */
-	#putNew(title) {
+	/** Keeps the program as a new one of the user's: under a title, or as a copy. If another one has the title, it gets a number. */
+	#putNew(title = this.#open.name === "link" ? this.#open.title : words.copyOf(this.#open.title)) {
 		const { name: before, lesson } = this.#open;
 		const name = this.#freeName(title);
 		const id = `own-${Date.now().toString(36)}-${Math.floor(Math.random() * 1e6).toString(36)}`;
@@ -327,12 +322,9 @@ export class Programs {
 		}
 		try {
 			const { name, lesson, models, ...program } = JSON.parse(await file.text());
-			if (isWork(program)) {
-				this.view.say(words.isWork(file.name), true);
-				return;
-			}
-			if (!isProgram(program)) throw new Error("no program");
-			await this.openAsNew(await this.view.modelShelf.bring(program, modelsOf(models)), name ?? file.name.replace(/\.json$/i, ""), lesson);
+			if (isWork(program)) this.view.say(words.isWork(file.name), true);
+			else if (!isProgram(program)) this.view.say(words.brokenProgram, true);
+			else await this.openAsNew(await this.view.modelShelf.bring(program, modelsOf(models)), name ?? file.name.replace(/\.json$/i, ""), lesson);
 		} catch {
 			this.view.say(words.brokenProgram, true);
 		}

@@ -61,12 +61,12 @@ export class Panel {
 		const counted = this.#ticks > 0 || frame === 0 ? { ms: short(this.#ms / this.#ticks), scripts: short(this.#scriptMs / this.#ticks), ...this.#most } : {};
 		const fps = now > 0 ? Math.round((this.#frames * 1000) / (now - this.#since)) : "–";
 		this.figures.show({ ...counted, agents: agents.length, meetings, ...(now === 0 && { collisions: touching }), fps });
-		this.forget(now);
+		this.restartCount(now);
 		this.#list();
 		this.#listCast();
 	}
 
-	forget(now = 0) {
+	restartCount(now = 0) {
 		this.#since = now;
 		this.#ms = this.#scriptMs = this.#ticks = this.#frames = 0;
 		this.#most = { pairs: 0, tests: 0, collisions: 0 };

@@ -59,10 +59,7 @@ export class Studio {
 		try {
 			await import("../game/lateengine.js");
 			const { models, greatLand } = await landFor(own);
-			const world = new World(greatLand);
-			world.begin(program);
-			world.step();
-			return new Scene(this.stage, world, models, this.host).pictureOfGame(program, world, width, height);
+			return new Scene(this.stage, new World(greatLand), models, this.host).pictureOfGame(program, width, height);
 		} catch {
 			return null;
 		}

@@ -31,6 +31,14 @@ export function landOf(models) {
 /** The land of some of the game's models. */
 export const loadLand = async (names) => landOf(new Map(await Promise.all(names.map(async (name) => [name, await loadModel(name)]))));
 
+const heights = new WeakMap();
+
+/** The height of a model's highest point. It is computed once. */
+export function heightOf(model) {
+	if (!heights.has(model)) heights.set(model, model.vertices.reduce((most, value, i) => (i % 3 === 2 ? Math.max(most, value) : most), 0));
+	return heights.get(model);
+}
+
 async function read(name) {
 	if (name in BUILT_IN) return BUILT_IN[name]();
 	const { vertices, triangles, colours } = JSON.parse(await readModel(name));

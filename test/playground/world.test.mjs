@@ -393,6 +393,18 @@ test('every object\'s names are no names of programs; a game of a link leaves no
 	delete globalThis.localStorage;
 });
 
+test('an address leads to a program: what is shown first is what the user has made of a lesson, and a wrong address says why', async () => {
+	const own = { id: 'own-a-b', name: 'Mine', program: program(start(create(1, 'bears', 'bear'))), lesson: 'wing', changed: 1 };
+	const shelf = { all: [own], last: null, find: (id) => (id === own.id ? own : null) };
+	const finder = new parts.Finder(shelf);
+	for (const address of ['lesson-wing', 'own-a-b', '', await parts.toLink({ name: 'Mine', ...own.program })]) assert.deepEqual(await finder.first(address), { name: 'own-a-b', program: own.program, title: 'Mine', lesson: 'wing' }, address);
+	const other = await finder.find(await parts.toLink({ name: 'Yours', lesson: 'see', ...own.program }));
+	assert.deepEqual([other.name, other.title, other.lesson], ['link', 'Yours', 'see']);
+	await assert.rejects(finder.find('constructor'), { message: /^Nothing is at the address “constructor”/ });
+	await assert.rejects(finder.find('own-c-d'), { message: /another browser keeps/ });
+	assert.deepEqual(['all', '', 'maze'].map((address) => finder.isHome(address)), [true, false, false]);
+});
+
 test('set back by frames, the game goes on as it did', () => {
 	const game = program(
 		start(create(20, 'turtles', 'turtle', { type: 'starlogo_scatter' }), create(8, 'walls', 'wall', { type: 'starlogo_scatter' }, sized(4))),

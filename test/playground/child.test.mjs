@@ -569,11 +569,11 @@ test('on a phone a finger on an agent moves it, and does not scroll the page; ne
 	const first = await places();
 	await press(page, 'A hint');
 	assert.equal(await places(), first, 'nor the hint');
-	await page.evaluate(() => globalThis.playground.programs.lessons.look({ agents: [], frame: 1, totals: new Map() }));
+	await page.evaluate(() => globalThis.playground.programs.lessonCard.look({ agents: [], frame: 1, totals: new Map() }));
 	await page.waitForFunction(() => /^Not yet:/.test(document.querySelector('.why').textContent));
 	assert.equal(await places(), first, 'nor what is wrong');
 	await page.evaluate(() => {
-		const { lessons } = globalThis.playground.programs;
+		const { lessonCard: lessons } = globalThis.playground.programs;
 		lessons.begin();
 		const platforms = [{ breed: 'platforms' }, { breed: 'platforms' }];
 		const game = (below, ...coins) => ({ agents: [{ breed: 'bears', z: 2, rise: 0.1 }, ...platforms, ...coins], frame: 1, walking: { standsOn: () => platforms[below] }, totals: new Map([['bears\ncoins', 1]]) });
@@ -652,7 +652,7 @@ test('the space bar throws after a tick, Speed keeps the keyboard, and an error 
 	await press(page, 'Run');
 	await page.getByLabel('What the engine sees').check();
 	await page.keyboard.press('Space');
-	await page.waitForFunction(() => globalThis.playground.world.agents.some(({ breed }) => breed === 'paintballs') || globalThis.playground.world.state.made > 22);
+	await page.waitForFunction(() => globalThis.playground.world.agents.some(({ breed }) => breed === 'paintballs') || globalThis.playground.world.made > 22);
 	assert.ok(await page.getByLabel('What the engine sees').isChecked());
 	await page.getByLabel('What the engine sees').uncheck();
 	await page.getByLabel('Speed').focus();

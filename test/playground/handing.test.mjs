@@ -15,7 +15,7 @@ after(() => site.close());
 const Desktop = SIZES.laptop;
 const BEAR = path.join(root, 'assets/bear.obj');
 const skip = isChromium ? false : 'downloads are Chromium\'s';
-const tickOf = (page, name) => page.evaluate((lesson) => globalThis.playground.programs.lessons.isDone(lesson), name);
+const tickOf = (page, name) => page.evaluate((lesson) => globalThis.playground.programs.progress.isDone(lesson), name);
 const lessonShown = (page) => page.evaluate(() => document.querySelector('.lesson h2')?.textContent ?? null);
 
 /** Opens an address in the page that is there. */
@@ -76,7 +76,7 @@ test('three pupils hand in on one computer, one after the other; the teacher see
 		assert.match(await page.getByRole('dialog', { name: 'New pupil…' }).textContent(), /forgets everything.*This cannot be undone/);
 		await Promise.all([page.waitForNavigation(), press(page, 'Forget everything')]);
 		await ready(page, 'play');
-		assert.deepEqual([await own(page), await tickOf(page, 'helmet'), await page.evaluate(() => globalThis.playground.own.names)], [[], false, []]);
+		assert.deepEqual([await own(page), await tickOf(page, 'helmet'), await page.evaluate(() => globalThis.playground.modelShelf.names)], [[], false, []]);
 	}
 	await go(page, 'teach');
 	await page.getByRole('link', { name: 'The work of a class' }).click();
@@ -97,7 +97,7 @@ test('three pupils hand in on one computer, one after the other; the teacher see
 	await ready(page, 'play');
 	await titled(page, 'Blocks make turtles move (mine) (Cem)');
 	assert.equal(await lessonShown(page), 'Blocks make turtles move');
-	assert.deepEqual([await page.evaluate(() => globalThis.playground.world.agents[0].shape), await page.evaluate(() => globalThis.playground.own.names)], ['bear 2', ['bear 2']]);
+	assert.deepEqual([await page.evaluate(() => globalThis.playground.world.agents[0].shape), await page.evaluate(() => globalThis.playground.modelShelf.names)], ['bear 2', ['bear 2']]);
 	assert.deepEqual(await own(page), [], 'it is not among her own');
 	await press(page, 'Step');
 	await page.reload();
@@ -316,7 +316,7 @@ test('links and files keep the lesson; own models go along in files, and a link 
 	await third.page.reload();
 	await ready(third.page, 'play');
 	assert.equal(await lessonShown(third.page), 'Blocks make turtles move');
-	assert.deepEqual(await third.page.evaluate(() => [globalThis.playground.own.names, globalThis.playground.world.agents[0].shape]), [['bear 2', 'bear 2 2'], 'bear 2 2']);
+	assert.deepEqual(await third.page.evaluate(() => [globalThis.playground.modelShelf.names, globalThis.playground.world.agents[0].shape]), [['bear 2', 'bear 2 2'], 'bear 2 2']);
 	assert.equal(JSON.parse(file).models['bear 2'], readFileSync(BEAR).toString('base64'));
 	assert.deepEqual(third.said, []);
 	await third.leave();
@@ -374,7 +374,7 @@ test('a program is printed on a page of its own: with its name, its picture and 
 
 test('the last lesson leads on: to the games, to one to change, to one of one\'s own', async () => {
 	const { page, said, leave } = await open(site, 'play/lesson-jump', Desktop);
-	await page.evaluate(() => globalThis.playground.programs.lessons.win('x') ?? localStorage.setItem('starlogo-playground.lessons', '["jump"]'));
+	await page.evaluate(() => globalThis.playground.programs.progress.tickGame('x') ?? localStorage.setItem('starlogo-playground.lessons', '["jump"]'));
 	await page.reload();
 	await ready(page, 'play');
 	await page.waitForFunction(() => /^Done!/.test(document.querySelector('.why').textContent));

@@ -210,7 +210,7 @@ test('no word of the page is anywhere but in its language', { skip: isChromium ?
 	assert.deepEqual(await page.evaluate(unmarked), [], 'Play');
 	await page.evaluate(async () => {
 		const view = globalThis.playground;
-		view.scene.isSeen = true;
+		view.scene.isEngineShown = true;
 		await view.putBeside('exact');
 	});
 	await press(en.play.step);

@@ -6,7 +6,7 @@ import { pathToFileURL } from 'node:url';
 import { root } from './browser.mjs';
 
 const { buildSync } = createRequire(path.join(root, 'js/playground/package.json'))('esbuild');
-const MODULES = ['play/game/world.js', 'play/game/moves.js', 'play/brought/examples.js', 'play/brought/games.js', 'play/game/program.js', 'play/blocks/blocks.js', 'play/programs/storage.js', 'play/brought/lessons.js', 'play/export/javascript.js', 'teach/solutions.js', 'shared/language.js', 'shared/drawing/colours.js', 'shared/files/made.js'];
+const MODULES = ['play/game/world.js', 'play/game/moves.js', 'play/builtin/examples.js', 'play/builtin/games.js', 'play/game/program.js', 'play/blocks/blocks.js', 'play/programs/shelf.js', 'play/programs/programtext.js', 'play/programs/finder.js', 'play/builtin/builtin.js', 'play/builtin/lessons.js', 'play/export/javascript.js', 'teach/solutions.js', 'shared/language.js', 'shared/drawing/colours.js', 'shared/files/generatedmodels.js'];
 const FILES = ['bear.obj', 'seagull.dae', 'fireman.dae', 'dragon.dae', 'person.dae', 'fortress.obj', 'spaceship.obj', 'kelp.obj', 'tree.obj'];
 const folder = path.join(root, 'bin/generated');
 
@@ -24,7 +24,7 @@ const from = (file) => JSON.stringify(path.join(root, 'js/playground', file));
 // words come before what is made of them
 const english = write('english.mjs', `import { texts } from ${from('languages/en.js')};\nimport { texts as further } from ${from('languages/game/en.js')};\nimport { speak } from ${from('shared/language.js')};\nspeak(texts);\nspeak(further);\n`);
 const { outputFiles: [{ text }] } = buildSync({
-	stdin: { contents: [`import ${JSON.stringify(english)};`, ...MODULES.map((file) => `export * from "./${file}";`), 'import "./play/game/lateengine.js";', 'export * as notation from "./play/brought/notation.js";', 'export * from "starlogo-collision";'].join('\n'), resolveDir: path.join(root, 'js/playground') },
+	stdin: { contents: [`import ${JSON.stringify(english)};`, ...MODULES.map((file) => `export * from "./${file}";`), 'import "./play/game/lateengine.js";', 'export * as notation from "./play/builtin/notation.js";', 'export * from "starlogo-collision";'].join('\n'), resolveDir: path.join(root, 'js/playground') },
 	bundle: true, format: 'esm', write: false, logLevel: 'warning', nodePaths: [path.join(root, 'js/playground/node_modules')],
 	alias: { 'starlogo-collision/three': path.join(root, 'bin/module', exports['./three'].default), 'starlogo-collision': path.join(root, 'bin/module', exports['.'].default) },
 });

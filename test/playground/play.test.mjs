@@ -325,9 +325,9 @@ test('after a choice of system the arrow keys play, and at a wall the bear is no
 	});
 	const bear = async () => (await agents(page, 'bears'))[0];
 	const hold = async (key, frames) => {
-		await page.evaluate((name) => globalThis.playground.world.press(name), key);
+		await page.evaluate((name) => globalThis.playground.world.input.press(name), key);
 		await step(page, frames);
-		await page.evaluate((name) => globalThis.playground.world.release(name), key);
+		await page.evaluate((name) => globalThis.playground.world.input.release(name), key);
 	};
 	await hold('up', 8);
 	await page.getByLabel('Collision system').selectOption('tightest fits');
@@ -541,7 +541,7 @@ test('refused storage, another tab, and dropped files are said in words', async 
 	await page.waitForFunction(() => /forgets the model “cone”/.test(document.querySelector('.game .status').textContent));
 	await page.reload();
 	await ready(page, 'play');
-	assert.deepEqual(await page.evaluate(() => [globalThis.playground.own.names, globalThis.playground.models.has('cone')]), [[], false]);
+	assert.deepEqual(await page.evaluate(() => [globalThis.playground.modelShelf.names, globalThis.playground.models.has('cone')]), [[], false]);
 	assert.deepEqual(said, []);
 	await leave();
 });
@@ -595,7 +595,7 @@ test('a click on an agent tells of it, what the engine sees is shown, and a won 
 	});
 	await press(page, 'Step');
 	const colours = await paint();
-	assert.ok(colours.length > 4 && await page.evaluate(() => globalThis.playground.world.state.touching > 0));
+	assert.ok(colours.length > 4 && await page.evaluate(() => globalThis.playground.world.touching > 0));
 	await page.getByLabel('What the engine sees').check();
 	assert.deepEqual(await paint(), colours, 'agents that touch keep their colours');
 	const solids = () => page.evaluate(() => globalThis.playground.stage.marks.boxes.mesh.count);

@@ -84,7 +84,7 @@ test('without a server, every view works, programs and models are kept, and noth
 	await press(page, 'Save a copy');
 	await page.reload();
 	await ready(page, 'play');
-	assert.deepEqual(await page.evaluate(() => [document.querySelector('.title').value, globalThis.playground.own.names]), ['Maze (mine)', ['bear 2']]);
+	assert.deepEqual(await page.evaluate(() => [document.querySelector('.title').value, globalThis.playground.modelShelf.names]), ['Maze (mine)', ['bear 2']]);
 	assert.deepEqual(said, []);
 	await page.context().close();
 });

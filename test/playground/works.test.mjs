@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { webcrypto } from 'node:crypto';
 import { test } from 'node:test';
-import { handed } from '../../js/playground/shared/files/handed.js';
+import { handed } from '../../js/playground/shared/files/submissions.js';
 
 globalThis.crypto ??= webcrypto;
 

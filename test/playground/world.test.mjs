@@ -122,13 +122,13 @@ test('keys that are held, pressed, and timers', () => {
 	const world = played(program(start(create(1, 'bears', 'bear')), key('up', 'held', forward(1)), key('space', 'pressed', up),
 		{ type: 'starlogo_timer', fields: { BREED: 'bears' }, inputs: { SECONDS: number(0.5), ...inside({ type: 'starlogo_size', inputs: { SIZE: number(3) } }) } }), 0);
 	const [bear] = world.agents;
-	world.press('up');
-	world.press('space');
+	world.input.press('up');
+	world.input.press('space');
 	for (let i = 0; i < 3; i++) {
 		world.step();
 	}
 	assert.deepEqual([bear.x, bear.z, bear.size], [3, 1, 1]);
-	world.release('up');
+	world.input.release('up');
 	for (let i = 0; i < 27; i++) {
 		world.step();
 	}
@@ -152,7 +152,7 @@ test('a message is received in the next frame, by those of a breed who are there
 	assert.deepEqual(bears(world), [[2, 0], [2, 0]], 'it is received once');
 	world.history.show(1);
 	world.step();
-	assert.deepEqual([bears(world), world.state.shown], [[[2, 0], [2, 0]], ['lives']], 'the same again after going back');
+	assert.deepEqual([bears(world), world.shownVariables], [[[2, 0], [2, 0]], ['lives']], 'the same again after going back');
 	world.begin(program(...state.blocks.blocks.map((block, i) => (i === 0 ? { ...block, inputs: inside(create(2, 'bears', 'bear', own('starlogo_own_set', 'lives', { VALUE: number(3) })), { type: 'starlogo_broadcast', fields: { MESSAGE: 'go' } }) } : block))));
 	world.step();
 	world.step();
@@ -208,12 +208,12 @@ const walker = (...walls) => program(
 const sized = (size) => ({ type: 'starlogo_size', inputs: { SIZE: number(size) } });
 const go = (x, y, z) => ({ type: 'starlogo_go', inputs: { X: number(x), Y: number(y), Z: number(z) } });
 const hold = (world, key, frames) => {
-	world.releaseAll();
-	world.press(key);
+	world.input.releaseAll();
+	world.input.press(key);
 	for (let i = 0; i < frames; i++) {
 		world.step();
 	}
-	world.releaseAll();
+	world.input.releaseAll();
 };
 
 test('who goes back from a wall never gets stuck in it', () => {
@@ -223,8 +223,8 @@ test('who goes back from a wall never gets stuck in it', () => {
 	let touched = 0;
 	for (let i = 0; i < 4000; i++) {
 		if (i % 40 === 0) {
-			world.releaseAll();
-			world.press(keys[Math.floor(world.random() * keys.length)]);
+			world.input.releaseAll();
+			world.input.press(keys[Math.floor(world.random() * keys.length)]);
 		}
 		world.step();
 		touched += bear.before.every((each, k) => each === [bear.x, bear.y, bear.z, bear.heading][k]) ? 1 : 0;
@@ -363,6 +363,48 @@ test('a random number between random numbers is between them', () => {
 	assert.deepEqual([...found].sort(), [1, 2, 3, 4, 5]);
 });
 
+test('a frame that stands still is searched again: collisions have run in it already, but touches may begin', () => {
+	const score = (type, OTHER, SCORE) => ({ type, fields: { BREED: 'bears', OTHER }, inputs: inside({ type: 'starlogo_score_change', inputs: { SCORE: number(SCORE) } }) });
+	const world = played(program(start(create(1, 'bears', 'bear'), create(1, 'walls', 'wall'), create(1, 'turtles', 'turtle', go(9, 9, 0))),
+		score('starlogo_collision', 'walls', 1), score('starlogo_collision', 'turtles', 10), score('starlogo_touch_start', 'turtles', 100)), 1);
+	assert.equal(world.score, 1);
+	for (const system of ['exact', 'unit spheres', 'tightest fits']) {
+		world.useSystem(system);
+		world.collideAgain();
+	}
+	assert.deepEqual([world.score, world.collisions.collision.statistics.collisions], [1, 1]);
+	world.agents[2].jumpTo(0, 0, 0);
+	world.collideAgain();
+	assert.equal(world.score, 101);
+	world.step();
+	assert.equal(world.score, 112);
+});
+
+test('every object\'s names are no names of programs; a game of a link leaves no best time for the next link', () => {
+	assert.deepEqual(['constructor', 'toString', 'lesson-constructor', 'maze', 'lesson-wing'].map(parts.isBuiltIn), [false, false, false, true, true]);
+	const kept = new Map();
+	globalThis.localStorage = { getItem: (key) => kept.get(key) ?? null, setItem: (key, text) => kept.set(key, text), removeItem: (key) => kept.delete(key) };
+	const shelf = new parts.Shelf();
+	for (const id of ['maze', 'link']) {
+		shelf.putRecord(id, 3);
+		shelf.putCamera(id, 'eyes');
+	}
+	assert.deepEqual(['maze', 'link'].map((id) => [shelf.recordOf(id), shelf.cameraOf(id)]), [[3, 'eyes'], [null, null]]);
+	delete globalThis.localStorage;
+});
+
+test('an address leads to a program: what is shown first is what the user has made of a lesson, and a wrong address says why', async () => {
+	const own = { id: 'own-a-b', name: 'Mine', program: program(start(create(1, 'bears', 'bear'))), lesson: 'wing', changed: 1 };
+	const shelf = { all: [own], last: null, find: (id) => (id === own.id ? own : null) };
+	const finder = new parts.Finder(shelf);
+	for (const address of ['lesson-wing', 'own-a-b', '', await parts.toLink({ name: 'Mine', ...own.program })]) assert.deepEqual(await finder.first(address), { name: 'own-a-b', program: own.program, title: 'Mine', lesson: 'wing' }, address);
+	const other = await finder.find(await parts.toLink({ name: 'Yours', lesson: 'see', ...own.program }));
+	assert.deepEqual([other.name, other.title, other.lesson], ['link', 'Yours', 'see']);
+	await assert.rejects(finder.find('constructor'), { message: /^Nothing is at the address “constructor”/ });
+	await assert.rejects(finder.find('own-c-d'), { message: /another browser keeps/ });
+	assert.deepEqual(['all', '', 'maze'].map((address) => finder.isHome(address)), [true, false, false]);
+});
+
 test('set back by frames, the game goes on as it did', () => {
 	const game = program(
 		start(create(20, 'turtles', 'turtle', { type: 'starlogo_scatter' }), create(8, 'walls', 'wall', { type: 'starlogo_scatter' }, sized(4))),
@@ -385,6 +427,26 @@ test('set back by frames, the game goes on as it did', () => {
 	assert.equal(places(world), end);
 });
 
+test('set back by frames, breeds have the settings of then, and questions see the agents of then', () => {
+	const at = (frame, block) => each('walls', { type: 'controls_if', inputs: { IF0: value('logic_compare', { OP: 'EQ' }, { A: value('starlogo_clock'), B: number(frame / 60) }), DO0: { block } } });
+	const world = played(program(
+		start(create(2, 'bears', 'bear'), create(1, 'walls', 'wall', go(9, 9, 0))), each('bears', forward(0.1)),
+		at(10, { type: 'starlogo_hierarchical', fields: { WHO: 'bears', ON: 'on' } }), at(10, { type: 'starlogo_show', fields: { WHO: 'bears', ON: 'on' } }), at(10, { type: 'starlogo_hatch', fields: { SHAPE: 'bear', BREED: 'bears' } }),
+	), 12);
+	const [bear, other] = world.agents;
+	const born = () => world.add('bear', 'bears', null);
+	assert.deepEqual([born().hierarchical, world.structures.isShown(bear), world.senses.queries.touching(bear).includes(other)], [true, true, true]);
+	world.history.show(7);
+	assert.deepEqual([world.frame, born().hierarchical, bear.hierarchical, world.structures.isShown(bear)], [5, false, false, false]);
+	for (let i = 0; i < 7; i++) world.step();
+	assert.deepEqual([born().hierarchical, world.structures.isShown(bear)], [true, true], 'it goes the same way again');
+	other.moveTo(5, 5, 0);
+	world.collide();
+	assert.ok(!world.senses.queries.touching(bear).includes(other), 'an agent that was dragged is seen at its place');
+	world.history.show(1);
+	assert.ok(world.senses.queries.touching(bear).includes(other));
+});
+
 test('one game hears the keys of another: under the same system it is the same, under another one others touch', () => {
 	const game = program(...parts.GAMES.paintball.blocks.blocks, start({ type: 'starlogo_system', fields: { SYSTEM: 'exact' } }));
 	const play = (system) => {
@@ -397,16 +459,16 @@ test('one game hears the keys of another: under the same system it is the same, 
 		}
 		let differences = 0;
 		for (let frame = 0; frame < 240; frame++) {
-			first[frame % 60 < 30 ? 'press' : 'release']('left');
-			first[frame % 40 < 30 ? 'press' : 'release']('up');
+			first.input[frame % 60 < 30 ? 'press' : 'release']('left');
+			first.input[frame % 40 < 30 ? 'press' : 'release']('up');
 			if (frame % 15 === 0) {
-				first.press('space');
-				first.release('space');
+				first.input.press('space');
+				first.input.release('space');
 			}
-			second.hear(first);
+			second.input.take(first.input, second.agents);
 			second.step();
 			first.step();
-			differences += [...first.state.pairs.keys()].join() === [...second.state.pairs.keys()].join() ? 0 : 1;
+			differences += [...first.pairs.keys()].join() === [...second.pairs.keys()].join() ? 0 : 1;
 		}
 		assert.equal(second.collisions.systemName, system, 'blocks leave it as it is');
 		return { differences, places: [first, second].map((world) => JSON.stringify(world.agents.map(({ number: name, x, y, heading, color }) => [name, x, y, heading, color]))) };
@@ -438,7 +500,7 @@ test('what agents know of others, and how they move by it', () => {
 	const [bear] = world.agents;
 	assert.ok(bear.x > 2 && bear.x < 2.9, `it stands at the wall: ${bear.x}`);
 	assert.equal(world.variables.touching, true);
-	world.press('w');
+	world.input.press('w');
 	world.step();
 	assert.deepEqual(world.agents.filter(({ breed }) => breed === 'friends').map(({ said }) => said.text), ['Hi']);
 	assert.ok(Math.abs(bear.heading) < 1, `${bear.heading}`);
@@ -615,12 +677,12 @@ const angleTo = (from, to) => ((((Math.atan2(to.y - from.y, to.x - from.x) * 180
 /** Turns and walks an agent towards a place with the arrow keys. */
 function steer(world, agent, to, isWalking = true) {
 	const angle = angleTo(agent, to);
-	world.releaseAll();
+	world.input.releaseAll();
 	if (Math.abs(angle) > 2) {
-		world.press(angle > 0 ? 'left' : 'right');
+		world.input.press(angle > 0 ? 'left' : 'right');
 	}
 	if (isWalking && Math.abs(angle) < 40) {
-		world.press('up');
+		world.input.press('up');
 	}
 	return Math.abs(angle);
 }
@@ -642,7 +704,7 @@ const PLAYERS = {
 		const [bear] = all(world, 'bears');
 		const left = all(world, 'turtles').filter(({ color }) => color === -1);
 		if (left.length > 0 && steer(world, bear, nearestTo(bear, left)) < 8 && world.frame % 20 === 0) {
-			world.press('space');
+			world.input.press('space');
 		}
 	},
 	chase(world) {
@@ -671,15 +733,15 @@ const PLAYERS = {
 		const [ship] = all(world, 'spaceships');
 		const rocks = all(world, 'rocks');
 		if (rocks.length > 0 && steer(world, ship, nearestTo(ship, rocks), false) < 10 && world.frame % 12 === 0) {
-			world.press('space');
+			world.input.press('space');
 		}
 	},
 	catch(world) {
 		const [turtle] = all(world, 'turtles');
 		const [pearl] = all(world, 'pearls').sort((a, b) => a.z - b.z);
-		world.releaseAll();
+		world.input.releaseAll();
 		if (pearl && Math.abs(pearl.x - turtle.x) > 0.3) {
-			world.press(pearl.x > turtle.x ? 'right' : 'left');
+			world.input.press(pearl.x > turtle.x ? 'right' : 'left');
 		}
 	},
 	tag(world) {
@@ -691,9 +753,9 @@ const PLAYERS = {
 	},
 	pinball(world) {
 		const [[paddle], [ball]] = [all(world, 'paddles'), all(world, 'balls')];
-		world.releaseAll();
+		world.input.releaseAll();
 		if (Math.abs(ball.x - paddle.x) > 0.3) {
-			world.press(ball.x > paddle.x ? 'right' : 'left');
+			world.input.press(ball.x > paddle.x ? 'right' : 'left');
 		}
 	},
 	hills(world) {
@@ -709,13 +771,13 @@ PLAYERS.jump = (world) => {
 	const [[person], [lift], [turtle], [house]] = ['people', 'lifts', 'turtles', 'houses'].map((breed) => all(world, breed));
 	const coins = all(world, 'coins').sort((a, b) => a.x - b.x);
 	const to = coins[0] ?? house;
-	world.releaseAll();
+	world.input.releaseAll();
 	const below = world.walking.standsOn(person);
-	world.press(to.x > person.x ? 'right' : 'left');
+	world.input.press(to.x > person.x ? 'right' : 'left');
 	const gap = below && to.x > person.x && person.x > below.x + below.size / 2 - 0.35;
 	const isLiftNear = person.x > -4 && person.x < -2 ? lift.x < -0.6 : true;
-	if (gap && !isLiftNear) world.releaseAll();
-	if ((gap && isLiftNear) || (below && Math.abs(to.x - person.x) < 1.3 && to.z > person.z + 0.9) || (turtle && below && Math.abs(turtle.x - person.x) < 1.6 && Math.abs(turtle.z - person.z) < 0.5)) world.press('space');
+	if (gap && !isLiftNear) world.input.releaseAll();
+	if ((gap && isLiftNear) || (below && Math.abs(to.x - person.x) < 1.3 && to.z > person.z + 0.9) || (turtle && below && Math.abs(turtle.x - person.x) < 1.6 && Math.abs(turtle.z - person.z) < 0.5)) world.input.press('space');
 };
 PLAYERS.drive = (world, memory) => {
 	const [car] = all(world, 'cars');
@@ -760,19 +822,19 @@ test('agents fall onto solid breeds, jump, are carried and turn at the edge; set
 	for (let i = 0; i < 30; i++) world.step();
 	near(hero.x - platform.x, before, 0.021);
 	assert.ok(hero.x > 0.5, 'carried');
-	world.press('space');
+	world.input.press('space');
 	const way = () => Array.from({ length: 60 }, () => {
 		world.step();
-		world.releaseAll();
+		world.input.releaseAll();
 		return `${hero.x} ${hero.z} ${hero.rise}`;
 	});
 	const first = way();
 	near(Math.max(...first.map((each) => Number(each.split(' ')[1]))), 5, 0.01);
 	near(hero.z, 3);
 	world.history.show(60);
-	world.press('space');
+	world.input.press('space');
 	assert.deepEqual(way(), first);
-	world.press('down');
+	world.input.press('down');
 	for (let i = 0; i < 60; i++) world.step();
 	near(hero.z, 0);
 	world.history.show(60);
@@ -950,11 +1012,12 @@ test('a program as JavaScript is a module on the package that plays the same gam
 		for (let frame = 0; frame < 300; frame++) {
 			if (frame % 25 === 0) {
 				const key = keys[(frame / 25) % keys.length];
-				for (const each of keys) [world, module].forEach((game) => game.release(each));
-				[world, module].forEach((game) => game.press(key));
+				for (const each of keys) [world.input, module].forEach((game) => game.release(each));
+				[world.input, module].forEach((game) => game.press(key));
 			}
-			if (frame === 40) [world, module].forEach((game) => game.click(game.agents[0]));
-			if (frame === 60 && module.mouse) [world, module].forEach(({ mouse }) => Object.assign(mouse, { x: 3 }));
+			if (frame === 40) [world.input.clicked] = world.agents;
+			if (frame === 40) module.click(module.agents[0]);
+			if (frame === 60 && module.mouse) [world.input, module].forEach(({ mouse }) => Object.assign(mouse, { x: 3 }));
 			const places = () => world.agents.map(({ x, y, z }) => `${x} ${y} ${z}`).join();
 			const before = places();
 			world.step();
@@ -964,6 +1027,21 @@ test('a program as JavaScript is a module on the package that plays the same gam
 		}
 		if (name in parts.GAMES || name === 'everything') assert.ok(moved > 30, `${name}: ${moved} frames in which somebody moved`);
 	}
+});
+
+test('a text in a variable counts as its number, in the game and as JavaScript', async () => {
+	const VAR = { id: 'v' };
+	const state = { ...program(start(create(1, 'bears', 'bear',
+		{ type: 'variables_set', fields: { VAR }, inputs: { VALUE: value('text', { TEXT: '5' }) } }, { type: 'math_change', fields: { VAR }, inputs: { DELTA: number(1) } },
+		{ type: 'starlogo_own_set', fields: { NAME: 'n' }, inputs: { VALUE: value('text', { TEXT: '2' }) } }, { type: 'starlogo_own_change', fields: { NAME: 'n' }, inputs: { DELTA: value('starlogo_own', { NAME: 'n' }) } },
+		{ type: 'starlogo_score_set', inputs: { SCORE: value('math_arithmetic', { OP: 'ADD' }, { A: value('variables_get', { VAR }), B: value('starlogo_own', { NAME: 'n' }) }) } }))), variables: [{ id: 'v', name: 'v' }] };
+	const text = parts.javascriptOf(state, 'texts', made).replace(/^for \(let i = 0; i < 600 .*\nconsole\.log.*$/m, '');
+	const file = path.join(root, 'bin/generated/javascript/texts.mjs');
+	mkdirSync(path.dirname(file), { recursive: true });
+	writeFileSync(file, text.replace('"starlogo-collision"', JSON.stringify(pathToFileURL(path.join(root, 'bin/module/starlogo-collision.js')).href)));
+	const { game } = await import(pathToFileURL(file).href);
+	assert.deepEqual([played(state, 0).score, game.score], [10, 10]);
+	assert.ok(!parts.javascriptOf(everything(), 'none', made).includes('Number('), 'and is left out where no variable is a text');
 });
 
 test('a program as JavaScript runs in Node as its first line says, with the package beside it and no other file', async () => {

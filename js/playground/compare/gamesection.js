@@ -65,9 +65,7 @@ export class GameSection {
 	open({ system, reference, frame }) {
 		this.system = system;
 		this.reference = this.references.value = reference;
-		this.game = new ScatteredGame(COUNT);
-		for (this.#frame = 0; this.#frame < frame; this.#frame++) this.game.step();
-		this.#judge();
+		this.#restart(frame);
 	}
 
 	/** The address's argument for what is shown. */
@@ -75,9 +73,9 @@ export class GameSection {
 		return gameTo(this.system, this.reference, this.#frame);
 	}
 
-	#restart() {
+	#restart(frame = 0) {
 		this.game = new ScatteredGame(COUNT);
-		this.#frame = 0;
+		for (this.#frame = 0; this.#frame < frame; this.#frame++) this.game.step();
 		this.#judge();
 	}
 

@@ -77,13 +77,12 @@ class CompareView {
 		this.#update();
 	}
 
-	/** Offers further models to the two agents. */
+	/** Offers models to the two agents, in place of earlier ones with their names. */
 	offer(models) {
 		for (const [name, model] of models) {
-			if (this.models.has(name)) continue;
+			for (const shape of this.models.has(name) ? [] : this.shapes) shape.append(h("option", { value: name }, name));
 			this.models.set(name, model);
 			this.greatLand.addModel(model);
-			for (const shape of this.shapes) shape.append(h("option", { value: name }, name));
 		}
 	}
 

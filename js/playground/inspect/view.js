@@ -4,7 +4,7 @@ import { grid } from "../shared/drawing/backdrop.js";
 import { AGENTS, LINES, OWN_COLOURS } from "../shared/drawing/colours.js";
 import { button, choice, field, fileButton, h, modes, short, slider, tick } from "../shared/dom.js";
 import { Lab, orbitByKeys } from "../shared/drawing/lab.js";
-import { loadModel } from "../shared/files/models.js";
+import { heightOf, loadModel } from "../shared/files/models.js";
 import { openModel, ownModels } from "../shared/files/ownmodels.js";
 import { MODELS } from "../shared/names.js";
 import { texts } from "../shared/language.js";
@@ -161,7 +161,7 @@ class InspectView {
 		const agent = new Agent(model.name);
 		agent.color = this.#files.has(this.#chosen) && model.colours ? OWN_COLOURS : AGENTS.first;
 		this.stage.showAgents([agent], new Map([[model.name, model]]));
-		const height = model.vertices.reduce((most, value, i) => (i % 3 === 2 ? Math.max(most, value) : most), 0);
+		const height = heightOf(model);
 		this.stage.frame([0, 0, height / 2], Math.hypot(0.6, height / 2));
 		this.stage.clearLines("structure", "level");
 		if (this.found && this.structures.hidden) this.questions?.open(model, this.found.greatLand);

@@ -94,12 +94,11 @@ export class Live {
 		this.#begin();
 	}
 
-	/** Offers further models, in place of the six. */
+	/** Offers models instead of the six, in place of earlier ones with their names. */
 	offer(models) {
 		for (const [name, model] of models) {
-			if (this.greatLand.boundingStructures.has(name)) continue;
+			if (!this.greatLand.boundingStructures.has(name)) this.models.append(h("option", { value: name }, name));
 			this.greatLand.addModel(model);
-			this.models.append(h("option", { value: name }, name));
 		}
 	}
 

@@ -4,7 +4,7 @@
 import { CollisionBlocks } from "starlogo-collision";
 import { CAST } from "../shared/scattered.js";
 import { button, choice, field, fileButton, h, modes, short } from "../shared/dom.js";
-import { hand } from "../shared/files/hand.js";
+import { download } from "../shared/files/download.js";
 import { texts } from "../shared/language.js";
 import { recallList, rememberValue } from "../shared/files/memory.js";
 import { MODEL_FILE } from "../shared/files/files.js";
@@ -36,6 +36,8 @@ class MeasureView {
 	result = null;
 	/** The measurement of another machine, or an earlier one of this machine. */
 	other = null;
+	/** The measurement of the file that was opened last. */
+	#file = null;
 	#turn = 0;
 	#isRunning = false;
 	#most = FIRST_MOST;
@@ -53,8 +55,8 @@ class MeasureView {
 		const most = choice(COUNTS.slice(2).map((count) => [String(count), String(count)]), String(FIRST_MOST), (count) => {
 			this.#most = Number(count);
 		});
-		this.keepers = [button(words.keep, () => this.#keep()), button(words.download, () => hand(JSON.stringify(this.result, null, 1), words.fileName, "application/json")),
-			button(words.downloadChart, () => hand(fileOf(this.picture.firstChild), words.chartName, "image/svg+xml"))];
+		this.keepers = [button(words.keep, () => this.#keep()), button(words.download, () => download(JSON.stringify(this.result, null, 1), words.fileName, "application/json")),
+			button(words.downloadChart, () => download(fileOf(this.picture.firstChild), words.chartName, "image/svg+xml"))];
 		this.live = new Live(greatLand);
 		this.series = h("div.series", { hidden: true });
 		main.replaceChildren(modes(words, "live", (mode) => this.#turnTo(mode)), this.live.element, this.series);
@@ -136,12 +138,12 @@ class MeasureView {
 
 	#listOthers() {
 		const title = ({ machine, date }) => words.entry(machine, new Date(date).toLocaleString(texts.code, { dateStyle: "short", timeStyle: "short" }));
-		this.others.replaceChildren(h("option", { value: "" }, words.nothing), ...this.#all.map((each, i) => h("option", { value: i }, title(each))));
-		if (this.other && !this.#all.some(({ date }) => date === this.other.date)) this.others.append(h("option", { value: "file", selected: true }, title(this.other)));
+		const entries = [...this.#all.entries(), ...(this.#file ? [["file", this.#file]] : [])];
+		this.others.replaceChildren(h("option", { value: "" }, words.nothing), ...entries.map(([value, each]) => h("option", { value, selected: each.date === this.other?.date }, title(each))));
 	}
 
 	#choose(value) {
-		if (value !== "file") this.other = value === "" ? null : this.#all[Number(value)];
+		this.other = value === "file" ? this.#file : this.#all[value] ?? null;
 		this.#show();
 	}
 
@@ -151,7 +153,7 @@ class MeasureView {
 		try {
 			const result = JSON.parse(await file.text());
 			if (!isMeasured(result)) throw new Error("something else");
-			this.other = result;
+			this.other = this.#file = result;
 			this.#listOthers();
 			this.#show();
 			this.status.textContent = words.opened(result.machine);

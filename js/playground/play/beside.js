@@ -51,13 +51,13 @@ export class Beside {
 	/** Moves the agent that is the same as one of the first game to the same place. */
 	moveLike({ number, x, y, z }) {
 		this.world.agents.find((agent) => agent.number === number)?.jumpTo(x, y, z);
-		if (!this.view.isRunning && this.world.frame > 0) this.world.collide();
+		if (!this.view.isRunning && this.world.frame > 0) this.world.collideAgain();
 	}
 
 	/** Does a frame, before the first game does its own. */
 	step() {
 		if (this.world.ended) return;
-		this.world.hear(this.view.world);
+		this.world.input.take(this.view.world.input, this.world.agents);
 		this.world.step();
 	}
 
@@ -71,7 +71,8 @@ export class Beside {
 	/** Finds the agents that touch in only one of the two games. */
 	compare() {
 		const games = [this.view, this];
-		const [mine, its] = games.map(({ world }) => world.state.pairs);
+		// a game that has ended stands still
+		const [mine, its] = games.map(({ world }) => (this.world.frame === this.view.world.frame ? world.pairs : new Map()));
 		const only = [[...mine.keys()].filter((key) => !its.has(key)), [...its.keys()].filter((key) => !mine.has(key))];
 		games.forEach(({ world, scene }, i) => {
 			const numbered = new Map(world.agents.map((agent) => [String(agent.number), agent]));
@@ -82,7 +83,7 @@ export class Beside {
 		const at = only[0].length > 0 ? 0 : 1;
 		if (only[at].length === 0 || this.#frames.at(-1) >= frame) return;
 		if (this.#frames.length === 0) {
-			const [a, b] = games[at].world.state.pairs.get(only[at][0]);
+			const [a, b] = games[at].world.pairs.get(only[at][0]);
 			this.#first = words.firstDifference(fixed(frame / FRAMES_A_SECOND, 1), systemOf(games[at]), nameOf(a), nameOf(b));
 		}
 		this.#frames.push(frame);
@@ -93,10 +94,10 @@ export class Beside {
 		this.#isFollowing = true;
 		stage.lookAs(view.stage);
 		scene.camera = "all";
-		scene.isSeen = view.scene.isSeen;
+		scene.isEngineShown = view.scene.isEngineShown;
 		scene.draw(null);
 		this.#isFollowing = false;
-		for (const game of [view, this]) game.scene.caption.textContent = words.reports(systemOf(game), game.world.state.pairs.size, game.world.state.meetings);
+		for (const game of [view, this]) game.scene.caption.textContent = words.reports(systemOf(game), game.world.pairs.size, game.world.meetings);
 		const { length } = this.#frames;
 		this.count.textContent = length === 0 ? words.noDifference : words.differences(length);
 		const first = length === 0 ? "" : this.#first;

@@ -8,7 +8,7 @@ import { texts } from "../shared/language.js";
 import { Loop } from "../shared/loop.js";
 import { BuildBar } from "./screen/buildbar.js";
 import { Keys } from "./screen/keys.js";
-import { Models } from "./programs/kept.js";
+import { ModelShelf } from "./programs/modelshelf.js";
 import { LandStage } from "./screen/landstage.js";
 import { Layout } from "./screen/layout.js";
 import { loadMessages } from "./blocks/messages.js";
@@ -17,13 +17,12 @@ import { Panel } from "./screen/panel.js";
 import { Scene } from "./screen/scene.js";
 import { Sound } from "./screen/sound.js";
 import { Programs } from "./programs/programs.js";
-import { meaning } from "./programs/storage.js";
+import { meaning } from "./programs/programtext.js";
 import { FRAMES_A_SECOND, SEED, World } from "./game/world.js";
 
 const words = texts.play;
 /** The most frames that are computed between two pictures to make up for lost time. */
 const MOST_AT_ONCE = 8;
-const PICTURE = [240, 150];
 /** A game with at most so many agents is looked at closely. */
 const FEW = 4;
 
@@ -33,10 +32,11 @@ export async function createView(main, link) {
 	const view = new PlayView(main, models, new World(greatLand));
 	const opening = view.open(link);
 	await messages;
-	view.preview(await view.programs.first(link));
-	if (view.programs.isHome(link)) await view.programs.openHome();
-	const [{ Editor }] = await Promise.all([messages.then(() => import("./blocks/editor.js")), view.own.takeKept()]);
-	view.edit(Editor);
+	const { finder } = view.programs;
+	view.preview((await finder.first(link)).program);
+	if (finder.isHome(link)) await view.programs.openHome();
+	const [{ Editor }] = await Promise.all([messages.then(() => import("./blocks/editor.js")), view.modelShelf.takeKept()]);
+	view.takeEditor(Editor);
 	await opening;
 	return view;
 }
@@ -53,6 +53,8 @@ class PlayView {
 		this.#beginEditing = resolve;
 	});
 	#begun = "";
+	/** The button that undoes the last deletion. It is no longer offered after another change. */
+	#undo = null;
 	/** The seed of the game's random numbers. */
 	#seed = SEED;
 	/** Whether the game has started by itself, because a system was chosen. */
@@ -65,8 +67,8 @@ class PlayView {
 		this.models = models;
 		this.world = world;
 		this.programs = new Programs(this);
-		this.keys = new Keys(world);
-		this.own = new Models(this);
+		this.keys = new Keys(world.input);
+		this.modelShelf = new ModelShelf(this);
 		this.sound = new Sound();
 		this.panel = new Panel(world, (agent) => this.#choose(agent));
 		this.buildBar = new BuildBar(this);
@@ -76,11 +78,11 @@ class PlayView {
 		this.layout.placeCorner([this.scene.legend, this.keys.pad], [this.buildBar.tick, this.sound.button]);
 		this.layout.worldHost.addEventListener("pointerdown", () => this.editor?.closeMenus());
 		this.keys.listen(this.stage, (agent) => {
-			world.click(agent);
+			world.input.clicked = agent;
 			this.#choose(agent);
 		}, () => {
 			// as in Level; a game that is stepped through, or that is built, waits for “Run”
-			if (!this.isRunning && world.frame === 0 && !this.isBroken && !this.buildBar.isOn) this.run();
+			if (this.editor && !this.isRunning && world.frame === 0 && !this.isBroken && !this.buildBar.isOn) this.run();
 		});
 		this.buildBar.listen(this.stage);
 		dragAgents(this.stage, {
@@ -102,9 +104,9 @@ class PlayView {
 
 	#makeLayout(main) {
 		return new Layout(main, this, {
-			run: () => (this.isRunning && this.#isAnewOffered ? this.#anew() : this.isRunning ? this.stop() : this.run()),
+			run: () => this.#pressRun(),
 			step: () => this.#step(),
-			reset: () => this.#renew(),
+			reset: () => this.#resetWithNewSeed(),
 			useSystem: (name) => this.#useSystem(name),
 			putBeside: (name) => this.putBeside(name),
 			useCamera: (name) => this.#useCamera(name),
@@ -113,7 +115,7 @@ class PlayView {
 			},
 			goBack: (frames) => this.#goBack(frames),
 			showSeen: (isOn) => {
-				this.scene.isSeen = isOn;
+				this.scene.isEngineShown = isOn;
 				this.draw();
 				this.#playOn();
 			},
@@ -124,7 +126,7 @@ class PlayView {
 
 	#useCamera(name) {
 		this.scene.camera = name;
-		this.scene.frame(true);
+		this.scene.frameAgents(true);
 		this.programs.keepCamera(name);
 		this.draw();
 		this.#playOn();
@@ -146,16 +148,24 @@ class PlayView {
 		const { world } = this;
 		if (isDone && this.buildBar.moved(agent)) return;
 		this.#forgetDragNote();
-		this.programs.lessons.begin();
+		this.programs.lessonCard.begin();
 		this.#beside?.moveLike(agent);
-		if (!this.isRunning && world.frame > 0) this.#attempt(() => {
-			world.history.goOn();
-			world.collide();
-			this.#beside?.compare();
-			if (isDone) world.history.amend([...world.agents]);
-		});
+		if (!this.isRunning && world.frame > 0) this.#collideAgain(isDone);
 		if (!this.isRunning) this.draw();
 		if (isDone) this.#playOn();
+	}
+
+	/** Shows who touches whom in a frame that stands still. If it is amended, one can go back to what it shows. */
+	#collideAgain(isAmended = false) {
+		const { world } = this;
+		const { ended } = world;
+		this.#attempt(() => {
+			world.history.goOn();
+			world.collideAgain();
+			this.#beside?.compare();
+			if (isAmended) world.history.amend([...world.agents]);
+		});
+		if (world.ended !== ended) this.#end();
 	}
 
 	#forgetDragNote() {
@@ -196,9 +206,9 @@ class PlayView {
 	}
 
 	/** Takes the editor, which the page loads last. */
-	edit(Editor) {
+	takeEditor(Editor) {
 		this.editor = new Editor(this.layout.blocksHost, this.layout.editBar, {
-			onChange: (deleted) => this.programs.changed(deleted), pictureOf: (shape) => this.scene.pictureOf(shape), say: (text) => this.say(text),
+			onChange: (deleted) => this.#programChanged(deleted), pictureOf: (shape) => this.scene.pictureOf(shape), say: (text) => this.say(text),
 		});
 		this.layout.isUsable = true;
 		this.#beginEditing();
@@ -211,19 +221,18 @@ class PlayView {
 		if (!isStale) this.#begun = meaning(this.programs.program);
 		this.world.useSystem(name);
 		// a game that stands still shows the new system's results
-		if (!this.isRunning && this.world.frame > 0 && this.world.history.back === 0) this.#attempt(() => {
-			this.world.collide();
-			this.#beside?.compare();
+		if (!this.isRunning && this.world.frame > 0 && this.world.history.back === 0) {
+			this.#collideAgain();
 			this.#take();
-		});
+		}
 		// the lesson is about the system: its game shows at once what the system does
-		const { lessons } = this.programs;
-		if (lessons.isOfSystem) {
+		const { lessonCard } = this.programs;
+		if (lessonCard.isOfSystem) {
 			this.reset();
 			this.run();
 			this.#isSelfStarted = true;
 			this.showRun();
-		} else lessons.hush();
+		} else lessonCard.hush();
 		this.draw();
 		this.#playOn();
 	}
@@ -246,18 +255,6 @@ class PlayView {
 		if (this.isRunning) this.layout.worldHost.focus({ preventScroll: true });
 	}
 
-	/** A picture of the beginning of a program's game; null if there is none. */
-	pictureOf(program) {
-		const world = new World(this.world.greatLand);
-		try {
-			world.begin(program);
-			world.step();
-		} catch {
-			return null;
-		}
-		return this.scene.pictureOfGame(program, world, ...PICTURE);
-	}
-
 	/** Opens the program in an address. */
 	async open(link) {
 		await this.editing;
@@ -269,27 +266,28 @@ class PlayView {
 		return this.programs.openFile(file, files);
 	}
 
-	/** Shows a message with a button. */
+	/** Shows a message with a button, and returns the button. */
 	offer(text, action, onclick) {
-		this.say(text);
-		this.layout.status.append(" ", button(action, onclick, { title: action }));
+		const offered = button(action, onclick, { title: action });
+		this.say(text, false, offered);
+		return offered;
 	}
 
-	/** Goes to the beginning of a newly opened program. */
-	begin() {
-		this.#seed = SEED;
-		this.reset();
+	/** Plays a newly opened program: goes to its beginning, and points the camera at it. */
+	play(program, camera) {
+		this.reset({ seed: SEED });
+		this.lookAt(program, camera);
 	}
 
 	/** Goes to the program's beginning, with other random numbers. Those of a lesson stay, because the teacher's page plays it again. */
-	#renew() {
-		if (!this.programs.lessons.isOpen) this.#seed = 1 + Math.floor(Math.random() * 2147483646);
-		this.reset();
+	#resetWithNewSeed() {
+		this.reset(this.programs.lessonCard.isOpen ? {} : { seed: 1 + Math.floor(Math.random() * 2147483646) });
 	}
 
-	/** Goes to the program's beginning, with the same random numbers. If it is quiet, the editor does not scroll to a wrong block. */
-	reset(isQuiet = false) {
+	/** Goes to the program's beginning, with the same random numbers or those of another seed. If it is quiet, the editor does not scroll to a wrong block. */
+	reset({ isQuiet = false, seed = this.#seed } = {}) {
 		this.#halt();
+		this.#seed = seed;
 		this.editor.mark(null);
 		this.isBroken = false;
 		this.say(words.ready);
@@ -302,29 +300,45 @@ class PlayView {
 		}, isQuiet);
 		if (!this.isBroken && this.world.agents.length === 0) this.say(words.empty);
 		this.layout.system.value = this.world.collisions.systemName;
-		this.panel.forget();
+		this.panel.restartCount();
 		this.scene.begin();
 		this.buildBar.begin();
-		this.scene.frame();
-		this.programs.lessons.begin();
-		this.scene.best = "";
+		this.scene.frameAgents();
+		this.programs.lessonCard.begin();
+		this.scene.bestNote = "";
 		this.scene.record = this.programs.record;
 		this.draw();
 	}
 
-	/** Shows the beginning of the changed program's game. An error is marked at its block. */
-	showBeginning() {
-		this.reset(true);
+	/** Called when the user has changed the program, with the number of blocks that the change deleted. */
+	#programChanged(deleted) {
+		const isKept = this.programs.keepChange();
+		// an error is marked at its block
+		if (!this.isRunning && this.isStale) this.reset({ isQuiet: true });
+		this.showRun();
+		if (!isKept) this.say(words.notKept, true);
+		else if (this.isRunning && this.isStale) this.say(words.stale);
+		else if (deleted > 0 && !this.isRunning) this.#undo = this.offer(words.deleted(deleted), words.undo, () => {
+			this.editor.undo();
+			this.say(words.ready);
+		});
+		else if (this.#undo?.isConnected) this.say(words.ready);
 	}
 
-	#anew() {
-		this.#renew();
+	#restart() {
+		this.#resetWithNewSeed();
 		this.run();
+	}
+
+	#pressRun() {
+		if (!this.isRunning) this.run();
+		else if (this.#isAnewOffered) this.#restart();
+		else this.stop();
 	}
 
 	run() {
 		// changes count from the beginning
-		if (this.world.ended) this.#renew();
+		if (this.world.ended) this.#resetWithNewSeed();
 		else if (this.isBroken || this.isStale) this.reset();
 		if (this.isBroken) return;
 		this.#isSelfStarted = false;
@@ -333,7 +347,7 @@ class PlayView {
 		this.showRun();
 		this.say(words.running);
 		this.layout.worldHost.focus({ preventScroll: true });
-		this.panel.forget(performance.now());
+		this.panel.restartCount(performance.now());
 	}
 
 	get isRunning() {
@@ -368,7 +382,7 @@ class PlayView {
 	#halt() {
 		this.#loop.stop();
 		this.showRun();
-		this.world.releaseAll();
+		this.world.input.releaseAll();
 	}
 
 	#step() {
@@ -395,9 +409,9 @@ class PlayView {
 		this.panel.count();
 		this.sound.hear(this.world);
 		if (this.isBroken) return;
-		const { lessons } = this.programs;
-		const isSolved = lessons.look(this.world);
-		if (this.#isSelfStarted && lessons.isJudged) {
+		const { lessonCard } = this.programs;
+		const isSolved = lessonCard.look(this.world);
+		if (this.#isSelfStarted && lessonCard.isJudged) {
 			this.#isSelfStarted = false;
 			this.showRun();
 		}
@@ -410,7 +424,7 @@ class PlayView {
 		const { how, text } = this.world.ended;
 		this.#halt();
 		if (how === "won") {
-			this.scene.best = this.programs.win(this.world.seconds);
+			this.scene.bestNote = this.programs.win(this.world.seconds);
 			this.draw();
 			this.#celebrate(text);
 		} else {
@@ -437,7 +451,7 @@ class PlayView {
 
 	#frames(now) {
 		for (let due = this.#loop.due(now, FRAMES_A_SECOND * this.#speed, MOST_AT_ONCE); due > 0 && this.isRunning; due--) this.#tick();
-		this.draw(now);
+		this.draw();
 	}
 
 	/** Does something in which a program may fail. Shows the error. If it is quiet, the editor does not scroll to the wrong block. */
@@ -453,16 +467,17 @@ class PlayView {
 		}
 	}
 
-	say(text, isProblem = false) {
-		this.layout.say(text, isProblem);
+	/** Shows a message, with further elements behind it. */
+	say(text, isProblem = false, ...more) {
+		this.layout.say(text, isProblem, ...more);
 	}
 
-	draw(now = 0) {
+	draw() {
 		const { world } = this;
-		this.scene.draw(() => this.#anew());
+		this.scene.draw(() => this.#restart());
 		this.buildBar.show();
 		this.#beside?.draw();
-		this.panel.show(this.isRunning ? now : 0);
+		this.panel.show(this.isRunning ? performance.now() : 0);
 		this.layout.showTime(world.history);
 	}
 

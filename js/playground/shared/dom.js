@@ -107,3 +107,24 @@ export function short(value) {
 	const digits = Math.abs(value) >= 100 ? 0 : Math.abs(value) >= 10 ? 1 : Math.abs(value) >= 1 ? 2 : 3;
 	return fixed(value, digits);
 }
+
+/** The width and the height of a picture on a card, in pixels. */
+export const CARD = [240, 150];
+
+/**
+ * Draws pictures one after the other, so that the page stays responsive. One that cannot be drawn becomes blank.
+ *
+ * @param {Iterable<HTMLImageElement>} pictures
+ * @param {(picture: HTMLImageElement) => Promise<string|null>} addressOf
+ * @returns {Promise<boolean>} whether all are drawn. False if they have left the page
+ */
+export async function drawAll(pictures, addressOf) {
+	for (const picture of pictures) {
+		await new Promise((resolve) => setTimeout(resolve));
+		if (!picture.isConnected) return false;
+		const address = await addressOf(picture);
+		if (address) picture.src = address;
+		else picture.replaceWith(h("span.blank"));
+	}
+	return true;
+}

@@ -4,6 +4,10 @@ export const MODELS = ["sphere", "cube", "cylinder", "bear", "dragon", "seagull"
 /** The models, and the playground's own. */
 export const SHAPES = [...MODELS, "turtle", "wall", "platform", "coin", "key", "rock", "house", "car"];
 
+/** The beginning of an address's argument for a program that a pupil has handed in. */
+export const HANDED = "handed-";
+export const isHanded = (address) => address.startsWith(HANDED);
+
 /** What npm installs as the package. PROJECT is the folder of the unpacked release. */
 export const PACKAGE = "$(npm pack PROJECT/module)";
 

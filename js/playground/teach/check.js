@@ -1,5 +1,5 @@
 /** Plays what pupils have handed in, to see which lessons it does. */
-import { LESSONS } from "../play/brought/library.js";
+import { LESSONS } from "../play/builtin/library.js";
 import "../play/game/lateengine.js";
 import { landFor } from "../play/screen/pictures.js";
 import { World } from "../play/game/world.js";

@@ -1,7 +1,7 @@
 /** The page of a class: what pupils have handed in, who has solved what, and each program with its picture, to play at a click. */
-import { button, fileButton, h } from "../shared/dom.js";
-import { hand } from "../shared/files/hand.js";
-import { handed } from "../shared/files/handed.js";
+import { CARD, button, drawAll, fileButton, h } from "../shared/dom.js";
+import { download } from "../shared/files/download.js";
+import { handed } from "../shared/files/submissions.js";
 import { failure, texts } from "../shared/language.js";
 
 const words = texts.handing;
@@ -27,7 +27,7 @@ export class ClassPage {
 		this.list = h("div.class");
 		this.how = h("ol.steps.no-print", {}, ...words.classSteps.map((step) => h("li", {}, step)));
 		this.forgetButton = button(words.forgetClass, () => this.#ask());
-		this.tableButton = button(words.csv, () => hand(this.#csv, "class.csv", "text/csv"));
+		this.tableButton = button(words.csv, () => download(this.#csv, "class.csv", "text/csv"));
 		this.printButton = button(texts.teach.print, () => print());
 		main.replaceChildren(h("section.sheet.wide", { "aria-label": words.classTitle },
 			h("div.tools.no-print", {}, h("a", { href: "#teach" }, texts.teach.all), this.printButton),
@@ -155,28 +155,23 @@ export class ClassPage {
 				this.#show();
 			}, { class: "no-print", "aria-label": words.remove(work.pupil), title: words.remove(work.pupil) })),
 			work.programs.length === 0 ? h("p.note", {}, words.noPrograms) : h("ul.cards", {}, ...work.programs.map(({ name, lesson }, i) => h("li", {}, h("a.open", { href: addressIn(work, i) },
-				h("span.picture", {}, h("img", { "data-program": handed.addressOf(work, i), alt: "", width: 240, height: 150 })),
-				h("span.name", {}, name), lesson in LESSONS ? h("small", {}, texts.teach.numbered(Object.keys(LESSONS).indexOf(lesson) + 1, LESSONS[lesson].title)) : null)))),
+				h("span.picture", {}, h("img", { "data-program": handed.addressOf(work, i), alt: "", width: CARD[0], height: CARD[1] })),
+				h("span.name", {}, name), Object.hasOwn(LESSONS, lesson) ? h("small", {}, texts.teach.numbered(Object.keys(LESSONS).indexOf(lesson) + 1, LESSONS[lesson].title)) : null)))),
 			earlier.length === 0 ? null : h("details.no-print", {}, h("summary", {}, words.earlier(earlier.length)),
 				...earlier.map((each) => h("p", {}, `${dateOf(each)}: `, ...each.programs.flatMap(({ name }, i) => [i > 0 ? ", " : "", h("a", { href: addressIn(each, i) }, name)])))));
 	}
 
-	/** Draws the pictures one after the other, so that the page stays responsive. */
 	async #draw() {
 		const { Studio } = await import("../play/screen/pictures.js");
 		const pictures = this.list.querySelectorAll("img");
 		if (pictures.length === 0 || !this.list.isConnected) return;
 		const studio = new Studio(this.main);
 		try {
-			for (const picture of pictures) {
-				await new Promise((resolve) => setTimeout(resolve));
-				if (!picture.isConnected) return;
-				const { program, models } = handed.at(picture.dataset.program);
-				const address = await studio.pictureOf(program, models, 240, 150);
-				if (address) picture.src = address;
-				else picture.replaceWith(h("span.blank"));
-			}
-			this.main.dataset.drawn = "class";
+			const isDrawn = await drawAll(pictures, ({ dataset }) => {
+				const { program, models } = handed.at(dataset.program);
+				return studio.pictureOf(program, models, ...CARD);
+			});
+			if (isDrawn) this.main.dataset.drawn = "class";
 		} finally {
 			studio.close();
 		}

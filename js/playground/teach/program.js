@@ -1,6 +1,5 @@
 /** A program to print: its name, its picture and its blocks. */
 import { button, h } from "../shared/dom.js";
-import { handed } from "../shared/files/handed.js";
 import { texts } from "../shared/language.js";
 import { loadMessages } from "../play/blocks/messages.js";
 
@@ -10,23 +9,6 @@ const HIGHEST = 640;
 /** The smallest scale at which blocks can be read. A long program takes more than one sheet. */
 const SMALLEST = 0.5;
 
-/** The program of an address, with its name, its pupil's name and its own models; null if there is none. */
-async function find(address) {
-	const [{ BROUGHT }, { Shelf, fromLink }] = await Promise.all([import("../play/brought/library.js"), import("../play/programs/storage.js")]);
-	const entry = handed.at(address) ?? new Shelf().find(address);
-	if (entry) return entry;
-	if (Object.hasOwn(BROUGHT, address)) {
-		const lesson = address.replace(/^lesson-/, "");
-		return { program: BROUGHT[address], name: texts.play.games[address] ?? texts.play.examples[address] ?? texts.lessons.list[lesson].title };
-	}
-	try {
-		const { name, ...program } = await fromLink(address);
-		return { name: name ?? texts.play.fromLink, program };
-	} catch {
-		return null;
-	}
-}
-
 /**
  * Shows a program's page.
  *
@@ -35,9 +17,12 @@ async function find(address) {
  * @returns {Promise<boolean>} whether there is such a program
  */
 export async function showProgram(main, address) {
-	const found = await find(address);
+	const [{ AddressError, Finder }, { Shelf }] = await Promise.all([import("../play/programs/finder.js"), import("../play/programs/shelf.js")]);
+	const found = await new Finder(new Shelf()).find(address).catch((error) => {
+		if (!(error instanceof AddressError)) throw error;
+	});
 	if (!found) return false;
-	const { name, program, pupil, models } = found;
+	const { title: name, program, pupil, models } = found;
 	const picture = h("img.shown", { alt: words.picture(name), width: 800, height: 500 });
 	const blocks = h("div.shown-blocks", { role: "img", "aria-label": words.program(name), inert: true });
 	const system = texts.systems[program.system ?? "tightest fits"];
@@ -45,10 +30,10 @@ export async function showProgram(main, address) {
 		h("div.tools.no-print", {}, h("a", { href: `#play/${address}` }, words.backToPlay), button(words.print, () => print(), { class: "primary" })),
 		h("h2", {}, name), h("p.by", {}, `${texts.handing.name}: `, pupil ? h("strong", {}, pupil) : h("span.blank-line")), picture,
 		h("p.note", {}, `${texts.play.system}: ${system}`), h("h3", {}, words.blocks), blocks));
-	const [{ drawInto }, { Models }] = await Promise.all([import("../play/screen/pictures.js"), import("../play/programs/kept.js"), loadMessages()]);
-	const own = Object.entries(models ?? await Models.kept()).filter(([each]) => JSON.stringify(program).includes(JSON.stringify(each)));
+	const [{ drawInto }, { ModelShelf }] = await Promise.all([import("../play/screen/pictures.js"), import("../play/programs/modelshelf.js"), loadMessages()]);
+	const own = Object.entries(models ?? await ModelShelf.kept()).filter(([each]) => JSON.stringify(program).includes(JSON.stringify(each)));
 	await drawInto(picture, main, program, Object.fromEntries(own));
-	const { showBlocks } = await import("../play/blocks/editor.js");
+	const { showBlocks } = await import("../play/blocks/blockpicture.js");
 	if (!blocks.isConnected) return true;
 	showBlocks(blocks, program, HIGHEST, SMALLEST);
 	main.dataset.drawn = address;

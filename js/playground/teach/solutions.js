@@ -1,6 +1,6 @@
 /** A solved program of each lesson, for the sheets. The words of the same solutions are in languages/. */
-import { LESSONS } from "../play/brought/library.js";
-import { aim, bounce, collision, count, each, fall, jump, move, nearest, solid, sweep } from "../play/brought/notation.js";
+import { LESSONS } from "../play/builtin/library.js";
+import { aim, bounce, collision, count, each, fall, jump, move, nearest, solid, sweep } from "../play/builtin/notation.js";
 
 const say = (what) => ({ type: "starlogo_say", inputs: { TEXT: what } });
 

@@ -1,11 +1,11 @@
 /** For teachers: each lesson's aim, time and solution, with a link to it and one page to print. */
 import { button, h, tick } from "../shared/dom.js";
 import { texts } from "../shared/language.js";
+import { LESSON_NAMES } from "../play/builtin/names.js";
 
 const words = texts.teach;
-/** The lessons in their order, with the minutes that a class needs. */
-const MINUTES = { blocks: 10, helmet: 10, wing: 10, main: 15, fast: 15, starts: 15, room: 15, near: 20, see: 20, hunt: 25, jump: 25 };
-const NAMES = Object.keys(MINUTES);
+/** The minutes that a class needs for each lesson. */
+const MINUTES = [10, 10, 10, 15, 15, 15, 15, 20, 20, 25, 25];
 /** The largest height of a lesson's blocks in pixels, so that everything fits on one sheet of paper. */
 const HIGHEST = 390;
 /** The same of the solution's blocks, which have a page of their own. */
@@ -27,8 +27,8 @@ class TeachView {
 		delete this.main.dataset.drawn;
 		this.asked = name;
 		this.main.scrollTop = 0;
-		if (name in MINUTES) this.#showSheets([name]);
-		else if (name === "sheets") this.#showSheets(NAMES);
+		if (LESSON_NAMES.includes(name)) this.#showSheets([name]);
+		else if (name === "sheets") this.#showSheets(LESSON_NAMES);
 		else if (name === "") this.#showAll();
 		else return this.#showPage(name);
 		return null;
@@ -41,7 +41,7 @@ class TeachView {
 			if (this.asked === name && this.main.isConnected) showInClass(this.main);
 			return;
 		}
-		const [{ ClassPage }, { showProgram }, { handed }] = await Promise.all([import("./class.js"), import("./program.js"), import("../shared/files/handed.js")]);
+		const [{ ClassPage }, { showProgram }, { handed }] = await Promise.all([import("./class.js"), import("./program.js"), import("../shared/files/submissions.js")]);
 		await handed.open();
 		if (this.asked !== name || !this.main.isConnected) return;
 		if (name === "class") this.class = new ClassPage(this.main);
@@ -58,7 +58,7 @@ class TeachView {
 	}
 
 	#showAll(note = "") {
-		const total = Object.values(MINUTES).reduce((sum, minutes) => sum + minutes, 0);
+		const total = MINUTES.reduce((sum, minutes) => sum + minutes, 0);
 		this.main.replaceChildren(h("section.sheet", { "aria-label": words.title },
 			note ? h("p.status.problem", { role: "alert" }, note) : null,
 			h("h2", {}, words.title), h("p", {}, words.intro(total)),
@@ -66,9 +66,9 @@ class TeachView {
 				.map(([page, name, note]) => h("li", {}, h("a", { href: `#teach/${page}` }, name), h("small", {}, note)))),
 			h("div.table", {}, h("table", {},
 				h("thead", {}, h("tr", {}, ...[words.lesson, words.minutes, words.inPlay].map((text) => h("th", { scope: "col" }, text)))),
-				h("tbody", {}, ...NAMES.map((name, i) => h("tr", {},
+				h("tbody", {}, ...LESSON_NAMES.map((name, i) => h("tr", {},
 					h("th", { scope: "row" }, h("a", { href: `#teach/${name}` }, words.numbered(i + 1, texts.lessons.list[name].title)), h("small", {}, words.list[name].aim)),
-					h("td", {}, String(MINUTES[name])), h("td", {}, h("a", { href: `#play/lesson-${name}`, "aria-label": words.openOf(i + 1) }, words.open)))))))));
+					h("td", {}, String(MINUTES[i])), h("td", {}, h("a", { href: `#play/lesson-${name}`, "aria-label": words.openOf(i + 1) }, words.open)))))))));
 	}
 
 	/** Shows the sheets of lessons, one after the other, to print. */
@@ -91,7 +91,7 @@ class TeachView {
 
 	/** The sheet of a lesson, and the one with its solution. */
 	#sheetsOf(name) {
-		const at = NAMES.indexOf(name);
+		const at = LESSON_NAMES.indexOf(name);
 		const { title, text, challenge, hint } = texts.lessons.list[name];
 		const { aim, ask, solution } = words.list[name];
 		const address = new URL(location.href);
@@ -101,12 +101,12 @@ class TeachView {
 		const blocks = h("div.shown-blocks", { role: "img", "aria-label": words.program(title), inert: true });
 		const solvedBlocks = h("div.shown-blocks", { role: "img", "aria-label": words.solved(title), inert: true });
 		// on a page of its own, so that it can stay with the teacher
-		const solvedSheet = h("section.sheet.solution", { "aria-label": words.solution }, h("p.note", {}, words.of(at + 1, NAMES.length, MINUTES[name])), h("h2", {}, `${title}: ${words.solution}`), h("p", {}, solution), solvedBlocks,
+		const solvedSheet = h("section.sheet.solution", { "aria-label": words.solution }, h("p.note", {}, words.of(at + 1, LESSON_NAMES.length, MINUTES[at])), h("h2", {}, `${title}: ${words.solution}`), h("p", {}, solution), solvedBlocks,
 			...part(words.why, texts.lessons.list[name].why));
 		return {
 			solved: solvedSheet, parts: [picture, blocks, solvedBlocks],
 			given: h("section.sheet", { "aria-label": title },
-				h("p.note", {}, words.of(at + 1, NAMES.length, MINUTES[name])),
+				h("p.note", {}, words.of(at + 1, LESSON_NAMES.length, MINUTES[at])),
 				h("h2", {}, title),
 				// the address of a file leads nowhere on another computer
 				location.protocol === "file:" ? null : h("p", {}, h("a.address", { href: address.href }, address.href)),
@@ -118,12 +118,12 @@ class TeachView {
 
 	/** Draws the pictures of a sheet, which come late. The words can be read meanwhile. Returns whether the sheet is still shown. */
 	async #draw(name, picture, blocks, solvedBlocks) {
-		const [{ LESSONS }, { drawInto }, { loadMessages }, { solved, isSolvedBySystem }] = await Promise.all([import("../play/brought/library.js"), import("../play/screen/pictures.js"), import("../play/blocks/messages.js"), import("./solutions.js")]);
+		const [{ LESSONS }, { drawInto }, { loadMessages }, { solved, isSolvedBySystem }] = await Promise.all([import("../play/builtin/library.js"), import("../play/screen/pictures.js"), import("../play/blocks/messages.js"), import("./solutions.js")]);
 		if (!picture.isConnected) return false;
 		const { program } = LESSONS[name];
 		await drawInto(picture, this.main, program);
 		await loadMessages();
-		const { showBlocks } = await import("../play/blocks/editor.js");
+		const { showBlocks } = await import("../play/blocks/blockpicture.js");
 		if (!blocks.isConnected) return false;
 		showBlocks(blocks, program, HIGHEST);
 		// a system is chosen above the world, so the blocks stay as they are

@@ -43,6 +43,14 @@ export function meet(field, value) {
 	if (field in MENUS && typeof value === "string" && value !== NEW_BREED && !isThere(field) && !isThere("OTHER")) list.push(value);
 }
 
+/** Adds everything that a program names to the menus. */
+export function meetAll(program) {
+	JSON.stringify(program, (key, value) => {
+		meet(key, value);
+		return value;
+	});
+}
+
 /** A menu whose options may grow. `menu` gives its options when it opens. */
 const menu = (name, kind = name) => ({ ...dropdown(name, MENUS[kind]()), menu: kind });
 const SHAPE = menu("SHAPE");

@@ -25,6 +25,12 @@ const linesIf = (isNeeded, ...lines) => (isNeeded ? lines : []);
 /** A member of an object, by a name that a user has written. */
 const memberOf = (object, name) => (NAME.test(name) ? `${object}.${name}` : `${object}[${text(name)}]`);
 
+/** The block in an input, or its shadow. */
+const inputOf = ({ inputs }, name) => inputs?.[name]?.block ?? inputs?.[name]?.shadow;
+
+/** Blocks whose value may be a text: their variable, or what they say. */
+const MAY_BE_TEXT = new Set(["variables_get", "starlogo_own", "math_change", "starlogo_own_change", "text"]);
+
 /**
  * A block at its place in a script: with the names of its agent and of the collidee, and the depth of nesting. `whole` has the names of the program's
  * variables, and of the function that moves forward. The block's parts are texts of JavaScript.
@@ -36,8 +42,23 @@ class Writing {
 
 	/** The value of an input as an expression. */
 	value(name, missing = "0") {
-		const input = this.block.inputs?.[name]?.block ?? this.block.inputs?.[name]?.shadow;
+		const input = inputOf(this.block, name);
 		return input ? VALUES[input.type](new Writing(input, this.whole, this.me, this.collidee, this.depth)) : missing;
+	}
+
+	/** The value of an input as an expression that is a number. */
+	number(name) {
+		return this.#asNumber(this.value(name), inputOf(this.block, name));
+	}
+
+	/** The present value of the variable that the block changes, as a number. */
+	numberOf(variable) {
+		return this.#asNumber(variable, this.block);
+	}
+
+	/** A variable may hold the text of a number. */
+	#asNumber(expression, { type } = {}) {
+		return this.whole.keepsTexts && MAY_BE_TEXT.has(type) ? `Number(${bare(expression)})` : expression;
 	}
 
 	/** The statements of an input, in one or more lines. If they are about another agent, it has a name of its own. */
@@ -118,72 +139,72 @@ function creating(it, parent) {
 const STATEMENTS = {
 	starlogo_system: ({ fields }) => `useSystem(${text(fields.SYSTEM)});`,
 	starlogo_hierarchical: (it) => `traits.setHierarchical(${it.who}, ${it.fields.ON === "on"});`,
-	starlogo_depth: (it) => `traits.setCollisionDepth(${it.who}, ${it.value("DEPTH")});`,
+	starlogo_depth: (it) => `traits.setCollisionDepth(${it.who}, ${it.number("DEPTH")});`,
 	starlogo_collide_as: (it) => `traits.collideAs(${it.who}, ${text(it.fields.AS)});`,
 	starlogo_show: () => "// bounding structures are shown where there is a picture",
 	starlogo_sweep: (it) => {
 		const isOn = it.fields.ON === "on";
 		return it.isOfBreed ? `sweep(${it.who}, ${isOn});` : `${it.who}.sweeps = ${isOn};`;
 	},
-	starlogo_until: (it) => `advance(${it.me}, ${it.value("STEPS")}, ${it.breed}, ${text(it.fields.HOW)});`,
+	starlogo_until: (it) => `advance(${it.me}, ${it.number("STEPS")}, ${it.breed}, ${text(it.fields.HOW)});`,
 	starlogo_face: (it) => `face(${it.me}, ${it.value("AGENT", "null")});`,
 	starlogo_bounce: ({ me, collidee }) => `bounce(${me}, ${collidee});`,
 	starlogo_become: (it) => it.whom((agent) => `become(${agent}, ${text(it.fields.BREED)});`),
 	starlogo_say: (it) => `${it.me}.said = String(${it.value("TEXT", "\"\"")});`,
-	starlogo_score_set: (it) => `game.score = ${it.value("SCORE")};`,
-	starlogo_score_change: (it) => `game.score += ${it.value("SCORE")};`,
+	starlogo_score_set: (it) => `game.score = ${it.number("SCORE")};`,
+	starlogo_score_change: (it) => `game.score += ${it.number("SCORE")};`,
 	starlogo_goal: ({ fields }) => `game.goal = ${text(fields.TEXT)};`,
 	starlogo_ground: ({ fields }) => `game.ground = ${text(fields.GROUND)};`,
-	starlogo_limit: (it) => `game.limit = { until: game.frame + Math.max(1, Math.round(${it.value("SECONDS")} * ${FRAMES_A_SECOND})), text: ${text(it.fields.TEXT)} };`,
+	starlogo_limit: (it) => `game.limit = { until: game.frame + Math.max(1, Math.round(${it.number("SECONDS")} * ${FRAMES_A_SECOND})), text: ${text(it.fields.TEXT)} };`,
 	starlogo_sound: ({ fields }) => `// here the game plays the sound ${text(fields.SOUND)}`,
 	starlogo_note: (it) => `// here the game plays the note ${it.value("NOTE")}`,
 	starlogo_end: ({ fields }) => `game.ended ??= { how: ${text(fields.HOW)}, text: ${text(fields.TEXT)} };`,
-	starlogo_forward: (it) => `${it.whole.forward}(${it.me}, ${it.value("STEPS")});`,
-	starlogo_turn: (it) => `${it.me}.heading ${it.fields.DIRECTION === "left" ? "+=" : "-="} ${it.value("DEGREES")};`,
-	starlogo_up: (it) => `${it.me}.z += ${it.value("STEPS")};`,
-	starlogo_go: (it) => `${it.me}.jumpTo(${["X", "Y", "Z"].map((name) => it.value(name)).join(", ")});`,
+	starlogo_forward: (it) => `${it.whole.forward}(${it.me}, ${it.number("STEPS")});`,
+	starlogo_turn: (it) => `${it.me}.heading ${it.fields.DIRECTION === "left" ? "+=" : "-="} ${it.number("DEGREES")};`,
+	starlogo_up: (it) => `${it.me}.z += ${it.number("STEPS")};`,
+	starlogo_go: (it) => `${it.me}.jumpTo(${["X", "Y", "Z"].map((name) => it.number(name)).join(", ")});`,
 	starlogo_scatter: ({ me }) => `scatter(${me});`,
 	starlogo_back: ({ me, collidee }) => `goBack(${me}, ${collidee});`,
-	starlogo_mound: (it) => `terrain.raiseMound(${it.me}.x, ${it.me}.y, ${it.value("WIDTH")}, ${it.value("HEIGHT")});`,
-	starlogo_wall: (it) => `terrain.raiseWall(${it.me}.x, ${it.me}.y, ${it.value("HEIGHT")});`,
-	starlogo_raise: (it) => `terrain.raiseWall(${["X", "Y", "HEIGHT"].map((name) => it.value(name)).join(", ")});`,
+	starlogo_mound: (it) => `terrain.raiseMound(${it.me}.x, ${it.me}.y, ${it.number("WIDTH")}, ${it.number("HEIGHT")});`,
+	starlogo_wall: (it) => `terrain.raiseWall(${it.me}.x, ${it.me}.y, ${it.number("HEIGHT")});`,
+	starlogo_raise: (it) => `terrain.raiseWall(${["X", "Y", "HEIGHT"].map((name) => it.number(name)).join(", ")});`,
 	starlogo_broadcast: ({ fields }) => `broadcast(${text(fields.MESSAGE)});`,
 	starlogo_own_set: (it) => `${it.own} = ${it.value("VALUE")};`,
-	starlogo_own_change: (it) => `${it.own} = (${it.own} ?? 0) + ${it.value("DELTA")};`,
+	starlogo_own_change: (it) => `${it.own} = ${it.numberOf(`(${it.own} ?? 0)`)} + ${it.number("DELTA")};`,
 	starlogo_own_show: ({ fields }) => `// here the game ${fields.ON === "on" ? "shows" : "hides"} the agents' variable ${text(fields.NAME)}`,
 	starlogo_flat: () => "terrain.reset();",
 	starlogo_solid: ({ fields }) => `walking().setSolid(${text(fields.BREED)}, ${fields.ON === "on"});`,
 	starlogo_push: ({ me, collidee }) => `contacts.pushAway(${me}, ${collidee});`,
-	starlogo_walk: (it) => `walk(${it.me}, ${it.value("STEPS")});`,
-	starlogo_jump: (it) => `${it.me}.rise = walking().jump(${it.me}, ${it.value("HEIGHT")}, ${it.me}.rise);`,
+	starlogo_walk: (it) => `walk(${it.me}, ${it.number("STEPS")});`,
+	starlogo_jump: (it) => `${it.me}.rise = walking().jump(${it.me}, ${it.number("HEIGHT")}, ${it.me}.rise);`,
 	starlogo_fall: ({ me }) => `${me}.rise = walking().fall(${me}, ${me}.rise);`,
 	starlogo_edge: ({ fields, me }) => `edges.${fields.HOW}Edge(${me});`,
 	starlogo_stand: ({ me }) => `${me}.z = groundBelow(${me});`,
 	starlogo_delete: (it) => it.whom((agent) => `remove(${agent});`),
-	starlogo_size: (it) => `${it.me}.size = ${it.value("SIZE")};`,
-	starlogo_heading: (it) => `${it.me}.heading = ${it.value("HEADING")};`,
+	starlogo_size: (it) => `${it.me}.size = ${it.number("SIZE")};`,
+	starlogo_heading: (it) => `${it.me}.heading = ${it.number("HEADING")};`,
 	starlogo_colour: (it) => {
-		const colour = it.value("COLOUR");
+		const colour = it.number("COLOUR");
 		if (!it.isOfBreed) return `${it.who}.color = ${colour};`;
 		return ["{", `${INDENT}const colour = ${colour};`, `${INDENT}${it.whom((agent) => `${agent}.color = colour;`)}`, "}"];
 	},
 	variables_set: (it) => `${it.variable} = ${it.value("VALUE")};`,
-	math_change: (it) => `${it.variable} += ${it.value("DELTA")};`,
+	math_change: (it) => (it.whole.keepsTexts ? `${it.variable} = ${it.numberOf(it.variable)} + ${it.number("DELTA")};` : `${it.variable} += ${it.number("DELTA")};`),
 	starlogo_create: (it) => {
 		const lines = creating(it, null);
-		return rounds(it.value("COUNT"), lines) ?? ["{", ...lines, "}"];
+		return rounds(it.number("COUNT"), lines) ?? ["{", ...lines, "}"];
 	},
 	starlogo_hatch: (it) => ["{", ...creating(it, it.me), "}"],
 	starlogo_ask: (it) => {
 		const asked = it.named("asked");
 		return ["{", `${INDENT}const ${asked} = ${it.value("AGENT", "null")};`, `${INDENT}if (${asked}) {`, ...it.body("DO", asked).map((line) => INDENT + line), `${INDENT}}`, "}"];
 	},
-	starlogo_wait: (it) => `yield wait(${it.value("SECONDS")}, ${it.me});`,
+	starlogo_wait: (it) => `yield wait(${it.number("SECONDS")}, ${it.me});`,
 	controls_if: (it) => branches(it, 1 + (it.block.extraState?.elseIfCount ?? 0)),
 	controls_ifelse: (it) => branches(it, 1),
 	controls_repeat_ext: (it) => {
 		const lines = it.body("DO");
-		return rounds(it.value("TIMES"), lines) ?? ["{", ...lines, "}"];
+		return rounds(it.number("TIMES"), lines) ?? ["{", ...lines, "}"];
 	},
 	controls_whileUntil: (it) => {
 		const holds = it.value("BOOL", "false");
@@ -200,19 +221,19 @@ function branches(it, count) {
 
 const ARITHMETIC = { ADD: "+", MINUS: "-", MULTIPLY: "*", DIVIDE: "/", POWER: "**" };
 const COMPARISONS = { EQ: "===", NEQ: "!==", LT: "<", LTE: "<=", GT: ">", GTE: ">=" };
-const two = (table, missing = "0") => (it) => {
-	const [a, b] = ["A", "B"].map((name) => it.value(name, missing));
+const two = (table, read = (it, name) => it.value(name)) => (it) => {
+	const [a, b] = ["A", "B"].map((name) => read(it, name));
 	// the left side of ** must not have a sign
 	return `(${it.fields.OP === "POWER" ? `(${a})` : a} ${table[it.fields.OP]} ${b})`;
 };
 
 const VALUES = {
 	math_number: ({ fields }) => String(fields.NUM),
-	math_arithmetic: two(ARITHMETIC),
-	math_random_int: (it) => `randomBetween(${it.value("FROM")}, ${it.value("TO")})`,
-	math_modulo: (it) => `(${it.value("DIVIDEND")} % ${it.value("DIVISOR")})`,
+	math_arithmetic: two(ARITHMETIC, (it, name) => it.number(name)),
+	math_random_int: (it) => `randomBetween(${it.number("FROM")}, ${it.number("TO")})`,
+	math_modulo: (it) => `(${it.number("DIVIDEND")} % ${it.number("DIVISOR")})`,
 	logic_compare: two(COMPARISONS),
-	logic_operation: two({ AND: "&&", OR: "||" }, "false"),
+	logic_operation: two({ AND: "&&", OR: "||" }, (it, name) => it.value(name, "false")),
 	logic_negate: (it) => `!${it.value("BOOL", "false")}`,
 	logic_boolean: ({ fields }) => String(fields.BOOL === "TRUE"),
 	variables_get: (it) => it.variable,
@@ -220,15 +241,15 @@ const VALUES = {
 	starlogo_own: (it) => `(${it.own} ?? 0)`,
 	starlogo_trait: ({ fields: { TRAIT }, me }) => (TRAIT === "age" ? `((game.frame - ${me}.born) / ${FRAMES_A_SECOND})` : `${me}.${TRAIT}`),
 	starlogo_agent: (it) => it.who,
-	starlogo_count: (it) => `senses().countWithin(${it.me}, ${it.breed}, ${it.value("DISTANCE")})`,
+	starlogo_count: (it) => `senses().countWithin(${it.me}, ${it.breed}, ${it.number("DISTANCE")})`,
 	starlogo_number_of: (it) => `senses().countWith(${it.me}, ${it.breed}, "color", ${it.value("COLOUR")})`,
-	starlogo_nearest: (it) => `senses().nearestWithin(${it.me}, ${it.breed}, ${it.value("DISTANCE")})`,
+	starlogo_nearest: (it) => `senses().nearestWithin(${it.me}, ${it.breed}, ${it.number("DISTANCE")})`,
 	starlogo_distance: (it) => `distanceTo(${it.me}, ${it.value("AGENT", "null")})`,
 	starlogo_can_see: (it) => `canSee(${it.me}, ${it.value("AGENT", "null")})`,
 	starlogo_side: ({ fields, me, collidee }) => `(contacts.sideHit(${fields.WHO === "me" ? `${me}, ${collidee}` : `${collidee}, ${me}`}) === ${text(fields.SIDE)})`,
 	starlogo_touch: ({ fields: { TOUCH }, me, collidee }) => (TOUCH === "speed" ? `speedOf(${me}, ${collidee})` : `contacts.touchPoint(${me}, ${collidee}).${TOUCH}`),
-	starlogo_ahead: (it) => `senses().ahead(${it.me}, ${it.breed}, ${it.value("DISTANCE")})`,
-	starlogo_free: (it) => `Math.min(1000000, senses().distanceAhead(${it.me}, ${it.breed}, ${it.value("DISTANCE")}))`,
+	starlogo_ahead: (it) => `senses().ahead(${it.me}, ${it.breed}, ${it.number("DISTANCE")})`,
+	starlogo_free: (it) => `Math.min(1000000, senses().distanceAhead(${it.me}, ${it.breed}, ${it.number("DISTANCE")}))`,
 	starlogo_standing: ({ fields: { BREED }, me }) => (BREED === "anyone" ? `walking().isStanding(${me})` : `(walking().standsOn(${me})?.breed === ${breedOf(BREED)})`),
 	starlogo_floor: ({ me }) => `floorOf(${me})`,
 	starlogo_at_edge: ({ fields: { EDGE }, me }) => (EDGE === "any" ? `(edges.edgeTouched(${me}) !== null)` : `(edges.edgeTouched(${me}) === ${text(EDGE)})`),
@@ -252,7 +273,7 @@ const EVENTS = {
 	starlogo_start: () => "whenTheGameStarts(",
 	starlogo_each: (it) => `everyFrame(${it.breed}, `,
 	starlogo_key: (it) => `whileKey(${text(it.fields.KEY)}, ${text(it.fields.MODE)}, ${it.breed}, `,
-	starlogo_timer: (it) => `everySeconds(() => ${it.value("SECONDS")}, ${it.breed}, `,
+	starlogo_timer: (it) => `everySeconds(() => ${it.number("SECONDS")}, ${it.breed}, `,
 	starlogo_click: (it) => `whenClicked(${it.breed}, `,
 	starlogo_collision: (it) => `whenColliding(${it.breed}, ${it.other}, `,
 	starlogo_receive: (it) => `whenReceiving(${text(it.fields.MESSAGE)}, ${it.breed}, `,
@@ -268,6 +289,16 @@ export function shapesOf(program) {
 		return value;
 	});
 	return [...found].sort();
+}
+
+/** Whether a program sets a variable to a text. */
+function keepsTexts(program) {
+	let isFound = false;
+	JSON.stringify(program, (key, value) => {
+		isFound ||= ["variables_set", "starlogo_own_set"].includes(value?.type) && inputOf(value, "VALUE")?.type === "text";
+		return value;
+	});
+	return isFound;
 }
 
 /** Numbers in lines that can be read beside a program. */
@@ -304,7 +335,7 @@ console.log(\`\${agents.length} agents after \${game.frame} frames\`, game);
  */
 export function javascriptOf(program, title, models, file = "game", ending = TEN_SECONDS) {
 	const names = new Map((program.variables ?? []).map(({ id, name }) => [id, name]));
-	const whole = { names, forward: JSON.stringify(program).includes('"starlogo_solid"') ? "forwardAlongSolid" : "forward" };
+	const whole = { names, keepsTexts: keepsTexts(program), forward: JSON.stringify(program).includes('"starlogo_solid"') ? "forwardAlongSolid" : "forward" };
 	const scripts = (program.blocks?.blocks ?? []).filter(({ type }) => type in EVENTS).map((block) => {
 		const isAlone = block.type === "starlogo_start";
 		const isPair = PAIRS.has(block.type) && ![Collision.TERRAIN, Collision.EDGE].includes(block.fields.OTHER);
@@ -313,8 +344,8 @@ export function javascriptOf(program, title, models, file = "game", ending = TEN
 		return `${EVENTS[block.type](it)}function* (${isAlone ? "" : isPair ? "me, collidee" : "me"}) {${body.length > 0 ? `\n${body.join("\n")}\n` : ""}});`;
 	});
 	const shapes = shapesOf(program);
-	const brought = shapes.filter((name) => models.has(name) && !BUILT_IN.includes(name)).map((name) => making(name, models.get(name)));
-	const addModels = [...shapes.filter((name) => BUILT_IN.includes(name)).map((name) => `greatLand.addModel(BuiltInModel.${name}());`), ...linesIf(brought.length > 0, "for (const model of models()) greatLand.addModel(model);")];
+	const included = shapes.filter((name) => models.has(name) && !BUILT_IN.includes(name)).map((name) => making(name, models.get(name)));
+	const addModels = [...shapes.filter((name) => BUILT_IN.includes(name)).map((name) => `greatLand.addModel(BuiltInModel.${name}());`), ...linesIf(included.length > 0, "for (const model of models()) greatLand.addModel(model);")];
 	const { system = CollisionBlocks.TIGHTEST_FITS } = program;
 	const main = [...addModels, ...scripts].join("\n");
 	const hasEdges = /\bedges\.|Collision\.EDGE/.test(main);
@@ -355,7 +386,7 @@ export function javascriptOf(program, title, models, file = "game", ending = TEN
 		...linesIf(hasEdges, "const edges = new TerrainBlocks(collisions, detection);", `collisions.collision.bounds = new WorldBounds(${-HALF_WIDTH}, ${-HALF_WIDTH}, -Infinity, ${HALF_WIDTH}, ${HALF_WIDTH}, Infinity);`),
 		...linesIf(has("systemsOfNow"), "const systemsOfNow = new CollisionBlocks(greatLand, []);"),
 	];
-	const code = [main, BEING, ENGINE, ...helpers, ...blocks, brought.length > 0 ? "new Model" : "", "new GreatLand"].join("\n");
+	const code = [main, BEING, ENGINE, ...helpers, ...blocks, included.length > 0 ? "new Model" : "", "new GreatLand"].join("\n");
 	return [
 		`// “${title.replaceAll(/\s+/g, " ")}”: a program of blocks as a module, with its models. It plays without a picture: node ${file}.mjs`,
 		INSTALL,
@@ -370,7 +401,7 @@ export function javascriptOf(program, title, models, file = "game", ending = TEN
 		ending,
 		"// what makes it a game", "",
 		[ENGINE, ...helpers].map(fill).join("\n\n"), "",
-		...linesIf(brought.length > 0, MODELS(brought), ""),
+		...linesIf(included.length > 0, MODELS(included), ""),
 	].join("\n");
 }
 

@@ -2,6 +2,19 @@
 const MOST_FRAMES = 900;
 const MOST_AGENTS = 150000;
 
+/** The ground of games that do not choose one. */
+const MEADOW = "meadow";
+
+/** The traits of a world, beside its agents, at the beginning of a game. A frame that is kept has them. */
+export const beginning = (seed) => ({
+	frame: 0, seed, made: 0,
+	score: null, goal: null, limit: null, ground: MEADOW, ended: null,
+	sweeping: {}, breedTraits: new Map(), shownStructures: new Map(), solid: [],
+	messages: [], shownVariables: [], variables: {}, threads: [],
+	totals: new Map(), events: [], pairs: new Map(), meetings: 0, touching: 0,
+});
+
+const WORLD_TRAITS = Object.keys(beginning(0));
 const TRAITS = ["shape", "breed", "x", "y", "z", "heading", "pitch", "roll", "size", "color", "hierarchical", "traversalDepth", "collideAs", "sweeps", "born", "said", "rise", "touched", "hit", "isAlive", "own"];
 
 /** Keeps the last frames of a game, so that it can go back. */
@@ -40,10 +53,10 @@ export class History {
 	 * @param {object[]} searched the agents that the engine was given in it
 	 */
 	add(searched) {
-		const { agents: living, state, collisions } = this.world;
+		const { agents: living, collisions } = this.world;
 		const all = [...new Set([...searched, ...living])];
 		this.#frames.push({
-			searched, living: [...living], all, traits: all.map((agent) => Object.fromEntries(TRAITS.map((name) => [name, agent[name]]))), bytes: collisions.collision.snapshot(), system: collisions.systemName, state: copyOf(state),
+			searched, living: [...living], all, traits: all.map((agent) => traitsOf(agent, TRAITS)), bytes: collisions.collision.snapshot(), system: collisions.systemName, ofWorld: copyOf(traitsOf(this.world, WORLD_TRAITS)),
 		});
 		this.#agentCount += all.length;
 		while (this.#frames.length > MOST_FRAMES || (this.#agentCount > MOST_AGENTS && this.#frames.length > 2)) this.#agentCount -= this.#frames.shift().all.length;
@@ -58,12 +71,12 @@ export class History {
 	show(back) {
 		const { world } = this;
 		const at = Math.max(0, this.#frames.length - 1 - back);
-		const { searched, living, all, traits, bytes, system, state } = this.#frames[at];
-		all.forEach((agent, i) => restore(agent, traits[i]));
+		const { searched, living, all, traits, bytes, system, ofWorld } = this.#frames[at];
 		world.agents.splice(0, Infinity, ...living);
-		Object.assign(world.state, copyOf(state));
+		Object.assign(world, copyOf(ofWorld));
 		world.useSystem(system);
-		world.solidBreeds = state.solid;
+		world.restoreBlocks();
+		all.forEach((agent, i) => restore(agent, traits[i]));
 		world.collisions.collision.restore(bytes, searched);
 		this.shown = at;
 	}
@@ -76,9 +89,11 @@ export class History {
 	}
 }
 
-/** A copy of a world's state, for a frame. Of what is not copied here, each change makes another object. */
-const copyOf = (state) => ({
-	...state, variables: { ...state.variables }, totals: new Map(state.totals), events: [...state.events], threads: state.threads.map((thread) => thread.copy()),
+const traitsOf = (object, names) => Object.fromEntries(names.map((name) => [name, object[name]]));
+
+/** A copy of a world's traits. Of what is not copied here, each change makes another object. */
+const copyOf = (traits) => ({
+	...traits, variables: { ...traits.variables }, totals: new Map(traits.totals), events: [...traits.events], threads: traits.threads.map((thread) => thread.copy()),
 });
 
 function restore(agent, { x, y, z, ...others }) {

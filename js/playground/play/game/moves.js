@@ -26,7 +26,7 @@ export class Moves {
 
 	/** Goes by its heading, at its height, and along solid agents. */
 	forward(agent, steps) {
-		if (this.#world.state.solid.length > 0) {
+		if (this.#world.solid.length > 0) {
 			this.#world.walking.forward(agent, steps);
 			this.#moveInside(agent, agent.x, agent.y);
 			return;

@@ -3,7 +3,8 @@ import { Collision, CollisionBlocks, StructureBlocks, TraitBlocks } from "starlo
 import { texts } from "../../shared/language.js";
 import { ProgramError, breedOf } from "./actions.js";
 import { Being } from "./being.js";
-import { History } from "./history.js";
+import { History, beginning } from "./history.js";
+import { Input } from "./input.js";
 import { lateEngine } from "./late.js";
 import { HALF_WIDTH, Moves } from "./moves.js";
 import { Rounds, Thread, compile } from "./program.js";
@@ -12,8 +13,6 @@ export const FRAMES_A_SECOND = 60;
 /** The seed of random numbers if no other one is given. A lesson always has it, so that its checks see the same game again. */
 export const SEED = 20150601;
 const MOST_AGENTS = 2000;
-/** The ground of games that do not choose one. */
-const MEADOW = "meadow";
 /** The number of meetings in the list. */
 const MOST_EVENTS = 60;
 /** The seconds for which an agent's words are shown. */
@@ -24,29 +23,26 @@ export class World {
 	agents = [];
 	me = null;
 	collidee = null;
-	held = new Set();
-	mouse = { x: 0, y: 0, isDown: false };
+	input = new Input();
 	/** The milliseconds of the last frame: what the engine took to find the pairs, and what scripts and the page's own lists took. */
 	collisionMs = 0;
 	scriptMs = 0;
 	/** The milliseconds of this frame's handlers. The engine calls them, but their time is not the engine's. */
 	#handled = 0;
-	/** Whether the pairs that touch are listed in state.pairs, in each frame, by their numbers. */
+	/** Whether the pairs that touch are listed in each frame, by their numbers. */
 	isWatched = false;
 	/** Whether blocks may not change the collision system. */
 	isSystemFixed = false;
 	/** The sounds of this frame's blocks: names and notes. */
 	sounds = [];
-	#pressed = new Set();
-	#clicked = null;
 	/** The messages of the frame before, which are received in this one. */
 	#received = [];
-	/** The data of a frame that History keeps, in addition to the agents. */
-	state = null;
 	#scripts = [];
 	#areSensesOld = true;
+	/** Whether the pairs are found again, in a frame that stands still. */
+	#isAgain = false;
 	/** The blocks of the late engine, once a program uses them. */
-	#asking = null;
+	#lateBlocks = null;
 
 	/** @param {object} greatLand has every shape that programs name */
 	constructor(greatLand) {
@@ -60,31 +56,22 @@ export class World {
 	}
 
 	#forget(seed = SEED) {
-		this.state = {
-			frame: 0, seed, made: 0,
-			score: null, goal: null, limit: null, ground: MEADOW, ended: null,
-			sweeping: {}, solid: [],
-			messages: [], shown: [], variables: {}, threads: [],
-			totals: new Map(), events: [], pairs: new Map(), meetings: 0, touching: 0,
-		};
+		Object.assign(this, beginning(seed));
 		this.agents.length = this.sounds.length = 0;
 		this.collisions.collision.terrain = this.collisions.collision.bounds = null;
-		if (this.#asking) this.#asking.walker.solidBreeds = [];
+		this.#tellSolidBreeds();
 		this.hasHills = false;
-		this.#pressed.clear();
-		this.#clicked = null;
+		this.input.endFrame();
 		this.#areSensesOld = true;
 	}
 
 	/** The blocks that answer questions, those for contacts, for the ground and the edges, and those that walk. */
-	get asking() {
-		return this.#asking ??= this.#makeAsking();
-	}
-
-	#makeAsking() {
+	get lateBlocks() {
+		if (this.#lateBlocks) return this.#lateBlocks;
 		const { ContactBlocks, DetectionBlocks, TerrainBlocks, WalkBlocks } = lateEngine;
 		const detection = new DetectionBlocks(this.collisions);
-		return { detection, contacts: new ContactBlocks(this.collisions), edges: new TerrainBlocks(this.collisions, detection), walker: new WalkBlocks(detection) };
+		this.#lateBlocks = { detection, contacts: new ContactBlocks(this.collisions), edges: new TerrainBlocks(this.collisions, detection), walker: new WalkBlocks(detection) };
+		return this.#lateBlocks;
 	}
 
 	/**
@@ -105,10 +92,10 @@ export class World {
 		// all pairs that touch, also those without scripts
 		this.collisions.onCollision(Collision.ANY_BREED, Collision.ANY_BREED, (a, b) => this.#timed(() => {
 			a.touched = b.touched = this.frame;
-			if (this.isWatched && a.number < b.number) this.state.pairs.set(`${a.number} ${b.number}`, [a, b]);
+			if (this.isWatched && a.number < b.number) this.pairs.set(`${a.number} ${b.number}`, [a, b]);
 		}));
 		this.collisions.whenTouchingStarts(Collision.ANY_BREED, Collision.ANY_BREED, (a, b, { point }) => this.#timed(() => {
-			if (a.id < b.id) this.#meet(a, b, point);
+			if (a.id < b.id) this.#recordTouch(a, b, point);
 		}));
 		for (const { event, fields, code } of this.#scripts) this.#listen(event, fields, code);
 		this.rounds.begin();
@@ -121,7 +108,7 @@ export class World {
 		if (fields.OTHER === Collision.TERRAIN) this.needTerrain();
 		if (fields.OTHER === Collision.EDGE) this.needEdges();
 		// the ground and the edges are no agents for blocks
-		this.collisions[add](breedOf(fields.BREED), breedOf(fields.OTHER), (collider, collidee) => this.#timed(() => this.#start(code, collider, collidee instanceof Being ? collidee : null)));
+		this.collisions[add](breedOf(fields.BREED), breedOf(fields.OTHER), (collider, collidee) => (this.#isAgain && event === "collision") || this.#timed(() => this.#start(code, collider, collidee instanceof Being ? collidee : null)));
 	}
 
 	/** Does what a handler is for. Its time is no time of the engine. */
@@ -141,12 +128,12 @@ export class World {
 		if (!thread.run(this)) this.threads.push(thread);
 	}
 
-	#meet(a, b, { x, y, z }) {
+	#recordTouch(a, b, { x, y, z }) {
 		// agents that touch from the beginning have not hit each other
 		if (this.frame > 1) a.hit = b.hit = this.frame;
 		const names = [a.breed, b.breed].sort().join("\n");
 		this.totals.set(names, (this.totals.get(names) ?? 0) + 1);
-		this.state.meetings++;
+		this.meetings++;
 		this.events.unshift({ frame: this.frame, a, b, names: [a.breed, b.breed], point: { x, y, z } });
 		this.events.length = Math.min(this.events.length, MOST_EVENTS);
 	}
@@ -155,7 +142,7 @@ export class World {
 	step() {
 		const start = performance.now();
 		this.history.goOn();
-		this.state.frame++;
+		this.frame++;
 		// the sounds of the start are heard with the first frame
 		if (this.frame > 1) this.sounds.length = 0;
 		this.rounds.begin();
@@ -166,16 +153,15 @@ export class World {
 			agent.before[2] = agent.z;
 			agent.before[3] = agent.heading;
 		}
-		this.#received = this.state.messages;
-		this.state.messages = [];
-		const threads = this.threads;
-		this.state.threads = threads.filter(({ until }) => until > this.frame);
+		this.#received = this.messages;
+		this.messages = [];
+		const { threads } = this;
+		this.threads = threads.filter(({ until }) => until > this.frame);
 		for (const thread of threads) if (thread.until <= this.frame && (thread.me?.isAlive ?? true)) this.#go(thread);
 		for (const { event, fields, seconds, code } of this.#scripts) {
 			if (this.#isDue(event, fields, seconds)) this.#forEach(fields.BREED, event, code);
 		}
-		this.#pressed.clear();
-		this.#clicked = null;
+		this.input.endFrame();
 		const listed = [...this.agents];
 		this.collide();
 		if (this.limit && this.frame >= this.limit.until) this.ended ??= { how: "lost", text: this.limit.text };
@@ -183,59 +169,37 @@ export class World {
 		this.scriptMs = performance.now() - start - this.collisionMs;
 	}
 
-	/** Ends the frame: finds the pairs that touch. */
-	collide() {
-		if (this.isWatched) this.state.pairs = new Map();
+	/** Finds the pairs that touch once more in a frame that stands still. Scripts of collisions do not run: they have run in it already. */
+	collideAgain() {
+		this.sounds.length = 0;
+		this.collide(true);
+	}
+
+	/** Finds the pairs that touch, at the end of a frame or again. */
+	collide(isAgain = false) {
+		this.#isAgain = isAgain;
+		if (this.isWatched) this.pairs = new Map();
 		this.#handled = 0;
 		const start = performance.now();
 		this.collisions.collision.update(this.agents);
 		this.collisionMs = Math.max(0, performance.now() - start - this.#handled);
-		this.state.touching = this.collisions.collision.statistics.collisions;
+		this.touching = this.collisions.collision.statistics.collisions;
+		this.#areSensesOld = true;
 	}
 
 	#isDue(event, fields, seconds) {
 		if (event === "each") return true;
-		if (event === "click") return this.#clicked !== null;
+		if (event === "click") return this.input.clicked !== null;
 		if (event === "receive") return this.#received.includes(fields.MESSAGE);
-		// a key that was pressed for less than a frame counts for the whole frame
-		if (event === "key") return this.#pressed.has(fields.KEY) || (fields.MODE === "held" && this.held.has(fields.KEY));
+		if (event === "key") return this.input.wasPressed(fields.KEY) || (fields.MODE === "held" && this.input.isDown(fields.KEY));
 		return event === "timer" && this.frame % Math.max(1, Math.round(seconds() * FRAMES_A_SECOND)) === 0;
 	}
 
 	#forEach(breed, event, code) {
 		// agents that are created meanwhile begin with the next frame
-		for (const agent of event === "click" ? [this.#clicked] : [...this.agents]) {
+		for (const agent of event === "click" ? [this.input.clicked] : [...this.agents]) {
 			if (agent.isAlive && (breed === "anyone" || agent.breed === breed)) this.#start(code, agent, null);
 		}
-	}
-
-	press(key) {
-		if (!this.held.has(key)) this.#pressed.add(key);
-		this.held.add(key);
-	}
-
-	release(key) {
-		this.held.delete(key);
-	}
-
-	releaseAll() {
-		this.held.clear();
-	}
-
-	click(agent) {
-		this.#clicked = agent;
-	}
-
-	/** Takes the keys and the mouse of another game, which has not done its next step yet. */
-	hear(other) {
-		this.held = other.held;
-		this.mouse = other.mouse;
-		this.#pressed = new Set(other.#pressed);
-		this.#clicked = other.#clicked && this.#numbered(other.#clicked.number);
-	}
-
-	#numbered(number) {
-		return this.agents.find((agent) => agent.number === number) ?? null;
 	}
 
 	/** Changes the collision system, for a block or the user. The user is told if a block does it. */
@@ -251,7 +215,7 @@ export class World {
 		if (!this.greatLand.hasModel(shape)) throw new ProgramError(texts.play.noModel(shape));
 		const agent = new Being(shape, breed);
 		agent.born = this.frame;
-		agent.number = ++this.state.made;
+		agent.number = ++this.made;
 		if (parent) {
 			agent.jumpTo(parent.x, parent.y, parent.z);
 			agent.heading = parent.heading;
@@ -284,39 +248,60 @@ export class World {
 	/** Gives an agent the settings of its breed. */
 	#welcome(agent) {
 		this.traits.welcome(agent);
-		agent.sweeps = this.state.sweeping[agent.breed] ?? agent.sweeps;
+		agent.sweeps = this.sweeping[agent.breed] ?? agent.sweeps;
+	}
+
+	/** Sets a trait by one of the engine's blocks. For a breed it counts for agents that join it later, too. */
+	setTrait(block, whom, value) {
+		this.traits[block](whom, value);
+		if (typeof whom === "string") this.breedTraits = new Map(this.breedTraits).set(`${block} ${whom}`, [block, whom, value]);
+	}
+
+	/** Shows the bounding structures of an agent or of a breed, or no more. */
+	showStructures(whom, isOn) {
+		this.structures.show(whom, isOn);
+		this.shownStructures = new Map(this.shownStructures).set(whom, isOn);
+	}
+
+	/** Tells the engine's blocks of breeds and structures what this frame says of them, because it is another one than theirs. */
+	restoreBlocks() {
+		this.traits.forgetBreeds();
+		for (const [block, breed, value] of this.breedTraits.values()) this.traits[block](breed, value);
+		this.structures.showNone();
+		for (const [whom, isOn] of this.shownStructures) this.structures.show(whom, isOn);
+		this.#tellSolidBreeds();
+		this.#areSensesOld = true;
 	}
 
 	/** Has an agent collide along its way, or not. For a breed it counts for agents that join it later, too. */
 	sweep(whom, isOn) {
 		for (const agent of this.subjects(whom)) agent.sweeps = isOn;
-		if (typeof whom === "string") this.state.sweeping = { ...this.state.sweeping, [whom]: isOn };
+		if (typeof whom === "string") this.sweeping = { ...this.sweeping, [whom]: isOn };
 	}
 
 	/** Makes a breed solid, or not. */
 	setSolid(breed, isOn) {
 		this.walker.setSolid(breed, isOn);
-		this.state.solid = this.walker.solidBreeds;
+		this.solid = this.walker.solidBreeds;
 	}
 
-	/** Makes these breeds solid, and no others. */
-	set solidBreeds(names) {
-		if (this.#asking || names.length > 0) this.walker.solidBreeds = names;
+	#tellSolidBreeds() {
+		if (this.#lateBlocks || this.solid.length > 0) this.walker.solidBreeds = this.solid;
 	}
 
 	/** The blocks for contacts. */
 	get contacts() {
-		return this.asking.contacts;
+		return this.lateBlocks.contacts;
 	}
 
 	/** The blocks for the ground and the edges. */
 	get edges() {
-		return this.asking.edges;
+		return this.lateBlocks.edges;
 	}
 
 	/** The blocks that walk, and know which breeds are solid. */
 	get walker() {
-		return this.asking.walker;
+		return this.lateBlocks.walker;
 	}
 
 	/** Walks, falls and jumps over the ground and solid agents, which are where they were when the frame began. */
@@ -352,7 +337,7 @@ export class World {
 
 	/** Sends a message to all agents. Their scripts receive it in the next frame. */
 	broadcast(message) {
-		this.state.messages = [...this.state.messages, message];
+		this.messages = [...this.messages, message];
 	}
 
 	/** Sets a variable of an agent. */
@@ -362,7 +347,7 @@ export class World {
 
 	/** Shows a variable above all agents that have it, or no more. */
 	showOwn(name, isOn) {
-		this.state.shown = [...this.state.shown.filter((each) => each !== name), ...(isOn ? [name] : [])];
+		this.shownVariables = [...this.shownVariables.filter((each) => each !== name), ...(isOn ? [name] : [])];
 	}
 
 	say(agent, text) {
@@ -376,10 +361,10 @@ export class World {
 	/** The queries of the agents. They see the others as they were when the frame began, or when an agent was last created or deleted. */
 	get senses() {
 		if (this.#areSensesOld) {
-			this.asking.detection.update();
+			this.lateBlocks.detection.update();
 			this.#areSensesOld = false;
 		}
-		return this.asking.detection;
+		return this.lateBlocks.detection;
 	}
 
 	/** The number of the frame that is this many seconds away, at least the next one. */
@@ -398,19 +383,7 @@ export class World {
 
 	/** A random number, by a generator of Park and Miller. */
 	random() {
-		this.state.seed = (this.state.seed * 48271) % 2147483647;
-		return this.state.seed / 2147483647;
+		this.seed = (this.seed * 48271) % 2147483647;
+		return this.seed / 2147483647;
 	}
-}
-
-// the parts of the state that all files read, as the world's own
-for (const name of ["frame", "variables", "threads", "score", "goal", "limit", "ground", "ended", "totals", "events"]) {
-	Object.defineProperty(World.prototype, name, {
-		get() {
-			return this.state[name];
-		},
-		set(value) {
-			this.state[name] = value;
-		},
-	});
 }

@@ -1,8 +1,8 @@
 /** What is on the first screen: all programs and lessons, and models of the user's own. */
 import { texts } from "../../shared/language.js";
-import { brought, lessonOf, programOfLesson } from "../brought/brought.js";
-import { LESSON_NAMES } from "./lessoncard.js";
-import { create, program, size, start } from "../brought/notation.js";
+import { builtInProgram, lessonOf, programOfLesson } from "../builtin/builtin.js";
+import { LESSON_NAMES } from "../builtin/names.js";
+import { create, program, size, start } from "../builtin/notation.js";
 
 const words = texts.play;
 /** The ids of models have this prefix. */
@@ -17,14 +17,14 @@ export class Gallery {
 
 	/** Groups of entries, and what the user can do with them. */
 	get groups() {
-		const { lessons, shelf, view: { own } } = this.programs;
+		const { progress, shelf, view: { modelShelf } } = this.programs;
 		const named = (table) => Object.entries(table).map(([id, name]) => ({ id, name }));
-		const next = LESSON_NAMES.find((name) => !lessons.isDone(name));
+		const next = LESSON_NAMES.find((name) => !progress.isDone(name));
 		return [
-			{ title: texts.gallery.lessons, isNumbered: true, entries: LESSON_NAMES.map((name) => ({ id: programOfLesson(name), name: texts.lessons.list[name].title, isDone: lessons.isDone(name), isNext: name === next })) },
-			{ title: texts.gallery.games, isNumbered: true, entries: Object.entries(words.games).map(([id, name]) => ({ id, name, note: texts.programs[id].goal, isDone: lessons.isWon(id) })) },
+			{ title: texts.gallery.lessons, isNumbered: true, entries: LESSON_NAMES.map((name) => ({ id: programOfLesson(name), name: texts.lessons.list[name].title, isDone: progress.isDone(name), isNext: name === next })) },
+			{ title: texts.gallery.games, isNumbered: true, entries: Object.entries(words.games).map(([id, name]) => ({ id, name, note: texts.programs[id].goal, isDone: progress.isWon(id) })) },
 			{ title: texts.gallery.own, canRename: true, canRemove: true, canAdd: true, entries: shelf.all.map(({ id, name }) => ({ id, name })) },
-			...(own.names.length > 0 ? [{ title: texts.gallery.models, canRemove: true, entries: own.names.map((name) => ({ id: MODEL + name, name })) }] : []),
+			...(modelShelf.names.length > 0 ? [{ title: texts.gallery.models, canRemove: true, entries: modelShelf.names.map((name) => ({ id: MODEL + name, name })) }] : []),
 			{ title: words.brought, entries: named(words.examples) },
 		];
 	}
@@ -33,17 +33,17 @@ export class Gallery {
 	async programOf(id) {
 		const model = modelOf(id);
 		if (model !== null) return program(start(create(1, "turtles", model, size(3))));
-		return this.programs.shelf.find(id)?.program ?? brought(id);
+		return this.programs.shelf.find(id)?.program ?? builtInProgram(id);
 	}
 
 	async open(id) {
 		const model = modelOf(id);
-		if (model !== null) this.programs.openAsNew(await this.programOf(id), model);
+		if (model !== null) await this.programs.openAsNew(await this.programOf(id), model);
 		else await this.programs.choose(id, lessonOf(id) !== null);
 	}
 
 	remove(id) {
 		const model = modelOf(id);
-		return model === null ? this.programs.remove(id) : this.programs.view.own.remove(model);
+		return model === null ? this.programs.remove(id) : this.programs.view.modelShelf.remove(model);
 	}
 }

@@ -1,11 +1,12 @@
 /** Hands in a pupil's work: lessons, games, programs and models, as a file or a code for the teacher. Makes room for the next pupil. */
+import { CollisionBlocks } from "starlogo-collision";
 import { toClipboard } from "../../shared/copying.js";
 import { button, field, h, openDialog } from "../../shared/dom.js";
-import { hand } from "../../shared/files/hand.js";
-import { toCode, toFile } from "../../shared/files/handed.js";
+import { download } from "../../shared/files/download.js";
+import { toCode, toFile } from "../../shared/files/submissions.js";
 import { texts } from "../../shared/language.js";
 import { recall, remember } from "../../shared/files/memory.js";
-import { fileName, meaning } from "./storage.js";
+import { fileName, meaning } from "./programtext.js";
 
 const words = texts.handing;
 const KEY = "starlogo-playground.pupil";
@@ -13,16 +14,16 @@ const KEY = "starlogo-playground.pupil";
 const keepName = (name) => remember(KEY, name || null);
 
 /** All of the pupil's work. The programs that did lessons go along, so that the teacher's page can play them again. */
-function workOf({ shelf, lessons, view }, pupil) {
+function workOf({ shelf, progress, view }, pupil) {
 	const programs = shelf.all.map(({ name, lesson, program }) => ({ name, ...(lesson && { lesson }), program }));
-	const isListed = (name, solution) => programs.some(({ lesson, program }) => lesson === name && program.system === solution.system && meaning(program) === meaning(solution));
+	const isListed = (name, solution) => programs.some(({ lesson, program }) => lesson === name && (program.system ?? CollisionBlocks.TIGHTEST_FITS) === solution.system && meaning(program) === meaning(solution));
 	const solutions = Object.fromEntries(Object.entries(shelf.solutions).filter(([name, solution]) => !isListed(name, solution)));
-	return { pupil, ...lessons.results, programs, solutions, models: view.own.in([programs, solutions]) };
+	return { pupil, ...progress.results, programs, solutions, models: view.modelShelf.filesFor([programs, solutions]) };
 }
 
 /** The numbers of lessons that were done, of programs, and of games that were won. */
-function countsOf({ shelf, lessons }) {
-	const { done, won } = lessons.results;
+function countsOf({ shelf, progress }) {
+	const { done, won } = progress.results;
 	return [done.length, shelf.all.length, won.length];
 }
 
@@ -51,7 +52,7 @@ export function handIn(programs) {
 	const save = () => {
 		const all = work();
 		if (!all) return;
-		hand(toFile(all), words.fileName(fileName(all.pupil)), "application/json");
+		download(toFile(all), words.fileName(fileName(all.pupil)), "application/json");
 		said.textContent = words.saved(words.fileName(fileName(all.pupil)));
 		leave.textContent = texts.gallery.close;
 	};
@@ -76,11 +77,11 @@ export function handIn(programs) {
 }
 
 /** Makes the browser forget everything of its user, for the next one. */
-async function forgetAll({ shelf, lessons, view }) {
+async function forgetAll({ shelf, progress, view }) {
 	keepName("");
 	shelf.forget();
-	lessons.forget();
-	await view.own.forgetAll();
+	progress.forget();
+	await view.modelShelf.forgetAll();
 	location.hash = "play/all";
 	location.reload();
 }

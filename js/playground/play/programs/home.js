@@ -1,7 +1,7 @@
 /** The first screen: lessons, games and the user's own programs. Each has a picture of its beginning. */
-import { button, h } from "../../shared/dom.js";
+import { CARD, button, drawAll, h } from "../../shared/dom.js";
 import { texts } from "../../shared/language.js";
-import { handIn, nextPupil } from "./giving.js";
+import { handIn, nextPupil } from "./sharing.js";
 
 const words = texts.gallery;
 
@@ -47,15 +47,15 @@ export class Home {
 	}
 
 	#card({ id, name, note, isDone, isNext }, { canRename, canRemove }, number) {
-		const picture = h("img", { "data-program": id, alt: "", width: 240, height: 150 });
+		const picture = h("img", { "data-program": id, alt: "", width: CARD[0], height: CARD[1] });
 		const item = h("li", {}, h("button.open", { type: "button", class: isNext ? "open next" : "open", "aria-label": canRename ? name : null, onclick: () => this.programs.gallery.open(id) },
 			h("span.picture", {}, picture, number === null ? null : h("span.number", {}, String(number)), isDone ? h("span.tick", { role: "img", "aria-label": texts.lessons.done }, "✓") : null),
 			canRename ? null : h("span.name", {}, name), note ? h("small", {}, note) : null, isNext ? h("strong.here", {}, number === 1 ? words.begin : words.here) : null));
 		if (!canRemove) return item;
 		const input = h("input", { type: "text", value: name, maxlength: 60, "aria-label": words.rename(name), onchange: () => {
 			const text = input.value.trim();
-			if (text === "") input.value = name;
-			else this.programs.rename(id, text);
+			if (text === "") input.value = input.defaultValue;
+			else this.programs.rename(id, input.defaultValue = text);
 		} });
 		item.append(h("div.own", {}, canRename ? input : null, button("✕", () => {
 			this.#close();
@@ -64,18 +64,13 @@ export class Home {
 		return item;
 	}
 
-	/** Draws the pictures one after the other, so that the page stays responsive. */
 	async #draw() {
-		const { programs } = this;
-		for (const picture of this.element.querySelectorAll("img")) {
-			const { program: id } = picture.dataset;
-			const program = await programs.gallery.programOf(id);
-			await new Promise((resolve) => setTimeout(resolve));
-			if (!this.element.isConnected) return;
-			const address = programs.view.pictureOf(program);
-			if (address) picture.src = address;
-			else picture.replaceWith(h("span.blank"));
-		}
-		this.element.dataset.drawn = "";
+		const { gallery, view } = this.programs;
+		const isDrawn = await drawAll(this.element.querySelectorAll("img"), async ({ dataset }) => {
+			const program = await gallery.programOf(dataset.program);
+			// after it has closed, the stage shows the game
+			return this.element.isConnected ? view.scene.pictureOfGame(program, ...CARD) : null;
+		});
+		if (isDrawn) this.element.dataset.drawn = "";
 	}
 }

@@ -1,68 +1,28 @@
 /** The card of the open lesson: its subject, its task, whether the task is done, and the explanation. */
 import { button, h } from "../../shared/dom.js";
 import { texts } from "../../shared/language.js";
-import { recallList, rememberValue } from "../../shared/files/memory.js";
+import { LESSON_NAMES } from "../builtin/names.js";
 
 const words = texts.lessons;
-const KEY = "starlogo-playground.lessons";
 /** Those that are about the collision system: what chooses and shows it is always in sight there. */
 const ABOUT_SYSTEM = ["helmet", "wing"];
-export const LESSON_NAMES = ["blocks", "helmet", "wing", "main", "fast", "starts", "room", "near", "see", "hunt", "jump"];
-
-/** Remembers, in the browser, the lessons that were done and the games that were won. */
-class Ticks {
-	#names = new Set(recallList(KEY));
-
-	has(name) {
-		return this.#names.has(name);
-	}
-
-	add(name) {
-		this.#names.add(name);
-		this.#keep();
-	}
-
-	clear() {
-		this.#names.clear();
-		this.#keep();
-	}
-
-	#keep() {
-		rememberValue(KEY, [...this.#names]);
-	}
-}
 
 export class LessonCard {
 	#name = null;
 	#memory = {};
-	#ticks = new Ticks();
 	#lessons = null;
 	/** Called when another card is shown, or none. */
 	onShow = () => {};
 
 	/**
+	 * @param {import("./progress.js").Progress} progress
 	 * @param {(name: string|null, isNew: boolean) => void} onOpen called to open a lesson's program; with null to leave the lesson. If isNew is
 	 * true, the lesson's own program is meant, and not what the user has made of it
 	 * @param {Record<string, () => void>} onward what follows the last lesson, by the names of its words
 	 */
-	constructor(onOpen, onward) {
-		Object.assign(this, { onOpen, onward });
+	constructor(progress, onOpen, onward) {
+		Object.assign(this, { progress, onOpen, onward });
 		this.element = h("div.lead", { hidden: true });
-	}
-
-	/** The lessons that were done and the games that were won. */
-	get results() {
-		return { done: LESSON_NAMES.filter((name) => this.isDone(name)), won: Object.keys(texts.play.games).filter((name) => this.isWon(name)) };
-	}
-
-	/** Forgets what was done, for the browser's next user. */
-	forget() {
-		this.#ticks.clear();
-	}
-
-	/** Whether a lesson has been done, now or earlier. */
-	isDone(name) {
-		return this.#ticks.has(name);
 	}
 
 	/** Whether a lesson is open. */
@@ -80,15 +40,6 @@ export class LessonCard {
 		return Boolean(this.#lessons?.[this.#name]?.isOfSystem);
 	}
 
-	/** Whether a game of the page's has been won, now or earlier. */
-	isWon(name) {
-		return this.#ticks.has(`game ${name}`);
-	}
-
-	win(name) {
-		this.#ticks.add(`game ${name}`);
-	}
-
 	/**
 	 * Shows a lesson's card; null hides it.
 	 *
@@ -101,7 +52,7 @@ export class LessonCard {
 		this.element.dataset.needs = ABOUT_SYSTEM.includes(name) ? "system" : "";
 		this.element.replaceChildren();
 		if (name === null) return this.onShow();
-		if (!this.#lessons) import("../brought/library.js").then(({ LESSONS }) => {
+		if (!this.#lessons) import("../builtin/library.js").then(({ LESSONS }) => {
 			this.#lessons = LESSONS;
 		});
 		const at = LESSON_NAMES.indexOf(name);
@@ -129,7 +80,7 @@ export class LessonCard {
 		this.element.append(this.card);
 		this.onShow();
 		this.#turnTo("text");
-		if (this.isDone(name)) this.#sayDone();
+		if (this.progress.isDone(name)) this.#sayDone();
 	}
 
 	/** The place beside the task, if the open lesson is about the collision system; or else null. */
@@ -172,7 +123,7 @@ export class LessonCard {
 
 	/** Why a lesson is done, and, if it is the last one, that all are. */
 	#why(name) {
-		const isLast = LESSON_NAMES.every((each) => each === name || this.isDone(each));
+		const isLast = LESSON_NAMES.every((each) => each === name || this.progress.isDone(each));
 		return `${words.list[name].why}${isLast ? ` ${words.all}` : ""}`;
 	}
 
@@ -196,7 +147,7 @@ export class LessonCard {
 	/** Takes back what was said to be wrong. If it still is, the next frame says so again. */
 	hush() {
 		this.#memory.wrong = null;
-		if (this.#name === null || this.isDone(this.#name) || this.sign.textContent === "") return;
+		if (this.#name === null || this.progress.isDone(this.#name) || this.sign.textContent === "") return;
 		this.sign.replaceChildren();
 		this.#turnTo("text");
 	}
@@ -209,12 +160,12 @@ export class LessonCard {
 		if (!lesson || memory.isDone) return false;
 		if (lesson.isDone(world, memory)) {
 			memory.isDone = true;
-			this.#ticks.add(name);
+			this.progress.tickLesson(name);
 			this.#sayDone();
 			return true;
 		}
 		const wrong = lesson.wrong(world, memory);
-		if (wrong !== null && wrong !== memory.wrong && !this.isDone(name)) this.#say(h("strong.not-yet", {}, words.notYet), texts.mistakes[name][wrong]);
+		if (wrong !== null && wrong !== memory.wrong && !this.progress.isDone(name)) this.#say(h("strong.not-yet", {}, words.notYet), texts.mistakes[name][wrong]);
 		memory.wrong = wrong ?? memory.wrong;
 		return false;
 	}

@@ -3,58 +3,49 @@ import { CollisionBlocks } from "starlogo-collision";
 import { button, fileButton, h } from "../../shared/dom.js";
 import { MODEL_FILE } from "../../shared/files/files.js";
 import { fixed, learn, texts } from "../../shared/language.js";
-import { brought, isBrought, lessonOf, programOfLesson } from "../brought/brought.js";
+import { builtInProgram, isBuiltIn, programOfLesson } from "../builtin/builtin.js";
+import { LESSON_NAMES } from "../builtin/names.js";
+import { AddressError, FIRST, Finder } from "./finder.js";
 import { Gallery } from "./gallery.js";
-import { download, handIn, print, share, showJavascript } from "./giving.js";
-import { LESSON_NAMES, LessonCard } from "./lessoncard.js";
+import { downloadProgram, handIn, print, share, showJavascript } from "./sharing.js";
+import { LessonCard } from "./lessoncard.js";
 import { menu, menuButton } from "./menu.js";
-import { create, program as programOf, size, start } from "../brought/notation.js";
+import { create, program as programOf, size, start } from "../builtin/notation.js";
 import { isProgram, isWork, modelsOf } from "../../shared/files/packing.js";
-import { Shelf, fromLink, meaning, toLink } from "./storage.js";
+import { meaning, toLink } from "./programtext.js";
+import { Progress } from "./progress.js";
+import { Shelf } from "./shelf.js";
 
 const words = texts.play;
-/** The program that is opened if the browser remembers none. */
-const FIRST = "paintball";
-/** The address's argument for the first screen. */
-const HOME = "all";
-/** Addresses of programs that a teacher has opened begin with this. */
-const HANDED = "handed-";
-/** The id of one of the user's programs. */
-const OWN = /^own-[a-z\d]+-[a-z\d]+$/;
-/** A link with a program is longer. */
-const LONGEST_NAME = 60;
 
 /** The button that leads to the first screen. Where it has little room, it has only its sign. */
 const homeButton = (onclick) => h("button.homeward", { type: "button", "aria-label": texts.gallery.open, title: texts.gallery.open, onclick }, h("span.icon"), h("span", {}, texts.gallery.open));
 
 export class Programs {
-	/** The program that is shown: the name of one of the page's, the id of one of the user's, or "link". */
-	#name = null;
-	#title = "";
-	/** The collision system for the program, if it is not the default one. */
-	#system = null;
-	/** Whether another tab has changed the open program. */
-	#isTaken = false;
-	/** The lesson that is open, or null. */
-	#lesson = null;
-	/** The last program that was requested. */
-	#asked = null;
+	/**
+	 * The program that is shown, or null: {name, title, system, lesson, isTaken, isStopgap}. Its name is the name of one of the page's, the id of
+	 * one of the user's, or "link". The system is null if it is the default one, and so is the lesson if none is open. It is taken if another tab has
+	 * changed it, and a stopgap if it is only there because something has to be: the user has not chosen it.
+	 */
+	#open = null;
+	/** Counts the programs that were requested and shown. A request counts until the next one. */
+	#turn = 0;
 	#home = null;
-	/** Whether the program that is shown is only there because something has to be: the user has not chosen it. */
-	#isStopgap = false;
 
 	/** @param {object} view shows the programs */
 	constructor(view) {
 		this.view = view;
 		this.shelf = new Shelf();
+		this.finder = new Finder(this.shelf);
+		this.progress = new Progress();
 		this.gallery = new Gallery(this);
-		this.lessons = new LessonCard((name, isNew) => (name === null ? this.#leaveLesson() : this.choose(programOfLesson(name), true, isNew)), {
+		this.lessonCard = new LessonCard(this.progress, (name, isNew) => (name === null ? this.#leaveLesson() : this.choose(programOfLesson(name), true, isNew)), {
 			games: () => this.openHome(), change: () => this.choose(FIRST), own: () => this.openNew(),
 		});
-		this.title = h("input.title", { type: "text", maxlength: 60, "aria-label": words.title, onchange: () => this.#rename() });
+		this.title = h("input.title", { type: "text", maxlength: 60, "aria-label": words.title, onchange: () => this.#takeTitle() });
 		this.kept = h("span.keeping");
 		this.keepButton = button(words.keep, () => this.#keep(), { title: words.keepNote });
-		this.menu = menu(button(words.new, () => this.openNew()), this.keepButton, button(words.save, () => download(this)),
+		this.menu = menu(button(words.new, () => this.openNew()), this.keepButton, button(words.save, () => downloadProgram(this)),
 			fileButton(words.open, ".json,.obj,.dae,.glb,.gltf,.stl,.bin", (...files) => this.openFile(...files)),
 			button(words.share, () => share(this)), button(words.javascript.title, () => showJavascript(this)), button(words.print, () => print(this)), button(texts.gallery.handIn, () => handIn(this)));
 		this.menuButton = menuButton(words.menu, this.menu);
@@ -64,163 +55,135 @@ export class Programs {
 
 	/** The present program, with its collision system. */
 	get program() {
-		return { ...this.view.editor.program, ...(this.#system && { system: this.#system }) };
+		const { system } = this.#open;
+		return { ...this.view.editor.program, ...(system && { system }) };
+	}
+
+	/** Opens the program at an address. At the first screen's, it opens the last program below it. */
+	async open(address) {
+		if (address === this.#open?.name) {
+			this.#home?.leave();
+			this.view.draw();
+		} else if (address !== "" && address !== "all") await this.choose(address);
+		else {
+			const isHome = this.#open !== null || this.finder.isHome(address);
+			if (this.#open === null) await this.#openLast(0);
+			if (isHome && !this.#home?.element.isConnected) await this.openHome();
+		}
 	}
 
 	/**
-	 * Opens the program in an address: one of the page's, one of the user's, or one in a link. Otherwise it opens the last program, or the
-	 * first screen.
+	 * Opens a program. If there is none, says why on the first screen.
+	 *
+	 * @param {string} address its name, its id, or its link. A lesson's name leads to what the user has made of it
+	 * @param {boolean} isRead whether the focus goes to its lesson
+	 * @param {boolean} isNew whether a lesson is opened as it was in the beginning, and not as the user has changed it
 	 */
-	async open(argument) {
-		if (argument === this.#name) {
-			this.#home?.leave();
-			this.view.draw();
-			return;
-		}
-		if (argument === "" || argument === HOME) {
-			const isFirst = this.#name === null;
-			const isHome = !isFirst || this.isHome(argument);
-			if (isFirst) await this.#openLast();
-			if (isHome && !this.#home?.element.isConnected) await this.openHome();
-		} else if (isBrought(argument) || this.shelf.find(argument)) await this.choose(argument);
-		else if (argument.startsWith(HANDED)) await this.#openHanded(argument);
-		else await this.#openLink(argument);
-	}
-
-	async #openLink(argument) {
+	async choose(address, isRead = false, isNew = false) {
+		const turn = ++this.#turn;
+		await this.view.editing;
 		try {
-			const { name, lesson, ...program } = await fromLink(argument);
-			const title = name ?? words.fromLink;
-			const mine = this.shelf.all.find((each) => each.name === title && meaning(each.program) === meaning(program));
-			if (mine) this.#show(mine.program, mine.id, title);
-			else this.#show(program, "link", title, lesson);
-		} catch {
-			await this.#openNone(OWN.test(argument) ? words.keptElsewhere : argument.length > LONGEST_NAME ? words.brokenLink : words.noAddress(argument));
+			const name = isNew ? address : this.finder.ownOf(address);
+			const found = await this.finder.find(name);
+			if (found.models && turn === this.#turn) found.program = await this.view.modelShelf.bring(found.program, found.models);
+			if (turn !== this.#turn) return;
+			this.#show(found.pupil ? { ...found, title: words.handedBy(found.title, found.pupil) } : found);
+			if (found.name === name) this.#remember(name, true);
+			if (isRead) this.lessonCard.focus();
+		} catch (error) {
+			if (!(error instanceof AddressError)) throw error;
+			if (turn !== this.#turn) return;
+			if (this.#open === null) await this.#openLast(turn);
+			this.view.say(error.message, true);
+			await this.openHome(error.message);
 		}
 	}
 
-	/** Opens a program that a pupil has handed in. */
-	async #openHanded(argument) {
-		const { handed } = await import("../../shared/files/handed.js");
-		await handed.open();
-		const found = handed.at(argument);
-		if (!found) return this.#openNone(words.handedElsewhere);
-		const { name, lesson, program, models, pupil } = found;
-		return this.#show(await this.view.own.bring(program, models), "link", words.handedBy(name, pupil), lesson);
-	}
-
-	/** Says what is wrong with an address, and shows the first screen. */
-	async #openNone(problem) {
-		if (this.#name === null) await this.#openLast();
-		this.view.say(problem, true);
-		await this.openHome(problem);
-	}
-
-	/** The program that will be opened, if it is known already. */
-	async first(argument) {
+	/** Opens the last program, unless another one has been requested since that turn. */
+	async #openLast(turn) {
+		const found = await this.finder.last();
+		if (turn !== this.#turn) return;
 		try {
-			if (this.shelf.find(argument)) return this.shelf.find(argument).program;
-			if (isBrought(argument)) return await brought(argument);
-			return argument && argument !== HOME ? await fromLink(argument) : (await this.#last()).program;
-		} catch {
-			return brought(FIRST);
-		}
-	}
-
-	/** Whether an address leads to the first screen. */
-	isHome(argument) {
-		return argument === HOME || (argument === "" && !this.#hasLast);
-	}
-
-	get #hasLast() {
-		return this.shelf.last !== null || this.shelf.all.length > 0;
-	}
-
-	/** The program that was open last, otherwise the paintball game. */
-	async #last() {
-		const { last, all } = this.shelf;
-		const entry = this.shelf.find(last) ?? (last === null ? all.at(-1) : null);
-		if (entry && isProgram(entry.program)) return { program: entry.program, name: entry.id };
-		const name = last !== null && isBrought(last) ? last : FIRST;
-		return { program: await brought(name), name };
-	}
-
-	async #openLast() {
-		const isChosen = this.#hasLast;
-		const { program, name } = await this.#last();
-		// the user has chosen another one meanwhile
-		if (this.#asked !== null) return;
-		try {
-			this.#show(program, name);
+			this.#show(found, true);
 		} catch {
 			// of another version
-			this.#show(await brought(FIRST), FIRST);
+			this.#show(await this.finder.find(FIRST), true);
 		}
-		this.#isStopgap = !isChosen;
 	}
 
-	/** Shows a program. If it is none, it throws, and the old one stays. It may come with a lesson that it belongs to. */
-	#show(program, name, title = this.#titleOf(name), lesson = null) {
+	/**
+	 * Shows a program that Finder has found. Throws an AddressError if Blockly finds none in it; the old one stays.
+	 *
+	 * @param {object} found it may come with a lesson that it belongs to
+	 * @param {boolean} isLast whether it is shown because something has to be, perhaps below the first screen
+	 */
+	#show({ name, program, title, lesson }, isLast = false) {
 		const { view } = this;
-		const isFirst = this.#name === null || (this.#isStopgap && view.world.frame === 0);
-		const before = isFirst ? null : { program: this.program, name: this.#name, title: this.#title, lesson: this.#lesson };
-		view.editor.show(program, isBrought(name) || name === "link");
-		if (this.#name !== null || this.#asked !== null) this.#home?.leave();
-		this.#isStopgap = false;
-		this.#name = name;
-		this.#isTaken = false;
-		this.#system = CollisionBlocks.systemNames.includes(program.system) ? program.system : null;
-		// a program made from a lesson's program still belongs to the lesson
-		this.#lesson = lessonOf(name) ?? this.shelf.find(name)?.lesson ?? (LESSON_NAMES.includes(lesson) ? lesson : null);
-		this.lessons.show(this.#lesson, this.shelf.find(name) !== null);
-		this.#showTitle(title);
-		view.begin();
-		view.lookAt(program, this.shelf.cameraOf(name));
-		if (before && !view.isBroken && view.world.agents.length > 0) {
-			if (before.name === name) view.say(words.opened(title));
-			else view.offer(words.opened(title), words.backTo(before.title), () => this.#goBackTo(before));
+		const isFirst = this.#open === null || (this.#open.isStopgap && view.world.frame === 0);
+		const before = isFirst ? null : { ...this.#open, program: this.program };
+		try {
+			view.editor.show(program, isBuiltIn(name) || name === "link");
+		} catch {
+			throw new AddressError(name === "link" ? words.brokenLink : words.brokenProgram);
 		}
+		this.#turn++;
+		if (!isLast) this.#home?.leave();
+		this.#open = {
+			name, title, isTaken: false, isStopgap: isLast && !this.finder.hasLast,
+			system: CollisionBlocks.systemNames.includes(program.system) ? program.system : null,
+			// a program made from a lesson's program still belongs to the lesson
+			lesson: LESSON_NAMES.includes(lesson) ? lesson : null,
+		};
+		this.lessonCard.show(this.#open.lesson, this.#isOwn);
+		this.#showTitle(title);
+		view.play(program, this.shelf.cameraOf(name));
+		if (!before || view.isBroken || view.world.agents.length === 0) return;
+		if (before.name === name) view.say(words.opened(title));
+		else view.offer(words.opened(title), words.backTo(before.title), () => {
+			this.#show(before);
+			this.#remember(before.name);
+		});
 	}
 
-	/** Opens the program that another one has replaced, unchanged. */
-	#goBackTo({ program, name, title, lesson }) {
-		this.#show(program, name, title, lesson);
-		if (name !== "link") this.shelf.last = name;
-		this.#setAddress(name);
-	}
-
-	#titleOf(name) {
-		return words.games[name] ?? words.examples[name] ?? texts.lessons.list[lessonOf(name)]?.title ?? this.shelf.find(name)?.name ?? words.fromLink;
+	/** Whether the open program is one of the user's. */
+	get #isOwn() {
+		return this.shelf.find(this.#open.name) !== null;
 	}
 
 	#showTitle(title) {
-		this.#title = title;
+		this.#open.title = title;
 		this.title.value = this.title.title = title;
-		const isOwn = this.shelf.find(this.#name) !== null;
+		const isOwn = this.#isOwn;
 		this.kept.className = isOwn ? "keeping kept" : "keeping";
 		this.kept.textContent = !isOwn ? "" : this.shelf.isKept ? words.kept : words.keptNowhere;
 		this.keepButton.disabled = isOwn;
 	}
 
-	/** Renames the program and keeps it under the new name. */
-	#rename() {
+	/** Renames the open program, and keeps it under the new name. */
+	#takeTitle() {
 		const title = this.title.value.trim();
-		if (title === "" || title === this.#title) this.title.value = this.#title;
-		else if (this.shelf.find(this.#name)) {
-			this.shelf.put({ id: this.#name, name: title });
-			this.#showTitle(title);
-		} else this.#putNew(title);
+		if (title === "" || title === this.#open.title) this.title.value = this.#open.title;
+		else if (this.#isOwn) this.rename(this.#open.name, title);
+		else this.#putNew(title);
+	}
+
+	/** Renames one of the user's programs. */
+	rename(id, title) {
+		if (this.shelf.find(id)) this.shelf.put({ id, name: title });
+		if (id === this.#open.name) this.#showTitle(title);
 	}
 
 	#keep() {
-		this.#putNew(this.#name === "link" ? this.#title : words.copyOf(this.#title));
+		this.#putNew();
 		this.title.focus();
 	}
 
-	/** Puts the open program's name into the address. */
-	#setAddress(name, isStep = false) {
+	/** Makes an open program the last one, and puts its name into the address: as a step, or in place of the one before. */
+	#remember(name, isStep = false) {
+		if (name === "link") return;
+		this.shelf.last = name;
 		const hash = `#play/${name}`;
-		if (name === "link" || location.hash === hash) return;
+		if (location.hash === hash) return;
 		if (isStep) history.pushState(null, "", hash);
 		else history.replaceState(null, "", hash);
 	}
@@ -235,90 +198,56 @@ export class Programs {
 
 	/** Called when a game is won. The page's own games get a tick. Returns what there is to say about the best time. */
 	win(seconds) {
-		if (this.#name in words.games) this.lessons.win(this.#name);
+		const { name } = this.#open;
+		if (Object.hasOwn(words.games, name)) this.progress.tickGame(name);
 		const { record } = this;
 		if (record !== null && record <= seconds) return words.best(fixed(record, 1));
-		this.shelf.putRecord(this.#name, seconds);
+		this.shelf.putRecord(name, seconds);
 		return record === null ? "" : words.newBest;
 	}
 
 	/** Called when a game has done its lesson. Keeps what did it, for the teacher. */
 	async solved(game) {
+		const { lesson } = this.#open;
 		const { system = CollisionBlocks.TIGHTEST_FITS } = this.program;
-		const own = meaning(await brought(programOfLesson(this.#lesson)));
-		this.shelf.putSolution(this.#lesson, game === own ? { system } : { ...JSON.parse(game), system });
+		const own = meaning(await builtInProgram(programOfLesson(lesson)));
+		this.shelf.putSolution(lesson, game === own ? { system } : { ...JSON.parse(game), system });
 	}
 
 	/** Keeps the camera that the user has chosen for the open program. */
 	keepCamera(camera) {
-		this.shelf.putCamera(this.#name, camera);
+		this.shelf.putCamera(this.#open.name, camera);
 	}
 
 	/** The seconds of the best victory in the open game, or null. */
 	get record() {
-		return this.shelf.recordOf(this.#name);
-	}
-
-	/** Renames one of the user's programs. */
-	rename(id, name) {
-		this.shelf.put({ id, name });
-		if (id === this.#name) this.#showTitle(name);
+		return this.shelf.recordOf(this.#open.name);
 	}
 
 	/** Deletes one of the user's programs. This can be undone. */
 	async remove(id) {
 		const entry = this.shelf.find(id);
 		this.shelf.remove(id);
-		if (this.#name === id) await this.choose(FIRST);
-		this.view.offer(texts.gallery.removed(entry.name), words.undo, () => {
+		if (this.#open.name === id) await this.choose(FIRST);
+		// another tab may have removed it before
+		if (entry) this.view.offer(texts.gallery.removed(entry.name), words.undo, () => {
 			this.shelf.put(entry);
 			this.choose(id);
 		});
 	}
 
-	/**
-	 * Opens one of the page's or the user's programs.
-	 *
-	 * @param {string} asked its name, or its id
-	 * @param {boolean} isRead whether the focus goes to its lesson
-	 * @param {boolean} isNew whether a lesson is opened as it was in the beginning, and not as the user has changed it
-	 */
-	async choose(asked, isRead = false, isNew = false) {
-		const name = isNew ? asked : this.#ownOf(asked);
-		this.#asked = name;
-		await this.view.editing;
-		const program = this.shelf.find(name)?.program ?? await brought(name);
-		if (this.#asked !== name) return;
-		try {
-			this.#show(program, name);
-			this.shelf.last = name;
-			this.#setAddress(name, true);
-			if (isRead) this.lessons.focus();
-		} catch {
-			this.view.say(words.brokenProgram, true);
-		}
-	}
-
-	/** What the user has made of a lesson's program last, or else the lesson's program itself. */
-	#ownOf(name) {
-		const lesson = lessonOf(name);
-		const own = lesson === null ? [] : this.shelf.all.filter((each) => each.lesson === lesson && isProgram(each.program));
-		return own.sort((a, b) => b.changed - a.changed)[0]?.id ?? name;
-	}
-
 	/** Opens a new program of the user's, with one agent. */
 	async openNew() {
-		await this.view.editing;
-		this.openAsNew(programOf(start(create(1, "bears", "bear", size(1.4)))), words.newName);
+		await this.openAsNew(programOf(start(create(1, "bears", "bear", size(1.4)))), words.newName);
 		this.title.focus();
 		this.title.select();
 	}
 
 	/** Leaves the lesson. The program stays. */
 	#leaveLesson() {
-		this.#lesson = null;
-		if (this.shelf.find(this.#name)) this.shelf.put({ id: this.#name, lesson: null });
-		this.lessons.show(null);
+		this.#open.lesson = null;
+		if (this.#isOwn) this.shelf.put({ id: this.#open.name, lesson: null });
+		this.lessonCard.show(null);
 		this.title.focus();
 	}
 
@@ -330,63 +259,61 @@ export class Programs {
 			this.view.say(words.systemOfBlock(texts.inSentence(texts.systems[name])));
 			return;
 		}
-		this.#system = name === CollisionBlocks.TIGHTEST_FITS ? null : name;
-		this.#put();
+		this.#open.system = name === CollisionBlocks.TIGHTEST_FITS ? null : name;
+		if (this.#isOwn && !this.#open.isTaken) this.#put();
 	}
 
 	#put() {
-		if (this.shelf.find(this.#name) && !this.#isTaken) this.shelf.put({ id: this.#name, program: this.program, changed: Date.now() });
+		this.shelf.put({ id: this.#open.name, program: this.program, changed: Date.now() });
 	}
 
 	/**
-	 * Called when the user has changed the program. A changed example, or a program from a link, becomes one of the user's with its own name.
+	 * Keeps the program that the user has changed. A changed example, or a program from a link, becomes one of the user's with its own name.
 	 *
-	 * @param {number} deleted the number of blocks that the change deleted
+	 * @returns {boolean} whether the browser keeps it
 	 */
-	changed(deleted) {
-		const { view } = this;
-		if (!this.shelf.find(this.#name) || this.#isTaken) this.#putNew(this.#name === "link" ? this.#title : words.copyOf(this.#title));
-		else this.#put();
-		if (!view.isRunning && view.isStale) view.showBeginning();
-		view.showRun();
-		if (!this.shelf.isKept) view.say(words.notKept, true);
-		else if (view.isRunning && view.isStale) view.say(words.stale);
-		else if (deleted > 0 && !view.isRunning) view.offer(words.deleted(deleted), words.undo, () => {
-			view.editor.undo();
-			view.say(words.ready);
-		});
+	keepChange() {
+		if (this.#isOwn && !this.#open.isTaken) this.#put();
+		else this.#putNew();
+		return this.shelf.isKept;
 	}
 
-	/** Keeps the program as a new one of the user's, under a new name. */
-	#putNew(title) {
+	/** A name that none of the user's programs has. */
+	#freeName(title) {
 		const names = new Set(this.shelf.all.map(({ name }) => name));
 		let name = title;
 		for (let number = 2; names.has(name); number++) name = words.another(title, number);
-		const id = `own-${Date.now().toString(36)}-${Math.floor(Math.random() * 1e6).toString(36)}`;
-		this.shelf.put({ id, name, program: this.program, lesson: this.#lesson, changed: Date.now() });
-		this.shelf.last = id;
-		this.shelf.putCamera(id, this.shelf.cameraOf(this.#name));
-		this.#name = id;
-		this.#isTaken = false;
-		this.lessons.isOwn = true;
-		this.#showTitle(name);
-		// the kept program counts from now on, not the link
-		this.#setAddress(id);
 		return name;
 	}
 
+	/** Keeps the program as a new one of the user's: under a title, or as a copy. If another one has the title, it gets a number. */
+	#putNew(title = this.#open.name === "link" ? this.#open.title : words.copyOf(this.#open.title)) {
+		const { name: before, lesson } = this.#open;
+		const name = this.#freeName(title);
+		const id = `own-${Date.now().toString(36)}-${Math.floor(Math.random() * 1e6).toString(36)}`;
+		this.shelf.put({ id, name, program: this.program, lesson, changed: Date.now() });
+		this.shelf.putCamera(id, this.shelf.cameraOf(before));
+		Object.assign(this.#open, { name: id, isTaken: false });
+		this.lessonCard.isOwn = true;
+		this.#showTitle(name);
+		// the kept program counts from now on, not the link
+		this.#remember(id);
+	}
+
 	#hearOtherTab() {
-		const entry = this.shelf.find(this.#name);
-		if (this.#isTaken || this.#name === null || this.#name === "link" || isBrought(this.#name)) return;
+		if (this.#open === null) return;
+		const { name, title, isTaken } = this.#open;
+		if (isTaken || name === "link" || isBuiltIn(name)) return;
+		const entry = this.shelf.find(name);
 		if (entry && JSON.stringify(entry.program) === JSON.stringify(this.program)) return;
-		this.#isTaken = true;
-		this.view.say(words.elsewhere(entry?.name ?? this.#title));
+		this.#open.isTaken = true;
+		this.view.say(words.elsewhere(entry?.name ?? title));
 	}
 
 	/** Opens a program, or adds a model as a shape for agents. */
 	async openFile(file, files = [file]) {
 		if (MODEL_FILE.test(file.name)) {
-			await this.view.own.add(file, files);
+			await this.view.modelShelf.add(file, files);
 			return;
 		}
 		if (!/\.json$/i.test(file.name)) {
@@ -395,34 +322,31 @@ export class Programs {
 		}
 		try {
 			const { name, lesson, models, ...program } = JSON.parse(await file.text());
-			if (isWork(program)) {
-				this.view.say(words.isWork(file.name), true);
-				return;
-			}
-			if (!isProgram(program)) throw new Error("no program");
-			this.openAsNew(await this.view.own.bring(program, modelsOf(models)), name ?? file.name.replace(/\.json$/i, ""), lesson);
+			if (isWork(program)) this.view.say(words.isWork(file.name), true);
+			else if (!isProgram(program)) this.view.say(words.brokenProgram, true);
+			else await this.openAsNew(await this.view.modelShelf.bring(program, modelsOf(models)), name ?? file.name.replace(/\.json$/i, ""), lesson);
 		} catch {
 			this.view.say(words.brokenProgram, true);
 		}
 	}
 
-	/** Opens a program as a new one of the user's. Throws if it is none. */
-	openAsNew(program, title, lesson = null) {
-		this.#asked = title;
-		this.#show(program, "link", title, lesson);
-		const name = this.#putNew(title);
-		const [, back] = this.view.layout.status.childNodes;
-		if (back) this.view.layout.status.firstChild.textContent = words.opened(name);
+	/** Opens a program as a new one of the user's. Fails if it is none. */
+	async openAsNew(program, title, lesson = null) {
+		await this.view.editing;
+		this.#show({ name: "link", program, title: this.#freeName(title), lesson });
+		this.#putNew(title);
 		if (!this.shelf.isKept) this.view.say(words.notKept, true);
 	}
 
 	/** The open program with its name and its lesson, for a file or a link. */
 	get whole() {
-		return { name: this.#title, ...(this.#lesson && { lesson: this.#lesson }), ...this.program };
+		const { title, lesson } = this.#open;
+		return { name: title, ...(lesson && { lesson }), ...this.program };
 	}
 
 	/** The address's argument for the open program: its name or id, or the program itself if it came in a link. */
 	async address() {
-		return this.#name === "link" ? toLink(this.whole) : this.#name;
+		const { name } = this.#open;
+		return name === "link" ? toLink(this.whole) : name;
 	}
 }

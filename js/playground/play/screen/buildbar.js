@@ -17,7 +17,8 @@ export class BuildBar {
 	#kept = null;
 
 	/**
-	 * @param {{world: object, scene: object, editor: object, stop: () => void, reset: () => void, draw: () => void, say: (text: string) => void}} view
+	 * @param {{world: object, scene: object, stage: object, layout: object, editor: object, isRunning: boolean, reset: () => void, showGround: () => void,
+	 * draw: () => void, say: (text: string) => void}} view
 	 */
 	constructor(view) {
 		this.view = view;

@@ -10,9 +10,9 @@ const STILL = 6;
 export class Keys {
 	#known = new Set();
 
-	/** @param {import("../game/world.js").World} world gets the keys */
-	constructor(world) {
-		this.world = world;
+	/** @param {import("../game/input.js").Input} input gets the keys */
+	constructor(input) {
+		this.input = input;
 		this.pad = h("div.pad.keys");
 	}
 
@@ -21,7 +21,7 @@ export class Keys {
 		const keys = [...keysOf(program)];
 		this.#known = new Set(keys.map(([key]) => key));
 		this.pad.hidden = keys.length === 0;
-		this.pad.replaceChildren(...keys.map(([key, does]) => padKey(key, does, () => this.world.press(key), () => this.world.release(key))));
+		this.pad.replaceChildren(...keys.map(([key, does]) => padKey(key, does, () => this.input.press(key), () => this.input.release(key))));
 	}
 
 	/**
@@ -32,31 +32,31 @@ export class Keys {
 	 * @param {() => void} onKey called when an arrow key or a letter is pressed for which the program has a script
 	 */
 	listen(stage, onClick, onKey) {
-		const { world } = this;
+		const { input } = this;
 		const { host } = stage;
 		host.addEventListener("keydown", (event) => {
 			if (!(event.key in KEYS) || event.ctrlKey || event.metaKey || event.altKey) return;
 			if (!event.repeat) {
 				if (event.key !== " " && this.#known.has(KEYS[event.key])) onKey();
-				world.press(KEYS[event.key]);
+				input.press(KEYS[event.key]);
 			}
 			event.preventDefault();
 		});
-		host.addEventListener("keyup", (event) => world.release(KEYS[event.key]));
-		host.addEventListener("blur", () => world.releaseAll());
+		host.addEventListener("keyup", (event) => input.release(KEYS[event.key]));
+		host.addEventListener("blur", () => input.releaseAll());
 		const point = (event) => {
 			const at = stage.renderer && stage.pointAt(event, 0);
-			if (at) Object.assign(world.mouse, { x: at.x, y: at.y });
+			if (at) Object.assign(input.mouse, { x: at.x, y: at.y });
 		};
 		let down = null;
 		host.addEventListener("pointermove", point);
 		host.addEventListener("pointerdown", (event) => {
 			down = event;
-			world.mouse.isDown = true;
+			input.mouse.isDown = true;
 			point(event);
 		});
 		const up = (event) => {
-			world.mouse.isDown = false;
+			input.mouse.isDown = false;
 			// a click, and not a drag that turns the world
 			if (down && event.type === "pointerup" && Math.hypot(event.clientX - down.clientX, event.clientY - down.clientY) < STILL) {
 				const agent = stage.agentAt(event);

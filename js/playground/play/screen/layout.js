@@ -30,17 +30,17 @@ export class Layout {
 	constructor(main, { programs, buildBar, panel }, on) {
 		this.main = main;
 		this.on = on;
-		this.lessons = programs.lessons;
+		this.lessonCard = programs.lessonCard;
 		this.#makeControls(programs);
 		this.#makeScreen();
 		const tools = this.#makeTools();
 		const program = h("section.program", { "aria-label": words.blocks }, programs.element, this.blocksHost);
 		main.replaceChildren(
 			// the lesson is read before the blocks, though it is above the world
-			this.lessons.element,
+			this.lessonCard.element,
 			program,
 			splitter(main, program),
-			h("div.show", {}, this.controls, h("section.game", { "aria-label": words.world },
+			this.show = h("div.show", {}, this.controls, h("section.game", { "aria-label": words.world },
 				tools,
 				this.theatre,
 				buildBar.element,
@@ -84,7 +84,7 @@ export class Layout {
 		this.fullscreen = button(h("span.icon"), () => this.theatre.requestFullscreen?.(), { class: "fullscreen", "aria-label": words.fullscreen, title: words.fullscreen });
 		this.theatre.addEventListener("fullscreenchange", () => {
 			if (document.fullscreenElement === this.theatre) this.theatre.prepend(this.controls);
-			else this.main.querySelector(".show").prepend(this.controls);
+			else this.show.prepend(this.controls);
 			this.on.playOn();
 		});
 	}
@@ -125,9 +125,9 @@ export class Layout {
 		const below = h("div.foot", {}, ...foot);
 		const place = () => {
 			(this.room.matches ? this.controls : below).append(corner);
-			this.#placeSystem(this.room.matches ? this.lessons.placeOfSystem : null);
+			this.#placeSystem(this.room.matches ? this.lessonCard.placeOfSystem : null);
 		};
-		this.lessons.onShow = place;
+		this.lessonCard.onShow = place;
 		this.room = matchMedia(`(min-width: 75rem) and (max-height: ${LOW - 1}px)`);
 		this.room.onchange = place;
 		this.theatre.append(below);
@@ -147,9 +147,9 @@ export class Layout {
 		for (const each of this.tabs) each.setAttribute("aria-pressed", each.dataset.tab === tab);
 	}
 
-	/** Makes the controls and the blocks usable, or not. */
+	/** Makes the game and the blocks usable, or not. */
 	set isUsable(isUsable) {
-		for (const part of [this.controls, this.blocksHost.parentElement]) part.inert = !isUsable;
+		for (const part of [this.show, this.blocksHost.parentElement]) part.inert = !isUsable;
 	}
 
 	/** Shows what the button does: run, stop, or start a changed program anew. */
@@ -173,9 +173,9 @@ export class Layout {
 		for (const each of this.dragNote.getAnimations()) each.currentTime = 0;
 	}
 
-	/** Writes words beside the buttons. If they do not fit there, they are over the world as well. */
-	say(text, isProblem) {
-		this.status.textContent = text;
+	/** Writes words beside the buttons, with further elements behind them. If the words do not fit there, they are over the world as well. */
+	say(text, isProblem, ...more) {
+		this.status.replaceChildren(text, ...more.flatMap((each) => [" ", each]));
 		this.status.classList.toggle("problem", isProblem);
 		this.whole.textContent = text;
 		this.whole.classList.toggle("problem", isProblem);

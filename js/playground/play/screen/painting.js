@@ -1,28 +1,14 @@
 /** Raises and lowers the ground, and builds walls, where the pointer goes. */
 import { HALF_WIDTH } from "../game/moves.js";
+import { wallsBetween } from "../game/walls.js";
 
 /** The patches by which a brush raises the ground. */
 const HEIGHTS = { raise: 1, lower: -1 };
-/** A wall that is longer, in patches, is built of several. */
-const LONGEST = 4;
 const LINE = { color: 0xf5a524, isOnTop: true };
 /** How high the line of a wall that is being built is, in patches. */
 const ABOVE = 0.1;
 
 let groups = 0;
-
-/** Walls from one place to another, along x or y: the middle, the heading and the length of each. */
-export function wallsBetween(from, to) {
-	const isAlongX = Math.abs(to.x - from.x) >= Math.abs(to.y - from.y);
-	const [begin, end] = isAlongX ? [from.x, to.x] : [from.y, to.y];
-	const count = Math.ceil(Math.abs(end - begin) / LONGEST);
-	// they begin and end on whole patches
-	const borders = Array.from({ length: count + 1 }, (_, i) => begin + Math.round((i * (end - begin)) / count));
-	return borders.slice(1).map((border, i) => {
-		const middle = (borders[i] + border) / 2;
-		return [isAlongX ? middle : from.x, isAlongX ? from.y : middle, isAlongX ? 90 : 0, Math.abs(border - borders[i])];
-	});
-}
 
 /**
  * Listens to a stage, before others do.

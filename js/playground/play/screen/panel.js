@@ -12,14 +12,11 @@ const breedName = (breed) => texts.breeds[breed] ?? breed;
 /** An agent's name: its breed, and its number in the game. */
 export const nameOf = ({ breed, number }) => `${breedName(breed)} ${number}`;
 
+/** What is counted after a time until the figures are shown: milliseconds, frames of the game, pictures, and the largest numbers in a frame. */
+const countsFrom = (since) => ({ since, ms: 0, scriptMs: 0, frames: 0, pictures: 0, most: { pairs: 0, tests: 0, collisions: 0 } });
+
 export class Panel {
-	#ms = 0;
-	#scriptMs = 0;
-	#ticks = 0;
-	#frames = 0;
-	#since = 0;
-	/** The largest numbers in the frames since the figures were last shown. */
-	#most = { pairs: 0, tests: 0, collisions: 0 };
+	#counts = countsFrom(0);
 	#shown = "";
 	#chosen = "";
 	#next = 0;
@@ -45,31 +42,31 @@ export class Panel {
 	/** Counts a frame. */
 	count() {
 		const { collisionMs, scriptMs, collisions } = this.world;
-		this.#ms += collisionMs;
-		this.#scriptMs += scriptMs;
-		this.#ticks++;
+		const counts = this.#counts;
+		counts.ms += collisionMs;
+		counts.scriptMs += scriptMs;
+		counts.frames++;
 		const { candidatePairs: pairs, tests, hierarchyTests, collisions: touching } = collisions.collision.statistics;
-		for (const [name, value] of Object.entries({ pairs, tests: tests + hierarchyTests, collisions: touching })) this.#most[name] = Math.max(this.#most[name], value);
+		for (const [name, value] of Object.entries({ pairs, tests: tests + hierarchyTests, collisions: touching })) counts.most[name] = Math.max(counts.most[name], value);
 	}
 
 	/** Shows the figures; twice a second while the game runs. */
 	show(now = 0) {
-		this.#frames++;
-		if (now > 0 && now - this.#since < 500) return;
-		const { agents, state } = this.world;
+		this.#counts.pictures++;
+		const { since, ms, scriptMs, frames, pictures, most } = this.#counts;
+		if (now > 0 && now - since < 500) return;
+		const { agents, frame, meetings, touching } = this.world;
 		// while the game stands still, the last figures stay
-		const counted = this.#ticks > 0 || state.frame === 0 ? { ms: short(this.#ms / this.#ticks), scripts: short(this.#scriptMs / this.#ticks), ...this.#most } : {};
-		const fps = now > 0 ? Math.round((this.#frames * 1000) / (now - this.#since)) : "–";
-		this.figures.show({ ...counted, agents: agents.length, meetings: state.meetings, ...(now === 0 && { collisions: state.touching }), fps });
-		this.forget(now);
+		const counted = frames > 0 || frame === 0 ? { ms: short(ms / frames), scripts: short(scriptMs / frames), ...most } : {};
+		const fps = now > 0 ? Math.round((pictures * 1000) / (now - since)) : "–";
+		this.figures.show({ ...counted, agents: agents.length, meetings, ...(now === 0 && { collisions: touching }), fps });
+		this.restartCount(now);
 		this.#list();
 		this.#listCast();
 	}
 
-	forget(now = 0) {
-		this.#since = now;
-		this.#ms = this.#scriptMs = this.#ticks = this.#frames = 0;
-		this.#most = { pairs: 0, tests: 0, collisions: 0 };
+	restartCount(now = 0) {
+		this.#counts = countsFrom(now);
 	}
 
 	/** Lists the agents by breed. Clicking a breed's name chooses its agents one after the other. */
@@ -91,8 +88,8 @@ export class Panel {
 	}
 
 	#list() {
-		const { events, totals, state } = this.world;
-		const shown = `${state.meetings} ${state.frame < (events[0]?.frame ?? 0)} ${events[0]?.frame}`;
+		const { events, totals, meetings, frame: now } = this.world;
+		const shown = `${meetings} ${now < (events[0]?.frame ?? 0)} ${events[0]?.frame}`;
 		if (shown === this.#shown) return;
 		this.#shown = shown;
 		this.list.replaceChildren(...(events.length === 0 ? [h("li", {}, words.noEvents)] : events.slice(0, LISTED).map(({ frame, a, b, names }) => h("li", {},

@@ -16,10 +16,10 @@ let loading = null;
 const lands = new WeakMap();
 
 /** The page's land with further models, given as their files' text. */
-async function withOwn(brought, own) {
-	if (Object.keys(own).length === 0) return brought;
+async function withOwn(shapes, own) {
+	if (Object.keys(own).length === 0) return shapes;
 	if (!lands.has(own)) {
-		const models = new Map(brought.models);
+		const models = new Map(shapes.models);
 		for (const [name, text] of Object.entries(own)) if (!models.has(name)) models.set(name, await parseModel(name, toBytes(text)));
 		lands.set(own, landOf(models));
 	}
@@ -59,10 +59,7 @@ export class Studio {
 		try {
 			await import("../game/lateengine.js");
 			const { models, greatLand } = await landFor(own);
-			const world = new World(greatLand);
-			world.begin(program);
-			world.step();
-			return new Scene(this.stage, world, models, this.host).pictureOfGame(program, world, width, height);
+			return new Scene(this.stage, new World(greatLand), models, this.host).pictureOfGame(program, width, height);
 		} catch {
 			return null;
 		}

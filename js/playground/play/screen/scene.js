@@ -3,6 +3,7 @@ import { CollisionBlocks, Sphere, Vector3D } from "starlogo-collision";
 import { LINES, VERDICTS } from "../../shared/drawing/colours.js";
 import { button, h, short } from "../../shared/dom.js";
 import { fixed, plain, texts } from "../../shared/language.js";
+import { heightOf } from "../../shared/files/models.js";
 import { pairsOf } from "../../shared/scattered.js";
 import { said as asSaid } from "../game/actions.js";
 import { Being } from "../game/being.js";
@@ -11,6 +12,7 @@ import { lateEngine } from "../game/late.js";
 import { nameOf } from "./panel.js";
 import { breedsThatKeysTurn } from "../game/program.js";
 import { HALF_WIDTH } from "../game/moves.js";
+import { World } from "../game/world.js";
 
 const words = texts.play;
 const STRUCTURES = { color: LINES.tested };
@@ -32,7 +34,8 @@ const MIDDLE = [-NEAR, -NEAR, 0, NEAR, NEAR, 2];
 
 export class Scene {
 	camera = "all";
-	isSeen = false;
+	/** Whether what the engine tests is shown. */
+	isEngineShown = false;
 	/** Whether the camera stays where it is when a game begins. */
 	isStill = false;
 	chosen = null;
@@ -41,14 +44,13 @@ export class Scene {
 	/** Whether the same game is played beside this one. */
 	isBeside = false;
 	/** What the end says about the best time; and the best time itself in seconds, or null. */
-	best = "";
+	bestNote = "";
 	record = null;
-	#best = "";
+	#bestNote = "";
 	#mainBreed = null;
 	#explained = null;
 	#said = new Map();
 	#levels = new Map();
-	#heights = new Map();
 	#pictures = new Map();
 	#isPictured = false;
 	#framed = "";
@@ -100,7 +102,7 @@ export class Scene {
 	 * Shows all of the agents, if that is what the camera shows. If others are there than it has shown, or if the user asks for it: else the user
 	 * may have turned it.
 	 */
-	frame(isAsked = false) {
+	frameAgents(isAsked = false) {
 		const part = this.#part;
 		if (this.isStill) this.#framed = String(part);
 		else if (this.camera === "all" && (isAsked || String(part) !== this.#framed)) this.#showAll(part);
@@ -169,8 +171,8 @@ export class Scene {
 		world.structures.lines(lines);
 		stage.wireframe("structures", STRUCTURES).showLines(lines);
 		stage.wireframe("chosen", CHOSEN).showLines(this.chosen ? world.structures.linesOf(this.chosen) : []);
-		const verdicts = this.isSeen ? this.#verdicts() : this.differing;
-		const solids = (this.isSeen ? world.agents : [...verdicts.keys()]).map((agent) => ({ ...this.#structuresOf(agent), color: VERDICTS[verdicts.get(agent) ?? "none"] }));
+		const verdicts = this.isEngineShown ? this.#verdicts() : this.differing;
+		const solids = (this.isEngineShown ? world.agents : [...verdicts.keys()]).map((agent) => ({ ...this.#structuresOf(agent), color: VERDICTS[verdicts.get(agent) ?? "none"] }));
 		stage.showMarks(world.events.filter((each) => frame - each.frame < MARK).map((each) => ({ point: each.point, age: (frame - each.frame) / MARK, color: VERDICTS.hit })), solids);
 		stage.showSigns([...verdicts].map(([agent, kind]) => ({ kind, x: agent.x, y: agent.y, z: agent.z + this.#height(agent) + ABOVE })));
 		this.#show(again);
@@ -178,8 +180,15 @@ export class Scene {
 		stage.draw();
 	}
 
-	/** A picture of the beginning of a program's game. It stays on the stage until the game is drawn again. */
-	pictureOfGame(program, world, width, height) {
+	/** A picture of the beginning of a program's game. It stays on the stage until the game is drawn again. Null if the game cannot begin. */
+	pictureOfGame(program, width, height) {
+		const world = new World(this.world.greatLand);
+		try {
+			world.begin(program);
+			world.step();
+		} catch {
+			return null;
+		}
 		const breed = mainBreedOf(program, world.agents);
 		return this.#picture(world, width, height, world.agents.find((agent) => agent.breed === breed));
 	}
@@ -223,9 +232,7 @@ export class Scene {
 	}
 
 	#height(agent) {
-		const model = this.models.get(agent.shape);
-		if (!this.#heights.has(model)) this.#heights.set(model, model.vertices.reduce((most, value, i) => (i % 3 === 2 ? Math.max(most, value) : most), 0));
-		return agent.size * this.#heights.get(model);
+		return agent.size * heightOf(this.models.get(agent.shape));
 	}
 
 	#show(again) {
@@ -239,11 +246,11 @@ export class Scene {
 		this.goal.textContent = goal;
 		this.score.hidden = score === null;
 		if (score !== null && this.score.textContent !== words.score(score)) this.score.textContent = words.score(score);
-		this.#explain(this.isSeen ? words.seesNote : this.isBeside ? words.differs : {});
-		if (this.end.hidden === Boolean(ended) || (ended && this.best !== this.#best)) {
-			this.#best = this.best;
+		this.#explain(this.isEngineShown ? words.seesNote : this.isBeside ? words.differs : {});
+		if (this.end.hidden === Boolean(ended) || (ended && this.bestNote !== this.#bestNote)) {
+			this.#bestNote = this.bestNote;
 			this.end.hidden = !ended;
-			this.end.replaceChildren(...(ended ? [h("strong", {}, words[ended.how]), h("p", {}, `${ended.text} ${words.took(fixed(seconds, 1))}`), this.best && h("p.best", {}, this.best), again && button(words.again, again, { class: "primary" })].filter(Boolean) : []));
+			this.end.replaceChildren(...(ended ? [h("strong", {}, words[ended.how]), h("p", {}, `${ended.text} ${words.took(fixed(seconds, 1))}`), this.bestNote && h("p.best", {}, this.bestNote), again && button(words.again, again, { class: "primary" })].filter(Boolean) : []));
 			if (ended) this.end.querySelector("button")?.focus({ preventScroll: true });
 		}
 	}
@@ -315,9 +322,8 @@ export class Scene {
 
 	/** Shows the agents' words over their heads. */
 	#placeBubbles() {
-		const { agents, frame } = this.world;
-		const { shown } = this.world.state;
-		const wordsOf = ({ said, own }) => [...(said.text !== "" && said.until > frame ? [said.text] : []), ...shown.filter((name) => name in own).map((name) => `${name} ${asSaid(own[name])}`)].join("\n");
+		const { agents, frame, shownVariables } = this.world;
+		const wordsOf = ({ said, own }) => [...(said.text !== "" && said.until > frame ? [said.text] : []), ...shownVariables.filter((name) => name in own).map((name) => `${name} ${asSaid(own[name])}`)].join("\n");
 		const talking = agents.filter((agent) => wordsOf(agent) !== "").slice(0, MOST_SAID);
 		for (const [agent, bubble] of this.#said) {
 			if (talking.includes(agent)) continue;

@@ -24,10 +24,8 @@ const [A, A_HERTZ, NOTE] = [69, 440, 0.25];
 export class Sound {
 	#context = null;
 	#isMuted = recall(KEY) === "true";
-	/** The last frame that was heard, the frame of the last tone, and the number of meetings then. */
-	#frame = 0;
+	/** The frame of the last tone for a touch. */
 	#last = -BETWEEN;
-	#met = 0;
 
 	constructor() {
 		this.button = button("", () => this.#mute(!this.#isMuted), { class: "tool sound" });
@@ -49,20 +47,14 @@ export class Sound {
 	}
 
 	/** Listens to a frame of a game. Plays a tone if a touch has begun in it. */
-	hear({ frame, state: { meetings }, events: [event], sounds }) {
+	hear({ frame, events: [event], sounds }) {
 		for (const each of sounds.slice(0, MOST_SOUNDS)) {
 			if (typeof each === "number") this.#play([A_HERTZ * 2 ** ((Math.min(127, Math.max(0, each)) - A) / 12)], NOTE);
 			else if (each in SOUNDS) this.#play(SOUNDS[each][1], SOUNDS[each][2], SOUNDS[each][0]);
 		}
-		if (frame <= this.#frame) {
-			// the game has begun again, or gone back
-			this.#last = -BETWEEN;
-			this.#met = 0;
-		}
-		const isNew = meetings > this.#met;
-		this.#frame = frame;
-		this.#met = meetings;
-		if (!isNew || frame - this.#last < BETWEEN) return;
+		// before the last tone, if the game has begun again or gone back
+		const since = frame - this.#last;
+		if (event?.frame !== frame || (since >= 0 && since < BETWEEN)) return;
 		this.#last = frame;
 		this.#play([TOUCHES[(event.a.number + event.b.number) % TOUCHES.length]], 0.08);
 	}

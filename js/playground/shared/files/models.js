@@ -1,6 +1,6 @@
 /** The game's models: the twelve in the thesis's table, and those that only the playground has. */
 import { BuiltInModel, GreatLand, Model } from "starlogo-collision";
-import { MADE } from "./made.js";
+import { MADE } from "./generatedmodels.js";
 import { readModel } from "./served.js";
 
 const BUILT_IN = { sphere: () => BuiltInModel.sphere(), cube: () => BuiltInModel.cube(), cylinder: () => BuiltInModel.cylinder(), ...MADE };
@@ -30,6 +30,14 @@ export function landOf(models) {
 
 /** The land of some of the game's models. */
 export const loadLand = async (names) => landOf(new Map(await Promise.all(names.map(async (name) => [name, await loadModel(name)]))));
+
+const heights = new WeakMap();
+
+/** The height of a model's highest point. It is computed once. */
+export function heightOf(model) {
+	if (!heights.has(model)) heights.set(model, model.vertices.reduce((most, value, i) => (i % 3 === 2 ? Math.max(most, value) : most), 0));
+	return heights.get(model);
+}
 
 async function read(name) {
 	if (name in BUILT_IN) return BUILT_IN[name]();

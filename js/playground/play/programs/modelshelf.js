@@ -6,7 +6,7 @@ import { texts } from "../../shared/language.js";
 
 const words = texts.play;
 
-export class Models {
+export class ModelShelf {
 	/** The models of this page: names and files' contents. */
 	#known = new Map();
 
@@ -48,23 +48,25 @@ export class Models {
 
 	/** Makes a shape for agents from a file and the files that came with it. Gives it a name that is not in use. */
 	async add(file, files) {
-		let [bytes, name] = [null, null];
+		await this.#addAs(file.name.replace(MODEL_FILE, ""), file.name, () => contentOf(file, files));
+	}
+
+	/** Adds a model under the name that its content has here already, or under a free one. Returns the name. If it cannot be read, says why, and returns null. */
+	async #addAs(title, fileName, read) {
 		try {
-			bytes = await contentOf(file, files);
-			name = this.#nameOf(bytes);
-			if (name === null) {
-				name = this.#freeName(file.name.replace(MODEL_FILE, ""));
-				await this.#take(name, bytes);
-			}
+			const bytes = await read();
+			const name = this.#nameOf(bytes) ?? this.#freeName(title);
+			if (!this.#known.has(name)) await this.#take(name, bytes);
+			await this.#keep(name, bytes);
+			return name;
 		} catch (error) {
-			this.view.say(texts.brokenModel(file.name, error.message), true);
-			return;
+			this.view.say(texts.brokenModel(fileName, error.message), true);
+			return null;
 		}
-		await this.#keep(name, bytes);
 	}
 
 	/** The user's own models in a program: their names and their files as text. */
-	in(program) {
+	filesFor(program) {
 		const found = {};
 		JSON.stringify(program, (key, value) => {
 			if (key === "SHAPE" && this.#known.has(value)) found[value] = toText(this.#known.get(value));
@@ -82,17 +84,7 @@ export class Models {
 	 */
 	async bring(program, models) {
 		const names = new Map();
-		for (const [name, text] of Object.entries(models)) {
-			try {
-				const bytes = toBytes(text);
-				const here = this.#nameOf(bytes) ?? this.#freeName(name);
-				if (!this.#known.has(here)) await this.#take(here, bytes);
-				await this.#keep(here, bytes);
-				names.set(name, here);
-			} catch (error) {
-				this.view.say(texts.brokenModel(name, error.message), true);
-			}
-		}
+		for (const [name, text] of Object.entries(models)) names.set(name, await this.#addAs(name, name, () => toBytes(text)) ?? name);
 		return JSON.parse(JSON.stringify(program, (key, value) => (key === "SHAPE" ? names.get(value) ?? value : value)));
 	}
 

@@ -1,13 +1,13 @@
-/** Stores programs: in the browser, each under its own name, in files, and in links. */
+/** The user's programs, as the browser keeps them. */
 import { recallValue, rememberValue } from "../../shared/files/memory.js";
-import { isProgram, packed, unpacked } from "../../shared/files/packing.js";
+import { isProgram } from "../../shared/files/packing.js";
 
 const KEY = "starlogo-playground.programs";
 /** The key for the last program, from a release in which programs had no names. */
 const OLD_KEY = "starlogo-playground.program";
 
 /**
- * The programs of the browser's user, each {id, name, program, picture, changed}. Another tab may change them too, so they are read again
+ * The programs of the browser's user, each {id, name, program, lesson, changed}. Another tab may change them too, so they are read again
  * before each change.
  */
 export class Shelf {
@@ -57,8 +57,9 @@ export class Shelf {
 		return recallValue(`${KEY}.records`)?.[id] ?? null;
 	}
 
+	/** Keeps a best time. A program from a link has none, because the next link is another one. */
 	putRecord(id, seconds) {
-		this.#keep(`${KEY}.records`, { ...recallValue(`${KEY}.records`), [id]: seconds });
+		if (id !== "link") this.#keep(`${KEY}.records`, { ...recallValue(`${KEY}.records`), [id]: seconds });
 	}
 
 	/** The camera that was chosen for a program, or null. A program from a link has none, because the next link is another one. */
@@ -106,24 +107,3 @@ export class Shelf {
 		return () => removeEventListener("storage", heard);
 	}
 }
-
-/** A program as text for an address. */
-export const toLink = packed;
-
-/** The program in such a text. Throws if there is none. */
-export async function fromLink(text) {
-	const program = await unpacked(text);
-	if (!isProgram(program)) throw new Error("no program");
-	return program;
-}
-
-/**
- * The parts of a program that change its game. Left out are the places of blocks, which ones are folded, and the collision system, which
- * can change during the game.
- */
-export const meaning = (program) => JSON.stringify(program, function meant(key, value) {
-	return key === "system" || key === "languageVersion" || ("type" in this && ["id", "x", "y", "collapsed"].includes(key)) ? undefined : value;
-});
-
-/** A name that is allowed for a file on every system. */
-export const fileName = (title) => title.replaceAll(/[\\/:*?"<>|\p{Cc}]+/gu, " ").replaceAll(/\s+/g, " ").trim() || "program";

@@ -1,6 +1,6 @@
 /** The programs that the page brings along, by their names: games, examples, and those of lessons. They load when one is first wanted. */
 import { learn, texts } from "../../shared/language.js";
-import { LESSON_NAMES } from "../programs/lessoncard.js";
+import { LESSON_NAMES } from "./names.js";
 
 /** The name of a lesson's program begins with this. */
 const LESSON = "lesson-";
@@ -12,11 +12,11 @@ export const programOfLesson = (lesson) => LESSON + lesson;
 export const lessonOf = (name) => (name.startsWith(LESSON) ? name.slice(LESSON.length) : null);
 
 /** Whether the page has a program with this name. */
-export const isBrought = (name) => name in texts.play.games || name in texts.play.examples || LESSON_NAMES.includes(lessonOf(name));
+export const isBuiltIn = (name) => Object.hasOwn(texts.play.games, name) || Object.hasOwn(texts.play.examples, name) || LESSON_NAMES.includes(lessonOf(name));
 
 /** A program of the page. */
-export async function brought(name) {
+export async function builtInProgram(name) {
 	await learn("game");
-	const { BROUGHT } = await import("./library.js");
-	return BROUGHT[name];
+	const { BUILT_IN_PROGRAMS } = await import("./library.js");
+	return BUILT_IN_PROGRAMS[name];
 }

@@ -1,5 +1,5 @@
 /** Downloads a text as a file. */
-export function hand(text, name, type) {
+export function download(text, name, type) {
 	const url = URL.createObjectURL(new Blob([text], { type }));
 	const link = document.createElement("a");
 	link.href = url;

@@ -92,7 +92,7 @@ export const LESSONS = {
 			touch("dragons", "paintballs", paint("collidee", colour("red")))),
 		isDone: (world, memory) => {
 			const [dragon] = all(world, "dragons");
-			memory.touched ||= world.state.meetings > 0;
+			memory.touched ||= world.meetings > 0;
 			memory.isHonest ??= isAlone(world, "dragons", DRAGON) && dragon.x < -7 && all(world, "paintballs").filter((each) => each.size === BALL && each.z === 0.4 && Math.abs(each.y) === 2.6).length === 2;
 			return memory.isHonest && !memory.touched && dragon?.hierarchical && dragon.x > 8.4 && !isBallPrecise(world) && world.collisions.systemName === CollisionBlocks.COMBINATION;
 		},
@@ -100,7 +100,7 @@ export const LESSONS = {
 			if (world.collisions.systemName !== CollisionBlocks.COMBINATION) return "system";
 			if (isBallPrecise(world)) return "balls";
 			if (!isHonest) return "changed";
-			return world.state.meetings > 0 ? "box" : null;
+			return world.meetings > 0 ? "box" : null;
 		},
 	},
 	fast: {
@@ -220,7 +220,7 @@ export const LESSONS = {
 			if (!isHonest || !bear) return "changed";
 			if (world.frame > 2 * SOON && bear.z === 3) return "air";
 			if (bear.z > 1.9) return null;
-			return world.state.solid.includes("platforms") ? "gap" : "through";
+			return world.solid.includes("platforms") ? "gap" : "through";
 		},
 	},
 };

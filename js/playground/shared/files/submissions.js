@@ -1,10 +1,9 @@
 /** The work of a class: what pupils have handed in, as the teacher has opened it. This browser keeps it until she removes it. */
 import { Cabinet } from "./cabinet.js";
+import { HANDED } from "../names.js";
 import { WORK as KIND, isProgram, isWork, modelsOf, packed, unpacked } from "./packing.js";
 
 const cabinet = new Cabinet("starlogo-playground.class", "works", "id");
-/** The beginning of the address's argument for a program that was handed in. */
-const PREFIX = "handed-";
 const CODE = /\bSL1\.[\w-]+/g;
 
 /** What pupils have handed in, by their names, the newest of each first: each {id, when, pupil, done, won, programs: [{name, lesson, program}], solutions: {lesson: program}, models}. */
@@ -124,11 +123,11 @@ export const handed = {
 	},
 
 	/** The address's argument for a program, which stays when other works come. */
-	addressOf: (work, number) => `${PREFIX}${work.id}-${number}`,
+	addressOf: (work, number) => `${HANDED}${work.id}-${number}`,
 
 	/** The program at such an address, with its pupil and models; null if there is none. */
 	at(argument) {
-		const [, id, number] = /^handed-(.+)-(\d+)$/.exec(argument) ?? [];
+		const [, id, number] = new RegExp(`^${HANDED}(.+)-(\\d+)$`).exec(argument) ?? [];
 		const work = works.find((each) => each.id === id);
 		const entry = work?.programs[number];
 		return entry ? { ...entry, pupil: work.pupil, models: work.models } : null;

@@ -4,4 +4,4 @@ import { GAMES } from "./games.js";
 import { LESSONS } from "./lessons.js";
 
 export { LESSONS };
-export const BROUGHT = { ...GAMES, ...EXAMPLES, ...Object.fromEntries(Object.entries(LESSONS).map(([name, { program }]) => [`lesson-${name}`, program])) };
+export const BUILT_IN_PROGRAMS = { ...GAMES, ...EXAMPLES, ...Object.fromEntries(Object.entries(LESSONS).map(([name, { program }]) => [`lesson-${name}`, program])) };

@@ -1,25 +1,24 @@
 /** Gives the open program away: as a file, a link, a module, a page to print; or all of the user's work to a teacher. */
 import { copyLink } from "../../shared/copying.js";
-import { hand } from "../../shared/files/hand.js";
+import { download } from "../../shared/files/download.js";
 import { learn, texts } from "../../shared/language.js";
-import { fileName, toLink } from "./storage.js";
+import { fileName, toLink } from "./programtext.js";
 
 const words = texts.play;
 
 /** Saves the program as a file, with the user's own models in it. */
-export function download({ view, whole }) {
-	const models = view.own.in(whole);
-	hand(JSON.stringify({ ...whole, ...(Object.keys(models).length > 0 && { models }) }, null, 1), `${fileName(whole.name)}.json`, "application/json");
+export function downloadProgram({ view, whole }) {
+	const models = view.modelShelf.filesFor(whole);
+	download(JSON.stringify({ ...whole, ...(Object.keys(models).length > 0 && { models }) }, null, 1), `${fileName(whole.name)}.json`, "application/json");
 }
 
 /** Copies a link to the program. If the browser refuses, the link is shown. */
 export async function share({ view, whole }) {
 	const place = await copyLink(`play/${await toLink(whole)}`);
-	const models = Object.keys(view.own.in(whole));
+	const models = Object.keys(view.modelShelf.filesFor(whole));
 	const but = location.protocol === "file:" ? ` ${words.sharedFile}` : models.length > 0 ? ` ${words.sharedWithout(models.join(", "))}` : "";
 	if (place === null) return view.say(words.shared + but);
-	view.say(words.sharedHere);
-	view.layout.status.append(" ", place, but);
+	view.say(words.sharedHere, false, place, but);
 	return place.select();
 }
 

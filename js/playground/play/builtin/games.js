@@ -5,7 +5,7 @@ import {
 	aim, along, alongside, bounce, change, collision, colour, compare, count, create, each, either, end, fall, field, folded, get, go, goal, ground, hatch, heading, jump, key, limit, many, math, mound, move, nearest, number, numbers, paint,
 	program, remove, repeat, say, scatter, score, set, side, size, solid, sound, stand, standing, start, step, sweep, timer, touch, trait, turn, up, walk, when,
 } from "./notation.js";
-import { wallsBetween } from "../screen/painting.js";
+import { wallsBetween } from "../game/walls.js";
 
 const words = texts.programs;
 

@@ -108,9 +108,7 @@ package starlogo.convex
             var z:Number = ux * vy - uy * vx;
             var least:Number = Tolerances.DIRECTION * Tolerances.DIRECTION * (ux * ux + uy * uy + uz * uz) * (vx * vx + vy * vy + vz * vz) + SMALL;
             var isParallel:Boolean = !(x * x + y * y + z * z > least);
-            out.x = isParallel ? 0 : x;
-            out.y = isParallel ? 0 : y;
-            out.z = isParallel ? 0 : z;
+            out.setTo(isParallel ? 0 : x, isParallel ? 0 : y, isParallel ? 0 : z);
         }
 
         private function tryEdges(cores:CorePair, out:SeparatingAxis):void

@@ -104,7 +104,7 @@ package starlogo.bounding
             // a factor beyond these would make 0 or Infinity of a size
             if (!(factor >= SMALLEST / LARGEST && factor <= LARGEST / SMALLEST))
             {
-                throw new RangeError("a scale factor must be from " + SMALLEST / LARGEST + " to " + LARGEST / SMALLEST + ": " + factor);
+                throw new RangeError("a scale factor must be from 1e-140 to 1e140: " + factor);
             }
             var scaling:Placement = new Placement();
             scaling.size = factor;

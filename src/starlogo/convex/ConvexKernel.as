@@ -15,8 +15,9 @@ package starlogo.convex
      * and how far they overlap. a and b are the two of a question, in the order of the call; a is the one that moves.
      *
      * <p>areTouching and findTimeOfImpact agree about what touches (see Touching), except that findTimeOfImpact may miss a touch across the margins
-     * alone: see ConservativeAdvancement. findTimeOfImpact adds the margin of the motion. The distance and the depth leave all margins out, so shapes that touch may have a distance as small as the margins, and the depth 0. CorePair says how far the order of the
-     * two matters. Memory is allocated only for lists that grow with the largest hull so far.</p>
+     * alone: see ConservativeAdvancement. findTimeOfImpact adds the margin of the motion. The distance and the depth leave all margins out, so shapes
+     * that touch may have a distance as small as the margins, and the depth 0. CorePair says how far the order of the two matters. Memory
+     * is allocated only for lists that grow with the largest hull so far.</p>
      *
      * @private
      */

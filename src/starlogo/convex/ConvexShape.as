@@ -4,9 +4,9 @@ package starlogo.convex
     import starlogo.geometry.Tolerances;
 
     /**
-     * A convex shape where it stands: a core and a radius around it (a rounded hull). The core is the convex hull of points: one for a sphere, two for a capsule,
-     * three for a triangle, eight for a box. Any number of points is a hull. A shape is set once for a body, and then takes part in any number of
-     * questions. A structure sets it by <code>BoundingStructure.setShape()</code>. Its fields are read only, except for the radius and the
+     * A convex shape where it stands: a core and a radius around it (a rounded hull). The core is the convex hull of points: one for a sphere, two for a
+     * capsule, three for a triangle, eight for a box. Any number of points is a hull. A shape is set once for a body, and then takes part in any
+     * number of questions. A structure sets it by <code>BoundingStructure.setShape()</code>. Its fields are read only, except for the radius and the
      * margin: these may be set after the core.
      *
      * <p>The points are relative to an origin near them, so nothing is lost far from the origin of the world.</p>

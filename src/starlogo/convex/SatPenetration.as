@@ -5,14 +5,13 @@ package starlogo.convex
 
     /**
      * Finds the shortest displacement that separates two cores that touch or overlap (the minimum translation vector, MTV), by the separating axis test
-     * (SAT). Its direction is the normal of a
-     * face of one, or perpendicular to an edge of each. Of the pairs of edges, only those count whose common perpendicular points out of both
-     * (Gregorius, "The separating axis test between convex polyhedra", 2013). The edges of boxes, triangles and segments say nothing of faces, so
-     * nothing is known to be on a side of them.
+     * (SAT). Its direction is the normal of a face of one, or perpendicular to an edge of each. Of the pairs of edges, only those count whose common
+     * perpendicular points out of both (Gregorius, "The separating axis test between convex polyhedra", 2013). The edges of boxes, triangles and
+     * segments say nothing of faces, so nothing is known to be on a side of them.
      *
      * <p>If two displacements are equally short, the result is the one that is tried first: faces of the second core, faces of the first, edges. Of two
      * opposite ones, it is the one against the pair's motion. If the pair has no motion, rounding decides. Of two points or parallel
-     * segments the first moves upwards as far as possible.</p>
+     * segments the first moves upwards as far as possible. A segment beside which the other one has hardly any length counts alone.</p>
      *
      * <p>The results are a unit vector, and how far the cores are apart along it. It is less than 0 if they overlap: the displacement is as long. If they
      * are apart, it is at most their distance, and may be less than 0 if the axis between is across edges that count as parallel.</p>
@@ -109,9 +108,7 @@ package starlogo.convex
             var z:Number = ux * vy - uy * vx;
             var least:Number = Tolerances.DIRECTION * Tolerances.DIRECTION * (ux * ux + uy * uy + uz * uz) * (vx * vx + vy * vy + vz * vz) + SMALL;
             var isParallel:Boolean = !(x * x + y * y + z * z > least);
-            out.x = isParallel ? 0 : x;
-            out.y = isParallel ? 0 : y;
-            out.z = isParallel ? 0 : z;
+            out.setTo(isParallel ? 0 : x, isParallel ? 0 : y, isParallel ? 0 : z);
         }
 
         private function tryEdges(cores:CorePair, out:SeparatingAxis):void
@@ -204,8 +201,8 @@ package starlogo.convex
         {
             var axis:Vector3D = _axis;
             axis.setTo(0, 0, 0);
-            findSegment(cores.second, axis);
-            findSegment(cores.first, axis);
+            takeLonger(cores.first, axis);
+            takeLonger(cores.second, axis);
             turnUpwards(axis);
             projectDifferences(axis, cores, _differences);
             // rounding hides on which side they are
@@ -241,14 +238,17 @@ package starlogo.convex
             axis.z /= length;
         }
 
-        // Finds the vector from the first point of a core to the farthest other one. Nothing is written if all are in one place.
-        private static function findSegment(shape:ConvexShape, out:Vector3D):void
+        // Takes the vector from the first point of a core to the farthest other one, if it is longer.
+        private static function takeLonger(core:ConvexShape, vector:Vector3D):void
         {
-            var p:Vector.<Number> = shape.points;
-            var end:int = ContactFeature.farthestFrom(0, p, shape.pointsEnd);
-            if (end > 0)
+            var p:Vector.<Number> = core.points;
+            var end:int = ContactFeature.farthestFrom(0, p, core.pointsEnd);
+            var x:Number = p[end] - p[0];
+            var y:Number = p[int(end + 1)] - p[1];
+            var z:Number = p[int(end + 2)] - p[2];
+            if (x * x + y * y + z * z > vector.lengthSquared)
             {
-                out.setTo(p[end] - p[0], p[int(end + 1)] - p[1], p[int(end + 2)] - p[2]);
+                vector.setTo(x, y, z);
             }
         }
 

@@ -131,11 +131,11 @@ package starlogo.geometry
             r22 = cosPitch * cosRoll;
         }
 
-        /** Sets the rotation from a quaternion x i + y j + z k + w of any length up to 1e150. If it is 0, there is no rotation. */
+        /** Sets the rotation from a quaternion x i + y j + z k + w of any length up to 1e150. If it is shorter than 1e-150, there is no rotation. */
         public function setQuaternion(x:Number, y:Number, z:Number, w:Number):void
         {
             var squared:Number = x * x + y * y + z * z + w * w;
-            var twice:Number = squared > 0 ? 2 / squared : 0;
+            var twice:Number = squared > 1e-300 ? 2 / squared : 0;
             r00 = 1 - twice * (y * y + z * z);
             r01 = twice * (x * y - w * z);
             r02 = twice * (x * z + w * y);

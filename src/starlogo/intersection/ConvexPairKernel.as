@@ -72,7 +72,8 @@ package starlogo.intersection
             _kernel.findClosest(_a, _b, out);
         }
 
-        private static function areBoxes(a:BoundingStructure, b:BoundingStructure):Boolean
+        /** Whether two structures are boxes. */
+        internal static function areBoxes(a:BoundingStructure, b:BoundingStructure):Boolean
         {
             return a.kind == BoundingStructure.BOX && b.kind == BoundingStructure.BOX;
         }

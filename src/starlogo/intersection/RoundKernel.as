@@ -1,8 +1,8 @@
 package starlogo.intersection
 {
     import starlogo.bounding.BoundingStructure;
-    import starlogo.convex.ConservativeAdvancement;
     import starlogo.convex.ClosestPoints;
+    import starlogo.convex.ConservativeAdvancement;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.CoreGap;
     import starlogo.convex.RelativeMotion;

@@ -84,8 +84,8 @@ package starlogo.intersection
          * point inside of both.
          *
          * <p>The distance is exact except for rounding, which is 1e-15 of their extents and of the distance. So structures that just touch may have
-         * a distance as small as that. Points that are farther by no more than this rounding may be found
-         * in place of the closest ones.</p>
+         * a distance as small as that. Points that are farther by no more than this rounding may be found in place
+         * of the closest ones.</p>
          *
          * @param a of one of the pair's kinds
          * @param b of the other kind, in the same space

@@ -79,9 +79,7 @@ package starlogo.intersection
 
         private static function kernelOf(a:BoundingStructure, b:BoundingStructure):StructurePairKernel
         {
-            var areBoxes:Boolean = a.kind == BoundingStructure.BOX && b.kind == BoundingStructure.BOX;
-            var later:int = a.kind > b.kind ? a.kind : b.kind;
-            return areBoxes ? CONVEX : KERNELS[later];
+            return ConvexPairKernel.areBoxes(a, b) ? CONVEX : KERNELS[a.kind > b.kind ? a.kind : b.kind];
         }
     }
 }

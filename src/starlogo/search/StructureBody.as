@@ -37,8 +37,9 @@ package starlogo.search
             inWorld.findPlacedBox(Placement.IDENTITY, _extents);
             if (at == null)
             {
-                requireInWorld("half of a structure's length", _extents[3], _extents[4], _extents[5]);
-                requireInWorld("a structure's middle", _extents[0], _extents[1], _extents[2]);
+                // a number of either kind that is infinite or NaN makes such numbers of the other
+                requireInWorld("a structure's middle and half of its length", _extents[0], _extents[1], _extents[2]);
+                requireInWorld("a structure's middle and half of its length", _extents[3], _extents[4], _extents[5]);
             }
             // moves the structure from its place to the origin, and the body to that place
             var place:Placement = _body.placement;

@@ -104,7 +104,7 @@ function setMotion(motion, start, way) {
 	[motion.startX, motion.startY, motion.startZ] = start;
 	[motion.x, motion.y, motion.z] = way;
 	motion.time = 0;
-	motion.latest = 1;
+	motion.latestTime = 1;
 }
 
 /** What a game asks: agents whose structures are given, and models of one triangle that the triangles decide about. */

@@ -206,7 +206,7 @@ package starlogo.bounding
                 {
                     assertThrows(RangeError, /./, structure.scale, factor);
                 }
-                assertThrows(RangeError, "-3", structure.scale, -3);
+                assertThrows(RangeError, /from 1e-140 to 1e140: -3/, structure.scale, -3);
                 for each (var matrix:Matrix3D in [null, sheared, scaled, moved])
                 {
                     assertThrows(ArgumentError, /./, structure.rotate, matrix);

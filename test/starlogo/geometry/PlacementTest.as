@@ -126,14 +126,17 @@ package starlogo.geometry
             var placement:Placement = new Placement();
             var expected:Placement = new Placement();
             expected.setQuaternion(0.5, 0.5, -0.5, 0.5);
-            for each (var length:Number in [1e-100, 1e-3, 2, 1e100])
+            for each (var length:Number in [1e-149, 1e-3, 2, 1e149])
             {
                 placement.setQuaternion(length, length, -length, length);
                 assertTrue("a rotation", placement.isRotation);
                 assertIsNear(expected, placement);
             }
-            placement.setQuaternion(0, 0, 0, 0);
-            assertTrue("none", placement.hasRotationOf(Placement.IDENTITY));
+            for each (length in [1e-151, 1e-160, 1e-170, 0])
+            {
+                placement.setQuaternion(0, 0, length, length);
+                assertTrue("none of " + length, placement.hasRotationOf(Placement.IDENTITY));
+            }
         }
 
         [Test]

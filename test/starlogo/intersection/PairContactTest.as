@@ -58,7 +58,6 @@ package starlogo.intersection
             checkNormal(across, level, 0, 0, 1, 0.5, true);
         }
 
-        /** Seen along the normal the sides that touch have nothing in common but for rounding. The middle of one side may be far from the other. */
         // An edge as short as this has a cross product of which rounding has left few digits, or none.
         [Test]
         public function normalsAtTheShortestEdgesAreUnitVectors():void
@@ -84,6 +83,26 @@ package starlogo.intersection
             }
         }
 
+        // Of two directions without a certain perpendicular the longer one counts.
+        [Test]
+        public function theShortestCapsuleIsMovedLikeABall():void
+        {
+            var random:SeededRandom = new SeededRandom(403);
+            var shapes:RandomStructures = new RandomStructures(random);
+            for (var i:int = 0; i < 500; i++)
+            {
+                var tiny:Vector3D = shapes.direction();
+                tiny.scaleBy(random.logBetween(1e-165, 1e-140));
+                var end:Vector3D = shapes.direction();
+                var start:Vector3D = end.clone();
+                start.negate();
+                var capsule:Capsule = new Capsule(start, end, 0.3);
+                StructurePairs.findContact(new Capsule(new Vector3D(), tiny, 0.5), capsule, _displacement, _touch);
+                assertTrue(tiny + " and " + capsule + ": " + _touch.depth, Math.abs(_touch.depth - 0.8) < 1e-12);
+            }
+        }
+
+        /** Seen along the normal the sides that touch have nothing in common but for rounding. The middle of one side may be far from the other. */
         [Test]
         public function thePointOfPlatesThatMeetAtTheirBordersIsThere():void
         {

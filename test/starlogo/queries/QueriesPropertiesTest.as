@@ -9,6 +9,7 @@ package starlogo.queries
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
+    import starlogo.bounding.Box;
     import starlogo.bounding.Cylinder;
     import starlogo.bounding.Sphere;
     import starlogo.collision.BinCollider;
@@ -104,7 +105,10 @@ package starlogo.queries
             assertThrows(ArgumentError, /not /, _queries.overlapping, new Cylinder(new Vector3D(), new Vector3D(0, 0, 1), 1));
             var sphere:Sphere = new Sphere(new Vector3D(), 1);
             sphere.radius = NaN;
-            assertThrows(RangeError, /finite/, _queries.overlapping, sphere);
+            assertThrows(RangeError, /middle and half of its length must .* finite/, _queries.overlapping, sphere);
+            var box:Box = new Box(new Vector3D(), new Vector3D(1, 0, 0), new Vector3D(0, 1, 0), new Vector3D(0, 0, 1), 1, 1, 1);
+            box.center.x = Infinity;
+            assertThrows(RangeError, /middle and half of its length must .* finite/, _queries.overlapping, box);
             var filter:AgentFilter = new AgentFilter();
             filter.accepts = function(agent:Agent):Boolean
             {

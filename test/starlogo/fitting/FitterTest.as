@@ -29,7 +29,7 @@ package starlogo.fitting
 
     public class FitterTest
     {
-        private static const BOXES:String = "710f1a41";
+        private static const BOXES:String = "81c5a98e";
 
         // Those whose structures keep to the model's origin or to its z axis. All others put theirs anywhere.
         private static function fittersAtTheOrigin():Vector.<Fitter>

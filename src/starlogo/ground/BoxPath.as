@@ -21,21 +21,12 @@ package starlogo.ground
         /** The search. Read only. */
         public var search:GroundSearch;
 
-        /** An axis. */
-        public static const X:int = 0;
-        public static const Y:int = 1;
-
         /** No rounding error of the search's coordinates is larger, and no margin of a triangle (see Touching). Read only. */
         public var slack:Number = 0;
 
-        /** Where the cells of the ground begin along X and along Y, relative to the search's origin. Read only. */
-        public var cellsBegin:Vector.<Number> = new Vector.<Number>(2, true);
-
-        // Along X and along Y: the box's middle at time 0; how far the box reaches on both sides of it, with the slack; and how far it moves from time 0 to
-        // time 1. All is relative to the search's origin.
-        private var _middle:Vector.<Number> = new Vector.<Number>(2, true);
-        private var _reach:Vector.<Number> = new Vector.<Number>(2, true);
-        private var _speed:Vector.<Number> = new Vector.<Number>(2, true);
+        /** How the box moves along x and along y. Read only. */
+        public var alongX:AxisPath = new AxisPath();
+        public var alongY:AxisPath = new AxisPath();
 
         // The latest time of the motion when the search began. It may have become earlier since.
         private var _latest:Number = 0;
@@ -54,27 +45,33 @@ package starlogo.ground
             var box:GroundBox = search.box;
             var motion:RelativeMotion = search.motion;
             _latest = motion.latestTime;
-            cellsBegin[X] = grid.x - search.origin.x - grid.border;
-            cellsBegin[Y] = grid.y - search.origin.y - grid.border;
+            alongX.cellsBegin = grid.x - search.origin.x - grid.border;
+            alongY.cellsBegin = grid.y - search.origin.y - grid.border;
             // the margins are fractions of the triangles' sizes, and so of the cell's width and the heights
             var whole:HeightBounds = grid.pyramid.whole;
             slack = TERMS_OF_PLACE * Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(box.y) + Math.abs(box.z) + box.halfX + box.halfY + box.halfZ
-                    + Math.abs(cellsBegin[X]) + Math.abs(cellsBegin[Y]) + Math.abs(search.origin.z) + grid.cellWidth + whole.max - whole.min
+                    + Math.abs(alongX.cellsBegin) + Math.abs(alongY.cellsBegin) + Math.abs(search.origin.z) + grid.cellWidth + whole.max - whole.min
                     + _latest * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z)));
-            _middle[X] = box.x;
-            _middle[Y] = box.y;
-            _reach[X] = box.halfX * Tolerances.OUTER + slack;
-            _reach[Y] = box.halfY * Tolerances.OUTER + slack;
-            _speed[X] = motion.x;
-            _speed[Y] = motion.y;
+            alongX.middle = box.x;
+            alongX.reach = box.halfX * Tolerances.OUTER + slack;
+            alongX.speed = motion.x;
+            alongY.middle = box.y;
+            alongY.reach = box.halfY * Tolerances.OUTER + slack;
+            alongY.speed = motion.y;
             _reachZ = box.halfZ * Tolerances.OUTER + slack;
+        }
+
+        /** The column or row of a level that has the box's middle. It may be outside of the grid. */
+        public function middleAlong(axis:AxisPath, level:int):int
+        {
+            return squareAt(axis.middle - axis.cellsBegin, level);
         }
 
         /** The level with whose squares the search begins. */
         public function firstLevel():int
         {
             // the longer side of the rectangle over which the box passes
-            var length:Number = Math.max(2 * _reach[X] + _latest * Math.abs(_speed[X]), 2 * _reach[Y] + _latest * Math.abs(_speed[Y]))
+            var length:Number = Math.max(2 * alongX.reach + _latest * Math.abs(alongX.speed), 2 * alongY.reach + _latest * Math.abs(alongY.speed))
                 + 2 * search.maxDistance;
             var level:int = 0;
             while (level < search.grid.pyramid.lastLevel && length > MAX_FIRST_SQUARES * widthAt(level))
@@ -91,27 +88,17 @@ package starlogo.ground
         }
 
         /** The first column or row of a level that the box may pass over in a passage. It may be outside of the grid. */
-        public function firstSquareAlong(axis:int, passage:SquarePassage, level:int):int
+        public function firstSquareAlong(axis:AxisPath, passage:SquarePassage, level:int):int
         {
-            var least:Number = _middle[axis] - cellsBegin[axis] + Math.min(passage.earliest * _speed[axis], passage.latest * _speed[axis]);
-            return squareAt(least - (_reach[axis] + search.maxDistance), level);
+            var least:Number = axis.middle - axis.cellsBegin + Math.min(passage.earliest * axis.speed, passage.latest * axis.speed);
+            return squareAt(least - (axis.reach + search.maxDistance), level);
         }
 
         /** The last column or row of a level that the box may pass over in a passage. It may be outside of the grid. */
-        public function lastSquareAlong(axis:int, passage:SquarePassage, level:int):int
+        public function lastSquareAlong(axis:AxisPath, passage:SquarePassage, level:int):int
         {
-            var greatest:Number = _middle[axis] - cellsBegin[axis] + Math.max(passage.earliest * _speed[axis], passage.latest * _speed[axis]);
-            return squareAt(greatest + (_reach[axis] + search.maxDistance), level);
-        }
-
-        /** The column or row of a level that the box comes to first: from outside of the grid if it moves. For a distance it is the nearest one to the middle. */
-        public function firstMetAlong(axis:int, level:int):int
-        {
-            if (search.maxDistance > 0)
-            {
-                return squareAt(_middle[axis] - cellsBegin[axis], level);
-            }
-            return _speed[axis] < 0 ? int.MAX_VALUE : -1;
+            var greatest:Number = axis.middle - axis.cellsBegin + Math.max(passage.earliest * axis.speed, passage.latest * axis.speed);
+            return squareAt(greatest + (axis.reach + search.maxDistance), level);
         }
 
         // The column or row of a level that is so far from the first one; -1 for all before that one.
@@ -145,7 +132,7 @@ package starlogo.ground
         // Narrows a passage to the part in which the box is over a square, and finds its heights. Returns whether there is such a part.
         private function narrowToSquare(level:int, column:int, row:int, passage:SquarePassage):Boolean
         {
-            if (!narrowAlong(X, column, level, passage) || !narrowAlong(Y, row, level, passage))
+            if (!narrowAlong(alongX, column, level, passage) || !narrowAlong(alongY, row, level, passage))
             {
                 return false;
             }
@@ -161,21 +148,18 @@ package starlogo.ground
 
         // Narrows a passage to the part in which the box is over a column or a row. If the box does not move along this axis, it is near enough to the
         // column or row all the time or never. Returns whether there is such a part.
-        private function narrowAlong(axis:int, square:int, level:int, passage:SquarePassage):Boolean
+        private function narrowAlong(axis:AxisPath, square:int, level:int, passage:SquarePassage):Boolean
         {
-            var speed:Number = _speed[axis];
-            var middle:Number = _middle[axis];
-            var reach:Number = _reach[axis];
-            var begin:Number = cellsBegin[axis];
+            var speed:Number = axis.speed;
             var width:Number = widthAt(level);
             if (speed == 0)
             {
-                var beside:Number = Math.max(0, Math.abs(middle - begin - (square + 0.5) * width) - width / 2 - reach);
+                var beside:Number = Math.max(0, Math.abs(axis.middle - axis.cellsBegin - (square + 0.5) * width) - width / 2 - axis.reach);
                 passage.besideSquared += beside * beside;
                 return beside <= search.maxDistance;
             }
-            var low:Number = (begin + square * width - (middle + reach)) / speed;
-            var high:Number = (begin + (square + 1) * width - (middle - reach)) / speed;
+            var low:Number = (axis.cellsBegin + square * width - (axis.middle + axis.reach)) / speed;
+            var high:Number = (axis.cellsBegin + (square + 1) * width - (axis.middle - axis.reach)) / speed;
             passage.earliest = Math.max(passage.earliest, Math.min(low, high));
             passage.latest = Math.min(passage.latest, Math.max(low, high));
             return passage.earliest <= passage.latest;
@@ -189,8 +173,8 @@ package starlogo.ground
                 return false;
             }
             var half:Number = widthAt(level) / 2;
-            _square.x = cellsBegin[X] + (2 * column + 1) * half;
-            _square.y = cellsBegin[Y] + (2 * row + 1) * half;
+            _square.x = alongX.cellsBegin + (2 * column + 1) * half;
+            _square.y = alongY.cellsBegin + (2 * row + 1) * half;
             _square.z = (heights.min + heights.max) / 2;
             _square.halfX = _square.halfY = half + slack;
             _square.halfZ = (heights.max - heights.min) / 2 + slack;

@@ -16,10 +16,12 @@ package starlogo.ground
 
         private var _path:BoxPath;
 
-        // The cell, the corners of its top, counter-clockwise from the one with the least x and y on.
+        // The cell, the corners of its top, counter-clockwise from the one with the least x and y on, and the lowest and the highest of them.
         private var _column:int = 0;
         private var _row:int = 0;
         private var _tops:Vector.<Number> = new Vector.<Number>(12, true);
+        private var _lowest:Number = 0;
+        private var _highest:Number = 0;
 
         // The index of the cell's next triangle, and the end of its triangles: 0, TOPS_END or WALLS_END.
         private var _next:int = 0;
@@ -62,15 +64,31 @@ package starlogo.ground
             _column = column;
             _row = row;
             _passage = passage;
-            // all corners of a block have one height
+            readTops(at);
+            var hasWalls:Boolean = grid.isBlocky || _path.isAtBorder(0, column, row) || hasHoles && grid.isBesideHole(at);
+            if (passage.minHeight <= _highest && (hasWalls || passage.maxHeight >= _lowest))
+            {
+                _end = TOPS_END;
+                if (hasWalls)
+                {
+                    _path.findLongestPassage(column, row, _longestPassage);
+                    _end = WALLS_END;
+                }
+            }
+        }
+
+        // Reads the corners of the cell. All corners of a block have one height.
+        private function readTops(at:int):void
+        {
+            var grid:HeightGrid = _path.search.grid;
             var heights:Vector.<Number> = grid.heights;
             var next:int = grid.isBlocky ? 0 : 1;
             var rowStep:int = next * grid.columns;
             var tops:Vector.<Number> = _tops;
-            tops[0] = tops[9] = _path.cellsBegin[BoxPath.X] + _column * grid.cellWidth;
-            tops[3] = tops[6] = _path.cellsBegin[BoxPath.X] + (_column + 1) * grid.cellWidth;
-            tops[1] = tops[4] = _path.cellsBegin[BoxPath.Y] + _row * grid.cellWidth;
-            tops[7] = tops[10] = _path.cellsBegin[BoxPath.Y] + (_row + 1) * grid.cellWidth;
+            tops[0] = tops[9] = _path.alongX.cellsBegin + _column * grid.cellWidth;
+            tops[3] = tops[6] = _path.alongX.cellsBegin + (_column + 1) * grid.cellWidth;
+            tops[1] = tops[4] = _path.alongY.cellsBegin + _row * grid.cellWidth;
+            tops[7] = tops[10] = _path.alongY.cellsBegin + (_row + 1) * grid.cellWidth;
             var first:Number = heights[at] - _path.search.origin.z;
             var second:Number = heights[int(at + next)] - _path.search.origin.z;
             var third:Number = heights[int(at + next + rowStep)] - _path.search.origin.z;
@@ -82,20 +100,10 @@ package starlogo.ground
             // comparisons take the player less time than Math.min() and Math.max()
             var low:Number = first < second ? first : second;
             low = low < third ? low : third;
-            low = low < fourth ? low : fourth;
+            _lowest = low < fourth ? low : fourth;
             var high:Number = first > second ? first : second;
             high = high > third ? high : third;
-            high = high > fourth ? high : fourth;
-            var hasWalls:Boolean = grid.isBlocky || _path.isAtBorder(0, column, row) || hasHoles && grid.isBesideHole(at);
-            if (passage.minHeight <= high && (hasWalls || passage.maxHeight >= low))
-            {
-                _end = TOPS_END;
-                if (hasWalls)
-                {
-                    _path.findLongestPassage(column, row, _longestPassage);
-                    _end = WALLS_END;
-                }
-            }
+            _highest = high > fourth ? high : fourth;
         }
 
         /** Writes the next triangle near the box. Returns false if there is none. */

@@ -250,9 +250,10 @@ package starlogo.terrain
         public function raiseMound(x:Number, y:Number, width:Number, height:Number):void
         {
             requireInWorld("a mound's place and height", x, y, height);
-            if (!(width > 0 && width < Infinity))
+            requireInWorld("a mound's width", width, 0, 0);
+            if (!(width > 0))
             {
-                throw new RangeError("a mound's width must be more than 0, a finite number: " + width);
+                throw new RangeError("a mound's width must be more than 0: " + width);
             }
             var ground:HeightGrid = grid;
             // rounding must not make it 0

@@ -120,6 +120,7 @@ package starlogo.blocks
          * @param agent the agent that moves
          * @param steps how far, in patches; a negative number moves it back
          * @throws BlockError if there is no agent, or steps is not a number or more than 1e9 either way
+         * @throws RangeError if the agent would leave the world; it then stays
          */
         public function forward(agent:Agent, steps:Number):void
         {
@@ -135,6 +136,7 @@ package starlogo.blocks
          * @param agent the agent that walks
          * @param steps how far, in patches; a negative number moves it back
          * @throws BlockError if there is no agent, or steps is not a number or more than 1e9 either way
+         * @throws RangeError if the agent would leave the world; it then stays
          */
         public function walk(agent:Agent, steps:Number):void
         {
@@ -149,6 +151,7 @@ package starlogo.blocks
          * @param speed its upward speed, in patches a frame
          * @return its new speed, at most 1e9 downwards; 0 if it stands, or has bumped its head
          * @throws BlockError if there is no agent, or the speed is not a number or more than 1e9 either way
+         * @throws RangeError if the agent would leave the world; it then stays
          */
         public function fall(agent:Agent, speed:Number):Number
         {

@@ -4,7 +4,8 @@ package starlogo.ground
 
     /**
      * Finds the triangles of the ground's surface that a box may meet, one after the other: the source of triangles for all tests of the
-     * ground, and for drawing it. If the box moves, they come nearly in the order in which it meets them.
+     * ground, and for drawing it. If the box moves, they come nearly in the order in which it meets them. For a distance,
+     * those of the nearest cells come first.
      *
      * <p>The surface consists of the cells' tops and of upright walls. A wall between two blocks goes down to the top of the lower one, every other
      * wall to the search's floor. Tall walls are cut above the box, and below it if the search has no floor.</p>

@@ -1,6 +1,6 @@
-// A walk is read in this order. WalkOptions go in; a WalkState is filled, with the Footing that comes out:
+// A walk is read in this order. WalkOptions go in, a WalkState is filled, and a Footing comes out:
 // 1. WalkPlanner.go: carried by a platform, pushed out of overlaps, substep by substep along the ground, a fall, and a clearance at the end
-// 2. MoveQueries.walk: moves the agent to where the walk ends, and copies its Footing
+// 2. MoveQueries.walk: moves the agent to where the walk ends, and writes the Footing
 // 3. Slider: each way of a walk is a slide, or goes straight up or down. Both end in a MotionResult
 // 4. ShrunkSweep: how such a way starts (begin), what stops it first (findImpact), and when (findTouchTime)
 // 5. ShrunkBody: what stops it is what the shrunk body meets, and not what the body only touches

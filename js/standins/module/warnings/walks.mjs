@@ -88,15 +88,15 @@ function $countStop({ interests, _pairIndices: met }, does, agent, other) {
 
 /**
  * Warns of an agent that does not stop a motion, because the motion begins deep inside of its tree or its triangles, or whose
- * structure has all that moves inside. See warnOfInside.as. `mover` is null if a structure is cast.
+ * structure has all that moves inside. See warnOfInside.as. `agent` is null if a structure is cast.
  */
-export function $warnOfInside(agents, row, mover, place, below, depth, isTree) {
+export function $warnOfInside(agents, row, agent, place, below, depth, isTree) {
 	const level = agents[row];
-	const name = mover ?? "a structure that is cast";
-	const key = `inside ${level.shape} ${mover?.shape}`;
-	const rider = mover && agents.find((each) => each?.$platformLink?.platform === mover);
-	if (isTree) $warn($textOfTree(name, place, depth, level, rider ? $remedyForRider(rider) : $remedyForPlace(place, mover ? below : 0)), key);
-	else $warn($textOfStructure(name, depth, level, mover === null), key);
+	const name = agent ?? "a structure that is cast";
+	const key = `inside ${level.shape} ${agent?.shape}`;
+	const rider = agent && agents.find((each) => each?.$platformLink?.platform === agent);
+	if (isTree) $warn($textOfTree(name, place, depth, level, rider ? $remedyForRider(rider) : $remedyForPlace(place, agent ? below : 0)), key);
+	else $warn($textOfStructure(name, depth, level, agent === null), key);
 }
 
 /** What is said of a motion that begins inside of a tree. */

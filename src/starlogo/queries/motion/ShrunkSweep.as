@@ -27,7 +27,7 @@ package starlogo.queries.motion
         // The shrunk body meets a surface at a grazing angle if the sine of the angle between the surface and the motion is at most this.
         private static const GRAZING_SINE:Number = 0.1;
 
-        /** The shrunk body on this motion, and the motion's tolerances. Read only, like the fields below. */
+        /** The shrunk body on this motion, and the motion's tolerances. Read only. */
         public var shrunk:ShrunkBody = new ShrunkBody();
 
         /** Where the body starts. It differs from where the motion should start if the body was pushed out of something. */

@@ -6,7 +6,8 @@ package starlogo.queries.motion
     import starlogo.queries.WalkOptions;
 
     /**
-     * A walk, as a record: what the options mean for this agent, how far it has come, and its footing. The WalkPlanner writes it.
+     * A walk, as a record: what the options mean for this agent, how far it has come, and how it stands. The
+     * WalkPlanner writes it, and the Foothold where the agent stands.
      *
      * @private
      */

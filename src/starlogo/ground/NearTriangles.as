@@ -6,8 +6,8 @@ package starlogo.ground
     /**
      * The triangles of the ground near a piece of a model, one after the other.
      *
-     * <p>The triangles near an inner node that comes to few cells are found once, and kept for the pieces inside of it: the box of each piece is tested
-     * against them, or the box of the leaf if the pieces are its triangles.</p>
+     * <p>The triangles near an inner node that comes to few cells are found once, and kept for the pieces inside of it: each box is tested against them.
+     * If the pieces of a leaf are triangles, those near the leaf's box are chosen first, and only these are tested.</p>
      */
     internal final class NearTriangles
     {
@@ -26,6 +26,11 @@ package starlogo.ground
         // Whether they are kept, until fewer nodes are left than when the search began.
         private var _areKept:Boolean = false;
         private var _nodesLeft:int = 0;
+
+        // Those near the box of the current leaf. They are chosen if a triangle of the leaf is the current piece.
+        private var _ofLeaf:Vector.<NearTriangle> = new Vector.<NearTriangle>();
+        private var _ofLeafCount:int = 0;
+        private var _isInLeaf:Boolean = false;
 
         // The place of the next triangle in the list of the current piece.
         private var _next:int = 0;
@@ -47,19 +52,29 @@ package starlogo.ground
         public function stop():void
         {
             _source.stop();
-            _areKept = false;
+            _areKept = _isInLeaf = false;
             _next = _count = 0;
         }
 
         /** Begins with the current piece. */
         public function begin():void
         {
+            var isLeafTriangle:Boolean = _pieces.kind == ModelPieces.TRIANGLE && _areKept;
             _next = 0;
-            if (_pieces.kind == ModelPieces.TRIANGLE && _areKept)
+            if (!isLeafTriangle)
             {
-                // the box is the one around its leaf, which came before
-                return;
+                beginWithBox();
             }
+            else if (!_isInLeaf)
+            {
+                chooseForLeaf();
+            }
+            _isInLeaf = isLeafTriangle;
+        }
+
+        // Begins to go through the triangles near the box of the current piece.
+        private function beginWithBox():void
+        {
             if (_pieces.kind == ModelPieces.TRIANGLE)
             {
                 _box.setToTriangle(_pieces.corners, _pieces.shapeMargin);
@@ -89,14 +104,45 @@ package starlogo.ground
             _count = 0;
         }
 
+        // Chooses the triangles near the box of the current leaf, whose first triangle is the current piece.
+        private function chooseForLeaf():void
+        {
+            _ofLeafCount = 0;
+            while (nextFound())
+            {
+                _ofLeaf[_ofLeafCount] = triangle;
+                _ofLeafCount++;
+            }
+            _next = 0;
+        }
+
         /** Goes on to the next triangle near the piece. Returns false if there is none. */
         public function next():Boolean
+        {
+            if (!_isInLeaf)
+            {
+                return nextFound();
+            }
+            while (_next < _ofLeafCount)
+            {
+                triangle = _ofLeaf[_next];
+                _next++;
+                if (!isInFront(triangle))
+                {
+                    return true;
+                }
+            }
+            return false;
+        }
+
+        // Goes on to the next triangle near the box.
+        private function nextFound():Boolean
         {
             while (_next < _count || findMore())
             {
                 triangle = _found[_next];
                 _next++;
-                if (isNear(triangle) && !(_pieces.kind == ModelPieces.TRIANGLE && _areKept && isInFront(triangle)))
+                if (isNear(triangle))
                 {
                     return true;
                 }

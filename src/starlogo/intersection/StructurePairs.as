@@ -79,7 +79,8 @@ package starlogo.intersection
 
         private static function kernelOf(a:BoundingStructure, b:BoundingStructure):StructurePairKernel
         {
-            return ConvexPairKernel.areBoxes(a, b) ? CONVEX : KERNELS[a.kind > b.kind ? a.kind : b.kind];
+            var later:int = a.kind > b.kind ? a.kind : b.kind;
+            return ConvexPairKernel.areBoxes(a, b) ? CONVEX : KERNELS[later];
         }
     }
 }

@@ -54,7 +54,7 @@ package starlogo.models.loading
                 for (var model:String in listed)
                 {
                     var entry:Object = listed[model];
-                    var cooked:Object = entry != null && Object.prototype.hasOwnProperty.call(entry, "cooked") ? entry["cooked"] : null;
+                    var cooked:Object = entry != null && typeof entry == "object" && "cooked" in entry ? entry["cooked"] : null;
                     all[keyOf(model)] = cooked as String;
                 }
             }

@@ -284,7 +284,7 @@ class Installation {
 		options.breeds = Object.freeze(Object.fromEntries(Object.entries(options.breeds ?? {}).map(([name, traits]) => [name, checkTraits(traits ?? {})])));
 		const collider = new SYSTEMS[system](this.#greatLand);
 		if (exact) collider.exact = exact;
-		if (depth !== undefined) collider.maxDepth = depth;
+		if (depth !== undefined && "maxDepth" in collider) collider.maxDepth = depth;
 		if (overlay) viewOf(this.#window);
 		this.#collider = collider;
 		this.#collision = new Collision(collider);

@@ -238,8 +238,8 @@ test("the types of functions are the same wherever they stand, what subclasses s
 	const agents = types.find(([qname]) => qname === "starlogo.collision.Collision");
 	const finish = types.find(([, type]) => type.name === "finish")[1];
 	const parameters = [{ name: "agent", type: "Agent", value: null, isRest: false }];
-	const declared = writeDeclarations(new Map([agents, ["of", { ...finish, name: "of", parameters }], ...types.filter(([, type]) => type.name === "Agent")]));
-	assert.match(declared, /export function of\(agent: Agent\): void;/);
+	const declared = writeDeclarations(new Map([agents, ["of", { ...finish, name: "of", parameters, result: "Agent" }], ...types.filter(([, type]) => type.name === "Agent")]));
+	assert.match(declared, /export function of\(agent: Agent\): Agent;/);
 	const withSetter = types.find(([, type]) => type.members.some((member) => member.kind === "set" && !member.isStatic))[1];
 	const members = withSetter.members.map((member) => (member.kind === "set" ? { ...member, isProtected: true } : member));
 	assert.match(writeDeclarations(new Map([["a", { ...withSetter, members }]])), /^\tprotected set \w+/m);

@@ -19,8 +19,9 @@ const WARNINGS = SUBJECTS.map((name) => `warnings/${name}.mjs`);
  */
 export function translate(folder, signatures, { externals = {}, isForTests = false, roots = null } = {}) {
 	const all = compiledFilesIn(folder).sort().map((file) => ({ file, source: readFileSync(join(folder, file), "utf8") }));
-	const files = roots === null ? all : reachable(all, roots);
-	return new Program(files, { ...EXTERNALS, ...externals }, signatures, isForTests);
+	const replaced = { ...EXTERNALS, ...externals };
+	const files = roots === null ? all : reachable(all, roots, replaced);
+	return new Program(files, replaced, signatures, isForTests);
 }
 
 /** The files of classes in a compiler's output. */
@@ -51,14 +52,14 @@ function withoutBody(line) {
 	return head === undefined ? "" : `${head} {${kind === "hint" ? ' return "";' : ""}}`;
 }
 
-/** The files of some classes, and of all that these use, as the compiler says in each. */
-function reachable(all, roots) {
+/** The files of some classes, and of all that these use, as the compiler says in each. What comes from elsewhere uses nothing. */
+function reachable(all, roots, externals) {
 	const byName = new Map(all.map((each) => [qnameOf(each.file), each]));
 	const found = new Set();
 	const open = [...roots];
 	while (open.length > 0) {
 		const each = byName.get(open.pop());
-		if (!each || found.has(each)) continue;
+		if (!each || found.has(each) || qnameOf(each.file) in externals) continue;
 		found.add(each);
 		for (const [, listed, required] of each.source.matchAll(/Dependency List: ([^*]*)\*\/|^goog\.require\('([^']*)'\)/gm)) {
 			open.push(...(listed ?? required).trim().split(","));

@@ -17,7 +17,7 @@ import { ROOT, moduleRoots, publicSignatures } from "./names.mjs";
 
 const [transpiled, out] = process.argv.slice(2);
 const NAME = "starlogo-collision";
-const SHORT = join(ROOT, "bin/generated/module");
+const MANGLED_FOLDER = join(ROOT, "bin/generated/module");
 
 const types = publicSignatures();
 const program = translate(transpiled, types, { roots: moduleRoots(types) });
@@ -31,19 +31,19 @@ const text = moduleText(standinsText(), classes);
 
 rmSync(out, { recursive: true, force: true });
 mkdirSync(out, { recursive: true });
-const readable = `${NAME}.js`;
-const short = `${NAME}.min.js`;
-writeFileSync(join(out, readable), text);
+const readableFile = `${NAME}.js`;
+const minifiedFile = `${NAME}.min.js`;
+writeFileSync(join(out, readableFile), text);
 // the lines have the same numbers, for the map
-const users = moduleText(standinsForUsers(), withoutWarnings(classes));
-const mangling = manglingOf(program, users);
-const { code: small, map } = minified(users, mangling, `../${readable}`);
+const productionText = moduleText(standinsForUsers(), withoutWarnings(classes));
+const mangling = manglingOf(program, productionText);
+const { code: minifiedCode, map } = minified(productionText, mangling, `../${readableFile}`);
 mkdirSync(join(out, "maps"));
-writeFileSync(join(out, "maps", `${short}.map`), map);
-writeFileSync(join(out, short), `${small}//# sourceMappingURL=maps/${short}.map\n`);
+writeFileSync(join(out, "maps", `${minifiedFile}.map`), map);
+writeFileSync(join(out, minifiedFile), `${minifiedCode}//# sourceMappingURL=maps/${minifiedFile}.map\n`);
 // for the page, which divides it
-mkdirSync(SHORT, { recursive: true });
-writeFileSync(join(SHORT, "short.js"), transformSync(users, { ...mangling, format: "esm", target: "es2022" }).code);
+mkdirSync(MANGLED_FOLDER, { recursive: true });
+writeFileSync(join(MANGLED_FOLDER, "short.js"), transformSync(productionText, { ...mangling, format: "esm", target: "es2022" }).code);
 writeFileSync(join(out, "index.d.ts"), writeDeclarations(types));
 copyFileSync(join(ROOT, "LICENSE"), join(out, "LICENSE"));
 copyFileSync(join(ROOT, "js/module/cook.mjs"), join(out, "cook.mjs"));
@@ -57,7 +57,7 @@ cpSync(join(ROOT, "js/adapters/nova"), join(out, "nova"), { recursive: true, fil
 buildSync({
 	entryPoints: [join(out, "nova/index.js")],
 	outfile: join(out, "nova.js"),
-	alias: { [NAME]: resolve(out, short) },
+	alias: { [NAME]: resolve(out, minifiedFile) },
 	bundle: true,
 	minify: true,
 	format: "iife",
@@ -67,7 +67,7 @@ buildSync({
 });
 // last, because with this file the package counts as made
 writeFileSync(join(out, "package.json"), `${JSON.stringify(manifest(), null, 2)}\n`);
-console.log(`written: ${out} (${Math.round(small.length / 1024)} KB minified); in a project's folder: npm install $(npm pack ${resolve(out)})`);
+console.log(`written: ${out} (${Math.round(minifiedCode.length / 1024)} KB minified); in a project's folder: npm install $(npm pack ${resolve(out)})`);
 
 /**
  * The text without Flash's error numbers (the engine itself removes those of streams), and with escapes for characters that make tools
@@ -106,7 +106,7 @@ function fail(qname) {
 }
 
 function manifest() {
-	const engine = { types: "./index.d.ts", node: `./${readable}`, development: `./${readable}`, default: `./${short}` };
+	const engine = { types: "./index.d.ts", node: `./${readableFile}`, development: `./${readableFile}`, default: `./${minifiedFile}` };
 	return {
 		name: NAME,
 		version,
@@ -122,7 +122,7 @@ function manifest() {
 		types: "./index.d.ts",
 		exports: {
 			".": engine,
-			"./readable": { types: "./index.d.ts", default: `./${readable}` },
+			"./readable": { types: "./index.d.ts", default: `./${readableFile}` },
 			"./package.json": "./package.json",
 			"./three": { types: "./three/index.d.ts", default: "./three/index.js" },
 			"./nova": { types: "./nova/index.d.ts", default: "./nova/index.js" },

@@ -73,7 +73,7 @@ async function cookAll() {
 			writeManifest({ ...lastModels, ...models });
 			const { model, files: parts } = await readModel(file);
 			copyAll(parts);
-			const bytes = newGame().cook(model, values.up, values.transforms);
+			const bytes = newGreatLand().cook(model, values.up, values.transforms);
 			writeFileSync(path, bytes);
 			models[name] = { cooked: `${name}.cooked`, source: hashOf(parts), files: parts };
 			const time = (performance.now() - start).toFixed(0);
@@ -175,7 +175,7 @@ function copyAll(files) {
 }
 
 /** A GreatLand with the game's settings. */
-function newGame() {
+function newGreatLand() {
 	const greatLand = new GreatLand();
 	greatLand.orientedBoxDegIncrement = Number(values.increment);
 	greatLand.hierarchies.minVerticesToSplit = Number(values["min-vertices"]);

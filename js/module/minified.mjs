@@ -13,17 +13,17 @@ const DIGITS = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
  * The settings of esbuild that give short names to the members that only the engine's classes read.
  *
  * @param program the engine, as translate.mjs has it after text()
- * @param users the module's text for users
+ * @param productionText the module's text for users
  */
-export function manglingOf(program, users) {
-	const names = namesToMangle(program, users);
+export function manglingOf(program, productionText) {
+	const names = namesToMangle(program, productionText);
 	// $stateOf shows no names with a _, and a game's own class that extends one of these hardly has one with _$
-	const mangleCache = Object.fromEntries(byUse(users, names.filter((name) => program.isInPublicClass(name))).map((name, i) => [name, `_$${shortName(i)}`]));
+	const mangleCache = Object.fromEntries(byUse(productionText, names.filter((name) => program.isInPublicClass(name))).map((name, i) => [name, `_$${shortName(i)}`]));
 	return { mangleCache, mangleProps: new RegExp(`^(?:${names.map((name) => name.replaceAll("$", "\\$")).join("|")})$`) };
 }
 
 /** The members that may get short names: those that only the engine's classes read, by names that stand nowhere else. */
-function namesToMangle(program, users) {
+function namesToMangle(program, productionText) {
 	const platform = [Array, Error, Function, Map, Math, Number, Object, RegExp, Set, String, Uint8Array].flatMap((type) => [type, type.prototype ?? type]);
 	const bytes = Object.getOwnPropertyNames(ByteArray.prototype);
 	const declared = readFileSync(join(ROOT, "js/module/types/byhand.d.ts"), "utf8").match(/\w+/g);
@@ -31,7 +31,7 @@ function namesToMangle(program, users) {
 	// the stand-ins are renamed too; these names of theirs are members of the engine's classes alone
 	const isOwn = (name) => /^[_$]/.test(name) || bytes.includes(name);
 	const standIns = memberNamesIn([standinsForUsers(), ...Object.values(ONLY_IN_JAVASCRIPT).map((added) => added.text)]).filter((name) => !isOwn(name));
-	const quoted = [...users.matchAll(/"([\w$]+)"/g)].map((match) => match[1]);
+	const quoted = [...productionText.matchAll(/"([\w$]+)"/g)].map((match) => match[1]);
 	const kept = new Set([...outside, ...standIns, ...quoted, ...declared, ...platform.flatMap((each) => Object.getOwnPropertyNames(each))]);
 	return [...program.hiddenNames, ...bytes].filter((name) => !kept.has(name)).sort();
 }

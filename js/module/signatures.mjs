@@ -101,7 +101,7 @@ export function docOfParameter(name, doc) {
 
 /** Whether a list of names may have null among them: the documentation of the parameter says "null for" what has no name. */
 export function mayHaveNull(docs) {
-	return /\bnull for a/.test(docs);
+	return /\bnull for an?\b/.test(docs);
 }
 
 /** Whether a parameter takes a point or a vector that a member finds, as the documentation of the parameter says. */

@@ -209,6 +209,16 @@ test("systems are exchanged while a game runs, and nobody is lost", () => {
 	assert.ok(exact.length < expected.length && exact.every((pair) => expected.includes(pair)));
 	assert.deepEqual(pairsOf({ system: "bins", exact: false }), expected);
 	playGame(window, 6, 10, check);
+	// the option depth stays, and is nothing to these systems
+	const { warn } = console;
+	const warnings = [];
+	console.warn = (text) => warnings.push(text);
+	try {
+		for (const system of ["tightest", "bins"]) pairsOf({ system, depth: 2 });
+	} finally {
+		console.warn = warn;
+	}
+	assert.deepEqual(warnings, []);
 });
 
 test("shapes are the client's models by their addresses, with transform files; spheres until they are there", async (context) => {

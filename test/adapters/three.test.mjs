@@ -649,6 +649,10 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 		twin.clearLines().showLines([5, 5, 5, 6, 6, 6]);
 		assert.deepEqual([...lines.geometry.attributes.position.array.slice(0, 6)], [2, 0, 0, 3, 1, 1]);
 		assert.equal(lines.copy(lines).geometry.drawRange.count, 2);
+		let disposals = 0;
+		twin.geometry.addEventListener("dispose", () => disposals++);
+		twin.copy(lines);
+		assert.equal(disposals, 1);
 	});
 
 	test(`three ${version}: what an agent cannot be is refused, and leaves it as it was`, () => {

@@ -741,6 +741,12 @@ test("a listener may listen once, and until a signal", () => {
 	assert.equal(fire(), "second,first");
 	loader.removeEventListener("complete", first, { capture: true });
 	assert.equal(fire(), "");
+	// a dispatch inside of another, by a listener that comes before
+	let depth = 0;
+	loader.addEventListener("complete", () => depth++ === 0 && loader.dispatchEvent(new Event(Event.COMPLETE)), {}, 1);
+	loader.addEventListener("complete", first, { once: true });
+	assert.equal(fire(), "first");
+	assert.equal(depth, 2);
 	refused(() => loader.addEventListener("complete", first, { onec: true }), "addEventListener: options.onec is no option; ", "there are once, capture, signal");
 });
 

@@ -9,6 +9,9 @@ import { fileURLToPath, pathToFileURL } from "node:url";
 import vm from "node:vm";
 import { launch } from "../../build/headless/browsers.mjs";
 import { serve } from "../../build/headless/server.mjs";
+import { publicSignatures } from "../../js/module/names.mjs";
+import { mayHaveNull } from "../../js/module/signatures.mjs";
+import { writeDeclarations } from "../../js/module/types/declarations.mjs";
 
 const root = fileURLToPath(new URL("../..", import.meta.url));
 const folder = path.join(root, "bin/module");
@@ -225,6 +228,24 @@ test("importing it reads no global but the language's own, and adds none", () =>
 	assert.ok(asked.has("Math"), "the sandbox sees what is asked for");
 	assert.deepEqual(Object.keys(sandbox), before);
 	assert.doesNotMatch(code, /\beval\(|new Function\(/);
+	// a function of the stand-ins that is left out; what is there has a short name, and methods have a body
+	const missing = [...code.matchAll(/(?<![\w$."']|\bget )(\$[a-z]\w{3,})\((?!\w*\)\{)/g)].map((match) => match[1]);
+	assert.deepEqual(missing, []);
+});
+
+test("the types of functions are the same wherever they stand, what subclasses set is protected, and \"null for all\" is no element", () => {
+	const types = [...publicSignatures()];
+	const agents = types.find(([qname]) => qname === "starlogo.collision.Collision");
+	const finish = types.find(([, type]) => type.name === "finish")[1];
+	const parameters = [{ name: "agent", type: "Agent", value: null, isRest: false }];
+	const declared = writeDeclarations(new Map([agents, ["of", { ...finish, name: "of", parameters, result: "Agent" }], ...types.filter(([, type]) => type.name === "Agent")]));
+	assert.match(declared, /export function of\(agent: Agent\): Agent;/);
+	const withSetter = types.find(([, type]) => type.members.some((member) => member.kind === "set" && !member.isStatic))[1];
+	const members = withSetter.members.map((member) => (member.kind === "set" ? { ...member, isProtected: true } : member));
+	assert.match(writeDeclarations(new Map([["a", { ...withSetter, members }]])), /^\tprotected set \w+/m);
+	for (const [docs, isSo] of [["null for a mesh", true], ["null for an object", true], ["null for all", false], ["null for any", false]]) {
+		assert.equal(mayHaveNull(docs), isSo, docs);
+	}
 });
 
 test("the package weighs 3 MB at most, and its map 1.2", () => {

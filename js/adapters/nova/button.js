@@ -1,5 +1,5 @@
 import { installInto, installedIn } from "./installation.js";
-import { viewOf } from "./overlay.js";
+import { viewClassOf } from "./overlay.js";
 
 /** The choices of the menu. null gives the client its own collisions back. */
 const CHOICES = [
@@ -83,7 +83,7 @@ class Button {
 	}
 
 	#toggleOverlay() {
-		viewOf(this.#window);
+		viewClassOf(this.#window); // throws if there is none
 		const installation = installedIn(this.#window) ?? installInto(this.#window, { ...this.#options, overlay: false });
 		installation.showOverlay(!installation.options.overlay);
 	}

@@ -13,7 +13,7 @@ export class Cells {
 	#cells = Array.from({ length: SIDE * SIDE }, () => []);
 
 	// the squares of the distances to a row
-	#nearest = new Float64Array(SIDE);
+	#rowDistances = new Float64Array(SIDE);
 
 	/** Creates cells for a ground from -half to half. */
 	constructor(half) {
@@ -59,13 +59,13 @@ export class Cells {
 		const highX = this.#index(x + radius);
 		const lowY = this.#index(y - radius);
 		const highY = this.#index(y + radius);
-		const nearest = this.#nearest;
-		for (let row = lowY; row <= highY; row++) nearest[row] = this.#leastDistance(y, row) ** 2;
+		const rowDistances = this.#rowDistances;
+		for (let row = lowY; row <= highY; row++) rowDistances[row] = this.#leastDistance(y, row) ** 2;
 		let found = 0;
 		for (let column = lowX; column <= highX; column++) {
 			const near = reach - this.#leastDistance(x, column) ** 2;
 			for (let row = lowY; row <= highY; row++) {
-				if (nearest[row] > near) continue;
+				if (rowDistances[row] > near) continue;
 				const list = this.#cells[column * SIDE + row];
 				for (let i = 0; i < list.length; i++) {
 					const other = list[i].clientAgent;

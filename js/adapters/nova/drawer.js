@@ -1,16 +1,16 @@
-import { KEY } from "./installation.js";
+import { INSTALLATION_KEY } from "./installation.js";
 import { STRUCTURES } from "./traits.js";
 
-const YES_OR_NO = { options: ["true", "false"], read: (value) => `String(${value}) === "true"` };
+const YES_OR_NO = { options: ["true", "false"], codeOf: (value) => `String(${value}) === "true"` };
 
 /** The blocks by name: their text, their choices, the trait that they set, and the JavaScript that makes the trait's value. */
 const BLOCKS = {
 	"starlogo-collision-hierarchical": { label: "hierarchical @value", trait: "hierarchical", ...YES_OR_NO },
 	"starlogo-collision-depth": {
-		label: "collision depth @value", trait: "depth", read: (value) => `Math.min(99, Math.max(0, Math.round(${value}) || 0))`,
+		label: "collision depth @value", trait: "depth", codeOf: (value) => `Math.min(99, Math.max(0, Math.round(${value}) || 0))`,
 	},
 	"starlogo-collision-sweeps": { label: "sweeping @value", trait: "sweeps", ...YES_OR_NO },
-	"starlogo-collision-structure": { label: "collide as @value", trait: "structure", options: STRUCTURES, read: (value) => value },
+	"starlogo-collision-structure": { label: "collide as @value", trait: "structure", options: STRUCTURES, codeOf: (value) => value },
 };
 
 /**
@@ -23,8 +23,8 @@ export function addBlocks(window) {
 	if (!drawer) throw new TypeError("the window has no editor of blocks, or it has none for collisions");
 	const present = new Set(drawer.getChildBlocks().map((block) => block.getName()));
 	const added = [];
-	for (const [name, { label, trait, options, read }] of Object.entries(BLOCKS)) {
-		Compilation.BlockTable.table.set(name, nodeOf(DataStructures.ASTNode, trait, read));
+	for (const [name, { label, trait, options, codeOf }] of Object.entries(BLOCKS)) {
+		Compilation.BlockTable.table.set(name, nodeClassOf(DataStructures.ASTNode, trait, codeOf));
 		if (present.has(name)) continue;
 		const spec = {
 			name,
@@ -60,8 +60,8 @@ export function drawerOf({ sb, Compilation }) {
 }
 
 /** The class that the client compiles a block to: a statement that sets a trait of the program's agent. */
-function nodeOf(ASTNode, trait, read) {
-	const call = (value) => `Execution.Collisions[Symbol.for("${KEY}")]?.changeTraits(__wl_agt, { ${trait}: ${read(value)} });`;
+function nodeClassOf(ASTNode, trait, codeOf) {
+	const call = (value) => `Execution.Collisions[Symbol.for("${INSTALLATION_KEY}")]?.changeTraits(__wl_agt, { ${trait}: ${codeOf(value)} });`;
 	return class extends ASTNode {
 		constructor() {
 			super(1, 0);

@@ -1,9 +1,9 @@
 import { Agent, BinCollider, Collision, CombinationCollider, GreatLand, HierarchicalCollider, Model, TightestFitCollider } from "starlogo-collision";
 import { Blocks } from "./blocks.js";
 import { Neighbours } from "./neighbours.js";
-import { Overlay, viewOf } from "./overlay.js";
+import { Overlay, viewClassOf } from "./overlay.js";
 import { Patches } from "./patches.js";
-import { Record, firstSharedBin } from "./record.js";
+import { AgentRecord, firstSharedBin } from "./record.js";
 import { SPHERE, Shapes } from "./shapes.js";
 import { Traits, checkTraits } from "./traits.js";
 
@@ -11,8 +11,8 @@ import { Traits, checkTraits } from "./traits.js";
 const { checkedOptions } = Model.$parts;
 
 /** The name of the symbol under which a client keeps its installation. Other copies of this script find it there too. */
-export const KEY = "starlogo-collision.nova";
-const INSTALLED = Symbol.for(KEY);
+export const INSTALLATION_KEY = "starlogo-collision.nova";
+const INSTALLED = Symbol.for(INSTALLATION_KEY);
 
 const SYSTEMS = { bins: BinCollider, tightest: TightestFitCollider, hierarchical: HierarchicalCollider, combination: CombinationCollider };
 
@@ -75,7 +75,7 @@ class Installation {
 		this.#window = window;
 		this.#client = window.Execution.Collisions;
 		this.#half = window.Helper?.Constants?.MAPSIZE ?? 50.5;
-		this.#use(options, DEFAULTS);
+		this.#applyOptions(options, DEFAULTS);
 		const { shapes, manifest } = this.#options;
 		this.#shapes = new Shapes(this.#greatLand, window, { own: shapes, manifest });
 		this.#neighbours = new Neighbours(window, this.#half, this.#records);
@@ -115,7 +115,7 @@ class Installation {
 
 	/** Changes options. Options that are not named stay. */
 	exchange(options) {
-		this.#use(options, this.#options);
+		this.#applyOptions(options, this.#options);
 		if (this.isInstalled) this.#overlay.show(Boolean(this.#options.overlay));
 	}
 
@@ -221,7 +221,7 @@ class Installation {
 	#add(agent) {
 		let record = this.#recordOf(agent);
 		if (record === null) {
-			record = new Record(agent, SPHERE);
+			record = new AgentRecord(agent, SPHERE);
 			this.#records.add(record);
 			record.owner = this;
 			agent.jbins = [record];
@@ -266,16 +266,16 @@ class Installation {
 	/** All colliding pairs that have a block, each once. They come in the client's order; with sweeps, in the order of time. */
 	#getCollisions() {
 		this.#blocks.followState(this.#collision);
-		this.#gather();
+		this.#poseParticipants();
 		this.#found = [];
 		this.#collision.update(this.#engineAgents);
-		if (!this.#isSwept) this.#collect();
+		if (!this.#isSwept) this.#listFoundPairs();
 		this.#neighbours.collided(this.#found);
 		return this.#found;
 	}
 
 	/** Changes options. Those that are not named, or undefined, are as before. */
-	#use(given, before) {
+	#applyOptions(given, before) {
 		const options = checkedOptions(null, "options", given, { ...before }, 'a literal such as { system: "tightest" }');
 		const { system, exact, depth, overlay } = options;
 		if (!Object.hasOwn(SYSTEMS, system)) throw new RangeError(`the system must be one of ${Object.keys(SYSTEMS).join(", ")}, not ${system}`);
@@ -284,33 +284,33 @@ class Installation {
 		options.breeds = Object.freeze(Object.fromEntries(Object.entries(options.breeds ?? {}).map(([name, traits]) => [name, checkTraits(traits ?? {})])));
 		const collider = new SYSTEMS[system](this.#greatLand);
 		if (exact) collider.exact = exact;
-		if (depth !== undefined) collider.maxDepth = depth;
-		if (overlay) viewOf(this.#window);
+		if (depth !== undefined && "maxDepth" in collider) collider.maxDepth = depth;
+		if (overlay) viewClassOf(this.#window); // throws if there is none
 		this.#collider = collider;
 		this.#collision = new Collision(collider);
 		this.#options = Object.freeze(options);
 		this.#traits.ofBreeds = options.breeds;
-		for (const record of this.#records) record.traitsOf = null;
+		for (const record of this.#records) record.breedOfTraits = null;
 	}
 
 	#giveTraits(agent, traits) {
 		this.#traits.ofAgents.set(agent, traits);
 		const record = this.#recordOf(agent);
-		if (record !== null) record.traitsOf = null;
+		if (record !== null) record.breedOfTraits = null;
 	}
 
 	#recordOf(agent) {
 		const record = agent.jbins?.[0];
-		return record instanceof Record && record.clientAgent === agent && record.owner === this ? record : null;
+		return record instanceof AgentRecord && record.clientAgent === agent && record.owner === this ? record : null;
 	}
 
 	#place(record) {
-		record.bin(this.#half, ++this.#turn);
+		record.setBin(this.#half, ++this.#turn);
 		this.#neighbours.cells.insert(record);
 	}
 
 	/** Lists the engine's Agents for all agents that take part, and moves them there. */
-	#gather() {
+	#poseParticipants() {
 		const { data, numAgents } = this.#window.Execution.AgentController;
 		const engineAgents = this.#engineAgents;
 		let count = 0;
@@ -334,7 +334,7 @@ class Installation {
 	 * Lists the pairs in the order in which the client would find them: by its list of agents, then by bins, by breeds of blocks, and by turns
 	 * in a bin.
 	 */
-	#collect() {
+	#listFoundPairs() {
 		for (const { record } of this.#engineAgents) {
 			for (let i = 0; i < record.others.length; i++) this.#found.push(pairOf(record.clientAgent, record.others[i].clientAgent));
 		}
@@ -348,7 +348,7 @@ class Installation {
 	/** The record of an agent, with its traits up to date; null if it has none. */
 	#currentRecordOf(agent) {
 		const record = this.#recordOf(agent);
-		if (record !== null && record.traitsOf !== agent.breed) this.#setTraits(record);
+		if (record !== null && record.breedOfTraits !== agent.breed) this.#setTraits(record);
 		return record;
 	}
 
@@ -377,7 +377,7 @@ class Installation {
 		engineAgent.sweeps = sweeps;
 		engineAgent.collideAs = structure;
 		engineAgent.breed = String(clientAgent.breed.id);
-		record.traitsOf = clientAgent.breed;
+		record.breedOfTraits = clientAgent.breed;
 	}
 
 	#onPair(a, b) {

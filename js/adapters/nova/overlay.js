@@ -25,7 +25,7 @@ export class Overlay {
 
 	/** Shows or hides it. */
 	show(isOn) {
-		if (isOn && this.#view === null) this.#view = new (viewOf(this.#window))(this.#window, (part) => this.#draw(part));
+		if (isOn && this.#view === null) this.#view = new (viewClassOf(this.#window))(this.#window, (part) => this.#draw(part));
 		if (!isOn && this.#view !== null) {
 			this.#view.remove();
 			this.#view = null;
@@ -43,7 +43,7 @@ export class Overlay {
 }
 
 /** The class that draws into a window's view. */
-export function viewOf({ viewport, THREE }) {
+export function viewClassOf({ viewport, THREE }) {
 	if (viewport?.scene && THREE) return SolidView;
 	if (viewport?.drawScene && viewport.context) return FlatView;
 	throw new TypeError("the client has no view that a wireframe can be drawn in");

@@ -13,7 +13,7 @@ class EngineAgent extends Agent {
 }
 
 /** The data of an agent of the client while it can collide. The agent's jbins refers to it. */
-export class Record {
+export class AgentRecord {
 	// set by Cells
 	cell = -1;
 	slot = -1;
@@ -29,7 +29,7 @@ export class Record {
 	others = [];
 
 	// the breed whose traits the engine's Agent has; the Installation that contains the record
-	traitsOf = null;
+	breedOfTraits = null;
 	owner = null;
 
 	/** Creates a record of an agent. `shape` is a model that always exists. */
@@ -39,7 +39,7 @@ export class Record {
 	}
 
 	/** Stores the bin and the turn that the client would give the agent. */
-	bin(half, turn) {
+	setBin(half, turn) {
 		const { x, y, size } = this.clientAgent.state;
 		this.binX = lowestBin(x - size / 2 + half);
 		this.binY = lowestBin(y - size / 2 + half);

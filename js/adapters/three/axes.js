@@ -42,6 +42,8 @@ const numbers = [0, 0, 0, 1];
 const rotation = new Quaternion();
 const point = new Vector3();
 
+const ROUNDING = 1e-15;
+
 /** Where an agent was when it was last read or written, in the axes of a scene. */
 export class AgentPlace {
 	agent;
@@ -113,8 +115,6 @@ export class AgentPlace {
 		return turnToScene(out.fromArray(numbers), this.#isYUp);
 	}
 }
-
-const ROUNDING = 1e-15;
 
 /** Whether two quaternions are the same rotation, up to rounding. */
 function isNear(a, b) {

@@ -87,8 +87,8 @@ export function faceOf(model, triangle) {
 		throw new RangeError(`faceOf: triangle must be a whole number from -1 to ${last}, not ${textOf(triangle)}`);
 	}
 	if (triangle === -1) return null;
-	const { object, instanceId, first, faceAt } = meshes.findLast((each) => each.first <= triangle);
-	return { object, faceIndex: faceAt(triangle - first), instanceId };
+	const { object, instanceId, firstTriangle, faceAt } = meshes.findLast((each) => each.firstTriangle <= triangle);
+	return { object, faceIndex: faceAt(triangle - firstTriangle), instanceId };
 }
 
 /**
@@ -107,9 +107,9 @@ export function poseModel(model, object) {
 		if (mesh.isBatchedMesh) throw new ArgumentError(`model "${model.name}" was made of a BatchedMesh, which has no pose`);
 		// the source's own meshes may have another order by now; those of a clone have the same
 		const index = indices.has(mesh) ? indices.get(mesh) + instanceId : number;
-		const { count, vertices, firstVertex } = meshes[index] ?? refuse();
+		const { count, meshVertices, firstVertex } = meshes[index] ?? refuse();
 		if (count !== countOf(mesh)) refuse();
-		vertices.forEach((vertex, i) => {
+		meshVertices.forEach((vertex, i) => {
 			turnToEngine(mesh.getVertexPosition(vertex, point).applyMatrix4(matrix), isYUp).toArray(posed, 3 * (firstVertex + i));
 		});
 		number++;

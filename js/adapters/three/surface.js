@@ -50,8 +50,8 @@ export function surfaceOf(name, source, isYUp, isPlaced = false) {
 	const data = new ModelData(name);
 	weld(data, pieces, isYUp);
 	if (source.isObject3D) label(data, pieces);
-	const meshes = pieces.map(({ object, instanceId, points, vertices, firstVertex, first, faceAt }) => (
-		{ object, instanceId, count: points.length / 3, vertices, firstVertex, first, faceAt }
+	const meshes = pieces.map(({ object, instanceId, points, meshVertices, firstVertex, firstTriangle, faceAt }) => (
+		{ object, instanceId, count: points.length / 3, meshVertices, firstVertex, firstTriangle, faceAt }
 	));
 	return { data, meshes };
 }
@@ -59,12 +59,12 @@ export function surfaceOf(name, source, isYUp, isPlaced = false) {
 /** What a source draws: for each mesh or instance its shape as shapeOf has it, with its matrix and the number of its first triangle. */
 function collect(name, source, isPlaced) {
 	const pieces = [];
-	let first = 0;
+	let firstTriangle = 0;
 	const add = (object, instanceId, shape, matrix) => {
 		// scaled to 0, as hidden instances often are
 		const corners = matrix.getMaxScaleOnAxis() === 0 ? [] : shape.corners;
-		pieces.push({ ...shape, corners, object, instanceId, matrix, first, firstVertex: 0, vertices: [] });
-		first += corners.length / 3;
+		pieces.push({ ...shape, corners, object, instanceId, matrix, firstTriangle, firstVertex: 0, meshVertices: [] });
+		firstTriangle += corners.length / 3;
 	};
 	// the last mesh, and what it draws: its instances draw the same
 	let mesh = null;
@@ -111,12 +111,12 @@ function weld(data, pieces, isYUp) {
 		piece.firstVertex = data.vertices.length / 3;
 		welder.begin(piece);
 		addTriangles(data.name, piece, welder, triangles);
-		if (piece.matrix.determinant() < 0) turnOver(triangles, 3 * piece.first, 3 * piece.first + piece.corners.length);
+		if (piece.matrix.determinant() < 0) turnOver(triangles, 3 * piece.firstTriangle, 3 * piece.firstTriangle + piece.corners.length);
 	}
 }
 
 /** Writes the triangles of a piece. */
-function addTriangles(name, { object, points, corners, first }, welder, triangles) {
+function addTriangles(name, { object, points, corners, firstTriangle }, welder, triangles) {
 	// the model's vertex at each point, -1 before it is known
 	const numbers = new Int32Array(points.length / 3).fill(-1);
 	for (let i = 0; i < corners.length; i++) {
@@ -127,7 +127,7 @@ function addTriangles(name, { object, points, corners, first }, welder, triangle
 			throw new ModelError(name, title && `mesh "${title}"`, `a triangle names vertex ${corner}, the last one is ${numbers.length - 1}`);
 		}
 		if (number < 0) number = numbers[corner] = welder.vertexAt(corner);
-		triangles[3 * first + i] = number;
+		triangles[3 * firstTriangle + i] = number;
 	}
 }
 
@@ -135,10 +135,10 @@ function addTriangles(name, { object, points, corners, first }, welder, triangle
 function label({ meshes, materials }, pieces) {
 	const meshLabels = new Map();
 	const materialLabels = new Map();
-	for (const { object, corners, runs, first } of pieces) {
+	for (const { object, corners, runs, firstTriangle } of pieces) {
 		if (corners.length === 0) continue;
-		meshes.beginRun(labelOf(object, titleOf(object), meshLabels, meshes), first);
-		let next = first;
+		meshes.beginRun(labelOf(object, titleOf(object), meshLabels, meshes), firstTriangle);
+		let next = firstTriangle;
 		for (const { material, count } of runs) {
 			if (count === 0) continue;
 			materials.beginRun(labelOf(material, material?.name, materialLabels, materials), next);

@@ -8,7 +8,7 @@ export class Welder {
 	// of the mesh at hand
 	#points;
 	#elements;
-	#takenCorners;
+	#meshVertices;
 
 	/**
 	 * @param {number[]} vertices x, y, z, ...: new positions are appended
@@ -20,10 +20,10 @@ export class Welder {
 	}
 
 	/** Begins a mesh: its points, its matrix, and the list that gets the corners that become vertices. */
-	begin({ points, matrix, vertices }) {
+	begin({ points, matrix, meshVertices }) {
 		this.#points = points;
 		this.#elements = matrix.elements;
-		this.#takenCorners = vertices;
+		this.#meshVertices = meshVertices;
 		// at most half of the slots are taken in the end
 		const needed = 2 * ((this.#vertices.length + points.length) / 3);
 		if (needed > this.#slots.length) this.#grow(2 ** Math.ceil(Math.log2(2 * needed)));
@@ -55,7 +55,7 @@ export class Welder {
 		}
 		const { length } = vertices;
 		vertices.push(x, y, z);
-		this.#takenCorners.push(corner);
+		this.#meshVertices.push(corner);
 		return (slots[slot] = length / 3);
 	}
 

@@ -105,6 +105,7 @@ export class ThreeWireframe extends LineSegments {
 
 	/** Takes over another wireframe's lines. Unlike those of three.js, the two share no geometry, because each moves its own lines. */
 	copy(source, isRecursive) {
+		this.geometry.dispose();
 		super.copy(source, isRecursive);
 		this.geometry = new BufferGeometry();
 		this.#isYUp = source.#isYUp;

@@ -13,7 +13,7 @@ const BUILT_IN = new Set(["Array", "Boolean", "Function", "Number", "Object", "S
 /** The writer of a program's bodies. Functions of the language stand-in, such as $values, have names that no ActionScript name begins like. */
 export class Bodies {
 	/** The names of members of objects whose class is not known. */
-	openNames = new Set();
+	namesOfUnknownObjects = new Set();
 	#program;
 	#units;
 	#members;
@@ -38,18 +38,18 @@ export class Bodies {
 	 * The text of a function from its parameters on.
 	 *
 	 * @param doc the comment before it
-	 * @param taken statements that come first
+	 * @param prologue statements that come first
 	 */
-	functionText(node, doc, taken = []) {
-		const { parameters, body } = this.opened(node, doc);
-		const statements = [...taken, ...this.statements(body)];
+	functionText(node, doc, prologue = []) {
+		const { parameters, body } = this.enter(node, doc);
+		const statements = [...prologue, ...this.statements(body)];
 		this.leave();
 		const lines = statements.map(indent);
 		return lines.length === 0 ? `(${parameters}) {\n}` : `(${parameters}) {\n${lines.join("\n")}\n}`;
 	}
 
 	/** Enters a function: leave() ends it. Returns the text of its parameters with their defaults, and the other statements of its body. */
-	opened(node, doc) {
+	enter(node, doc) {
 		this.#scopes.enter(node, doc);
 		const defaults = new Map();
 		const body = node.body.body.filter((statement) => {
@@ -188,7 +188,7 @@ export class Bodies {
 		const target = this.text(node.object);
 		if (!node.computed) {
 			const name = this.#members.nameOf(node.property.name);
-			if (/^(?:\*|\??Object)/.test(this.#scopes.typeOf(node.object))) this.openNames.add(name);
+			if (/^(?:\*|\??Object)/.test(this.#scopes.typeOf(node.object))) this.namesOfUnknownObjects.add(name);
 			if (this.#beforeSuper && node.object.type === "ThisExpression") {
 				if (!this.#beforeSuper.has(name)) throw new Error(`this.${name} is read before super()`);
 				return this.#beforeSuper.get(name);
@@ -198,7 +198,7 @@ export class Bodies {
 		if (pathOf(node.property).startsWith(`${LANGUAGE}.`)) return target;
 		if (this.#scopes.typeOf(node.object) === "flash.utils.ByteArray") return `${target}.byteAt(${this.text(node.property)})`;
 		if (this.#scopes.typeOf(node.object) === "flash.utils.Dictionary") return `${target}.get(${this.text(node.property)})`;
-		if (this.#isMethodTaken(node)) return `$taken(${target}, ${this.text(node.property)})`;
+		if (this.#isMethodTaken(node)) return `$memberOrClosure(${target}, ${this.text(node.property)})`;
 		return `${target}[${this.text(node.property)}]`;
 	}
 

@@ -10,20 +10,20 @@
 import { TAKES_LITERAL, docOf, docOfParameter, endingBooleans, isWritten, mayHaveNull } from "../signatures.mjs";
 import { warningsOf, warningsOfMember } from "./warnings.mjs";
 
-/** Classes that are recognised by a mark of their own. Naming them would bring all the classes that they use into every bundle. */
+/** Classes that are recognised by a mark of their own. Naming them would bring all the classes that they use into every bundle. By qualified names. */
 const MARKED = new Set(["starlogo.GreatLand", "starlogo.libraries.FitStore", "starlogo.terrain.Terrain", "starlogo.terrain.WorldBounds"]);
 
-/** Classes with many methods of several numbers, which are in every bundle, and whose speed does not matter. */
+/** Classes with many methods of several numbers, which are in every bundle, and whose speed does not matter. By qualified names. */
 const COMPACT = new Set(["flash.geom.Matrix3D"]);
 
-/** Classes whose fields are written by the engine's own loops, or by the engine alone. They are not checked. */
-const PLAIN = new Set([
+/** Classes whose fields are written by the engine's own loops, or by the engine alone. They are not checked. By simple names. */
+const UNCHECKED_CLASS_NAMES = new Set([
 	"BoundingStructure", "Box", "Capsule", "CastHit", "CollisionStatistics", "Contact", "Cylinder", "ErrorEvent", "Footing", "HierarchyNode",
 	"Matrix3D", "Placement", "ProgressEvent", "RayHit", "ShapeHit", "Sphere", "TextEvent", "Vector3D",
 ]);
 
-/** Classes whose methods would take a number that is not finite, as fields would. All others refuse it themselves, or have an answer for it. */
-const CHECKED_HERE = new Set(["FrameTimes", "Placement"]);
+/** Classes whose methods would take a number that is not finite, as fields would. All others refuse it themselves, or have an answer for it. By simple names. */
+const FINITE_CHECKED_CLASS_NAMES = new Set(["FrameTimes", "Placement"]);
 
 /** Types that the engine itself throws an error about null for, because it says more: of names, and of files. */
 const ANSWERED = new Set(["ByteArray", "String"]);
@@ -48,7 +48,7 @@ export class Checks {
 	}
 
 	/** The statements at the beginning of a member: its checks, and then its warnings, which take the arguments to be as they have to be. */
-	of(qname, name, kind) {
+	prologueOf(qname, name, kind) {
 		const type = this.#signatures.get(qname);
 		const isPublic = (each) => each.isPublic && !each.isPrivate;
 		const member = kind === "function" ? type : type?.members.find((each) => each.name === name && each.kind === kind && isPublic(each));
@@ -64,7 +64,7 @@ export class Checks {
 	/** The public fields of a class that only its users write: { name, type }. */
 	settings(qname) {
 		const type = this.#signatures.get(qname);
-		if (!type || type.kind !== "class" || PLAIN.has(type.name)) return [];
+		if (!type || type.kind !== "class" || UNCHECKED_CLASS_NAMES.has(type.name)) return [];
 		return type.members.filter((member) => member.kind === "var" && member.isPublic && !member.isPrivate && !member.isStatic);
 	}
 
@@ -79,7 +79,7 @@ export class Checks {
 	ofLiteral(qname) {
 		const { name } = this.#signatures.get(qname) ?? {};
 		if (!TAKES_LITERAL.has(qname)) return [];
-		return [`if (arguments[0] != null) $options(null, "new ${name}: settings", arguments[0], this, ${JSON.stringify(article(name))});`];
+		return [`if (arguments[0] != null) $options(null, "new ${name}: settings", arguments[0], this, ${JSON.stringify(wantedText(name))});`];
 	}
 
 	/** Whether a class is recognised by its mark. */
@@ -121,7 +121,7 @@ export class Checks {
 			}
 			case "AgentPredicate": {
 				const filter = this.#reference("starlogo.queries.AgentFilter");
-				const read = `$options(${receiver}, ${name}, new ${filter}(), ${JSON.stringify(article("AgentFilter"))})`;
+				const read = `$options(${receiver}, ${name}, new ${filter}(), ${JSON.stringify(wantedText("AgentFilter"))})`;
 				return [`if (${name} != null && !${this.#typeTest(parameter.type, name)}) ${name} = ${read};`];
 			}
 			case "AgentFilter":
@@ -129,13 +129,13 @@ export class Checks {
 				const options = this.#reference(`starlogo.queries.${parameter.type}`);
 				return [
 					`if (${name} instanceof ${options}) $warnOfUnknownProperties(${name});`,
-					`else if (${name} != null) ${name} = $options(${receiver}, ${name}, new ${options}(), ${JSON.stringify(article(parameter.type))});`,
+					`else if (${name} != null) ${name} = $options(${receiver}, ${name}, new ${options}(), ${JSON.stringify(wantedText(parameter.type))});`,
 					...parameter.type === "WalkOptions" ? [`$warnOfUnits(${name});`] : [],
 				];
 			}
 			default: {
 				const test = this.#typeTest(parameter.type, name);
-				return test ? [`if (${unlessNull}!${test}) ${refuse(JSON.stringify(article(parameter.type)))}`] : [];
+				return test ? [`if (${unlessNull}!${test}) ${refuse(JSON.stringify(wantedText(parameter.type)))}`] : [];
 			}
 		}
 	}
@@ -162,7 +162,7 @@ export class Checks {
 	// checked and moved in loops.
 	#simpleCheck({ name, type: wanted }, member, type) {
 		const isNoNumber = `typeof ${name} !== "number"`;
-		const isFinite = member.isField || CHECKED_HERE.has(type.name);
+		const isFinite = member.isField || FINITE_CHECKED_CLASS_NAMES.has(type.name);
 		const number = isFinite ? ["$aFiniteNumber", `${isNoNumber} || ${name} - ${name} !== 0`] : ["$aNumber", isNoNumber];
 		const offset = ["$anOffset", `${isNoNumber} || ${name} !== (${name} & 0x7fffffff)`, "a whole number, 0 or more"];
 		return {
@@ -193,7 +193,7 @@ export class Checks {
 		if (!test) return [`${unlessNull}$checkList(${receiver}, ${name});`];
 		// nobody among agents does no harm: a shot may have no shooter
 		const orNobody = element === "Agent" ? "each == null || " : "";
-		return checked(article(element), `${orNobody}${test}`);
+		return checked(wantedText(element), `${orNobody}${test}`);
 	}
 }
 
@@ -222,7 +222,7 @@ function optionsOf({ name }) {
 }
 
 /** Where a literal is likely to be passed, the text says how such an object is made. */
-function article(name) {
+function wantedText(name) {
 	if (name === "AgentFilter") return 'an AgentFilter, or a literal such as { breeds: ["sheep"] }';
 	if (name === "WalkOptions") return "WalkOptions, or a literal such as { stepHeight: 0.3 }";
 	if (name === "BoundingStructure") return "this package's Sphere, Capsule, Box or Hull";

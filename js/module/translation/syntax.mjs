@@ -18,7 +18,7 @@ export function pathOf(given) {
 	return start === "" ? "" : `${start}.${node.property.name}`;
 }
 
-export function nameOf(key) {
+export function keyName(key) {
 	return key.type === "Literal" ? String(key.value) : key.name;
 }
 

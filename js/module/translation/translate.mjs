@@ -27,7 +27,7 @@ export class Program {
 	#units = new Map(); // by qualified name
 	#shortNames = new Map();
 	#members;
-	#openNames = null; // of members that objects of public classes have
+	#publicClassNames = null; // of members that objects of public classes have
 	#scopes;
 	#bodies;
 	#checks;
@@ -104,7 +104,7 @@ export class Program {
 	 */
 	get hiddenNames() {
 		const shown = [...this.signatures.values()].flatMap((type) => type.members).filter(isVisible).map((member) => member.name);
-		const kept = new Set([...shown, ...this.#bodies.openNames]);
+		const kept = new Set([...shown, ...this.#bodies.namesOfUnknownObjects]);
 		const found = new Set();
 		for (const unit of this.#units.values()) {
 			const methods = unit.members.filter((member) => member.kind === "method").map((member) => this.#members.nameOf(member.name));
@@ -120,8 +120,8 @@ export class Program {
 	/** Whether objects of public classes have a member of a name. A game's own class may extend these. */
 	isInPublicClass(name) {
 		const withBases = (unit) => (unit ? [unit, ...withBases(this.#units.get(unit.base))] : []);
-		this.#openNames ??= new Set([...this.signatures.keys()].flatMap((qname) => withBases(this.#units.get(qname))).flatMap((unit) => this.#memberNames(unit)));
-		return this.#openNames.has(name);
+		this.#publicClassNames ??= new Set([...this.signatures.keys()].flatMap((qname) => withBases(this.#units.get(qname))).flatMap((unit) => this.#memberNames(unit)));
+		return this.#publicClassNames.has(name);
 	}
 
 	#memberNames(unit) {
@@ -155,10 +155,10 @@ export class Program {
 	// The export for a package function that the engine calls in its loops.
 	#wrapperText(unit) {
 		if (!isWrapped(this.signatures.get(unit.qname))) return "";
-		const { parameters } = this.#bodies.opened(unit.main, unit.doc);
+		const { parameters } = this.#bodies.enter(unit.main, unit.doc);
 		this.#bodies.leave();
 		const passed = unit.main.params.map((parameter) => parameter.name).join(", ");
-		const lines = [...this.#checks.of(unit.qname, unit.name, "function"), `return ${this.shortName(unit.qname)}(${passed});`];
+		const lines = [...this.#checks.prologueOf(unit.qname, unit.name, "function"), `return ${this.shortName(unit.qname)}(${passed});`];
 		return `\n\nfunction ${this.exportName(unit.qname)}(${parameters}) {\n${lines.map(indent).join("\n")}\n}`;
 	}
 
@@ -219,8 +219,8 @@ export class Program {
 			} else if (member.node === null) {
 				lines.push(member.kind === "get" ? `get ${name}() {\n\treturn super.${name};\n}` : `set ${name}(value) {\n\tsuper.${name} = value;\n}`);
 			} else {
-				const taken = this.#checks.of(unit.qname, member.name, member.kind);
-				const text = this.#bodies.functionText(member.node, member.doc, taken);
+				const prologue = this.#checks.prologueOf(unit.qname, member.name, member.kind);
+				const text = this.#bodies.functionText(member.node, member.doc, prologue);
 				const returnsBytes = !this.isForTests && RETURNS_UINT8ARRAY.has(`${unit.qname}.${member.name}`);
 				lines.push(`${this.#docOf(unit, member.doc)}${prefix}${name}${returnsBytes ? asPlainBytes(text) : text}`);
 			}
@@ -240,8 +240,8 @@ export class Program {
 	}
 
 	#constructorText(unit) {
-		const { parameters, body } = this.#bodies.opened(unit.main, unit.doc);
-		const taken = this.#checks.of(unit.qname, unit.name, "constructor");
+		const { parameters, body } = this.#bodies.enter(unit.main, unit.doc);
+		const prologue = this.#checks.prologueOf(unit.qname, unit.name, "constructor");
 		const fields = unit.fields.filter((field) => !this.#isSetAnyway(field, body));
 		const settings = this.#checks.settings(unit.qname).map((setting) => setting.name);
 		const nameOf = (field) => (settings.includes(field.name) ? `_${field.name}` : this.#members.nameOf(field.name));
@@ -251,9 +251,9 @@ export class Program {
 			const at = body.findIndex((statement) => isBaseCall(statement));
 			if (at < 0) throw new Error("its constructor does not call super()");
 			const { until, held } = this.#bodies.untilSuper(body.slice(0, at + 1));
-			statements = [...taken, ...until, ...initial, ...held, ...this.#bodies.statements(body.slice(at + 1))];
+			statements = [...prologue, ...until, ...initial, ...held, ...this.#bodies.statements(body.slice(at + 1))];
 		} else {
-			statements = [...taken, ...initial, ...this.#bodies.statements(body)];
+			statements = [...prologue, ...initial, ...this.#bodies.statements(body)];
 		}
 		statements.push(...this.#checks.ofLiteral(unit.qname));
 		this.#bodies.leave();

@@ -1,7 +1,7 @@
 /** Reads the definitions in one of the compiler's files. */
 import { parse } from "acorn";
 import { caughtIn } from "./catches.mjs";
-import { isWithin, lazyValue, nameOf, pathOf } from "./syntax.mjs";
+import { isWithin, keyName, lazyValue, pathOf } from "./syntax.mjs";
 
 /**
  * The definitions in one of the compiler's files. The one that the file is named after comes first, then those that only this file sees.
@@ -100,11 +100,11 @@ class Unit {
 	#readAccessors(call) {
 		if (pathOf(call.arguments[0]) !== `${this.qname}.prototype`) return;
 		for (const property of call.arguments[1].properties) {
-			this.types.set(nameOf(property.key), /@type \{(.*)\}/.exec(this.#docBefore(property))?.[1] ?? "*");
+			this.types.set(keyName(property.key), /@type \{(.*)\}/.exec(this.#docBefore(property))?.[1] ?? "*");
 			for (const half of property.value.properties) {
 				const path = half.value.type === "MemberExpression" ? pathOf(half.value) : "";
 				if (path !== "" && !path.startsWith(`${this.qname}.`)) {
-					this.members.push({ name: nameOf(property.key), node: null, doc: "", isStatic: false, kind: nameOf(half.key) });
+					this.members.push({ name: keyName(property.key), node: null, doc: "", isStatic: false, kind: keyName(half.key) });
 				}
 			}
 		}

@@ -140,6 +140,7 @@ class Writer {
 	}
 
 	text(type) {
+		this.#agent = "Agent";
 		if (type.kind === "function") {
 			return `${docComment(type.doc, "")}export function ${type.name}(${this.#parameters(type)}): ${this.#type(type.result)};\n`;
 		}
@@ -220,7 +221,7 @@ class Writer {
 				const getter = type.members.find((other) => other.kind === "get" && other.name === member.name);
 				const orNull = getter && this.#mayBeNull({ ...getter, doc: docOf(type, getter, this.#exported) }) ? " | null" : "";
 				const union = BY_NAME.get(member.name) ?? (getter && this.#unionOf(type, getter.result, docOf(type, getter, this.#exported)));
-				return `${visible}\t${isStatic}set ${member.name}(value: ${union ?? this.#parameterType(member.parameters[0]) + orNull});`;
+				return `\t${visible}${isStatic}set ${member.name}(value: ${union ?? this.#parameterType(member.parameters[0]) + orNull});`;
 			}
 			default:
 				if (member.result === "AgentPredicate") return `${text}\tget ${member.name}(): ${result};\n\tset ${member.name}(value: AgentFilterInit<GameAgent> | ${result});`;
@@ -268,7 +269,7 @@ class Writer {
 	#resultType({ kind, result }, docs) {
 		// what takes a filter takes a literal too
 		if (kind === "var" && result === "AgentFilter") return "AgentFilterInit";
-		return result === "Vector.<String>" && /\bnull for a\b/.test(docs) ? "(string | null)[]" : this.#type(result);
+		return result === "Vector.<String>" && mayHaveNull(docs) ? "(string | null)[]" : this.#type(result);
 	}
 
 	#mayBeNull(member) {

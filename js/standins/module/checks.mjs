@@ -16,7 +16,7 @@ const $copy = {};
  * @param value the value
  * @param wanted the kind that is required, for example "an Agent"
  */
-export function $named(value, wanted = "") {
+export function $textOf(value, wanted = "") {
 	if (isOfOtherCopy(value, wanted)) return "one of another copy of the engine. There are two copies of the engine: import it from one address";
 	switch (typeof value) {
 		case "string":
@@ -27,7 +27,7 @@ export function $named(value, wanted = "") {
 			return `the function ${value.name || "without a name"}`;
 		case "object": {
 			if (value === null) return "null";
-			if (Array.isArray(value)) return value.length > 4 ? `an array of ${value.length}` : `[${value.map((each) => $named(each)).join(", ")}]`;
+			if (Array.isArray(value)) return value.length > 4 ? `an array of ${value.length}` : `[${value.map((each) => $textOf(each)).join(", ")}]`;
 			const name = Object.getPrototypeOf(value)?.constructor?.name ?? "Object";
 			return name === "Object" ? "a plain object" : `an object of class ${name}`;
 		}
@@ -60,7 +60,7 @@ export function $refuse(target, name, value, kind) {
 		const wanted = kind === "a number" ? "a finite number" : Number.isInteger(value) ? `${kind} in the range of 32 bits` : kind;
 		throw new RangeError(`${given} must be ${wanted}, not ${value}`);
 	}
-	throw new ArgumentError(`${given} must be ${kind}, not ${$named(value, kind)}${$hintOfValue(value, kind)}`);
+	throw new ArgumentError(`${given} must be ${kind}, not ${$textOf(value, kind)}${$hintOfValue(value, kind)}`);
 }
 
 /** Checks of arguments, for members outside of hot loops: `$aNumber("Class.method: name", value)`. */

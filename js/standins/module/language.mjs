@@ -119,7 +119,7 @@ export function $bound(object, name) {
 }
 
 /** `object[name]`, which may be a method. */
-export function $taken(object, name) {
+export function $memberOrClosure(object, name) {
 	return typeof object[name] === "function" && name in Object.getPrototypeOf(object) ? $bound(object, name) : object[name];
 }
 

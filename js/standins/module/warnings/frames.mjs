@@ -71,7 +71,7 @@ function $warnOfMissing(frames, missing, agents) {
  * Warns of breeds that handlers or a filter name, if no agent has the breed, and agents have one that is called nearly the same. Agents
  * of the breed may still come. So nothing is refused, and a breed is looked for again when there are new names.
  */
-export function $warnOfBreeds(names, agents) {
+export function $warnOfMissingBreeds(names, agents) {
 	const unchecked = (names ?? []).filter((name) => !/^\*/.test(name) && !($checkedBreeds.get(name) >= Breeds$NAMES.count));
 	if (unchecked.length === 0) return;
 	const breeds = new Set(agents.map((agent) => agent?.breed).filter((breed) => typeof breed === "string" && !/^\*/.test(breed)));
@@ -82,10 +82,10 @@ export function $warnOfBreeds(names, agents) {
 	for (const name of [...missing].slice(0, $MOST_HINTS)) $warnOfBreed(name, breeds, agents);
 }
 
-/** Warns of breeds that a filter names, as $warnOfBreeds() does, and of "*", which only handlers take. */
-export function $warnOfFilter(names, agents) {
+/** Warns of breeds that a filter names, as $warnOfMissingBreeds() does, and of "*", which only handlers take. */
+export function $warnOfBreeds(names, agents) {
 	if (names?.includes("*")) $warn('a filter names the breed "*", which no agent has; without breeds it takes agents of any breed');
-	$warnOfBreeds(names, agents);
+	$warnOfMissingBreeds(names, agents);
 }
 
 /** Warns of a breed that no agent has: a similar one may be meant, or it is a shape. */

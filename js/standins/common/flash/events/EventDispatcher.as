@@ -4,7 +4,8 @@ package flash.events
 
     /**
      * Sends events to listeners. Listeners of higher priority are called first, those of the same priority in the order in which they were
-     * added. If a listener is added or removed during a dispatch, this takes effect with the next event.
+     * added. If a listener is added or removed during a dispatch, this takes effect with the next event. A listener that is called once never
+     * runs twice, not even in a dispatch inside of another.
      *
      * <p>Listeners of the capture phase are kept but never called. All listeners are kept until they are removed, also those with weak
      * references. If a listener throws, the others are still called, and the error is reported as uncaught. An error event without a
@@ -81,7 +82,8 @@ package flash.events
             var isHeard:Boolean = false;
             for each (var listener:Listener in listenersTo(event.type))
             {
-                if (listener.isCapturing || event.isStopped)
+                var call:Function = listener.call;
+                if (listener.isCapturing || event.isStopped || call == null)
                 {
                     continue;
                 }
@@ -89,11 +91,12 @@ package flash.events
                 if (listener.isOnce)
                 {
                     removeRecord(event.type, listener);
+                    listener.call = null;
                 }
                 event.arrive(_target == null ? this : _target);
                 try
                 {
-                    listener.call(event);
+                    call(event);
                 }
                 catch (error:*)
                 {

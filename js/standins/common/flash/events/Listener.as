@@ -3,6 +3,7 @@ package flash.events
     /** A listener for a type of event. */
     internal final class Listener
     {
+        /** null after the only call of a listener that is called once: a dispatch around that one still has it in its list. */
         internal var call:Function;
         internal var isCapturing:Boolean;
         internal var priority:int;

@@ -137,7 +137,7 @@ package flash.geom
 
         /**
          * Whether each coordinate differs by less than the tolerance. With allFour, the other vector's w must be less than the tolerance
-         * too.
+         * too. As in Flash, this vector's own w is overwritten by the other's: not a slip of the pen.
          */
         public function nearEquals(toCompare:Vector3D, tolerance:Number, allFour:Boolean = false):Boolean
         {

@@ -7,7 +7,7 @@ package flash.net
     import flash.utils.ByteArray;
     import standin.Network;
 
-    /** Fetches a file, with Flash's events: open, progress, and complete or ioError. */
+    /** Fetches a file, with these of Flash's events: progress, and complete or ioError. Unlike Flash's it sends no open. */
     public class URLLoader extends EventDispatcher
     {
         /** The file, after the event complete. */

@@ -107,6 +107,17 @@ package starlogo.collision
             assertTrue(warn(missing("edgy") + "; is Collision.EDGE meant?"));
         }
 
+        [Test]
+        public function aBreedThatAHandlerNamesIsNotMeantByAnother():void
+        {
+            addAll("keepers", "mails");
+            _collision.onCollision("keepers", "mails", note("x"));
+            _collision.update(_agents);
+            _collision.onCollision("keepers", "sails", note("x"));
+            _collision.update(_agents);
+            assertTrue(warn(missing("sails") + "; is \"mails\" meant?"));
+        }
+
         private static function missing(breed:String):String
         {
             return "no agent is of the breed \"" + breed + "\"";

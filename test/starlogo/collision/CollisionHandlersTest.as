@@ -93,7 +93,7 @@ package starlogo.collision
             addAll("hedgehogs", "foxes", "trees7", "hedgehogs");
             for each (var name:String in ["hegdehogs", "Hedgehogs", "foxe", "fox", "trees8", "sphere", "terain", "edgy", Collision.EDGE])
             {
-                _collision.onCollision("foxes", name, note("x"));
+                _collision.onCollision(Collision.ANY_BREED, name, note("x"));
             }
             _collision.update(_agents);
             assertFalse(warn(missing("hegdehogs") + "; is \"hedgehogs\" meant?"));

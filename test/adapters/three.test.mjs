@@ -704,7 +704,14 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 		assert.throws(() => modelFromObject("any", broken), /^ModelError: model "any", mesh "hull": a triangle names vertex 999, the last one is 23/);
 		const endless = box();
 		endless.geometry.attributes.position.setX(3, NaN);
-		assert.throws(() => modelFromObject("any", endless), /^ModelError: model "any": .*NaN/);
+		assert.throws(() => modelFromObject("any", endless), /^ModelError: model "any": vertex 3 of its geometry must be at finite numbers, not at \(NaN, /);
+		for (const vertex of [2, 1, 23]) {
+			const crate = box();
+			crate.name = "crate";
+			crate.geometry.attributes.position.setX(vertex, NaN);
+			const said = new RegExp(`^ModelError: model "any", mesh "crate": vertex ${vertex} of its geometry must be at finite numbers`);
+			assert.throws(() => modelFromObject("any", new THREE.Group().add(box(), crate)), said);
+		}
 		assert.throws(() => modelFromObject("any", new THREE.BatchedMesh(1, 24, 36, new THREE.MeshBasicMaterial())), /^ModelError: model "any": no vertices/);
 	});
 

@@ -366,7 +366,7 @@ test("while a game is developed, an error says which option is the nearest, if o
 });
 
 test("while a game is developed, an error says where a value of another kind belongs", async () => {
-	const { Agent, AgentMotions, AgentQueries, BinCollider, Collision, Contact, Footing, GreatLand, RayHit, ShapeHit, Sphere } = await import(pathToFileURL(path.join(folder, manifest.exports["."].node)));
+	const { Agent, AgentMotions, AgentQueries, BinCollider, Collision, Contact, Footing, GreatLand, Model, RayHit, ShapeHit, Sphere } = await import(pathToFileURL(path.join(folder, manifest.exports["."].node)));
 	const queries = new AgentQueries(new BinCollider());
 	const walker = new Agent("cube");
 	queries.update([walker]);
@@ -392,6 +392,26 @@ test("while a game is developed, an error says where a value of another kind bel
 	for (const ask of [() => queries.castAll(...ray, []), () => queries.near(walker, 5, [])]) refused(ask, "filter must be an AgentFilter", "not []. A list that is filled is the argument after the filter");
 	refused(() => queries.near(walker, 5, ["coins"]), 'not ["coins"]. Breeds go into one: { breeds: ["sheep"] }');
 	refused(() => new Collision(new BinCollider()).update(walker, new Agent("cube")), "Collision.update: agents must be an array, not an object of class Agent: all agents are in one, [level, hero]");
+	for (const [call, ask] of [["moveUntilTouch", () => queries.moveUntilTouch(walker, 0.1, 0, { breeds: ["coins"] })], ["slide", () => queries.slide(walker, 0.1, 0, { breeds: ["coins"] })]]) {
+		assert.throws(ask, new RegExp(`${call}: dz must be a number, not a plain object\\. A filter is an argument after it$`));
+	}
+	for (const breeds of ["heroes", ["heroes"]]) refused(() => queries.nearest(walker, breeds), 'Breeds are in a filter after it: nearest(..., Infinity, { breeds: ["heroes"] })');
+	assert.throws(() => queries.nearest(walker, "5"), /radius must be a number, not "5"$/);
+	const collision = new Collision(new BinCollider());
+	for (const method of ["onCollision", "onCollisionStart", "onCollisionEnd", "removeHandler"]) {
+		refused(() => collision[method](() => 0, "heroes", "coins"), "breed must be a string, not the function without a name. The handler comes last: ");
+		refused(() => collision[method](walker, "coins", () => 0), "not an object of class Agent. A handler is for all agents of a breed: hero.breed");
+		refused(() => collision[method]("heroes", ["coins", "gems"], () => 0), 'otherBreed must be a string, not ["coins", "gems"]. Each pair of breeds has a call of its own');
+	}
+	for (const bytes of [{ 0: 1 }, [1, 2], "abc"]) refused(() => collision.restore(bytes, []), 'JSON does not keep bytes', 'See docs/snapshots.md in the package, "A saved game"');
+	refused(() => collision.restore(Promise.resolve(), []), "await it first");
+	refused(() => queries.cast(ray[0], { x: 1, y: 0 }), "direction must be a Vector3D, or anything with x, y and z, not a plain object. Its z is undefined");
+	refused(() => queries.cast({ z: 1 }, ray[1]), "origin must be", "Its x and y are undefined");
+	assert.throws(() => queries.cast(ray[0], {}), /not a plain object$/);
+	for (const list of ["vertices", "triangles"]) {
+		const lists = { vertices: [0, 0, 0, 1, 0, 0, 0, 1, 0], triangles: [0, 1, 2], [list]: [[0, 1, 2]] };
+		refused(() => new Model("flat", lists.vertices, lists.triangles), `new Model: ${list}[0] must be`, "not [0, 1, 2]. All numbers are in one flat list: list.flat()");
+	}
 	const small = new engine.AgentQueries(new engine.BinCollider());
 	assert.throws(() => small.near(new engine.Agent("cube"), 5, isLarge), /not the function isLarge$/);
 });
@@ -420,6 +440,8 @@ test("while a game is developed, an error about a value in a literal names the c
 	for (const rays of [queries, new AgentRays(new SeenAgents(collision))]) {
 		for (const call of ["cast", "castAll"]) {
 			refused(() => rays[call](new engine.Vector3D(), { x: 0, y: 0, z: 0 }), `${rays.constructor.name}.${call}: direction must not be 0`);
+			refused(() => rays[call](new engine.Vector3D(), { x: 0, y: Infinity, z: 0 }), `${rays.constructor.name}.${call}: direction must be finite, not (0, Infinity, 0)`);
+			refused(() => rays[call]({ x: 0, y: NaN, z: 0 }, { x: 0, y: 0, z: 1 }), `${rays.constructor.name}.${call}: origin.y must be a finite number, not NaN`);
 		}
 	}
 });
@@ -532,8 +554,10 @@ test("names of the wrong kind are shown short, with what is meant", async () => 
 	for (const [shape, said] of [["heroo", '; is "hero" meant?'], ["Wall", '; is "wall" meant?'], ["bears", "first"], ["tree", "first"]]) {
 		assert.throws(() => collision.update([new Agent(shape)]), (error) => error.message.endsWith(said), shape);
 	}
+	assert.throws(() => collision.update([new Agent("monsters", "hero")]), /; is new Agent\("hero", "monsters"\) meant\? The model comes first$/);
 	const shapes = new LevelShapes();
 	shapes.addModel(BuiltInModel.box(9, 9, 1, "floor"));
+	assert.throws(() => new SeenAgents(shapes).update([new Agent("levels", "floor")]), /; is new Agent\("floor", "levels"\) meant\? The model comes first$/);
 	assert.throws(() => new SeenAgents(shapes).update([new Agent("flor")]), /add it to the LevelShapes first; is "floor" meant\?$/);
 });
 

@@ -419,6 +419,30 @@ test("while a game is developed, handlers and places that can't be meant are war
 	assert.deepEqual(run("starlogo-collision.min.js"), []);
 });
 
+test("while a game is developed, async handlers are warned of, once, and no breed that a handler names is another's name", () => {
+	const program = (module) => `import { Agent, AgentQueries, BinCollider, Collision } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
+		const said = [];
+		console.warn = (text) => said.push(text);
+		const collision = new Collision(new BinCollider());
+		const [hero, wall] = [new Agent("hero", "heroes"), new Agent("wall", "walls")];
+		async function save(a, b, contact) {}
+		for (const handler of [save, save, (async) => async, () => Promise.resolve()]) collision.onCollision("heroes", "walls", handler);
+		collision.update([hero, wall]);
+		collision.onCollisionStart("heroes", "balls", () => 0);
+		collision.update([hero, wall]);
+		const queries = new AgentQueries(collision);
+		queries.update([hero, wall]);
+		queries.near(hero, 9, { breeds: ["balls"] });
+		queries.near(hero, 9, { breeds: ["halls"] });
+		console.log(JSON.stringify(said));`;
+	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
+	const said = run("starlogo-collision.js");
+	const expected = [/the handler save for "heroes" and "walls" is async: after an await its contact is another pair's, and its errors are not in handlerErrors/, /no agent is of the breed "halls"; is "walls" meant/];
+	assert.equal(said.length, expected.length, said.join("\n"));
+	expected.forEach((pattern, i) => assert.match(said[i], pattern));
+	assert.deepEqual(run("starlogo-collision.min.js"), []);
+});
+
 test("while a game is developed, angles in radians are warned of, once, and angles in degrees never", () => {
 	const turning = 'let i = 0; for (const angle of angles) agents[i % 2][["heading", "pitch", "roll"][i++ % 3]] = angle;';
 	const seeing = "for (const angle of angles) queries.inCone(agents[0], 5, angle);";
@@ -743,10 +767,17 @@ test("while a game is developed, a shot that is moved before its first frame is 
 		agents.length = 0;
 		shoot(pooled, "jumpTo", 2);
 		shoot(shot(), "moveTo", 2);
+		// it is where its field says, and not where it was put
+		class Bullet extends Agent { x = 9; sweeps = true; }
+		const bullet = new Bullet("sphere");
+		bullet.moveTo(1, 2, 0);
+		collision.update([bullet]);
+		counts.push(said.length);
 		console.log(JSON.stringify({ said, counts }));`;
 	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
 	const { said, counts } = run("starlogo-collision.js");
-	assert.deepEqual(counts, [0, 0, 0, 0, 1, 1], said.join("\n"));
+	assert.deepEqual(counts, [0, 0, 0, 0, 1, 1, 3], said.join("\n"));
+	["x", "sweeps"].forEach((name, i) => assert.match(said[i + 1], new RegExp(`: ${name} is a field of Bullet that hides the engine's`)));
 	assert.match(said[0], /^starlogo-collision: agent \d+ \(breed "shots", shape "sphere"\) sweeps, and was moved by 2 between its place \(1, 2, 0\) and its first frame\. /);
 	assert.deepEqual(run("starlogo-collision.min.js").said, []);
 });

@@ -55,6 +55,7 @@ function requireName(call, name) {
 
 function modelOf(name, source, { data, meshes }, made, scaling) {
 	if (data.vertices.length === 0) throw new ModelError(name, "", `no vertices: ${whatIsMissing(source)}`);
+	warnings?.ofNoPlace(name, data.vertices, meshes);
 	Object.assign(data, { scaling, isNormalised: scaling === Model.AS_GIVEN });
 	const model = new Model(name, null, null, null, new ModelBuilder(data).build());
 	const indices = new Map(meshes.map(({ object }, i) => [object, i]).reverse());

@@ -39,7 +39,7 @@ const WARNINGS = new Map([
 		"$warnOfWalk(this._moves._seen, agent, out ??= new Footing());",
 	]),
 	...["AgentQueries", "AgentRays"].flatMap((name) => ["cast", "castAll"].map((method) => [`queries.${name}.${method}`, [
-		`$refuseNoDirection("${name}.${method}", direction);`,
+		`$refuseNoRay("${name}.${method}", origin, direction);`,
 	]])),
 	["queries.AgentPlaces.inCone", ["$warnOfCone(degrees);"]],
 ].map(([name, statements]) => [`starlogo.${name}`, statements]));

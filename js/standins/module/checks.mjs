@@ -60,7 +60,7 @@ export function $refuse(target, name, value, kind) {
 		const wanted = kind === "a number" ? "a finite number" : Number.isInteger(value) ? `${kind} in the range of 32 bits` : kind;
 		throw new RangeError(`${given} must be ${wanted}, not ${value}`);
 	}
-	throw new ArgumentError(`${given} must be ${kind}, not ${$textOf(value, kind)}${$hintOfValue(value, kind)}`);
+	throw new ArgumentError(`${given} must be ${kind}, not ${$textOf(value, kind)}${$hintOfValue(value, kind, given)}`);
 }
 
 /** Checks of arguments, for members outside of hot loops: `$aNumber("Class.method: name", value)`. */

@@ -6,11 +6,16 @@ package starlogo.data
      *
      * @param name the name that is not known
      * @param names all names that are
+     * @param breed the breed of an agent whose shape has the name: if it is among the names, the two are probably exchanged
      * @private
      */
-    public function hintOfName(name:String, names:Vector.<String>):String
+    public function hintOfName(name:String, names:Vector.<String>, breed:String = null):String
     {
         const MOST:int = 10;
+        if (names.indexOf(breed) >= 0)
+        {
+            return "; is new Agent(\"" + breed + "\", \"" + name + "\") meant? The model comes first";
+        }
         if (names.length == 0)
         {
             return ", which is empty";

@@ -127,7 +127,7 @@ package starlogo.handlers
                     newNames.push(Breeds.NAMES.nameOf(handler.colliderBreed), Breeds.NAMES.nameOf(handler.collideeBreed));
                 }
             }
-            warnOfMissingBreeds(newNames, agents);
+            warnOfMissingBreeds(newNames, agents, interests);
             _frameRevision = _revision;
         }
 

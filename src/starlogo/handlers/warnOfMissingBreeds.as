@@ -3,17 +3,22 @@ package starlogo.handlers
     import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
     import starlogo.data.warn;
+    import starlogo.engine;
+    import starlogo.search.BreedInterests;
+
+    use namespace engine;
 
     /**
      * Warns if a breed that new handlers name is probably misspelled: no agent has it, and agents have a breed of a similar name, or its name is
-     * their shape's. Agents of the breed may still come, so nothing is refused. Of many such breeds only the first are looked at. The ES module
-     * has its own version, the same as that of <code>warnOfBreeds()</code>.
+     * their shape's. Agents of the breed may still come, so nothing is refused. An agents' breed that a handler names is not what another name means. Of
+     * many such breeds only the first are looked at. The ES module has its own version, the same as that of <code>warnOfBreeds()</code>.
      *
      * @param names the breeds that the frame's new handlers name
      * @param agents the frame's agents, not yet checked: one may be null
+     * @param interests the breeds that all handlers name
      * @private
      */
-    public function warnOfMissingBreeds(names:Vector.<String>, agents:Vector.<Agent>):void
+    public function warnOfMissingBreeds(names:Vector.<String>, agents:Vector.<Agent>, interests:BreedInterests):void
     {
         if (names.length == 0 || agents.length == 0)
         {
@@ -32,6 +37,10 @@ package starlogo.handlers
             {
                 missing.push(names[i]);
             }
+        }
+        for (var number:int = 0; number < isThere.length; number++)
+        {
+            isThere[number] = isThere[number] && (Breeds.isEnvironment(number) || !interests.isNamed(number));
         }
         for each (var name:String in missing)
         {

@@ -58,7 +58,7 @@ package starlogo.queries
             if (entry.model == null && entry.structures == null)
             {
                 throw new ArgumentError(agent + ": there is no model and no structure \"" + agent.shape + "\"; add it to the LevelShapes first"
-                        + hintOfName(agent.shape, models.names));
+                        + hintOfName(agent.shape, models.names, agent.breed));
             }
             return false;
         }

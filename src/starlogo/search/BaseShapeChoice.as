@@ -112,7 +112,7 @@ package starlogo.search
             if (!greatLand.isLoading(agent.shape))
             {
                 throw new ArgumentError(agent + ": there is no model \"" + agent.shape + "\"" + greatLand.whyMissing(agent.shape)
-                        + hintOfName(agent.shape, greatLand.modelNames));
+                        + hintOfName(agent.shape, greatLand.modelNames, agent.breed));
             }
             return true;
         }

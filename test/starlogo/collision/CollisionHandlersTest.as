@@ -93,7 +93,7 @@ package starlogo.collision
             addAll("hedgehogs", "foxes", "trees7", "hedgehogs");
             for each (var name:String in ["hegdehogs", "Hedgehogs", "foxe", "fox", "trees8", "sphere", "terain", "edgy", Collision.EDGE])
             {
-                _collision.onCollision("foxes", name, note("x"));
+                _collision.onCollision(Collision.ANY_BREED, name, note("x"));
             }
             _collision.update(_agents);
             assertFalse(warn(missing("hegdehogs") + "; is \"hedgehogs\" meant?"));
@@ -105,6 +105,17 @@ package starlogo.collision
             assertTrue(warn(missing("fox") + "; is \"foxes\" meant?"));
             assertTrue(warn(missing("trees8") + "; is \"trees7\" meant?"));
             assertTrue(warn(missing("edgy") + "; is Collision.EDGE meant?"));
+        }
+
+        [Test]
+        public function aBreedThatAHandlerNamesIsNotMeantByAnother():void
+        {
+            addAll("keepers", "mails");
+            _collision.onCollision("keepers", "mails", note("x"));
+            _collision.update(_agents);
+            _collision.onCollision("keepers", "sails", note("x"));
+            _collision.update(_agents);
+            assertTrue(warn(missing("sails") + "; is \"mails\" meant?"));
         }
 
         private static function missing(breed:String):String

@@ -24,6 +24,8 @@ package starlogo.data
         {
             assertEquals(", which is empty", hintOfName("beer", new Vector.<String>()));
             assertEquals("; it has \"bear\", \"Tree\"", hintOfName("beer", new <String>["Tree", "bear"]));
+            assertEquals("; it has \"bear\", \"Tree\"", hintOfName("beer", new <String>["Tree", "bear"], "beers"));
+            assertEquals("; is new Agent(\"bear\", \"monsters\") meant? The model comes first", hintOfName("monsters", new <String>["bear"], "bear"));
             var names:Vector.<String> = new Vector.<String>();
             for (var i:int = 12; i > 0; i--)
             {

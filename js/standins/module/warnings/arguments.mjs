@@ -1,5 +1,5 @@
 /** Arguments that a call takes, and does nothing with, or not what is probably meant. */
-import { $refuse } from "../checks.mjs";
+import { $aFiniteNumber, $refuse } from "../checks.mjs";
 import { ArgumentError } from "../language.mjs";
 import { $hintOfName } from "./spelling.mjs";
 import { $warn } from "./warn.mjs";
@@ -36,9 +36,11 @@ export function $refuseNoAgent(call, agents) {
 	}
 }
 
-/** Refuses a ray's direction, and names the call. */
-export function $refuseNoDirection(call, { x, y, z }) {
+/** Refuses a ray's origin or direction, and names the call. */
+export function $refuseNoRay(call, origin, { x, y, z }) {
+	for (const name of ["x", "y", "z"]) $aFiniteNumber(`${call}: origin.${name}`, origin[name]);
 	if (x === 0 && y === 0 && z === 0) throw new ArgumentError(`${call}: direction must not be 0: (0, 0, 0) leads nowhere`);
+	if ([x, y, z].some((value) => value - value !== 0)) throw new ArgumentError(`${call}: direction must be finite, not (${x}, ${y}, ${z})`);
 }
 
 /**

@@ -1,4 +1,4 @@
-/** What the adapter to three.js draws elsewhere than it collides. The adapter calls these functions itself. */
+/** What the adapter to three.js draws elsewhere than it collides, or cannot read. The adapter calls these functions itself. */
 import { $rounded, $warn } from "./warn.mjs";
 
 /** For each source of a model: the name of the last one, and its place in the source. */
@@ -6,12 +6,25 @@ const $sources = /* @__PURE__ */ new WeakMap();
 
 /** The adapter's warnings: see Model.$parts. */
 export function $warningsForAdapters() {
-	return { keepSource: $keepSource, ofNoModel: $adviseOfNoModel, ofScale: $adviseOfScale, ofParent: $adviseOfParent };
+	return { keepSource: $keepSource, ofNoModel: $adviseOfNoModel, ofScale: $adviseOfScale, ofParent: $adviseOfParent, ofNoPlace: $adviseOfNoPlace };
 }
 
 /** Keeps of which source a model was made. */
 function $keepSource(source, model) {
 	$sources.set(source, { name: model.name, matrix: model.source.matrix.rawData });
+}
+
+/**
+ * Refuses a vertex that is no place, and names it as its mesh does: the engine knows the model's vertices alone. Those of a BatchedMesh are
+ * numbered in parts.
+ */
+function $adviseOfNoPlace(name, vertices, meshes) {
+	const vertex = Math.floor(vertices.findIndex((value) => value - value !== 0) / 3);
+	const mesh = meshes.findLast(({ firstVertex, vertices: own }) => own.length > 0 && firstVertex <= vertex);
+	if (vertex < 0 || mesh.object.isBatchedMesh) return;
+	const title = mesh.object.name || mesh.object.geometry.name;
+	const place = vertices.slice(3 * vertex, 3 * vertex + 3).join(", ");
+	throw new ModelError(name, title && `mesh "${title}"`, `vertex ${mesh.vertices[vertex - mesh.firstVertex]} of its geometry must be at finite numbers, not at (${place})`);
 }
 
 /** Warns of a binding without the model that was made of the object, whose place and size in it are needed. */

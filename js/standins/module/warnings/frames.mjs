@@ -70,16 +70,20 @@ function $warnOfMissing(frames, missing, agents) {
 /**
  * Warns of breeds that handlers or a filter name, if no agent has the breed, and agents have one that is called nearly the same. Agents
  * of the breed may still come. So nothing is refused, and a breed is looked for again when there are new names.
+ *
+ * @param interests the breeds that handlers name: those of agents are not meant by another name. Nothing for a filter
  */
-export function $warnOfMissingBreeds(names, agents) {
+export function $warnOfMissingBreeds(names, agents, interests) {
 	const unchecked = (names ?? []).filter((name) => !/^\*/.test(name) && !($checkedBreeds.get(name) >= Breeds$NAMES.count));
 	if (unchecked.length === 0) return;
 	const breeds = new Set(agents.map((agent) => agent?.breed).filter((breed) => typeof breed === "string" && !/^\*/.test(breed)));
 	if (breeds.size === 0) return;
-	for (const name of unchecked) $checkedBreeds.set(name, breeds.has(name) ? Infinity : Breeds$NAMES.count);
+	// what a handler names is no filter's mistake
+	for (const name of unchecked) $checkedBreeds.set(name, interests || breeds.has(name) ? Infinity : Breeds$NAMES.count);
 	// a few: each is compared with all breeds and agents
 	const missing = new Set(unchecked.filter((name) => !breeds.has(name)));
-	for (const name of [...missing].slice(0, $MOST_HINTS)) $warnOfBreed(name, breeds, agents);
+	const likely = [...breeds].filter((breed) => !interests?.$isNamed(Breeds$NAMES.knownNumberOf(breed))).concat(...$WORLD_BREEDS.keys());
+	for (const name of [...missing].slice(0, $MOST_HINTS)) $warnOfBreed(name, likely, agents);
 }
 
 /** Warns of breeds that a filter names, as $warnOfMissingBreeds() does, and of "*", which only handlers take. */
@@ -89,9 +93,9 @@ export function $warnOfBreeds(names, agents) {
 }
 
 /** Warns of a breed that no agent has: a similar one may be meant, or it is a shape. */
-function $warnOfBreed(breed, breeds, agents) {
+function $warnOfBreed(breed, likely, agents) {
 	const quoted = JSON.stringify(breed);
-	const meant = [...breeds, ...$WORLD_BREEDS.keys()].find((each) => $isProbablyMisspelt(breed, each));
+	const meant = likely.find((each) => $isProbablyMisspelt(breed, each));
 	if (meant !== undefined) {
 		$warn(`no agent is of the breed ${quoted}; is ${$WORLD_BREEDS.get(meant)?.name ?? JSON.stringify(meant)} meant?`);
 		return;

@@ -19,14 +19,18 @@ const $additions = /* @__PURE__ */ new WeakMap();
 
 
 /**
- * Warns of a handler with more parameters than it gets arguments, with the contact before the agents, or of one that uses the contact
- * at the end of a touch, where it is null. Handlers with fewer parameters are as common as methods without any.
+ * Warns of a handler with more parameters than it gets arguments, with the contact before the agents, of one that uses the contact
+ * at the end of a touch, where it is null, and of one that is async. Handlers with fewer parameters are as common as methods without any.
  */
 export function $warnOfHandler(breed, otherBreed, handler, moment) {
 	const breeds = $breedsText(breed, otherBreed);
 	const name = `the handler ${handler.name || "without a name"} for ${breeds}`;
 	$keptOf($breedsOf, handler, () => new Set()).add(breeds);
 	if (handler.length > 3) $warn(`${name} has ${handler.length} parameters, and gets three arguments: the two agents and the contact`);
+	if (Object.prototype.toString.call(handler) === "[object AsyncFunction]") {
+		$warn(`${name} is async: after an await its contact is another pair's, and its errors are not in handlerErrors. `
+			+ "Copy what you need of the contact first, and catch errors in the handler");
+	}
 	const text = Function.prototype.toString.call(handler);
 	const [first, second, third] = parametersOf(text).split(",").map((each) => each.trim());
 	if (first === "contact" || second === "contact") {

@@ -8,6 +8,9 @@ const $MOST_PLACED = 100;
 /** A way of more sizes of the agent than this may lead through a wall. */
 const $FAR = 0.5;
 
+/** A class's own fields of these names hide the engine's, which is warned of: the agent is where it was. */
+const $FIELDS = ["x", "y", "z", "sweeps", "size"];
+
 /** Farther from the origin may be too far for an Agent: see Agent.LARGEST_COORDINATE. */
 const $FARTHEST = 1e9;
 
@@ -27,6 +30,7 @@ export function $warnOfShots(agents) {
 	for (const [agent, { x, y, z }] of $placed) {
 		const way = Math.hypot(agent.x - x, agent.y - y, agent.z - z);
 		if (!agent.sweeps || !(way > $FAR * agent.size) || !agents.includes(agent)) continue;
+		if ($FIELDS.some((name) => Object.hasOwn(agent, name))) continue;
 		$warn(`${agent} sweeps, and was moved by ${$rounded(way)} between its place (${[x, y, z].map($rounded).join(", ")}) and its first frame. `
 			+ "This part of its way is not tested: put a shot into the muzzle in one frame, and move it from the next one on", "shot");
 	}

@@ -1,7 +1,8 @@
 /** What is meant by a name that is not known, or by a value of the wrong kind. */
 
-/** What an error says about a name that is not known: the name that is probably meant. */
-export function $hintOfName(name, names) {
+/** What an error says about a name that is not known: the name that is probably meant. With an agent's breed the name is that of its shape. */
+export function $hintOfName(name, names, breed) {
+	if (names.includes(breed)) return `; is new Agent(${JSON.stringify(breed)}, ${JSON.stringify(name)}) meant? The model comes first`;
 	const meant = names.find((each) => $isProbablyMisspelt(name, each));
 	return meant === undefined ? "" : `; is ${JSON.stringify(meant)} meant?`;
 }
@@ -78,8 +79,12 @@ const $HINT_OF_WALK = ". A walk has no dz: its options come after dx and dy. { f
 const $HINT_OF_LIST = ". A list that is filled is the argument after the filter, which may be null";
 const $HINT_OF_BREEDS = ". Breeds go into one: { breeds: [\"sheep\"] }";
 
-/** What an error says about a value of the wrong kind: what is probably meant by it. */
-export function $hintOfValue(value, kind) {
+const $HINT_OF_SAVED = ". JSON does not keep bytes: a saved game has them as text. See docs/snapshots.md in the package, \"A saved game\"";
+
+/** What an error says about a value of the wrong kind: what is probably meant by it. `given` is the call, a colon, and the argument's name. */
+export function $hintOfValue(value, kind, given) {
+	const ofCall = $meantInCall(value, kind, given);
+	if (ofCall !== "") return ofCall;
 	if (typeof value === "function" && kind.startsWith("an AgentFilter")) return ". A function goes into one: { accepts: (agent) => agent.size > 1 }";
 	if (typeof value === "number" && kind.startsWith("WalkOptions")) return $HINT_OF_WALK;
 	if (typeof value === "string" && kind === "an array of strings") return `; is [${JSON.stringify(value)}] meant?`;
@@ -88,10 +93,39 @@ export function $hintOfValue(value, kind) {
 	if (kind === "an array" && "sweeps" in value) return ": all agents are in one, [level, hero]";
 	if (typeof value.then === "function") return ": await it first";
 	if (kind === "an array of Agents" && "sweeps" in value) return ": put it into one, [agent]";
-	if (kind.startsWith("a Vector3D") && Array.isArray(value)) return ". A point is an object: { x: 1, y: 2, z: 3 }";
+	if (kind.startsWith("a Vector3D")) return Array.isArray(value) ? ". A point is an object: { x: 1, y: 2, z: 3 }" : $whatIsUndefined(value);
 	if (kind === "a SeenAgents" && "collisionSystem" in value) return ": new SeenAgents(collision) makes one of it";
-	if (kind === "a number" && $FILTER.some((name) => name in value)) return ". A filter is an argument after it. Infinity is no limit";
+	if (kind === "a number" && $FILTER.some((name) => name in value)) {
+		return `. A filter is an argument after it${/: (?:radius|maxDistance)$/.test(given) ? ". Infinity is no limit" : ""}`;
+	}
 	if (kind === "a number" && "x" in value && "y" in value) return ". It takes the numbers of a point one by one: point.x, point.y, point.z";
 	const isDrawn = value.isObject3D || value.isBufferGeometry;
 	return kind === "a Model" && isDrawn ? ". modelFromObject() and levelFromObject() of starlogo-collision/three make a model of it" : "";
+}
+
+/** The hint about an argument of one call, or about one of a list. */
+function $meantInCall(value, kind, given) {
+	if (/^Collision\.(?:on\w+|removeHandler): (?:breed|otherBreed)$/.test(given)) return $meantByBreed(value);
+	const isSome = value !== null && /object|string/.test(typeof value) && typeof value.then !== "function";
+	if (given === "Collision.restore: bytes" && isSome) return $HINT_OF_SAVED;
+	const [, call] = /\.(\w+): radius$/.exec(given) ?? [];
+	const breeds = [value].flat();
+	if (call && breeds.length > 0 && breeds.every((each) => typeof each === "string" && Number.isNaN(Number(each)))) {
+		return `. Breeds are in a filter after it: ${call}(..., Infinity, { breeds: ${JSON.stringify(breeds)} })`;
+	}
+	const isNested = Array.isArray(value) && given.endsWith("]") && /^an? (?:number|integer)/.test(kind);
+	return isNested ? ". All numbers are in one flat list: list.flat()" : "";
+}
+
+/** What is meant by a handler's breed that is no string. */
+function $meantByBreed(value) {
+	if (typeof value === "function") return ". The handler comes last: onCollisionStart(breed, otherBreed, handler)";
+	if (Array.isArray(value)) return ". Each pair of breeds has a call of its own";
+	return value?.sweeps === undefined ? "" : ". A handler is for all agents of a breed: hero.breed";
+}
+
+/** What a point lacks that has one of x, y and z. */
+function $whatIsUndefined(point) {
+	const missing = ["x", "y", "z"].filter((name) => !(name in point));
+	return missing.length === 3 ? "" : `. Its ${missing.join(" and ")} ${missing.length === 1 ? "is" : "are"} undefined`;
 }

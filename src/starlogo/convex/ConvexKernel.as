@@ -23,10 +23,10 @@ package starlogo.convex
      */
     public final class ConvexKernel
     {
-        private var _distance:GjkDistance = new GjkDistance();
-        private var _penetration:SatPenetration = new SatPenetration();
+        private var _gjk:GjkDistance = new GjkDistance();
+        private var _sat:SatPenetration = new SatPenetration();
         private var _pointFinder:ContactPointFinder = new ContactPointFinder();
-        private var _sweep:ConvexSweep = new ConvexSweep(_distance, _penetration);
+        private var _sweep:ConvexSweep = new ConvexSweep(_gjk, _sat);
         private var _cores:CorePair = new CorePair();
         private var _result:GjkResult = new GjkResult();
 
@@ -35,7 +35,7 @@ package starlogo.convex
         {
             _cores.setShapes(a, b);
             _cores.limitToTouching();
-            _distance.find(_cores, _result);
+            _gjk.find(_cores, _result);
             return _result.isWithinLimit(_cores);
         }
 
@@ -56,7 +56,7 @@ package starlogo.convex
         {
             _cores.setShapes(a, b);
             _cores.searchLimit = out.distance + (a.radius + b.radius);
-            _distance.find(_cores, _result);
+            _gjk.find(_cores, _result);
             var distance:Number = _result.distance - (a.radius + b.radius);
             distance = distance > 0 ? distance : 0;
             if (!(distance < out.distance))
@@ -100,7 +100,7 @@ package starlogo.convex
         public function findContact(a:ConvexShape, b:ConvexShape, motion:RelativeMotion, out:ContactPoint):void
         {
             beginContact(a, b, motion);
-            _distance.find(_cores, _result);
+            _gjk.find(_cores, _result);
             var distance:Number = _result.distance;
             if (distance > Tolerances.PERPENDICULAR_GAP * (a.extent + b.extent))
             {
@@ -108,10 +108,10 @@ package starlogo.convex
             }
             else
             {
-                _penetration.findMinimumTranslation(_cores, _result.axis);
+                _sat.findMinimumTranslation(_cores, _result.axis);
                 if (distance > 0)
                 {
-                    _penetration.tryGap(_result.gap, _cores, _result.axis);
+                    _sat.tryGap(_result.gap, _cores, _result.axis);
                 }
             }
             finishContact(motion, out);
@@ -121,7 +121,7 @@ package starlogo.convex
         public function findOverlap(a:ConvexShape, b:ConvexShape, motion:RelativeMotion, out:ContactPoint):void
         {
             beginContact(a, b, motion);
-            _penetration.findMinimumTranslation(_cores, _result.axis);
+            _sat.findMinimumTranslation(_cores, _result.axis);
             finishContact(motion, out);
         }
 

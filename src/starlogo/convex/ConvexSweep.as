@@ -5,20 +5,20 @@ package starlogo.convex
     /** Finds when a moving shape first touches another one, step by step: see ConservativeAdvancement. */
     internal final class ConvexSweep
     {
-        private var _distance:GjkDistance;
-        private var _penetration:SatPenetration;
+        private var _gjk:GjkDistance;
+        private var _sat:SatPenetration;
         private var _step:ConservativeAdvancement = new ConservativeAdvancement();
         private var _result:GjkResult = new GjkResult();
         private var _balls:CoreGap = new CoreGap();
 
         /**
-         * @param distance finds the gap of each step
-         * @param penetration finds a more precise direction where the gap is too short for one
+         * @param gjk finds the gap of each step
+         * @param sat finds a more precise direction where the gap is too short for one
          */
-        public function ConvexSweep(distance:GjkDistance, penetration:SatPenetration)
+        public function ConvexSweep(gjk:GjkDistance, sat:SatPenetration)
         {
-            _distance = distance;
-            _penetration = penetration;
+            _gjk = gjk;
+            _sat = sat;
         }
 
         /**
@@ -36,11 +36,11 @@ package starlogo.convex
                 return;
             }
             cores.moveTo(motion);
-            _distance.find(cores, _result);
+            _gjk.find(cores, _result);
             while (measure(cores).advance(motion))
             {
                 cores.moveTo(motion);
-                _distance.findAfterMove(cores, _result);
+                _gjk.findAfterMove(cores, _result);
             }
         }
 
@@ -77,7 +77,7 @@ package starlogo.convex
             {
                 // A short line between two points is too imprecise a direction where an edge or a face is nearly perpendicular to it. The normals of
                 // faces and pairs of edges are precise.
-                _penetration.tryNormals(cores, axis);
+                _sat.tryNormals(cores, axis);
             }
             var x:Number = cores.motionX;
             var y:Number = cores.motionY;

@@ -29,7 +29,7 @@ package starlogo.convex
         public var squaredLength:Number = 0;
 
         /** How fast the motion closes the gap, times the length of the gap. */
-        public var closing:Number = 0;
+        public var closingSpeedTimesLength:Number = 0;
 
         /** The extent of both structures together, which the rounding error of the gap is relative to. */
         public var extent:Number = 0;

@@ -61,7 +61,7 @@ package starlogo.convex
                 var ofFirst:int = isTriangleFirst ? i : 0;
                 _simplex.add(cores, ofFirst, i - ofFirst);
             }
-            _simplex.reduce(-1, false);
+            _simplex.reduce(Simplex.NO_NEWEST, false);
         }
 
         // Searches from the simplex on. If it is empty, only the direction is set.

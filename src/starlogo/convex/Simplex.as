@@ -16,6 +16,9 @@ package starlogo.convex
         /** Rounding hides which part of the simplex is nearest, so there is no nearest point. */
         public static const UNDECIDED:int = 2;
 
+        /** For reduce(): no corner is the newest, so any part may be the nearest. */
+        public static const NO_NEWEST:int = -1;
+
         /** How many corners there are, and their coordinates. */
         public var count:int = 0;
         public var corners:Vector.<Number> = new Vector.<Number>(12, true);
@@ -49,7 +52,7 @@ package starlogo.convex
             }
             if (kept > 0)
             {
-                reduce(-1, false);
+                reduce(NO_NEWEST, false);
             }
         }
 
@@ -79,7 +82,7 @@ package starlogo.convex
          * <li>UNDECIDED: the last corner is dropped. It brings the simplex no nearer</li>
          * </ul>
          *
-         * @param newest the corner that was added last: the point includes it. -1 if any part may be the nearest
+         * @param newest the corner that was added last, which the point includes, or NO_NEWEST
          * @param isApart whether it is known that the cores are apart
          * @return INSIDE, OUTSIDE or UNDECIDED
          */

@@ -26,14 +26,14 @@ package starlogo.convex
         var motionX:Number = motion.x;
         var motionY:Number = motion.y;
         var motionZ:Number = motion.z;
-        var closing:Number = -(x * motionX + y * motionY + z * motionZ);
-        if (!(closing > 0))
+        var approach:Number = -(x * motionX + y * motionY + z * motionZ);
+        if (!(approach > 0))
         {
             return;
         }
         // The line enters half a chord before its point that is nearest to the other centre.
         var squaredMotion:Number = motionX * motionX + motionY * motionY + motionZ * motionZ;
-        var nearest:Number = closing / squaredMotion;
+        var nearest:Number = approach / squaredMotion;
         x += nearest * motionX;
         y += nearest * motionY;
         z += nearest * motionZ;

@@ -8,7 +8,7 @@ package starlogo.fitting
     /**
      * Finds the bounding cylinder along the longest axis of a box (thesis §3.4.3). It is as long as the box, and just thick enough for the
      * vertices. Cylinders are measured and shown, but not collided: no intersection test takes them (thesis §3.6.1). In addition to the
-     * box, it takes one pass over the vertices.
+     * box, it takes one pass over the vertices. It has no signature, because a Cylinder has no numbers to store (BoundingStructure.toNumbers).
      */
     public final class CylinderFitter extends Fitter
     {

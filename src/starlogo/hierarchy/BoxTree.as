@@ -169,14 +169,14 @@ package starlogo.hierarchy
         }
 
         /**
-         * Writes the extents of some items together: minX, maxX, minY, maxY, minZ, maxZ.
+         * Reads the extents of some items together: minX, maxX, minY, maxY, minZ, maxZ.
          *
          * @param from the slot of the first of them
          * @param to the slot after the last of them
          * @param out receives the extents
          * @param at index at which they begin
          */
-        public function writeExtents(from:int, to:int, out:Vector.<Number>, at:int):void
+        public function readExtents(from:int, to:int, out:Vector.<Number>, at:int):void
         {
             var points:Vector.<Number> = vertices;
             var corners:Vector.<uint> = triangles;
@@ -283,19 +283,19 @@ package starlogo.hierarchy
          * Gives a node two children. They have no boxes yet.
          *
          * @param axis the axis along which it is split
-         * @param splitIndex the slot of the right child's first item
+         * @param splitSlot the slot of the right child's first item
          * @param isLeafOrBelow whether the node is a leaf, or below one
          * @return the left child
          */
-        public function addChildren(node:int, axis:int, splitIndex:int, isLeafOrBelow:Boolean):int
+        public function addChildren(node:int, axis:int, splitSlot:int, isLeafOrBelow:Boolean):int
         {
             var level:int = levelOf(node);
             var child:int = _count;
             left[node] = child;
             endsUpToDepth[node] = isLeafOrBelow ? LEAVES : level;
             levelAndAxis[node] = level << 2 | axis;
-            addNode(firstSlot[node], splitIndex, level + 1);
-            addNode(splitIndex, endSlot[node], level + 1);
+            addNode(firstSlot[node], splitSlot, level + 1);
+            addNode(splitSlot, endSlot[node], level + 1);
             return child;
         }
 

@@ -41,7 +41,7 @@ package starlogo.hierarchy
         private var _maxLeafVertices:int;
         private var _maxDepth:int;
         private var _splitByMean:Boolean;
-        private var _items:TreePartition;
+        private var _partition:TreePartition;
 
         // The nodes still to visit, the next one last, and for each, whether it is a leaf or below one.
         private var _waiting:Vector.<int> = new Vector.<int>();
@@ -82,15 +82,15 @@ package starlogo.hierarchy
 
         private function takeItems():void
         {
-            _items = new TreePartition(_tree);
-            slices(_tree.itemCount, ITEMS_PER_STEP, _items.measure).call(beginRoot).repeat(visitSome).call(_tree.completeNodes);
+            _partition = new TreePartition(_tree);
+            slices(_tree.itemCount, ITEMS_PER_STEP, _partition.measure).call(beginRoot).repeat(visitSome).call(_tree.completeNodes);
         }
 
         private function beginRoot():void
         {
-            _tree.measureRadiusAboutOrigin(_items.bounds);
+            _tree.measureRadiusAboutOrigin(_partition.allExtents);
             _tree.beginNodes();
-            _tree.enclose(0, _items.bounds);
+            _tree.enclose(0, _partition.allExtents);
             _waiting.push(0);
             _areLeavesOrBelow.push(false);
         }
@@ -137,9 +137,9 @@ package starlogo.hierarchy
             var doubledSplit:Number = 2 * _tree.boxes[6 * node + axis];
             if (_splitByMean && !_areLeavesOrBelow[top])
             {
-                doubledSplit = _items.doubledMeanOf(_tree.firstSlot[node], _tree.endSlot[node], axis);
+                doubledSplit = _partition.doubledMeanOf(_tree.firstSlot[node], _tree.endSlot[node], axis);
             }
-            _items.beginDivision(_tree.firstSlot[node], _tree.endSlot[node], axis, doubledSplit);
+            _partition.beginDivision(_tree.firstSlot[node], _tree.endSlot[node], axis, doubledSplit);
             return true;
         }
 
@@ -172,17 +172,17 @@ package starlogo.hierarchy
                 halve(node);
                 return false;
             }
-            if (_items.divideSome(ITEMS_PER_STEP))
+            if (_partition.divideSome(ITEMS_PER_STEP))
             {
                 return true;
             }
-            var splitIndex:int = _items.splitIndex;
-            if (splitIndex > _tree.firstSlot[node] && splitIndex < _tree.endSlot[node])
+            var splitSlot:int = _partition.splitSlot;
+            if (splitSlot > _tree.firstSlot[node] && splitSlot < _tree.endSlot[node])
             {
                 makeChildren(node);
                 return false;
             }
-            if (_items.beginWhereCentresSpread(_tree.firstSlot[node], _tree.endSlot[node]))
+            if (_partition.beginWhereCentresSpread(_tree.firstSlot[node], _tree.endSlot[node]))
             {
                 return true;
             }
@@ -198,16 +198,16 @@ package starlogo.hierarchy
         // Divides a node by the number of its items.
         private function halve(node:int):void
         {
-            _items.halve(_tree.firstSlot[node], _tree.endSlot[node], longestAxisOf(node));
+            _partition.halve(_tree.firstSlot[node], _tree.endSlot[node], longestAxisOf(node));
             makeChildren(node);
         }
 
         // Makes the children of a node, whose items are divided.
         private function makeChildren(node:int):void
         {
-            var child:int = _tree.addChildren(node, _items.axis, _items.splitIndex, _areLeavesOrBelow[_waiting.length - 1]);
-            _tree.enclose(child, _items.leftExtents);
-            _tree.enclose(child + 1, _items.rightExtents);
+            var child:int = _tree.addChildren(node, _partition.axis, _partition.splitSlot, _areLeavesOrBelow[_waiting.length - 1]);
+            _tree.enclose(child, _partition.leftExtents);
+            _tree.enclose(child + 1, _partition.rightExtents);
         }
     }
 }

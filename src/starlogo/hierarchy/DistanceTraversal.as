@@ -62,7 +62,7 @@ package starlogo.hierarchy
         {
             var pair:BoxPair = _pair;
             var axes:BoxAxes = pair.axes;
-            trees.writePair(a, b, pair);
+            trees.readBoxes(a, b, pair);
             // measure() widens b's boxes as well
             pair.bHalfX += trees.pose.margin;
             pair.bHalfY += trees.pose.margin;

@@ -50,7 +50,7 @@ package starlogo.hierarchy
          */
         override protected function estimate(trees:TreePair, a:int, b:int, out:BestPair):void
         {
-            readPair(trees, a, b, out);
+            readBoxesInTime(trees, a, b, out);
             _sweep.findTimeOfFaces(_pair);
             out.bound = _pair.time;
         }
@@ -63,7 +63,7 @@ package starlogo.hierarchy
                 kernel.findEarlier(a, b, out);
                 return;
             }
-            readPair(trees, a, b, out);
+            readBoxesInTime(trees, a, b, out);
             _sweep.findTimeOfImpact(_pair);
             if (_pair.time < out.limit)
             {
@@ -74,9 +74,9 @@ package starlogo.hierarchy
         }
 
         // Reads the boxes of two nodes. Times after the best one so far do not count.
-        private function readPair(trees:TreePair, a:int, b:int, best:BestPair):void
+        private function readBoxesInTime(trees:TreePair, a:int, b:int, best:BestPair):void
         {
-            trees.writePair(a, b, _pair);
+            trees.readBoxes(a, b, _pair);
             if (best.limit < _pair.latestTime)
             {
                 _pair.latestTime = best.limit;

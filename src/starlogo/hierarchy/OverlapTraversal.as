@@ -72,7 +72,7 @@ package starlogo.hierarchy
                 var a:int = stack[top];
                 var b:int = stack[top + 1];
                 visits++;
-                trees.writePair(a, b, pair);
+                trees.readBoxes(a, b, pair);
                 pair.aHalfX += margin;
                 pair.aHalfY += margin;
                 pair.aHalfZ += margin;

@@ -33,7 +33,7 @@ package starlogo.hierarchy
          */
         public function setBetween(a:Placement, b:Placement):void
         {
-            setBetweenAt(a, RelativeMotion.NONE, 0, b);
+            setBetweenAt(a, b, RelativeMotion.NONE, 0);
         }
 
         /**
@@ -41,7 +41,7 @@ package starlogo.hierarchy
          *
          * @param time of the motion
          */
-        public function setBetweenAt(a:Placement, motion:RelativeMotion, time:Number, b:Placement):void
+        public function setBetweenAt(a:Placement, b:Placement, motion:RelativeMotion, time:Number):void
         {
             var relative:Placement = placement;
             var aX:Number = a.x + (motion.startX + time * motion.x);

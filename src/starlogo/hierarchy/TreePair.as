@@ -30,7 +30,7 @@ package starlogo.hierarchy
          *
          * @param out receives the half-extents of both, and the vector from the middle of a's node to that of b's
          */
-        public function writePair(nodeA:int, nodeB:int, out:BoxPair):void
+        public function readBoxes(nodeA:int, nodeB:int, out:BoxPair):void
         {
             var relative:Placement = pose.placement;
             var boxes:Vector.<Number> = b.boxes;

@@ -11,10 +11,10 @@ package starlogo.hierarchy
     public final class TreePartition
     {
         /** The extents of all items together after <code>measure()</code>. */
-        public var bounds:Vector.<Number> = new Vector.<Number>(6, true);
+        public var allExtents:Vector.<Number> = new Vector.<Number>(6, true);
 
         /** After a division, the slot at which the second group begins. */
-        public var splitIndex:int;
+        public var splitSlot:int;
 
         /** The extents of the first group of the last division. */
         public var leftExtents:Vector.<Number> = new Vector.<Number>(6, true);
@@ -30,7 +30,7 @@ package starlogo.hierarchy
         // The extents of each item, by its index: minX, maxX, minY, maxY, minZ, maxZ.
         private var _extents:Vector.<Number>;
 
-        // The current division. The items before splitIndex are in the first group, those after _last in the second one.
+        // The current division. The items before splitSlot are in the first group, those after _last in the second one.
         private var _last:int;
         private var _doubledSplit:Number;
 
@@ -40,7 +40,7 @@ package starlogo.hierarchy
         public function TreePartition(tree:BoxTree)
         {
             _tree = tree;
-            clear(bounds);
+            clear(allExtents);
             var items:Vector.<int> = new Vector.<int>(tree.itemCount, true);
             for (var i:int = 0; i < items.length; i++)
             {
@@ -56,9 +56,9 @@ package starlogo.hierarchy
             for (var i:int = first; i < end; i++)
             {
                 // the order is still that of the indices
-                _tree.writeExtents(i, i + 1, _extents, 6 * i);
+                _tree.readExtents(i, i + 1, _extents, 6 * i);
             }
-            extend(bounds, first, end);
+            extend(allExtents, first, end);
         }
 
         /** Twice the mean of the centres of some items along an axis. */
@@ -82,7 +82,7 @@ package starlogo.hierarchy
          */
         public function beginDivision(first:int, end:int, axis:int, doubledSplit:Number):void
         {
-            splitIndex = first;
+            splitSlot = first;
             _last = end - 1;
             this.axis = axis;
             _doubledSplit = doubledSplit;
@@ -138,7 +138,7 @@ package starlogo.hierarchy
             var extents:Vector.<Number> = _extents;
             var along:int = 2 * axis;
             var doubledSplit:Number = _doubledSplit;
-            var low:int = splitIndex;
+            var low:int = splitSlot;
             var high:int = _last;
             for (var rest:int = most; rest > 0 && low <= high; rest--)
             {
@@ -159,9 +159,9 @@ package starlogo.hierarchy
                 }
                 high--;
             }
-            extend(leftExtents, splitIndex, low);
+            extend(leftExtents, splitSlot, low);
             extend(rightExtents, high + 1, _last + 1);
-            splitIndex = low;
+            splitSlot = low;
             _last = high;
             return low <= high;
         }
@@ -175,12 +175,12 @@ package starlogo.hierarchy
          */
         public function halve(first:int, end:int, axis:int):void
         {
-            splitIndex = (first + end) >> 1;
+            splitSlot = (first + end) >> 1;
             this.axis = axis;
             clear(leftExtents);
             clear(rightExtents);
-            extend(leftExtents, first, splitIndex);
-            extend(rightExtents, splitIndex, end);
+            extend(leftExtents, first, splitSlot);
+            extend(rightExtents, splitSlot, end);
         }
 
         // Twice the centre of an item's extents along an axis.

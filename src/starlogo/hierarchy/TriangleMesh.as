@@ -14,7 +14,7 @@ package starlogo.hierarchy
         public var vertices:Vector.<Number>;
 
         /** The triangles' corners, three each: where the coordinates of the vertex begin in the list of vertices. */
-        public var corners:Vector.<int>;
+        public var cornerOffsets:Vector.<int>;
 
         /** @param tree the boxes around the triangles. Its nodes are made */
         public function TriangleMesh(tree:BoxTree)
@@ -32,7 +32,7 @@ package starlogo.hierarchy
             }
             this.tree = tree;
             vertices = tree.vertices;
-            corners = out;
+            cornerOffsets = out;
         }
 
         /**
@@ -44,9 +44,9 @@ package starlogo.hierarchy
         public function readTriangle(slot:int, out:Vector.<Number>, at:int = 0):void
         {
             var points:Vector.<Number> = vertices;
-            var a:int = corners[int(3 * slot)];
-            var b:int = corners[int(3 * slot + 1)];
-            var c:int = corners[int(3 * slot + 2)];
+            var a:int = cornerOffsets[int(3 * slot)];
+            var b:int = cornerOffsets[int(3 * slot + 1)];
+            var c:int = cornerOffsets[int(3 * slot + 2)];
             out[at] = points[a];
             out[int(at + 1)] = points[int(a + 1)];
             out[int(at + 2)] = points[int(a + 2)];

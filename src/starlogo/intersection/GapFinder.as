@@ -82,7 +82,7 @@ package starlogo.intersection
             segments.move(motion);
             segments.findClosest(out);
             out.squaredLength = out.x * out.x + out.y * out.y + out.z * out.z;
-            out.closing = -(out.x * motion.x + out.y * motion.y + out.z * motion.z);
+            out.closingSpeedTimesLength = -(out.x * motion.x + out.y * motion.y + out.z * motion.z);
             out.pointX = start.x + segments.fractionOfU * segments.uX;
             out.pointY = start.y + segments.fractionOfU * segments.uY;
             out.pointZ = start.z + segments.fractionOfU * segments.uZ;
@@ -148,7 +148,7 @@ package starlogo.intersection
             out.z = x * axisX.z + y * axisY.z + z * axisZ.z;
             out.radiusB = 0;
             out.squaredLength = x * x + y * y + z * z;
-            out.closing = -(x * (axisX.x * motion.x + axisX.y * motion.y + axisX.z * motion.z)
+            out.closingSpeedTimesLength = -(x * (axisX.x * motion.x + axisX.y * motion.y + axisX.z * motion.z)
                     + y * (axisY.x * motion.x + axisY.y * motion.y + axisY.z * motion.z)
                     + z * (axisZ.x * motion.x + axisZ.y * motion.y + axisZ.z * motion.z));
         }

@@ -51,7 +51,7 @@ package starlogo.intersection
                     return;
                 }
                 step.separation = length - radii;
-                step.speed = gap.closing / length;
+                step.speed = gap.closingSpeedTimesLength / length;
             }
             while (step.advance(motion));
         }

@@ -25,10 +25,11 @@ package starlogo.intersection
     public final class StructurePairs
     {
         private static const CONVEX:ConvexPairKernel = new ConvexPairKernel();
+        private static const ROUND:RoundKernel = new RoundKernel(CONVEX);
 
         // The kernel of two kinds, by the later one in the order SPHERE, CAPSULE, BOX, HULL, OTHER. Only two boxes have another one.
         private static const KERNELS:Vector.<StructurePairKernel> = new <StructurePairKernel>[
-                new SphereSphereKernel(), new RoundKernel(CONVEX), new RoundKernel(CONVEX), CONVEX, new StructurePairKernel()];
+                new SphereSphereKernel(), ROUND, ROUND, CONVEX, new StructurePairKernel()];
 
         /**
          * Whether two structures touch or overlap. Touching counts: see Touching. Games call it as <code>intersects()</code>.

@@ -50,7 +50,7 @@ package starlogo.solid
      */
     public final class ModelTree
     {
-        private static const CLEAR_RAYS:ClearRayVisitor = new ClearRayVisitor();
+        private static var sClearRays:ClearRayVisitor = new ClearRayVisitor();
 
         /** @private The tree of the model's triangles or vertices. */
         engine var boxTree:BoxTree;
@@ -165,7 +165,7 @@ package starlogo.solid
             {
                 return false;
             }
-            if (_interior == null && CLEAR_RAYS.hasClearRay(center, boxTree))
+            if (_interior == null && sClearRays.hasClearRay(center, boxTree))
             {
                 return false;
             }

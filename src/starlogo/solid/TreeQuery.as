@@ -46,14 +46,14 @@ package starlogo.solid
         /** @inheritDoc */
         override public final function areTouchingAt(motion:RelativeMotion, time:Number):Boolean
         {
-            pose.setBetweenAt(placementA, motion, time, placementB);
+            pose.setBetweenAt(placementA, placementB, motion, time);
             return areTouchingInPose();
         }
 
         /** @inheritDoc */
         override public final function findImpactOfSurfaces(motion:RelativeMotion, out:ContactPoint):void
         {
-            pose.setBetweenAt(placementA, motion, 0, placementB);
+            pose.setBetweenAt(placementA, placementB, motion, 0);
             RelativePose.writeMotion(placementA, motion, _motion);
             findImpactInPose(_motion, out);
             motion.time = _motion.time;
@@ -66,6 +66,8 @@ package starlogo.solid
         /**
          * Does what findImpactOfSurfaces() does, but if one of the two is inside of the other where the motion begins, the time is 0, and the contact's
          * normal 0.
+         *
+         * @param out must not be null
          */
         public final function findImpactOfSolids(motion:RelativeMotion, out:ContactPoint):void
         {
@@ -86,7 +88,7 @@ package starlogo.solid
          */
         override public final function findContact(motion:RelativeMotion, out:ContactPoint):void
         {
-            pose.setBetweenAt(placementA, motion, motion.time, placementB);
+            pose.setBetweenAt(placementA, placementB, motion, motion.time);
             RelativePose.writeMotion(placementA, motion, _motion);
             // Only what touches at once counts. The motion turns the contact to a plane that it comes against.
             _motion.latestTime = 0;

@@ -29,7 +29,7 @@ package starlogo.solid
         /** The factor on a node's half-extents. Nodes are enlarged as it is. A node that is only touched would be entered before a larger node around it. */
         internal static const NOT_WIDENED:Number = 1;
 
-        private static const START:Vector3D = new Vector3D();
+        private static var sStart:Vector3D = new Vector3D();
 
         private var _search:BoxSearch = new BoxSearch();
         private var _ray:Ray = null;
@@ -64,8 +64,8 @@ package starlogo.solid
         /** Whether a ray begins inside of the surface of a model. */
         internal static function beginsInside(model:ModelTree, ray:Ray):Boolean
         {
-            START.setTo(ray.x + ray.from * ray.directionX, ray.y + ray.from * ray.directionY, ray.z + ray.from * ray.directionZ);
-            return model.isInside(START, 0);
+            sStart.setTo(ray.x + ray.from * ray.directionX, ray.y + ray.from * ray.directionY, ray.z + ray.from * ray.directionZ);
+            return model.isInside(sStart, 0);
         }
 
         /** Does what <code>find()</code> does if the ray begins outside. */
@@ -112,7 +112,7 @@ package starlogo.solid
         // Visits the triangles in some slots.
         private function visitTriangles(first:int, end:int):void
         {
-            var corners:Vector.<int> = _mesh.corners;
+            var corners:Vector.<int> = _mesh.cornerOffsets;
             for (var i:int = first; i < end; i++)
             {
                 if (_shearedRay.findEarlier(_mesh.vertices, corners[int(3 * i)], corners[int(3 * i + 1)], corners[int(3 * i + 2)]))

@@ -15,9 +15,9 @@ package starlogo.solid
     internal function areExtentsWithin(distance:Number, extents:Vector.<Number>, mesh:TriangleMesh, slot:int):Boolean
     {
         var points:Vector.<Number> = mesh.vertices;
-        var a:int = mesh.corners[int(3 * slot)];
-        var b:int = mesh.corners[int(3 * slot + 1)];
-        var c:int = mesh.corners[int(3 * slot + 2)];
+        var a:int = mesh.cornerOffsets[int(3 * slot)];
+        var b:int = mesh.cornerOffsets[int(3 * slot + 1)];
+        var c:int = mesh.cornerOffsets[int(3 * slot + 2)];
         var left:Number = distance * distance;
         for (var axis:int = 0; axis < 6; axis += 2)
         {

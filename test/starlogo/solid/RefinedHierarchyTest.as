@@ -138,7 +138,7 @@ package starlogo.solid
             assertTrue(tree.endSlot[node] > tree.firstSlot[node]);
             for (var i:int = tree.firstSlot[node]; i < tree.endSlot[node]; i++)
             {
-                tree.writeExtents(i, i + 1, extents, 0);
+                tree.readExtents(i, i + 1, extents, 0);
                 for (var axis:int = 0; axis < 3; axis++)
                 {
                     assertTrue(box[axis] - box[axis + 3] < extents[2 * axis]);

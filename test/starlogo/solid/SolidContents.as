@@ -23,7 +23,7 @@ package starlogo.solid
             var windings:WindingCounter = hierarchy.preparedInterior();
             var surface:SurfaceTopology = windings.surface;
             var mesh:TriangleMesh = windings.mesh;
-            return [windings.hasClosedShell, surface.signedShells, surface.shellStates, surface.widestSeam, windings.welded, windings.componentPoints, mesh.corners,
+            return [windings.hasClosedShell, surface.signedShells, surface.shellStates, surface.widestSeam, windings.welded, windings.componentPoints, mesh.cornerOffsets,
                     mesh.vertices, axesOf(hierarchy.boxTree)].join("\n");
         }
 

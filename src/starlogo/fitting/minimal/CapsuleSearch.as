@@ -72,13 +72,19 @@ package starlogo.fitting.minimal
         // The directions from which to descend. They give the smallest volumes, and are apart from one another.
         private static function chooseStarts(directions:Vector.<Vector3D>, volumes:Array):Vector.<Vector3D>
         {
-            var order:Array = volumes.sort(Array.NUMERIC | Array.RETURNINDEXEDARRAY);
             var starts:Vector.<Vector3D> = new Vector.<Vector3D>();
-            for (var i:int = 0; i < order.length && starts.length < MAX_DESCENTS; i++)
+            for (var i:int = 0; i < volumes.length && starts.length < MAX_DESCENTS; i++)
             {
-                if (!isNear(starts, directions[order[i]]))
+                // The least volume left. Of equal ones it is the first, which a sort does not promise.
+                var least:int = 0;
+                for (var k:int = 1; k < volumes.length; k++)
                 {
-                    starts.push(directions[order[i]]);
+                    least = volumes[k] < volumes[least] ? k : least;
+                }
+                volumes[least] = Infinity;
+                if (!isNear(starts, directions[least]))
+                {
+                    starts.push(directions[least]);
                 }
             }
             return starts;

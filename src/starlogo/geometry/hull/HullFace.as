@@ -60,7 +60,7 @@ package starlogo.geometry.hull
         private var _exactZ:Number;
 
         /**
-         * Makes this a new face, which has no neighbours yet, and no points beyond it. A buried face may become a new one.
+         * Makes this a new face, which has no neighbours yet, and no points beyond it.
          *
          * @param points x, y, z of every point
          * @param a index of the first corner

@@ -18,7 +18,7 @@ package starlogo.intersection.boxes
         private static const SHORTEST:Number = Math.sqrt(Tolerances.PARALLEL);
 
         // For areTouching().
-        private static const SCRATCH:BoxSweep = new BoxSweep();
+        private static var sSweep:BoxSweep = new BoxSweep();
 
         // The directions of b's edges, and half of each edge as a vector: along axisX, axisY, axisZ.
         private var _edges:Vector.<Number> = new Vector.<Number>(9, true);
@@ -35,9 +35,9 @@ package starlogo.intersection.boxes
          */
         public static function areTouching(a:Box, b:Box):Boolean
         {
-            var pair:BoxPair = SCRATCH._boxes;
+            var pair:BoxPair = sSweep._boxes;
             setPair(a, b, RelativeMotion.NONE, pair);
-            SCRATCH.findTimeOfImpact(pair);
+            sSweep.findTimeOfImpact(pair);
             return pair.time == 0;
         }
 

@@ -35,18 +35,21 @@ package starlogo.intersection.ray
         /** Where the part ends. */
         public var to:Number = Infinity;
 
-        /** Sets the line to another ray's line, or its own, transformed into a model's space. The part has to be set after that. */
-        public function bringInto(placement:Placement, line:Ray):void
+        /**
+         * Takes back a placement's size and rotation. Its position is ignored: the line's point must be relative to it already. The part has to be
+         * set after that.
+         */
+        public function scaleAndTurnBack(placement:Placement):void
         {
-            var toX:Number = line.x / placement.size;
-            var toY:Number = line.y / placement.size;
-            var toZ:Number = line.z / placement.size;
+            var toX:Number = x / placement.size;
+            var toY:Number = y / placement.size;
+            var toZ:Number = z / placement.size;
             x = placement.r00 * toX + placement.r10 * toY + placement.r20 * toZ;
             y = placement.r01 * toX + placement.r11 * toY + placement.r21 * toZ;
             z = placement.r02 * toX + placement.r12 * toY + placement.r22 * toZ;
-            toX = line.directionX;
-            toY = line.directionY;
-            toZ = line.directionZ;
+            toX = directionX;
+            toY = directionY;
+            toZ = directionZ;
             directionX = placement.r00 * toX + placement.r10 * toY + placement.r20 * toZ;
             directionY = placement.r01 * toX + placement.r11 * toY + placement.r21 * toZ;
             directionZ = placement.r02 * toX + placement.r12 * toY + placement.r22 * toZ;

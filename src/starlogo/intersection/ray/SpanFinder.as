@@ -24,7 +24,7 @@ package starlogo.intersection.ray
     public final class SpanFinder
     {
         // The part of a line in the ball around an end of a capsule.
-        private static const BALL:RaySpan = new RaySpan();
+        private static var sBall:RaySpan = new RaySpan();
 
         /**
          * Finds the part of the line inside of a structure.
@@ -140,15 +140,15 @@ package starlogo.intersection.ray
             var farFraction:Number = fraction + out.far.touch * speed;
             var isNearOnSide:Boolean = nearFraction >= 0 && nearFraction <= 1;
             var isFarOnSide:Boolean = farFraction >= 0 && farFraction <= 1;
-            var isInNearBall:Boolean = !isNearOnSide && findInBall(ray, nearFraction > 1 ? end : start, radius, BALL);
+            var isInNearBall:Boolean = !isNearOnSide && findInBall(ray, nearFraction > 1 ? end : start, radius, sBall);
             if (isInNearBall)
             {
-                out.near.copyFrom(BALL.near);
+                out.near.copyFrom(sBall.near);
             }
-            var isInFarBall:Boolean = !isFarOnSide && (isNearOnSide || isInNearBall) && findInBall(ray, farFraction > 1 ? end : start, radius, BALL);
+            var isInFarBall:Boolean = !isFarOnSide && (isNearOnSide || isInNearBall) && findInBall(ray, farFraction > 1 ? end : start, radius, sBall);
             if (isInFarBall)
             {
-                out.far.copyFrom(BALL.far);
+                out.far.copyFrom(sBall.far);
             }
             // A line through the side meets the ball too that it passes at its other end. If rounding says no, that is at the rim: the cylinder's end stays.
             return isNearOnSide || isFarOnSide || isInFarBall;

@@ -163,15 +163,15 @@ package starlogo.libraries.cooked
             }
             var first:int = _tree.firstSlot[node];
             var end:int = _tree.endSlot[node];
-            var splitIndex:int = first + (code - 1) / DIVISIONS;
+            var splitSlot:int = first + (code - 1) / DIVISIONS;
             var division:int = (code - 1) % DIVISIONS;
             var isWrong:Boolean = division < BELOW ? _tree.levelOf(node) >= _maxDepth
-                : BoxTreeBuilder.isHalvedOnLevel(_tree.levelOf(node)) && splitIndex != (first + end) >> 1;
-            if (isWrong || splitIndex <= first || splitIndex >= end)
+                : BoxTreeBuilder.isHalvedOnLevel(_tree.levelOf(node)) && splitSlot != (first + end) >> 1;
+            if (isWrong || splitSlot <= first || splitSlot >= end)
             {
                 return false;
             }
-            var left:int = _tree.addChildren(node, division % BELOW, splitIndex, division >= BELOW);
+            var left:int = _tree.addChildren(node, division % BELOW, splitSlot, division >= BELOW);
             _waiting.push(left + 1, left);
             return true;
         }

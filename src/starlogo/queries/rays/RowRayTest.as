@@ -83,7 +83,7 @@ package starlogo.queries.rays
             line.y = ahead * line.directionY - (placement.y - ray.y);
             line.z = ahead * line.directionZ - (placement.z - ray.z);
             var size:Number = placement.size;
-            line.bringInto(placement, line);
+            line.scaleAndTurnBack(placement);
             line.from = -ahead / size;
             // because of rounding this end is a little too far; hits beyond the exact end are refused later
             line.to = (ray.to - ahead + Tolerances.ROUNDING * (ray.to + Math.abs(ahead))) / size;

@@ -186,7 +186,7 @@ package starlogo.search.pairs
             out.support = -Infinity;
             for (var i:int = 3 * triangle; i < 3 * triangle + 3; i++)
             {
-                var at:int = mesh.corners[i];
+                var at:int = mesh.cornerOffsets[i];
                 var reach:Number = vertices[at] * direction.x + vertices[int(at + 1)] * direction.y + vertices[int(at + 2)] * direction.z;
                 if (reach > out.support)
                 {

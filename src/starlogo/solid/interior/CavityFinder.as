@@ -42,7 +42,7 @@ package starlogo.solid.interior
         private var _shells:Vector.<ClosedShell>;
 
         // The shells that enclose the point that is tested.
-        private var _enclosingPoint:Vector.<int> = new Vector.<int>();
+        private var _shellsAroundPoint:Vector.<int> = new Vector.<int>();
 
         // The corners of a triangle, and its plane.
         private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
@@ -88,7 +88,7 @@ package starlogo.solid.interior
                 readTriangle(triangle);
                 var volume:Number = _plane.doubleArea * (_plane.normal.x * (_corners[0] - vertices[from])
                         + _plane.normal.y * (_corners[1] - vertices[from + 1]) + _plane.normal.z * (_corners[2] - vertices[from + 2]));
-                closed.volume += _windingCounter.surface.isReversed(triangle) ? -volume : volume;
+                closed.sixfoldVolume += _windingCounter.surface.isReversed(triangle) ? -volume : volume;
                 for (var corner:int = 3 * triangle; corner < 3 * triangle + 3; corner++)
                 {
                     var place:int = _welded[triangles[corner]];
@@ -133,7 +133,7 @@ package starlogo.solid.interior
                 var closed:ClosedShell = _shells[shell];
                 if (closed != null)
                 {
-                    var sign:int = closed.volume > 0 ? 1 : (closed.volume < 0 ? -1 : 0);
+                    var sign:int = closed.sixfoldVolume > 0 ? 1 : (closed.sixfoldVolume < 0 ? -1 : 0);
                     var balance:int = _shellFinder.balances[shell];
                     closed.orientation = balance > 0 ? sign : (balance < 0 ? -sign : sign * sign);
                     isFound[closed.orientation + 1] = true;
@@ -195,8 +195,8 @@ package starlogo.solid.interior
         // must have read the triangle.
         private function findEnclosingNear(closed:ClosedShell, triangle:int, corner:int):void
         {
-            var facesInwards:Boolean = _windingCounter.surface.isReversed(triangle) == closed.volume > 0;
-            var inwards:Number = (facesInwards ? INWARDS : -INWARDS) * cubeRoot(Math.abs(closed.volume));
+            var facesInwards:Boolean = _windingCounter.surface.isReversed(triangle) == closed.sixfoldVolume > 0;
+            var inwards:Number = (facesInwards ? INWARDS : -INWARDS) * cubeRoot(Math.abs(closed.sixfoldVolume));
             var fraction:Number = corner == MIDDLE ? 1 / 3 : SHARE_OF_EACH;
             var point:Vector.<Number> = new <Number>[inwards * _plane.normal.x, inwards * _plane.normal.y, inwards * _plane.normal.z];
             for (var axis:int = 0; axis < 3; axis++)
@@ -204,7 +204,7 @@ package starlogo.solid.interior
                 point[axis] += fraction * (_corners[axis] + _corners[3 + axis] + _corners[6 + axis])
                     + (corner == MIDDLE ? 0 : SHARE_OF_NEAREST * _corners[3 * corner + axis]);
             }
-            _countedCrossings += _windingCounter.findEnclosing(point[0], point[1], point[2], _enclosingPoint);
+            _countedCrossings += _windingCounter.findEnclosing(point[0], point[1], point[2], _shellsAroundPoint);
         }
 
         // Keeps those of a shell's enclosing shells that enclose the last point too; after its first point, all larger shells that enclose it. Keeps none if
@@ -213,9 +213,9 @@ package starlogo.solid.interior
         {
             var kept:Vector.<int> = new Vector.<int>();
             var isNeeded:Boolean = false;
-            for each (var other:int in closed.enclosing || _enclosingPoint)
+            for each (var other:int in closed.enclosing || _shellsAroundPoint)
             {
-                if (isLarger(_shells[other], closed) && _enclosingPoint.indexOf(other) >= 0)
+                if (isLarger(_shells[other], closed) && _shellsAroundPoint.indexOf(other) >= 0)
                 {
                     kept.push(other);
                     isNeeded ||= _shells[other].orientation == -closed.orientation;
@@ -228,17 +228,17 @@ package starlogo.solid.interior
         // Whether a shell may have another one inside.
         private static function isLarger(outer:ClosedShell, inner:ClosedShell):Boolean
         {
-            return outer != null && Math.abs(outer.volume) > (1 + LARGER) * Math.abs(inner.volume);
+            return outer != null && Math.abs(outer.sixfoldVolume) > (1 + LARGER) * Math.abs(inner.sixfoldVolume);
         }
 
         // Finds the shells that bound cavities: the largest shells first. A shell that encloses another one is larger.
         private function findCavities():void
         {
-            // negative, so that the largest shell comes first
+            // Negative, so that the largest shell comes first. Equal volumes may come in any order: neither shell encloses the other.
             var sortKeys:Array = [];
             for each (var closed:ClosedShell in _shells)
             {
-                sortKeys.push(closed == null ? 0 : -Math.abs(closed.volume));
+                sortKeys.push(closed == null ? 0 : -Math.abs(closed.sixfoldVolume));
             }
             for each (var shell:int in sortKeys.sort(Array.NUMERIC | Array.RETURNINDEXEDARRAY))
             {

@@ -7,7 +7,7 @@ package starlogo.solid.interior
         public var origin:int;
 
         /** Six times its volume. It is negative if most triangles face inwards, after those to be reversed are reversed. */
-        public var volume:Number = 0;
+        public var sixfoldVolume:Number = 0;
 
         /** 1 if its triangles face outwards as the model has them, -1 if they face inwards, 0 without a volume. */
         public var orientation:int = 0;

@@ -27,8 +27,8 @@ package starlogo.solid.interior
 
         // For each component, where the coordinates of one of its vertices begin. For each shell, its component. The sets of components that overlap, and
         // how many crossings were counted to find them.
-        private var _vertexOf:Vector.<int>;
-        private var _componentOf:Vector.<int>;
+        private var _vertexOfComponent:Vector.<int>;
+        private var _componentOfShell:Vector.<int>;
         private var _overlapping:DisjointSets;
         private var _countedCrossings:int = 0;
 
@@ -69,8 +69,8 @@ package starlogo.solid.interior
 
         private function beginComponents():void
         {
-            _vertexOf = zeroedInts(_surface.componentCount);
-            _componentOf = zeroedInts(_surface.shellStates.length);
+            _vertexOfComponent = zeroedInts(_surface.componentCount);
+            _componentOfShell = zeroedInts(_surface.shellStates.length);
             _overlapping = new DisjointSets(_surface.componentCount);
         }
 
@@ -82,9 +82,9 @@ package starlogo.solid.interior
                 var shell:int = _surface.shellOf(triangle);
                 if (shell >= 0)
                 {
-                    _componentOf[shell] = _surface.components[triangle];
+                    _componentOfShell[shell] = _surface.components[triangle];
                 }
-                _vertexOf[_surface.components[triangle]] = _mesh.corners[3 * slot];
+                _vertexOfComponent[_surface.components[triangle]] = _mesh.cornerOffsets[3 * slot];
             }
         }
 
@@ -107,11 +107,11 @@ package starlogo.solid.interior
             var most:int = WindingCounter.MAX_CROSSINGS_PER_TRIANGLE * _mesh.tree.itemCount;
             for (var component:int = first; component < end && _countedCrossings < most; component++)
             {
-                var at:int = _vertexOf[component];
+                var at:int = _vertexOfComponent[component];
                 _countedCrossings += windingCounter.findEnclosing(_mesh.vertices[at], _mesh.vertices[at + 1], _mesh.vertices[at + 2], enclosing);
                 for each (var shell:int in enclosing)
                 {
-                    _overlapping.join(_componentOf[shell], component);
+                    _overlapping.join(_componentOfShell[shell], component);
                 }
             }
         }
@@ -123,7 +123,7 @@ package starlogo.solid.interior
             {
                 if (_overlapping.rootOf(component) == component)
                 {
-                    var at:int = _vertexOf[component];
+                    var at:int = _vertexOfComponent[component];
                     points.push(_mesh.vertices[at], _mesh.vertices[at + 1], _mesh.vertices[at + 2]);
                 }
             }

@@ -23,9 +23,11 @@ package starlogo.solid.interior
 
         private var _surface:SurfaceTopology;
         private var _edges:EdgeMatcher;
-        private var _first:int = 0;
+        // The first triangle that may begin another shell.
+        private var _nextSeed:int = 0;
 
-        private var _next:int = 0;
+        // The next entry of triangles to visit.
+        private var _nextQueued:int = 0;
 
         /**
          * @param surface receives the shells
@@ -44,23 +46,23 @@ package starlogo.solid.interior
             var signedShells:Vector.<int> = _surface.signedShells;
             for (var i:int = 0; i < TRIANGLES_PER_STEP; i++)
             {
-                if (_next < triangleCount)
+                if (_nextQueued < triangleCount)
                 {
-                    goOnFrom(triangles[_next++]);
+                    goOnFrom(triangles[_nextQueued++]);
                 }
-                else if (_first == signedShells.length)
+                else if (_nextSeed == signedShells.length)
                 {
                     return false;
                 }
                 else
                 {
-                    if (signedShells[_first] == 0 && _edges.hasEdges(_first))
+                    if (signedShells[_nextSeed] == 0 && _edges.hasEdges(_nextSeed))
                     {
                         _surface.shellStates.push(SurfaceTopology.ORIENTABLE);
                         balances.push(0);
-                        addTriangle(_first, balances.length);
+                        addTriangle(_nextSeed, balances.length);
                     }
-                    _first++;
+                    _nextSeed++;
                 }
             }
             return true;

@@ -102,7 +102,7 @@ package starlogo.solid.interior
         // The mean coordinate of some corners along the axis of all rays.
         private function meanCorner():Number
         {
-            var corners:Vector.<int> = mesh.corners;
+            var corners:Vector.<int> = mesh.cornerOffsets;
             var stride:int = 3 * Math.max(1, Math.floor(corners.length / (3 * SAMPLES)));
             var sum:Number = 0;
             var count:int = 0;
@@ -203,9 +203,9 @@ package starlogo.solid.interior
         private function cross(slot:int):void
         {
             var points:Vector.<Number> = mesh.vertices;
-            var p:int = mesh.corners[int(3 * slot)];
-            var q:int = mesh.corners[int(3 * slot + 1)];
-            var r:int = mesh.corners[int(3 * slot + 2)];
+            var p:int = mesh.cornerOffsets[int(3 * slot)];
+            var q:int = mesh.cornerOffsets[int(3 * slot + 1)];
+            var r:int = mesh.cornerOffsets[int(3 * slot + 2)];
             var triangle:int = mesh.tree.items[slot];
             if (welded != null)
             {

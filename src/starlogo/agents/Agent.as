@@ -50,7 +50,7 @@ package starlogo.agents
         public static const HULL:String = "hull";
 
         /** @private Names of structures. The index is the number of a kind in BoundingStructure. */
-        engine static const KINDS:Vector.<String> = new <String>[SPHERE, CAPSULE, BOX, HULL];
+        engine static const STRUCTURE_NAMES:Vector.<String> = new <String>[SPHERE, CAPSULE, BOX, HULL];
 
         /** @private Whether any agent has ever swept. As long as none has, colliders need not look for sweeping agents. */
         engine static var haveSwept:Boolean = false;
@@ -59,7 +59,7 @@ package starlogo.agents
         engine static const ANY_KIND:int = -1;
 
         /** @private The numbers of the names of models. */
-        engine static const MODELS:NameNumbers = new NameNumbers(new Vector.<String>());
+        engine static const MODEL_NAMES:NameNumbers = new NameNumbers(new Vector.<String>());
 
         /** @private The number of agents and terrains created so far, which is also the largest id. Read only. */
         engine static var createdCount:int = 0;
@@ -91,7 +91,7 @@ package starlogo.agents
         /** @private The number of the breed's name. */
         engine var breedNumber:int;
 
-        /** @private The number of the model's name in MODELS. */
+        /** @private The number of the model's name in MODEL_NAMES. */
         engine var modelNumber:int;
 
         /** @private The value of <code>traversalDepth</code>, without a call. */
@@ -136,7 +136,7 @@ package starlogo.agents
             TraitChecks.requireBreed(this, breed);
             idNumber = newId();
             breedNumber = Breeds.NAMES.numberOf(breed);
-            modelNumber = MODELS.numberOf(shape);
+            modelNumber = MODEL_NAMES.numberOf(shape);
         }
 
         /** @private Counts a new agent, and returns its id. */
@@ -166,13 +166,13 @@ package starlogo.agents
         /** The name of the agent's model. */
         public function get shape():String
         {
-            return MODELS.nameOf(modelNumber);
+            return MODEL_NAMES.nameOf(modelNumber);
         }
 
         public function set shape(value:String):void
         {
             TraitChecks.requireName(this, "shape", value);
-            var other:int = MODELS.numberOf(value);
+            var other:int = MODEL_NAMES.numberOf(value);
             if (other != modelNumber)
             {
                 modelNumber = other;
@@ -473,13 +473,13 @@ package starlogo.agents
             {
                 return TIGHTEST;
             }
-            return KINDS[structureKind];
+            return STRUCTURE_NAMES[structureKind];
         }
 
         public function set collideAs(value:String):void
         {
             // ANY_KIND for TIGHTEST, which is no name of a kind
-            var kind:int = KINDS.indexOf(value);
+            var kind:int = STRUCTURE_NAMES.indexOf(value);
             if (kind == ANY_KIND && value != TIGHTEST)
             {
                 throw new ArgumentError(this + ": collideAs must be \"tightest\", \"sphere\", \"box\", \"capsule\" or \"hull\", not "

@@ -20,7 +20,7 @@ package starlogo.agents
         public static const NAMES:NameNumbers = new NameNumbers(new <String>[TERRAIN, EDGE, ANY_BREED]);
 
         /** The number of the name that stands for any breed of agents. Lower numbers are of the environment, higher ones of agents. */
-        public static const ANY:int = NAMES.knownNumberOf(ANY_BREED);
+        public static const ANY_NUMBER:int = NAMES.knownNumberOf(ANY_BREED);
 
         /** How often agents have got other breeds. What is computed from the breeds of agents holds until it is another number. */
         public static var changes:int = 0;
@@ -28,7 +28,7 @@ package starlogo.agents
         /** Whether a number is that of the breed of the ground or of the edges. No other agent may have these breeds. */
         public static function isEnvironment(number:int):Boolean
         {
-            return number < ANY;
+            return number < ANY_NUMBER;
         }
 
         /** Whether a name is reserved: no agent of a game may have such a breed. */

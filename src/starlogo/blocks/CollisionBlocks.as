@@ -143,7 +143,7 @@ package starlogo.blocks
          */
         public function onCollision(breed:String, otherBreed:String, script:Function):void
         {
-            check("on collision with", breed, otherBreed, script);
+            checkScript("on collision with", breed, otherBreed, script);
             _collision.onCollision(breed, otherBreed, script);
         }
 
@@ -158,7 +158,7 @@ package starlogo.blocks
          */
         public function whenTouchingStarts(breed:String, otherBreed:String, script:Function):void
         {
-            check("when touching starts", breed, otherBreed, script);
+            checkScript("when touching starts", breed, otherBreed, script);
             _collision.onCollisionStart(breed, otherBreed, script);
         }
 
@@ -173,7 +173,7 @@ package starlogo.blocks
          */
         public function whenTouchingEnds(breed:String, otherBreed:String, script:Function):void
         {
-            check("when touching ends", breed, otherBreed, script);
+            checkScript("when touching ends", breed, otherBreed, script);
             _collision.onCollisionEnd(breed, otherBreed, script);
         }
 
@@ -215,7 +215,7 @@ package starlogo.blocks
             }
         }
 
-        private static function check(block:String, breed:String, otherBreed:String, script:Function):void
+        private static function checkScript(block:String, breed:String, otherBreed:String, script:Function):void
         {
             BlockChecks.requireBreed(block, breed);
             BlockChecks.requireBreed(block, otherBreed);

@@ -36,7 +36,7 @@ package starlogo.blocks
 
         private static const SIDES:Array = [FRONT, BACK, LEFT, RIGHT, TOP, BOTTOM];
 
-        private static const UNKNOWN:String = "does not know the shape of an agent yet";
+        private static const UNKNOWN_SHAPE:String = "does not know the shape of an agent yet";
 
         private var _collisions:CollisionBlocks;
 
@@ -133,7 +133,7 @@ package starlogo.blocks
         {
             BlockChecks.requirePair("push away from", agent, other);
             BlockChecks.requirePlacedAgent("push away from", agent);
-            var contact:Object = BlockChecks.attempt("push away from", UNKNOWN, function():Contact
+            var contact:Object = BlockChecks.attempt("push away from", UNKNOWN_SHAPE, function():Contact
                 {
                     return _collisions.contactNow("push away from", agent, other);
                 });
@@ -143,7 +143,9 @@ package starlogo.blocks
         private function contactOf(block:String, agent:Agent, other:Agent):Contact
         {
             BlockChecks.requirePair(block, agent, other);
-            return BlockChecks.attempt(block, UNKNOWN, _collisions.collision.systemOfFrame.contactOf, agent, other) as Contact;
+            // a game's own system may return null
+            var contact:Contact = new Contact();
+            return (BlockChecks.attempt(block, UNKNOWN_SHAPE, _collisions.collision.systemOfFrame.contactOf, agent, other, contact) || contact) as Contact;
         }
     }
 }

@@ -73,7 +73,7 @@ package starlogo.blocks
          */
         public function countWithin(agent:Agent, breed:String, distance:Number):int
         {
-            check("count within", agent, breed);
+            checkAsker("count within", agent, breed);
             BlockChecks.requireNotNegative("count within", distance, "distance");
             return queries.countNear(agent, distance, filterFor(breed));
         }
@@ -89,7 +89,7 @@ package starlogo.blocks
          */
         public function countWith(agent:Agent, breed:String, trait:String, value:Object):int
         {
-            check("count with", agent, breed);
+            checkAsker("count with", agent, breed);
             return queries.countNear(agent, Infinity, filterFor(breed, testFor("count with", agent, trait, value)));
         }
 
@@ -104,7 +104,7 @@ package starlogo.blocks
          */
         public function nearestWithin(agent:Agent, breed:String, distance:Number):Agent
         {
-            check("nearest within", agent, breed);
+            checkAsker("nearest within", agent, breed);
             BlockChecks.requireNotNegative("nearest within", distance, "distance");
             return queries.nearest(agent, distance, filterFor(breed));
         }
@@ -121,7 +121,7 @@ package starlogo.blocks
          */
         public function nearestWith(agent:Agent, breed:String, trait:String, value:Object):Agent
         {
-            check("nearest with", agent, breed);
+            checkAsker("nearest with", agent, breed);
             return queries.nearest(agent, Infinity, filterFor(breed, testFor("nearest with", agent, trait, value)));
         }
 
@@ -212,7 +212,7 @@ package starlogo.blocks
 
         private function hitAhead(block:String, agent:Agent, breed:String, distance:Number):ShapeHit
         {
-            check(block, agent, breed);
+            checkAsker(block, agent, breed);
             BlockChecks.requireNotNegative(block, distance, "distance");
             BlockChecks.requireNumber(block, distance, "the distance");
             return queries.castAgent(agent, distance * Trigonometry.cosine(agent.heading), distance * Trigonometry.sine(agent.heading), 0, filterFor(breed), _ahead);
@@ -243,11 +243,12 @@ package starlogo.blocks
             }
             return function(agent:Agent):Boolean
             {
-                return agent[trait] == value;
+                // the breed may have agents of another class, without the trait
+                return trait in agent && agent[trait] == value;
             };
         }
 
-        private static function check(block:String, agent:Agent, breed:String):void
+        private static function checkAsker(block:String, agent:Agent, breed:String):void
         {
             BlockChecks.requirePlacedAgent(block, agent);
             BlockChecks.requireBreed(block, breed);

@@ -15,7 +15,7 @@ package starlogo.blocks
 
         // Has the ids of agents and the keys of breeds that are shown. Agents that have left the game can be garbage-collected.
         private var _shown:Object = {};
-        private var _wireframes:CollisionLines;
+        private var _lines:CollisionLines;
 
         /**
          * Shows no structures at first.
@@ -27,7 +27,7 @@ package starlogo.blocks
         {
             requireGiven("collisions", collisions);
             _collisions = collisions;
-            _wireframes = new CollisionLines(collisions.greatLand);
+            _lines = new CollisionLines(collisions.greatLand);
         }
 
         /**
@@ -95,7 +95,7 @@ package starlogo.blocks
          */
         public function linesOf(agent:Agent, out:Vector.<Number> = null):Vector.<Number>
         {
-            return _wireframes.linesOf(agent, _collisions.collision.collisionSystem, out);
+            return _lines.linesOf(agent, _collisions.collision.collisionSystem, out);
         }
     }
 }

@@ -124,7 +124,7 @@ package starlogo.blocks
          */
         public function forward(agent:Agent, steps:Number):void
         {
-            check("forward", agent, steps, "steps");
+            checkNumber("forward", agent, steps, "steps");
             _detection.queries.moves.slide(agent, steps * Trigonometry.cosine(agent.heading), steps * Trigonometry.sine(agent.heading), 0, _solid,
                     SlideLimits.HORIZONTAL);
         }
@@ -140,7 +140,7 @@ package starlogo.blocks
          */
         public function walk(agent:Agent, steps:Number):void
         {
-            check("walk", agent, steps, "steps");
+            checkNumber("walk", agent, steps, "steps");
             _detection.queries.walk(agent, steps * Trigonometry.cosine(agent.heading), steps * Trigonometry.sine(agent.heading), _walking, _footing);
         }
 
@@ -155,7 +155,7 @@ package starlogo.blocks
          */
         public function fall(agent:Agent, speed:Number):Number
         {
-            check("fall", agent, speed, "a speed");
+            checkNumber("fall", agent, speed, "a speed");
             if (speed > 0)
             {
                 return _detection.queries.moveUntilTouch(agent, 0, 0, speed, _obstacles) < 1 ? 0 : speed - _gravity;
@@ -177,8 +177,8 @@ package starlogo.blocks
          */
         public function jump(agent:Agent, height:Number, speed:Number):Number
         {
-            check("jump", agent, height, "a height");
-            check("jump", agent, speed, "a speed");
+            checkNumber("jump", agent, height, "a height");
+            checkNumber("jump", agent, speed, "a speed");
             BlockChecks.requireNotNegative("jump", height, "height");
             if (standsOn(agent) == null)
             {
@@ -215,7 +215,7 @@ package starlogo.blocks
             return _detection.queries.moves.findFooting(agent, _walking, _footing).on;
         }
 
-        private static function check(block:String, agent:Agent, value:Number, what:String):void
+        private static function checkNumber(block:String, agent:Agent, value:Number, what:String):void
         {
             BlockChecks.requirePlacedAgent(block, agent);
             BlockChecks.requireNumber(block, value, what);

@@ -111,7 +111,7 @@ package starlogo.broadphase
         {
             var rows:Vector.<int> = members.values;
             var end:int = members.count;
-            var indices:Vector.<int> = extents.level;
+            var indices:Vector.<int> = extents.levelIndices;
             var all:Vector.<BinLevel> = levels;
             for (var i:int = 1; i < all.length; i++)
             {
@@ -156,7 +156,7 @@ package starlogo.broadphase
             var end:int = members.count;
             var fromX:Vector.<Number> = extents.x;
             var fromY:Vector.<Number> = extents.y;
-            var indices:Vector.<int> = extents.level;
+            var indices:Vector.<int> = extents.levelIndices;
             for (var i:int = 0; i < end; i++)
             {
                 var row:int = rows[i];

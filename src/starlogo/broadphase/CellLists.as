@@ -77,7 +77,7 @@ package starlogo.broadphase
             }
             for (var i:int = 0; i < members.count; i++)
             {
-                update(members.values[i]);
+                tryUpdate(members.values[i]);
             }
             _entriesLeft = MAX_MOVES * members.count;
         }
@@ -104,9 +104,9 @@ package starlogo.broadphase
         }
 
         /** Moves a row to the bucket of its extents, and makes it a member if it is none. Returns false if its level has no buckets for it. */
-        public function update(row:int):Boolean
+        public function tryUpdate(row:int):Boolean
         {
-            var index:int = _extents.level[row];
+            var index:int = _extents.levelIndices[row];
             if (index >= _levels.length || !_levels[index].hasBuckets)
             {
                 return false;
@@ -153,7 +153,7 @@ package starlogo.broadphase
          * Whether the members may have outgrown the numbers of buckets, because many rows have moved to other buckets since the beginning. A search of
          * all rows, which finds the right numbers, then costs little for each of these moves.
          */
-        public function get areWorn():Boolean
+        public function get needsNewBuckets():Boolean
         {
             return _entriesLeft < 0;
         }
@@ -165,7 +165,7 @@ package starlogo.broadphase
          */
         public function findNear(row:int, changed:IntSet, sink:PairSink):void
         {
-            var own:BinLevel = _levels[_extents.level[row]];
+            var own:BinLevel = _levels[_extents.levelIndices[row]];
             for (var i:int = 1; i < _levels.length; i++)
             {
                 var level:BinLevel = _levels[i];

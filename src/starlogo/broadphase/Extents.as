@@ -24,7 +24,7 @@ package starlogo.broadphase
         public var distanceFromPlace:Vector.<Number> = new Vector.<Number>();
 
         /** The index of the row's level, from 1 on; 0 if it is not known yet. */
-        public var level:Vector.<int> = new Vector.<int>();
+        public var levelIndices:Vector.<int> = new Vector.<int>();
 
         // By index, for the levels so far: the width that rows may have (BinLevel.width). Cells are a little wider. The first is none.
         internal var levelWidths:Vector.<Number> = new <Number>[0, BinLevel.MIN_WIDTH];
@@ -33,7 +33,7 @@ package starlogo.broadphase
         override public function grow(length:int):void
         {
             super.grow(length);
-            groundRadius.length = halfX.length = halfY.length = halfZ.length = distanceFromPlace.length = level.length = length;
+            groundRadius.length = halfX.length = halfY.length = halfZ.length = distanceFromPlace.length = levelIndices.length = length;
         }
 
         /**
@@ -75,19 +75,19 @@ package starlogo.broadphase
             var middleZ:Number = z[row];
             var fromPlace:Number = distanceFromPlace[row];
             var distanceSquared:Number = Math.max(middleX * middleX + middleY * middleY + middleZ * middleZ, fromPlace * fromPlace);
-            var least:Number = Math.max(2 * half, Math.sqrt(distanceSquared) / BinLevel.MAX_DISTANCE);
-            level[row] = finestFor(least, level[row]);
+            var minWidth:Number = Math.max(2 * half, Math.sqrt(distanceSquared) / BinLevel.MAX_DISTANCE);
+            levelIndices[row] = finestIndexFor(minWidth, levelIndices[row]);
         }
 
-        // The finest level whose width is at least this large. It looks from a level on, because most rows keep theirs.
-        private function finestFor(least:Number, from:int):int
+        // The index of the finest level of at least this width. It looks from an index on, because most rows keep theirs.
+        private function finestIndexFor(minWidth:Number, startIndex:int):int
         {
-            var index:int = from == 0 ? 1 : from;
-            while (index > 1 && levelWidths[index - 1] >= least)
+            var index:int = startIndex == 0 ? 1 : startIndex;
+            while (index > 1 && levelWidths[index - 1] >= minWidth)
             {
                 index--;
             }
-            while (levelWidths[index] < least && levelWidths[index] < Infinity)
+            while (levelWidths[index] < minWidth && levelWidths[index] < Infinity)
             {
                 if (index + 1 == levelWidths.length)
                 {

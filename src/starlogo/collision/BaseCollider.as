@@ -95,9 +95,9 @@ package starlogo.collision
          */
         public function contactOf(collider:Agent, collidee:Agent, out:Contact = null):Contact
         {
-            if (inner != null)
+            if (innerSystem != null)
             {
-                return inner.contactOf(collider, collidee, out);
+                return innerSystem.contactOf(collider, collidee, out);
             }
             var contact:Contact = out || new Contact();
             contact.setBetween(collider, collidee);
@@ -107,7 +107,7 @@ package starlogo.collision
         /** @private The engine's collider that this one is or contains, which one Collision at most owns; null if there is none. */
         engine function get innerCollider():Collider
         {
-            return inner == null ? null : inner.innerCollider;
+            return innerSystem == null ? null : innerSystem.innerCollider;
         }
 
         /** @private */
@@ -118,7 +118,7 @@ package starlogo.collision
             {
                 return collider.narrowPhase;
             }
-            throw errorAbout(systemToName);
+            throw errorAbout(systemForErrors);
         }
 
         /** @private The engine's collider that finds the same pairs as this one, or null. Snapshots and questions use it. */
@@ -143,7 +143,7 @@ package starlogo.collision
             if (input.ground != null || input.edges != null)
             {
                 var what:String = input.ground != null ? "a terrain needs" : "bounds need";
-                throw new IllegalOperationError(what + " one of the engine's collision systems, not " + textOf(systemToName, "a Collider"));
+                throw new IllegalOperationError(what + " one of the engine's collision systems, not " + textOf(systemForErrors, "a Collider"));
             }
             reader.begin(input.agents);
             var listed:Vector.<Agent> = input.admittedAgents;
@@ -164,22 +164,22 @@ package starlogo.collision
         /** @private Called when a Collision's frame is over, handlers included, with the Collision's statistics. */
         engine function onFrame(statistics:CollisionStatistics):void
         {
-            if (inner != null)
+            if (innerSystem != null)
             {
-                inner.onFrame(statistics);
+                innerSystem.onFrame(statistics);
             }
         }
 
         // The system that does the work, if it is a BaseCollider; or else null.
-        private function get inner():BaseCollider
+        private function get innerSystem():BaseCollider
         {
             return _collisionSystem as BaseCollider;
         }
 
         // What errors name if this is none of the engine's systems: a game's own system that wrap() has put into this, or else this.
-        private function get systemToName():CollisionSystem
+        private function get systemForErrors():CollisionSystem
         {
-            return _collisionSystem == null || inner != null ? this : _collisionSystem;
+            return _collisionSystem == null || innerSystem != null ? this : _collisionSystem;
         }
 
         // Returns the collision system that does the work.

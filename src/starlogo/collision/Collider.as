@@ -112,7 +112,7 @@ package starlogo.collision
         {
             requireGiven("agents", agents);
             var inSearch:CollisionSearch = search;
-            var step:int = frameStep;
+            var step:int = stepOfOwner;
             if (_owner != null && step != SEARCHING)
             {
                 // The next frame's motions begin where the last frame saw the agents, so a game's own call must not change that. While a Collision
@@ -162,7 +162,7 @@ package starlogo.collision
         {
             var motion:RelativeMotion = _motion;
             var point:ContactPoint = _point;
-            if (frameStep != HANDLING)
+            if (stepOfOwner != HANDLING)
             {
                 inSearch.table.refreshEnvironment();
             }
@@ -221,7 +221,7 @@ package starlogo.collision
         }
 
         // The step of the owner's frame, if this collider finds its pairs.
-        private function get frameStep():int
+        private function get stepOfOwner():int
         {
             return _owner == null || _owner.systemOfFrame.innerCollider !== this ? IDLE : _owner.frameStep;
         }
@@ -230,7 +230,7 @@ package starlogo.collision
         {
             var start:Number = getTimer();
             var pairs:FoundPairs = inSearch.find(input);
-            if (frameStep != HANDLING)
+            if (stepOfOwner != HANDLING)
             {
                 contactSearch = inSearch;
             }

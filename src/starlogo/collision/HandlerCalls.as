@@ -34,13 +34,13 @@ package starlogo.collision
         private var _handlersOfPair:PairHandlers = null;
 
         // The index of the next of these handlers. If a handler throws, the calls go on from here.
-        private var _next:int;
+        private var _nextHandler:int;
 
         // The handler that runs, or null.
         private var _running:CollisionHandler = null;
 
         // The number of handlers called.
-        private var _count:int = 0;
+        private var _callCount:int = 0;
 
         /** @param table the handlers of each pair of breeds */
         public function HandlerCalls(table:HandlerTable)
@@ -63,7 +63,7 @@ package starlogo.collision
             _pairs = pairs;
             _system = system;
             _gameList.begin(agents, pairs.listed);
-            _count = 0;
+            _callCount = 0;
             _tracker = tracker;
             var starting:IntList = tracker.beginFrame(pairs, _table);
             if (_table.contactPhases != 0)
@@ -72,9 +72,9 @@ package starlogo.collision
                 _contacts.begin();
                 findContacts(starting);
             }
-            tracker.endOthers();
+            tracker.endNotContinued();
             callAll((_table.phases & CollisionHandler.COLLISION) == 0 ? starting : null, errors);
-            return _count;
+            return _callCount;
         }
 
         /** Ends the calls of a frame, also if <code>callHandlers()</code> has thrown an error or was not called. Nothing of the frame is kept. */
@@ -133,14 +133,14 @@ package starlogo.collision
                 }
                 catch (error:*)
                 {
-                    keepError(error, errors);
+                    keepOrRethrow(error, errors);
                 }
             }
         }
 
         // Keeps what a handler has thrown, and throws anything else. That comes from the computation of a contact, or from the engine, and going on would
         // throw it again.
-        private function keepError(thrown:*, errors:Vector.<Error>):void
+        private function keepOrRethrow(thrown:*, errors:Vector.<Error>):void
         {
             if (_running == null)
             {
@@ -154,17 +154,17 @@ package starlogo.collision
 
         private function callForEnded(touch:Touch):void
         {
-            beginWith(touch.firstBreed, touch.secondBreed);
+            findHandlersOnce(touch.firstBreed, touch.secondBreed);
             callRest(NO_PAIR, touch.first, touch.second, CollisionHandler.END, touch.isComplete ? _handlersOfPair.handlers.length : _handlersOfPair.firstCount);
         }
 
         // Finds the handlers of a pair or ended touch, unless its calls have begun. The breeds count as they are when the calls begin.
-        private function beginWith(firstBreed:int, secondBreed:int):void
+        private function findHandlersOnce(firstBreed:int, secondBreed:int):void
         {
             if (_handlersOfPair == null)
             {
                 _handlersOfPair = _table.handlersOf(firstBreed, secondBreed);
-                _next = 0;
+                _nextHandler = 0;
             }
         }
 
@@ -172,7 +172,7 @@ package starlogo.collision
         {
             var first:Agent = _pairs.firstOf(pair);
             var second:Agent = _pairs.secondOf(pair);
-            beginWith(first.breedNumber, second.breedNumber);
+            findHandlersOnce(first.breedNumber, second.breedNumber);
             var end:int = _handlersOfPair.handlers.length;
             if (!_handlersOfPair.tracksTouches)
             {
@@ -193,7 +193,7 @@ package starlogo.collision
             callRest(pair, first, second, isStarting ? CollisionHandler.COLLISION | CollisionHandler.START : CollisionHandler.COLLISION, end);
             if (isStarting)
             {
-                touch.isComplete = _next > _handlersOfPair.firstCount || _next == end;
+                touch.isComplete = _nextHandler > _handlersOfPair.firstCount || _nextHandler == end;
                 if (!touch.isComplete)
                 {
                     _tracker.dropAt(pair);
@@ -201,23 +201,23 @@ package starlogo.collision
             }
         }
 
-        // Calls the handlers of the phases from _next on, up to an index. In the first frame of a touch, those for starts come before those for every
+        // Calls the handlers of the phases from the next one to an index. In the first frame of a touch, those for starts come before those for every
         // frame. An ended touch has no contact, and its agents may have left the list: pass NO_PAIR. For a pair it stops when one of the two has left.
         private function callRest(pair:int, first:Agent, second:Agent, phases:int, end:int):void
         {
             var handlers:Vector.<CollisionHandler> = _handlersOfPair.handlers;
             var firstCount:int = _handlersOfPair.firstCount;
-            while (_next < end)
+            while (_nextHandler < end)
             {
-                var handler:CollisionHandler = handlers[_next];
-                var isMeant:Boolean = (handler.phase & phases) != 0;
-                if (isMeant && pair != NO_PAIR && !_gameList.hasBoth(_pairs, pair))
+                var handler:CollisionHandler = handlers[_nextHandler];
+                var isOfPhases:Boolean = (handler.phase & phases) != 0;
+                if (isOfPhases && pair != NO_PAIR && !_gameList.hasBoth(_pairs, pair))
                 {
                     return;
                 }
-                var isSecondCollider:Boolean = _next >= firstCount;
-                _next++;
-                if (isMeant && !handler.isRemoved)
+                var isSecondCollider:Boolean = _nextHandler >= firstCount;
+                _nextHandler++;
+                if (isOfPhases && !handler.isRemoved)
                 {
                     call(handler, pair, first, second, isSecondCollider);
                 }
@@ -231,7 +231,7 @@ package starlogo.collision
             var contact:Contact = handler.takesContact && pair != NO_PAIR ? _contacts.contactFor(pair, isSecondCollider, _pairs, _system) : null;
             // a local, so that the handler is not called as a method of its CollisionHandler
             var toCall:Function = handler.callback;
-            _count++;
+            _callCount++;
             _running = handler;
             if (handler.takesContact)
             {

@@ -27,10 +27,10 @@ package starlogo.handlers
         /** When it is called: START, COLLISION or END. */
         public var phase:int;
 
-        /** The number of the collider's breed; Breeds.ANY for any breed. */
+        /** The number of the collider's breed; Breeds.ANY_NUMBER for any breed. */
         public var colliderBreed:int;
 
-        /** The number of the collidee's breed; Breeds.ANY for any breed. */
+        /** The number of the collidee's breed; Breeds.ANY_NUMBER for any breed. */
         public var collideeBreed:int;
 
         /** function(collider:Agent, collidee:Agent):void, or with a third argument, the contact. */

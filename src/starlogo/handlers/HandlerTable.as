@@ -201,7 +201,7 @@ package starlogo.handlers
         // The numbers of breeds whose handlers count for an agent of a breed. Any breed does not stand for the ground and the edges.
         private static function withAny(breed:int):Array
         {
-            return Breeds.isEnvironment(breed) ? [breed] : [breed, Breeds.ANY];
+            return Breeds.isEnvironment(breed) ? [breed] : [breed, Breeds.ANY_NUMBER];
         }
 
         // The list for just two breeds, by their numbers; null if there is none.

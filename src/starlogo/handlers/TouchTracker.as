@@ -11,9 +11,9 @@ package starlogo.handlers
 
     /**
      * The touches of a Collision. It compares the pairs of a frame with those of the last one: which touches go on, and which end. A frame calls
-     * <code>beginFrame()</code> and <code>endOthers()</code> before its handlers, and <code>endFrame()</code> after them. If the search has only updated the
-     * pairs of the last one, kept pairs keep their touches without a look at their agents. Objects of ended touches are used again, so it allocates nothing
-     * unless there are more touches than before.
+     * <code>beginFrame()</code> and <code>endNotContinued()</code> before its handlers, and <code>endFrame()</code> after them. If the search has only
+     * updated the pairs of the last one, kept pairs keep their touches without a look at their agents. Objects of ended touches are used again, so it
+     * allocates nothing unless there are more touches than before.
      *
      * @private
      */
@@ -51,10 +51,10 @@ package starlogo.handlers
         private var _pairsRevision:int = 0;
 
         // By pair: the index of its touch, or NO_TOUCH. There may be more entries than pairs.
-        private var _touchOfPair:Vector.<int> = new Vector.<int>();
+        private var _touchIndices:Vector.<int> = new Vector.<int>();
 
         // The same for the revision before.
-        private var _touchOfPairBefore:Vector.<int> = new Vector.<int>();
+        private var _touchIndicesBefore:Vector.<int> = new Vector.<int>();
 
         // The pairs whose touches may begin.
         private var _starting:IntList = new IntList();
@@ -77,39 +77,39 @@ package starlogo.handlers
                 return _starting;
             }
             var isIncremental:Boolean = pairs === _pairs && pairs.isIncremental && pairs.revision == _pairsRevision + 1;
-            var before:Vector.<int> = _touchOfPair;
-            _touchOfPair = _touchOfPairBefore;
-            _touchOfPairBefore = before;
-            if (_touchOfPair.length < pairs.count)
+            var before:Vector.<int> = _touchIndices;
+            _touchIndices = _touchIndicesBefore;
+            _touchIndicesBefore = before;
+            if (_touchIndices.length < pairs.count)
             {
                 // grows by an eighth, because a vector that grows a little in each frame is copied each time
-                _touchOfPair.length = pairs.count + (pairs.count >> 3);
+                _touchIndices.length = pairs.count + (pairs.count >> 3);
             }
             _pairs = pairs;
             _pairsRevision = pairs.revision;
             frame++;
             for (var pair:int = 0; pair < pairs.count; pair++)
             {
-                var touch:int = isIncremental && pairs.previousIndices[pair] != FoundPairs.NEW ? before[pairs.previousIndices[pair]] : NO_TOUCH;
-                if (touch == NO_TOUCH)
+                var touchIndex:int = isIncremental && pairs.previousIndices[pair] != FoundPairs.NEW ? before[pairs.previousIndices[pair]] : NO_TOUCH;
+                if (touchIndex == NO_TOUCH)
                 {
-                    touch = touchToContinue(pair, table);
+                    touchIndex = indexToContinue(pair, table);
                 }
-                _touchOfPair[pair] = touch;
-                if (touch == NO_TOUCH)
+                _touchIndices[pair] = touchIndex;
+                if (touchIndex == NO_TOUCH)
                 {
                     _starting.add(pair);
                 }
                 else
                 {
-                    _lastFrames[touch] = frame;
+                    _lastFrames[touchIndex] = frame;
                 }
             }
             return _starting;
         }
 
         /** Ends the touches that do not go on in this frame. */
-        public function endOthers():void
+        public function endNotContinued():void
         {
             for (var index:int = 0; index < _lastFrames.length; index++)
             {
@@ -163,7 +163,7 @@ package starlogo.handlers
         /** The touch of a pair of the frame; null if there is none. */
         public function touchAt(pair:int):Touch
         {
-            return _touchOfPair[pair] == NO_TOUCH ? null : _all[_touchOfPair[pair]];
+            return _touchIndices[pair] == NO_TOUCH ? null : _all[_touchIndices[pair]];
         }
 
         /** Begins the touch of a pair of the frame that has none, of the breeds that the two agents have now. */
@@ -172,7 +172,7 @@ package starlogo.handlers
             var first:Agent = _pairs.firstOf(pair);
             var second:Agent = _pairs.secondOf(pair);
             var touch:Touch = start(first, second, first.breedNumber, second.breedNumber);
-            _touchOfPair[pair] = touch.index;
+            _touchIndices[pair] = touch.index;
             return touch;
         }
 
@@ -196,7 +196,7 @@ package starlogo.handlers
         /** Lets the touch of a pair end in the next frame, because its handlers were called for the first agent only. A new one may begin there. */
         public function dropAt(pair:int):void
         {
-            _touchOfPair[pair] = NO_TOUCH;
+            _touchIndices[pair] = NO_TOUCH;
         }
 
         /** Forgets which touches the pairs have, because the calls of a frame have failed. */
@@ -239,7 +239,7 @@ package starlogo.handlers
 
         // The index of the touch of a pair that goes on; NO_TOUCH if there is none, if a breed has changed, if handlers were called for the first agent
         // only, or if the two have no handlers for starts or ends.
-        private function touchToContinue(pair:int, table:HandlerTable):int
+        private function indexToContinue(pair:int, table:HandlerTable):int
         {
             if (!table.handlersOfPair(_pairs, pair).tracksTouches)
             {

@@ -14,7 +14,7 @@ package starlogo.handlers
     public function breedsAmong(agents:Vector.<Agent>):Vector.<Boolean>
     {
         var isThere:Vector.<Boolean> = new Vector.<Boolean>(Breeds.NAMES.count);
-        isThere[Breeds.ANY] = true;
+        isThere[Breeds.ANY_NUMBER] = true;
         for (var i:int = 0; i < agents.length; i++)
         {
             if (agents[i] != null)

@@ -212,7 +212,7 @@ package starlogo.search
                 shape.isVoid = shape.revision != revisionOf(shape.modelName);
                 if (!shape.isVoid)
                 {
-                    _indices.set (Agent.MODELS.numberOf(shape.modelName), shape.variant, kept);
+                    _indices.set (Agent.MODEL_NAMES.numberOf(shape.modelName), shape.variant, kept);
                     _shapes[kept] = shape;
                     kept++;
                 }

@@ -50,10 +50,10 @@ package starlogo.search
         public var halfY:Number = 0;
         public var halfZ:Number = 0;
 
-        // The way from the place to the middle of the extents.
-        engine var offsetX:Number = 0;
-        engine var offsetY:Number = 0;
-        engine var offsetZ:Number = 0;
+        /** The way from the place to the middle of the extents. */
+        public var offsetX:Number = 0;
+        public var offsetY:Number = 0;
+        public var offsetZ:Number = 0;
 
         // The structure where it was last put into the world.
         private var _placed:BoundingStructure = null;

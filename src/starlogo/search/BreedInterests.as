@@ -30,11 +30,11 @@ package starlogo.search
         /** @private The number of pairs. It grows with each pair that is added, because none is ever removed. */
         engine var pairCount:int = 0;
 
-        // The pairs, in both orders. ANY is a breed like the others, so a breed with ANY_BREED costs no more than a breed with one other.
+        // The pairs, in both orders. ANY_NUMBER is a breed like the others, so a breed with ANY_BREED costs no more than a breed with one other.
         private var _pairs:IntPairMap = new IntPairMap();
 
         // By the number of a breed: whether a pair names it.
-        private var _isNamed:Vector.<Boolean> = new Vector.<Boolean>(Breeds.ANY + 1);
+        private var _isNamed:Vector.<Boolean> = new Vector.<Boolean>(Breeds.ANY_NUMBER + 1);
 
         // How many breeds of agents the pairs name.
         private var _agentBreedCount:int = 0;
@@ -45,7 +45,7 @@ package starlogo.search
         private static function newOfAll():BreedInterests
         {
             var all:BreedInterests = new BreedInterests();
-            all.addNumbers(Breeds.ANY, Breeds.ANY);
+            all.addNumbers(Breeds.ANY_NUMBER, Breeds.ANY_NUMBER);
             return all;
         }
 
@@ -77,15 +77,16 @@ package starlogo.search
         {
             markNamed(number);
             markNamed(other);
-            if (!has(number, other))
+            if (!hasPair(number, other))
             {
                 pairCount++;
                 _pairs.set (number, other, 0);
                 _pairs.set (other, number, 0);
-                _agentPairCount += number > Breeds.ANY && other > Breeds.ANY ? 1 : 0;
+                _agentPairCount += number > Breeds.ANY_NUMBER && other > Breeds.ANY_NUMBER ? 1 : 0;
             }
             // the breeds that no pair names are told apart from the others once a pair has ANY_BREED
-            includesAllOfAgents = isNamed(Breeds.ANY) ? has(Breeds.ANY, Breeds.ANY) : 2 * _agentPairCount == _agentBreedCount * (_agentBreedCount + 1);
+            includesAllOfAgents = isNamed(Breeds.ANY_NUMBER) ? hasPair(Breeds.ANY_NUMBER, Breeds.ANY_NUMBER)
+                : 2 * _agentPairCount == _agentBreedCount * (_agentBreedCount + 1);
         }
 
         /**
@@ -95,21 +96,21 @@ package starlogo.search
         {
             var number:int = Breeds.NAMES.knownNumberOf(breed);
             // no pair names an unknown breed
-            return representativeOf(number < 0 ? Breeds.ANY : number);
+            return representativeOf(number < 0 ? Breeds.ANY_NUMBER : number);
         }
 
         /** Whether a pair of breeds is of interest. Pass their numbers; the answer is false if one of them is -1. */
         public function includes(number:int, otherNumber:int):Boolean
         {
             // ANY_BREED does not stand for the ground or the edges. -1 is in no pair, and is no breed of agents
-            var anyOfFirst:int = Breeds.isEnvironment(number) ? -1 : Breeds.ANY;
-            var anyOfOther:int = Breeds.isEnvironment(otherNumber) ? -1 : Breeds.ANY;
-            return has(number, otherNumber) || has(number, anyOfOther) || has(anyOfFirst, otherNumber) || has(anyOfFirst, anyOfOther);
+            var anyOfFirst:int = Breeds.isEnvironment(number) ? -1 : Breeds.ANY_NUMBER;
+            var anyOfOther:int = Breeds.isEnvironment(otherNumber) ? -1 : Breeds.ANY_NUMBER;
+            return hasPair(number, otherNumber) || hasPair(number, anyOfOther) || hasPair(anyOfFirst, otherNumber) || hasPair(anyOfFirst, anyOfOther);
         }
 
         /**
          * @private The breed that stands for a breed in the pairs, both by their numbers in the class Breeds: the breed itself if a pair names it,
-         *     Breeds.ANY if not and a pair has ANY_BREED, or -1.
+         *     Breeds.ANY_NUMBER if not and a pair has ANY_BREED, or -1.
          */
         engine function representativeOf(breed:int):int
         {
@@ -117,7 +118,7 @@ package starlogo.search
             {
                 return breed;
             }
-            return !isNamed(Breeds.ANY) || Breeds.isEnvironment(breed) ? -1 : Breeds.ANY;
+            return !isNamed(Breeds.ANY_NUMBER) || Breeds.isEnvironment(breed) ? -1 : Breeds.ANY_NUMBER;
         }
 
         /**
@@ -131,18 +132,18 @@ package starlogo.search
         internal function keepOfInterest(breeds:Vector.<int>, row:int, others:Vector.<int>, count:int):int
         {
             var own:int = representativeOf(breeds[row]);
-            if (has(own, Breeds.ANY))
+            if (hasPair(own, Breeds.ANY_NUMBER))
             {
                 return count;
             }
             // ANY_BREED does not stand for the ground or the edges
-            var mayBeAny:Boolean = isNamed(Breeds.ANY) && !Breeds.isEnvironment(own);
+            var mayBeAny:Boolean = isNamed(Breeds.ANY_NUMBER) && !Breeds.isEnvironment(own);
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = others[i];
                 var breed:int = breeds[other];
-                if (_pairs.find(own, breed) >= 0 || mayBeAny && has(Breeds.ANY, breed))
+                if (hasPair(own, breed) || mayBeAny && hasPair(Breeds.ANY_NUMBER, breed))
                 {
                     others[kept] = other;
                     kept++;
@@ -157,7 +158,7 @@ package starlogo.search
             return breed >= 0 && breed < _isNamed.length && _isNamed[breed];
         }
 
-        private function has(breed:int, other:int):Boolean
+        private function hasPair(breed:int, other:int):Boolean
         {
             return _pairs.find(breed, other) >= 0;
         }
@@ -172,7 +173,7 @@ package starlogo.search
             if (!_isNamed[breed])
             {
                 _isNamed[breed] = true;
-                _agentBreedCount += breed > Breeds.ANY ? 1 : 0;
+                _agentBreedCount += breed > Breeds.ANY_NUMBER ? 1 : 0;
             }
         }
     }

@@ -48,10 +48,11 @@ package starlogo.search
          * Begins a search.
          *
          * @param out receives the pairs, row by row. They are not in order then
+         * @param haveTimes whether the pairs have times, because an agent sweeps
          */
-        public function begin(input:SearchInput, out:FoundPairs):void
+        public function begin(input:SearchInput, out:FoundPairs, haveTimes:Boolean):void
         {
-            out.begin(_sweptTests.isSwept);
+            out.begin(haveTimes);
             _input = input;
             _out = out;
         }

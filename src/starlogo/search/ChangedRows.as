@@ -71,7 +71,7 @@ package starlogo.search
             addAll(_motions.rowsToRenew);
             if (input.admitted != null)
             {
-                addFiltered(input);
+                addJoinedOrLeft(input);
             }
             // the ground and the edges are no members, but their pairs change with them
             for (var i:int = 0; i < _table.changedEnvironment.count; i++)
@@ -85,7 +85,7 @@ package starlogo.search
          *
          * @return whether the cells have the right buckets. If not, or if a row needs a level without buckets, all rows have to be searched
          */
-        public function moveToCells(input:SearchInput):Boolean
+        public function tryMoveToCells(input:SearchInput):Boolean
         {
             _motions.findExtents(rows);
             for (var i:int = 0; i < rows.count; i++)
@@ -95,12 +95,12 @@ package starlogo.search
                 {
                     _cells.remove(row);
                 }
-                else if (!_cells.update(row))
+                else if (!_cells.tryUpdate(row))
                 {
                     return false;
                 }
             }
-            return !_cells.areWorn;
+            return !_cells.needsNewBuckets;
         }
 
         /** Finds the members near the changed ones, as the bins do for all. Each pair is passed to the sink once. */
@@ -138,7 +138,7 @@ package starlogo.search
         }
 
         // Adds the rows that become members, or cease to be members. The other rows have their breeds of the last search.
-        private function addFiltered(input:SearchInput):void
+        private function addJoinedOrLeft(input:SearchInput):void
         {
             var listed:IntList = _table.listed.rows;
             for (var i:int = 0; i < listed.count; i++)

@@ -44,7 +44,7 @@ package starlogo.search
         public var narrowPhase:NarrowPhase;
 
         private var _bins:Bins = new Bins();
-        private var _tests:CandidateTests;
+        private var _candidateTests:CandidateTests;
         private var _motions:RowMotions;
         private var _sweptTests:SweptTests;
         private var _changedRows:ChangedRows;
@@ -64,7 +64,7 @@ package starlogo.search
         private var _isFiltered:Boolean = false;
 
         // Whether ChangedRows has the cells of the members, so that the next search may begin with these pairs.
-        private var _haveCells:Boolean = false;
+        private var _areCellsCurrent:Boolean = false;
 
         // The members of a search in which some rows are no members.
         private var _members:IntList = new IntList();
@@ -80,7 +80,7 @@ package starlogo.search
             table = new AgentTable(narrowPhase.choice);
             _motions = new RowMotions(table);
             _sweptTests = new SweptTests(table, narrowPhase, _motions);
-            _tests = new CandidateTests(table, narrowPhase, _sweptTests);
+            _candidateTests = new CandidateTests(table, narrowPhase, _sweptTests);
             _changedRows = new ChangedRows(table, _motions, _bins.levels);
             _pairs = new FoundPairs(table.listed);
             _pairsOfChanged = new FoundPairs(table.listed);
@@ -102,8 +102,8 @@ package starlogo.search
                 throw new IllegalOperationError("findCollisions must not be called from bind(), while the collider searches");
             }
             // if the search throws, the next one is of all rows
-            var hadCells:Boolean = _haveCells;
-            _haveCells = false;
+            var wereCellsCurrent:Boolean = _areCellsCurrent;
+            _areCellsCurrent = false;
             readInput(input);
             // tests since the last search, as those of questions, do not count
             narrowPhase.counts.clear();
@@ -114,7 +114,7 @@ package starlogo.search
                 findOfAll(input);
                 return _pairs;
             }
-            if (hadCells && moveChanged(input))
+            if (wereCellsCurrent && tryMoveChanged(input))
             {
                 findOfChanged(input);
             }
@@ -122,15 +122,15 @@ package starlogo.search
             {
                 _changedRows.begin(findOfAll(input));
             }
-            _haveCells = true;
+            _areCellsCurrent = true;
             return _pairs;
         }
 
         // Finds the changed rows, and moves them to their cells. Returns false if the search has to be one of all rows.
-        private function moveChanged(input:SearchInput):Boolean
+        private function tryMoveChanged(input:SearchInput):Boolean
         {
             _changedRows.find(input);
-            return areFew(_changedRows.rows.count) && _changedRows.moveToCells(input);
+            return areFew(_changedRows.rows.count) && _changedRows.tryMoveToCells(input);
         }
 
         /** Whether two agents touch where they are now. See CollisionSystem.areColliding. */
@@ -177,7 +177,7 @@ package starlogo.search
             {
                 table.followPose(rowA);
                 table.followPose(rowB);
-                if (_sweptTests.isSwept)
+                if (_motions.anySweeps)
                 {
                     _sweptTests.findContact(rowA, rowB, motion, out);
                     return;
@@ -194,9 +194,9 @@ package starlogo.search
         }
 
         /** The table was read without a search: the next search is one of all rows. */
-        public function forgetSearch():void
+        public function searchAllNext():void
         {
-            _haveCells = false;
+            _areCellsCurrent = false;
         }
 
         // Reads the input into the table. The motions are read before the table reads the places, because they begin at
@@ -219,7 +219,7 @@ package starlogo.search
             var depth:int = narrowPhase.treeLimits.defaultDepth;
             var isFiltered:Boolean = input.admitted != null;
             var areSame:Boolean = interests === _interests && interests.pairCount == _interestCount && depth == _depth && isFiltered == _isFiltered
-                && _motions.isSwept == _pairs.haveTimes;
+                && _motions.anySweeps == _pairs.haveTimes;
             _interests = interests;
             _interestCount = interests.pairCount;
             _depth = depth;
@@ -244,10 +244,10 @@ package starlogo.search
         {
             var members:IntList = input.allMembers(table, _members);
             _motions.findExtents(table.listed.rows);
-            _tests.begin(input, _pairs);
-            _bins.findPairs(_motions.searchExtents, members, _tests);
-            _tests.testWithEnvironment(ListedAgents.GROUND_ROW, members);
-            _tests.testWithEnvironment(ListedAgents.EDGES_ROW, members);
+            _candidateTests.begin(input, _pairs, _motions.anySweeps);
+            _bins.findPairs(_motions.searchExtents, members, _candidateTests);
+            _candidateTests.testWithEnvironment(ListedAgents.GROUND_ROW, members);
+            _candidateTests.testWithEnvironment(ListedAgents.EDGES_ROW, members);
             _order.putInOrder(_pairs);
             narrowPhase.counts.members = members.count;
             return members;
@@ -257,10 +257,10 @@ package starlogo.search
         // all members. Here the row that has changed comes first, but a test gives the same answer in either order of the two.
         private function findOfChanged(input:SearchInput):void
         {
-            _tests.begin(input, _pairsOfChanged);
-            _changedRows.findPairs(_tests);
-            _tests.testWithEnvironment(ListedAgents.GROUND_ROW, _changedRows.rowsToTestWith(ListedAgents.GROUND_ROW));
-            _tests.testWithEnvironment(ListedAgents.EDGES_ROW, _changedRows.rowsToTestWith(ListedAgents.EDGES_ROW));
+            _candidateTests.begin(input, _pairsOfChanged, _motions.anySweeps);
+            _changedRows.findPairs(_candidateTests);
+            _candidateTests.testWithEnvironment(ListedAgents.GROUND_ROW, _changedRows.rowsToTestWith(ListedAgents.GROUND_ROW));
+            _candidateTests.testWithEnvironment(ListedAgents.EDGES_ROW, _changedRows.rowsToTestWith(ListedAgents.EDGES_ROW));
             var earlyCount:int = _order.putInOrder(_pairsOfChanged);
             _pairs.replacePairsOf(_changedRows.rowSet, _pairsOfChanged, earlyCount);
             narrowPhase.counts.members = _changedRows.memberCount;

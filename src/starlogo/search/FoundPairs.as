@@ -19,6 +19,9 @@ package starlogo.search
      */
     public final class FoundPairs
     {
+        /** In place of a previous index: it was not among the pairs before. */
+        public static const NEW:int = -1;
+
         /** The number of pairs. */
         public var count:int = 0;
 
@@ -33,9 +36,6 @@ package starlogo.search
 
         /** Has the agent of each row, and its index in the list of the search. */
         public var listed:ListedAgents;
-
-        /** In place of a previous index: it was not among the pairs before. */
-        public static const NEW:int = -1;
 
         /** How often the pairs were found or updated. */
         public var revision:int = 0;

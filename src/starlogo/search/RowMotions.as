@@ -17,7 +17,7 @@ package starlogo.search
     internal final class RowMotions
     {
         /** Whether an agent of the search sweeps. If none does, the motions do not count. Read only. */
-        internal var isSwept:Boolean = false;
+        internal var anySweeps:Boolean = false;
 
         /** By row: the way from the place in the search before. It is 0 for an agent that has not moved, or has come without a motion. */
         internal var displacements:Points = new Points();
@@ -35,7 +35,7 @@ package starlogo.search
         private var _changed:IntList = new IntList();
 
         // By row: the extents of the whole motion, if an agent of the search sweeps.
-        private var _extents:Extents = new Extents();
+        private var _sweptExtents:Extents = new Extents();
 
         private var _table:AgentTable;
 
@@ -49,17 +49,17 @@ package starlogo.search
          * Reads the motions of the rows that have changed. Call it in each search once an agent has swept, after the table has found the rows, and
          * before it reads their places.
          *
-         * @param isSwept whether an agent of the search sweeps
+         * @param anySweeps whether an agent of the search sweeps
          */
-        public function read(isSwept:Boolean):void
+        public function read(anySweeps:Boolean):void
         {
-            this.isSwept = isSwept;
+            this.anySweeps = anySweeps;
             var length:int = _table.listed.rowCapacity;
             if (length > sweepsOnMotion.length)
             {
                 sweepsOnMotion.length = length;
                 displacements.grow(length);
-                _extents.grow(length);
+                _sweptExtents.grow(length);
             }
             var spare:IntList = rowsToRenew;
             rowsToRenew = _changed;
@@ -68,7 +68,7 @@ package starlogo.search
             // rows that have not changed since stand still
             readMotions(rowsToRenew);
             readMotions(_changed);
-            if (!isSwept)
+            if (!anySweeps)
             {
                 rowsToRenew.count = 0;
             }
@@ -97,7 +97,7 @@ package starlogo.search
         /** The extents of the rows in the search: of their motions if an agent sweeps, or else where the rows are. */
         public function get searchExtents():Extents
         {
-            return isSwept ? _extents : _table.extents;
+            return anySweeps ? _sweptExtents : _table.extents;
         }
 
         /**
@@ -108,8 +108,8 @@ package starlogo.search
         public function findExtents(rows:IntList):void
         {
             var standing:Extents = _table.extents;
-            var swept:Extents = _extents;
-            for (var i:int = 0; isSwept && i < rows.count; i++)
+            var swept:Extents = _sweptExtents;
+            for (var i:int = 0; anySweeps && i < rows.count; i++)
             {
                 var row:int = rows.values[i];
                 if (_table.shapes[row] == null)

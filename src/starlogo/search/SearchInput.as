@@ -58,7 +58,7 @@ package starlogo.search
             admitted = null;
             if (filter != null)
             {
-                testFilter(filter);
+                askFilter(filter);
             }
         }
 
@@ -97,7 +97,7 @@ package starlogo.search
         public function allMembers(table:AgentTable, spare:IntList):IntList
         {
             var rows:IntList = table.listed.rows;
-            if (table.loadingCount == 0 && admitted == null && interests.isNamed(Breeds.ANY))
+            if (table.loadingCount == 0 && admitted == null && interests.isNamed(Breeds.ANY_NUMBER))
             {
                 return rows;
             }
@@ -126,7 +126,7 @@ package starlogo.search
         }
 
         // Asks a filter which agents take part. An entry that is null does, because the collision system refuses it.
-        private function testFilter(filter:AgentPredicate):void
+        private function askFilter(filter:AgentPredicate):void
         {
             agents = copyAgents(agents, _copy);
             admitted = _answers;

@@ -40,12 +40,6 @@ package starlogo.search
             _motions = motions;
         }
 
-        /** Whether an agent of the search sweeps. If none does, rows are tested where they are. */
-        public function get isSwept():Boolean
-        {
-            return _motions.isSwept;
-        }
-
         /**
          * Keeps the rows that touch a row on their motions, and moves them to the beginning of the list.
          *

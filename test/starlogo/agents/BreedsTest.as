@@ -73,7 +73,7 @@ package starlogo.agents
             filter.exceptBreeds = new <String>["unknown to filters"];
             var count:int = Breeds.NAMES.count;
             assertFalse(collision.removeHandler("unknown", "unknown to handlers", log([])));
-            assertEquals("as any other breed", Breeds.ANY, interests.indexOf("unknown to interests"));
+            assertEquals("as any other breed", Breeds.ANY_NUMBER, interests.indexOf("unknown to interests"));
             assertEquals(-1, new BreedInterests().indexOf("unknown to interests"));
             assertEquals(0, queries.countNear(_agents[0], Infinity, AgentFilter.ofBreeds("unknown to questions")));
             assertEquals(_agents.length - 1, queries.countNear(_agents[0], Infinity, filter));

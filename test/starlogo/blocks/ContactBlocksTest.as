@@ -172,6 +172,17 @@ package starlogo.blocks
         }
 
         [Test]
+        public function aSystemMayReturnNoContactObject():void
+        {
+            _wall.moveTo(0.9, 0, 0);
+            _collisions.collision.collisionSystem = new NullContactBins();
+            _collisions.collision.update(_agents);
+            assertEquals("left", _blocks.sideHit(_bear, _wall));
+            assertEquals(0, _blocks.touchSpeed(_bear, _wall));
+            assertEquals(3, _blocks.touchPoint(_bear, _wall).x);
+        }
+
+        [Test]
         public function tellsStudentsWhatIsWrong():void
         {
             assertThrows(BlockError, /"side that was hit" needs another agent, but got nothing\. Remember: "collidee"/, _blocks.sideHit, _bear, null);
@@ -185,5 +196,26 @@ package starlogo.blocks
             _collisions.collision.collisionSystem = new OwnVectorSystem(_agents);
             assertThrows(BlockError, /"push away from" does not work with a collision system of the game's own\.$/, _blocks.pushAway, _bear, _wall);
         }
+    }
+}
+
+import starlogo.agents.Agent;
+import starlogo.collision.BaseCollider;
+import starlogo.collision.BinCollider;
+import starlogo.collision.Contact;
+
+/** Sets the contact that it gets, and returns none. */
+final class NullContactBins extends BaseCollider
+{
+    public function NullContactBins()
+    {
+        super(new BinCollider());
+    }
+
+    override public function contactOf(collider:Agent, collidee:Agent, out:Contact = null):Contact
+    {
+        out.point.x = 3;
+        out.normal.setTo(0, -1, 0);
+        return null;
     }
 }

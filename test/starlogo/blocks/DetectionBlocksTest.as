@@ -177,6 +177,14 @@ package starlogo.blocks
         }
 
         [Test]
+        public function agentsWithoutATraitDoNotMatch():void
+        {
+            var asker:AskingAgent = new AskingAgent("sphere", "dogs", _blocks);
+            assertEquals(0, _blocks.countWith(asker, "wolves", "hunger", 10));
+            assertNull(_blocks.nearestWith(asker, "wolves", "hunger", null));
+        }
+
+        [Test]
         public function othersAreWhereTheFrameBegan():void
         {
             assertEquals(1, _blocks.countWithin(_turtle, "wolves", 3));

@@ -95,16 +95,16 @@ package starlogo.broadphase
         {
             add(0, 0, 0.5, 0.5);
             _extents.assignLevel(0);
-            var near:int = _extents.level[0];
+            var near:int = _extents.levelIndices[0];
             _extents.x[0] = 1e12;
             _extents.assignLevel(0);
-            assertTrue(_extents.level[0] != near);
+            assertTrue(_extents.levelIndices[0] != near);
             // far out the columns of the finer level would not fit an int
             add(1e12, 0.75, 0.5, 0.5);
             assertEquals(1, assertLikeBruteForce("far out"));
             _extents.x[0] = _extents.x[1] = 0;
             _extents.assignLevel(0);
-            assertEquals("and back", near, _extents.level[0]);
+            assertEquals("and back", near, _extents.levelIndices[0]);
         }
 
         [Test]
@@ -112,16 +112,16 @@ package starlogo.broadphase
         {
             add(3, 4, 0.5, 0.5);
             _extents.assignLevel(0);
-            var ofUnits:int = _extents.level[0];
+            var ofUnits:int = _extents.levelIndices[0];
             _extents.halfY[0] = 0.51;
             _extents.assignLevel(0);
-            assertTrue(_extents.level[0] != ofUnits);
+            assertTrue(_extents.levelIndices[0] != ofUnits);
             _extents.halfY[0] = 0.26;
             _extents.assignLevel(0);
-            assertEquals("and back", ofUnits, _extents.level[0]);
+            assertEquals("and back", ofUnits, _extents.levelIndices[0]);
             _extents.halfX[0] = _extents.halfY[0] = _extents.x[0] = _extents.y[0] = 0;
             _extents.assignLevel(0);
-            assertTrue("a point", _extents.level[0] != ofUnits);
+            assertTrue("a point", _extents.levelIndices[0] != ofUnits);
         }
 
         [Test]

@@ -41,7 +41,7 @@ package starlogo.broadphase
                 var before:int = _count;
                 fit(0, place);
                 assertEquals(before + 1, _count);
-                assertTrue(String(place), place < BinLevel.MIN_WIDTH * Math.pow(2, _extents.level[0] - 1) * BinLevel.MAX_DISTANCE);
+                assertTrue(String(place), place < BinLevel.MIN_WIDTH * Math.pow(2, _extents.levelIndices[0] - 1) * BinLevel.MAX_DISTANCE);
             }
         }
 
@@ -70,9 +70,9 @@ package starlogo.broadphase
             _extents.halfX[0] = _extents.halfY[0] = half;
             _extents.x[0] = place;
             _extents.assignLevel(0);
-            if (!_levels[_extents.level[0]])
+            if (!_levels[_extents.levelIndices[0]])
             {
-                _levels[_extents.level[0]] = true;
+                _levels[_extents.levelIndices[0]] = true;
                 _count++;
             }
         }

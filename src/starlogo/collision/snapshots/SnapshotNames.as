@@ -29,7 +29,7 @@ package starlogo.collision.snapshots
         /** The index of a model's name. */
         public function ofModel(number:int):int
         {
-            return indexOf(Agent.MODELS.nameOf(number), _ofModels, number);
+            return indexOf(Agent.MODEL_NAMES.nameOf(number), _ofModels, number);
         }
 
         /** The name with an index. @throws RangeError if there is none */

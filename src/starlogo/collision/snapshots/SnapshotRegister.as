@@ -17,10 +17,10 @@ package starlogo.collision.snapshots
     public final class SnapshotRegister
     {
         // How many snapshots are remembered.
-        private static const REMEMBERED:int = 256;
+        private static const MAX_ENTRIES:int = 256;
 
         // How many ids an error names.
-        private static const NAMED:int = 10;
+        private static const MAX_NAMED_IDS:int = 10;
 
         // The entries, the oldest first.
         private var _entries:Vector.<SnapshotEntry> = new Vector.<SnapshotEntry>();
@@ -41,15 +41,15 @@ package starlogo.collision.snapshots
             {
                 entry.ids.push(agents[i].idNumber);
             }
-            if (_entries.push(entry) > REMEMBERED)
+            if (_entries.push(entry) > MAX_ENTRIES)
             {
                 _entries.shift();
             }
         }
 
         /**
-         * Refuses a list that has not the agents of a snapshot. Returns what <code>note()</code> got as the former world; null if the snapshot is not
-         * remembered.
+         * Refuses a list that has not the agents of a snapshot. Returns the <code>formerEnvironment</code> that <code>note()</code> got; null if none
+         * was exchanged, or if the snapshot is not remembered.
          *
          * @param count the number of agents of the snapshot
          * @throws ArgumentError if the list has another length, or the snapshot is remembered and has other agents
@@ -72,12 +72,12 @@ package starlogo.collision.snapshots
             }
             if (count != agents.length)
             {
-                throw new ArgumentError("bytes are no snapshot of " + agents.length + " agents, but of " + wanted(count, known));
+                throw new ArgumentError("bytes are no snapshot of " + agents.length + " agents, but of " + textOfAgents(count, known));
             }
             if (known != null)
             {
                 var other:int = firstOther(known, agents);
-                throw new ArgumentError("bytes are no snapshot of these " + count + " agents, but of " + wanted(count, known) + "; at place " + other
+                throw new ArgumentError("bytes are no snapshot of these " + count + " agents, but of " + textOfAgents(count, known) + "; at place " + other
                         + " the list has " + agents[other]);
             }
             return null;
@@ -115,7 +115,7 @@ package starlogo.collision.snapshots
             return hash;
         }
 
-        private static function wanted(count:int, known:SnapshotEntry):String
+        private static function textOfAgents(count:int, known:SnapshotEntry):String
         {
             var all:String = "the " + count + " that its frame's collision.lastAgents had";
             if (count == 0)
@@ -126,8 +126,8 @@ package starlogo.collision.snapshots
             {
                 return all;
             }
-            var more:String = count > NAMED ? " and " + (count - NAMED) + " more" : "";
-            return all + ": those with the ids " + known.ids.slice(0, NAMED).join(", ") + more;
+            var more:String = count > MAX_NAMED_IDS ? " and " + (count - MAX_NAMED_IDS) + " more" : "";
+            return all + ": those with the ids " + known.ids.slice(0, MAX_NAMED_IDS).join(", ") + more;
         }
     }
 }

@@ -52,14 +52,14 @@ package starlogo.collision.snapshots
                 agent.breed = names.nameAt(bytes.readUnsignedInt());
                 var flags:int = bytes.readUnsignedByte();
                 var kind:int = bytes.readUnsignedByte();
-                if (flags > (SWEEPS | HIERARCHICAL | ONE_WAY) || kind > Agent.KINDS.length)
+                if (flags > (SWEEPS | HIERARCHICAL | ONE_WAY) || kind > Agent.STRUCTURE_NAMES.length)
                 {
                     throw new RangeError("a flag of " + agent + " is unknown");
                 }
                 agent.sweeps = (flags & SWEEPS) != 0;
                 agent.hierarchical = (flags & HIERARCHICAL) != 0;
                 agent.isOneWay = (flags & ONE_WAY) != 0;
-                agent.collideAs = kind == 0 ? Agent.TIGHTEST : Agent.KINDS[kind - 1];
+                agent.collideAs = kind == 0 ? Agent.TIGHTEST : Agent.STRUCTURE_NAMES[kind - 1];
                 agent.traversalDepth = bytes.readInt();
                 agent.moveTo(bytes.readDouble(), bytes.readDouble(), bytes.readDouble());
                 agent.size = bytes.readDouble();

@@ -157,7 +157,7 @@ package starlogo.collision.snapshots
                     readTraits(bytes, agents, parts.names);
                 }
                 parts.places.restore(agents, search.table);
-                search.forgetSearch();
+                search.searchAllNext();
             }
             catch (error:Error)
             {
@@ -274,7 +274,7 @@ package starlogo.collision.snapshots
                 }
                 // the ground and the edges keep their breeds, which no other agent ever has
                 var partner:Agent = partners[second];
-                requireIntact(firstBreed > Breeds.ANY && (partner.isEnvironment ? secondBreed == partner.breedNumber : secondBreed > Breeds.ANY));
+                requireIntact(firstBreed > Breeds.ANY_NUMBER && (partner.isEnvironment ? secondBreed == partner.breedNumber : secondBreed > Breeds.ANY_NUMBER));
                 // each pair is there once
                 requireIntact(touches.find(agents[first], partner) == null);
                 touches.start(agents[first], partner, firstBreed, secondBreed).isComplete = flag == 1;

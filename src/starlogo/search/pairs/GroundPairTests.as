@@ -37,7 +37,7 @@ package starlogo.search.pairs
         private var _penetrationSearch:PenetrationSearch;
 
         // Decides quickly about bodies that are clearly above or in the ground, by their extents; and about the others.
-        private var _extents:GroundBox = new GroundBox();
+        private var _box:GroundBox = new GroundBox();
         private var _earlyOut:GroundEarlyOut = new GroundEarlyOut();
         private var _query:GroundModelQuery = new GroundModelQuery();
         private var _rays:GroundRayQuery = new GroundRayQuery();
@@ -158,13 +158,13 @@ package starlogo.search.pairs
         // Whether a body touches the ground where a motion begins that ends where it stands.
         private function touchesAtBeginning(a:Body, b:Body, motion:RelativeMotion):Boolean
         {
-            _extents.x = a.middleX + motion.startX;
-            _extents.y = a.middleY + motion.startY;
-            _extents.z = a.middleZ + motion.startZ;
-            _extents.halfX = a.halfX;
-            _extents.halfY = a.halfY;
-            _extents.halfZ = a.halfZ;
-            var found:int = _earlyOut.decide(gridOf(b), _extents, a.kind);
+            _box.x = a.middleX + motion.startX;
+            _box.y = a.middleY + motion.startY;
+            _box.z = a.middleZ + motion.startZ;
+            _box.halfX = a.halfX;
+            _box.halfY = a.halfY;
+            _box.halfZ = a.halfZ;
+            var found:int = _earlyOut.decide(gridOf(b), _box, a.kind);
             return found == GroundEarlyOut.UNKNOWN ? queryOf(a, b).areTouchingAt(motion, 0) : found == GroundEarlyOut.TOUCHING;
         }
 

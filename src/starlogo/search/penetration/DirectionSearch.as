@@ -16,20 +16,20 @@ package starlogo.search.penetration
          * The search improves the direction of a contact whose depth is more than this fraction of the largest extent. The search for a way out
          * also begins with steps of this length. After a push that is longer, PenetrationSearch tries one against the motion too.
          */
-        internal static const IMPROVED_DEPTH:Number = 1 / 256;
+        internal static const MIN_DEPTH_TO_IMPROVE:Number = 1 / 256;
 
         /** Another direction counts as better if its depth is less than this times the old depth. */
-        internal static const GAIN:Number = 0.95;
+        internal static const MAX_BETTER_RATIO:Number = 0.95;
 
         // How often a normal is improved at most. Without improvements 7 % of the contacts of random trees are longer, up to 11 times as long. With more
         // than two none is shorter.
-        private static const IMPROVEMENTS:int = 2;
+        private static const MAX_IMPROVEMENTS:int = 2;
 
         // The interval is halved until it is shorter than this fraction of the largest extent. The rest is swept.
-        private static const NARROW:Number = 1 / 16;
+        private static const SWEPT_WIDTH:Number = 1 / 16;
 
         // The most halvings. After 53 a Number has no more bits to halve.
-        private static const MAX_STEPS:int = 60;
+        private static const MAX_HALVINGS:int = 60;
 
         // No displacement is longer, in patches. Bodies in the world are free long before it.
         private static const MAX_DISTANCE:Number = 1e300;
@@ -63,7 +63,7 @@ package starlogo.search.penetration
             _tried.setDirection(guess.normalX, guess.normalY, guess.normalZ);
             _inner = 0;
             _outer = guess.depth + _pair.tolerance;
-            growOuter(IMPROVED_DEPTH * _pair.largestExtent);
+            growOuter(MIN_DEPTH_TO_IMPROVE * _pair.largestExtent);
             refine(out);
         }
 
@@ -81,14 +81,14 @@ package starlogo.search.penetration
             refine(out);
         }
 
-        // Sweeps back from the outer distance. If the depth is more than IMPROVED_DEPTH, improves the direction. Then the point becomes the
+        // Sweeps back from the outer distance. If the depth is more than MIN_DEPTH_TO_IMPROVE, improves the direction. Then the point becomes the
         // middle between the place where the two part and the matching place on the first body.
         private function refine(out:ContactPoint):void
         {
             sweepBack(out);
-            if (out.depth > IMPROVED_DEPTH * _pair.largestExtent)
+            if (out.depth > MIN_DEPTH_TO_IMPROVE * _pair.largestExtent)
             {
-                for (var left:int = IMPROVEMENTS; left > 0 && startAlongNormal(out); left--)
+                for (var left:int = MAX_IMPROVEMENTS; left > 0 && startAlongNormal(out); left--)
                 {
                     sweepBack(out);
                 }
@@ -103,7 +103,7 @@ package starlogo.search.penetration
         private function startAlongNormal(contact:ContactPoint):Boolean
         {
             var cosine:Number = _parting.normalX * contact.normalX + _parting.normalY * contact.normalY + _parting.normalZ * contact.normalZ;
-            if (!(cosine > 0 && cosine < GAIN))
+            if (!(cosine > 0 && cosine < MAX_BETTER_RATIO))
             {
                 return false;
             }
@@ -129,7 +129,7 @@ package starlogo.search.penetration
         // Finds the contact at the place where the two part (_parting). The distance of this place becomes the depth of the way out.
         private function sweepBack(out:ContactPoint):void
         {
-            narrow(NARROW * _pair.largestExtent);
+            narrow(SWEPT_WIDTH * _pair.largestExtent);
             _tried.distance = _inner;
             _pair.displace(_tried);
             // the first body is at the inner distance, so its motion from the outer one is against the direction
@@ -149,7 +149,7 @@ package starlogo.search.penetration
         // Halves the interval until it is no longer than a width. The width may be less than the distance between two Numbers as large as the ends.
         private function narrow(width:Number):void
         {
-            for (var i:int = 0; i < MAX_STEPS && _outer - _inner > width; i++)
+            for (var i:int = 0; i < MAX_HALVINGS && _outer - _inner > width; i++)
             {
                 _tried.distance = (_inner + _outer) / 2;
                 if (_pair.touchesAt(_tried))

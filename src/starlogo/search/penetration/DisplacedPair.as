@@ -108,7 +108,7 @@ package starlogo.search.penetration
          */
         public function findGrazing(motion:RelativeMotion, out:ContactPoint):Boolean
         {
-            if (!isComing(motion) || areTouching())
+            if (!touchesAfterStart(motion) || areTouching())
             {
                 return false;
             }
@@ -123,7 +123,7 @@ package starlogo.search.penetration
         }
 
         /** Whether the first body moves, and touches the second only after the motion's beginning. */
-        internal static function isComing(motion:RelativeMotion):Boolean
+        internal static function touchesAfterStart(motion:RelativeMotion):Boolean
         {
             return motion.time > 0 && !motion.isStill;
         }

@@ -21,7 +21,7 @@ package starlogo.search.penetration
     {
         // No other way is tried if each exit is at least this fraction of the push. Smaller: contacts are longer. Larger: most searches in smooth ground
         // try all places.
-        private static const MIN_RATIO:Number = 0.68;
+        private static const MIN_EXIT_RATIO:Number = 0.68;
 
         private var _pair:DisplacedPair;
         private var _directions:DirectionSearch;
@@ -75,14 +75,14 @@ package starlogo.search.penetration
             out.depth = Infinity;
             _pushOut.clearBlocks();
             var isPushed:Boolean = _pushOut.findPush(_first, Infinity, out);
-            if (DisplacedPair.isComing(motion) && out.depth > DirectionSearch.IMPROVED_DEPTH * _pair.largestExtent)
+            if (DisplacedPair.touchesAfterStart(motion) && out.depth > DirectionSearch.MIN_DEPTH_TO_IMPROVE * _pair.largestExtent)
             {
                 _other.copyFrom(_first);
                 _other.setNormalAgainst(motion);
                 _other.depth = 0;
                 // its point need not be the deepest
                 _other.forgetDeepest();
-                isPushed = _pushOut.findPush(_other, DirectionSearch.GAIN * out.depth, out) || isPushed;
+                isPushed = _pushOut.findPush(_other, DirectionSearch.MAX_BETTER_RATIO * out.depth, out) || isPushed;
             }
             if (!isShortEnough(out.depth))
             {
@@ -108,7 +108,7 @@ package starlogo.search.penetration
         // Whether a contact whose deepest point is of the first body shows that each exit is at least a share of a depth.
         private function areExitsLong(contact:ContactPoint, depth:Number):Boolean
         {
-            var least:Number = MIN_RATIO * depth;
+            var least:Number = MIN_EXIT_RATIO * depth;
             return contact.exitBound >= least || contact.isDeepestOfA && _groundExits.boundOf(_pair.second.shape.grid, contact, depth) >= least;
         }
 

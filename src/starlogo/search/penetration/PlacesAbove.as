@@ -144,7 +144,7 @@ package starlogo.search.penetration
                 before = _shortest;
                 slideBack();
             }
-            while (_shortest < DirectionSearch.GAIN * before);
+            while (_shortest < DirectionSearch.MAX_BETTER_RATIO * before);
         }
 
         // Slides the first body from the end of the shortest way back towards its own place. What it meets are planes that it slides along. Takes the way

@@ -73,19 +73,19 @@ package starlogo.search.penetration
          * Looks for the shortest push that leads out of all contacts.
          *
          * @param first the contact of the two at the touch
-         * @param most the length of the longest push that counts
+         * @param maxLength the length of the longest push that counts
          * @param out receives the normal and the depth if there is such a push
          * @return whether there is one
          */
-        public function findPush(first:ContactPoint, most:Number, out:ContactPoint):Boolean
+        public function findPush(first:ContactPoint, maxLength:Number, out:ContactPoint):Boolean
         {
             var count:int = 1;
             _push.clear();
             _pair.putBack();
-            add(first);
-            while (_push.distance <= most && _push.distance < Infinity && count <= MAX_CONTACTS)
+            addContact(first);
+            while (_push.distance <= maxLength && _push.distance < Infinity && count <= MAX_CONTACTS)
             {
-                if (!isPushBlocked())
+                if (tryPush())
                 {
                     writePush(first, out);
                     return true;
@@ -97,15 +97,15 @@ package starlogo.search.penetration
         }
 
         // Adds a contact: the next push leads out of it too. The more planes the last push ended on, the farther the next one leads out of the new contact.
-        private function add(found:ContactPoint):void
+        private function addContact(contact:ContactPoint):void
         {
             var overshoot:Number = (OVERSHOOT * Tolerances.SEPARATION * _pair.largestExtent + _pair.margin) * (1 << _push.planeCount);
             _push.keepDeciding();
-            _push.add(found.normalX, found.normalY, found.normalZ, found.depth + overshoot + found.along(_push.displacement));
+            _push.add(contact.normalX, contact.normalY, contact.normalZ, contact.depth + overshoot + contact.along(_push.displacement));
             _push.solve();
         }
 
-        // Adds the contact of the first body, which isPushBlocked() has left where it is blocked on its way along the push.
+        // Adds the contact of the first body where tryPush() has left it: where it is blocked on its way along the push.
         private function addBlock():void
         {
             blockedPlaces[blockedEnd++] = _push.displacement.x;
@@ -122,11 +122,11 @@ package starlogo.search.penetration
             }
             // the body is a little farther than the push
             _next.depth += (_tried.distance - _push.distance) * (_next.normalX * _tried.x + _next.normalY * _tried.y + _next.normalZ * _tried.z);
-            add(_next);
+            addContact(_next);
         }
 
-        // Tries the push: at its end, and a little farther. If the two touch at one of these places, it leaves the body there. Returns whether they touch.
-        private function isPushBlocked():Boolean
+        // Tries the push at its end and a little farther, until the two touch. Leaves the body where it was tried last. Returns whether it is free.
+        private function tryPush():Boolean
         {
             // beyond its end, a push out of several contacts may lead into one of them again
             var isOfSeveral:Boolean = _push.planeCount > 1;
@@ -134,15 +134,15 @@ package starlogo.search.penetration
             _tried.distance = _push.distance;
             if (isOfSeveral && _pair.touchesAt(_tried))
             {
-                return true;
+                return false;
             }
             _tried.distance = _push.distance + _pair.probeDistance;
             if (_pair.touchesAt(_tried))
             {
-                return true;
+                return false;
             }
             _tried.distance = _push.distance + _pair.minOpening;
-            return isOfSeveral && _pair.touchesAt(_tried);
+            return !(isOfSeveral && _pair.touchesAt(_tried));
         }
 
         // Takes the push, whose direction is free. If the two are free before its end, the depth is refined.

@@ -320,7 +320,7 @@ package starlogo.search.table
                 if (listed.agentsByRow[row] == null)
                 {
                     shapes[row] = null;
-                    extents.level[row] = 0;
+                    extents.levelIndices[row] = 0;
                 }
             }
             for (i = 0; i < listed.rows.count; i++)
@@ -383,7 +383,7 @@ package starlogo.search.table
                 breeds[row] = agent.breedNumber;
                 writePlace(row, agent);
                 // a new row has no level, and its extents are not known yet
-                if (extents.level[row] != 0)
+                if (extents.levelIndices[row] != 0)
                 {
                     extents.assignLevel(row);
                 }

@@ -223,9 +223,8 @@ package starlogo.queries.motion
             var wallBefore:int = walk.wallRow;
             slideAlong(walk, walk.place, rise, walk.minFloorNormalZ, _slid);
             endSubstep(walk, _slid);
-            if (_slid.wallRow >= 0 && tryStepUp(walk))
+            if (_slid.wallRow >= 0 && tryStepUp(walk, wallBefore))
             {
-                walk.wallRow = wallBefore;
                 return true;
             }
             // the ground may have led up only for a part of the substep: on a ramp, and over the edge of a step
@@ -243,8 +242,9 @@ package starlogo.queries.motion
             }
         }
 
-        // Tries a substep again a step higher, and goes down again. Returns whether the agent comes farther than without the step, and stands.
-        private function tryStepUp(walk:WalkState):Boolean
+        // Tries a substep again a step higher, and goes down again. Returns whether the agent comes farther than without the step, and stands. Then the last
+        // wall is one that it met there, or the one before the substep.
+        private function tryStepUp(walk:WalkState, wallBefore:int):Boolean
         {
             _slider.moveVertically(walk.body, walk.substepStart, walk.options.stepHeight, _vertical);
             var height:Number = _vertical.place.z - walk.substepStart.z;
@@ -257,10 +257,16 @@ package starlogo.queries.motion
             {
                 return false;
             }
+            var upperWall:int = _slid.wallRow;
             var depth:Number = height + walk.options.snap + walk.closeDepth;
             var top:Number = _slid.place.z;
             _slider.moveVertically(walk.body, _slid.place, -depth, _vertical);
-            return _foothold.tryStandAtEnd(walk, _vertical) || (_vertical.hasContact && trySlideOff(walk, _vertical.place, depth - (top - _vertical.place.z)));
+            if (_foothold.tryStandAtEnd(walk, _vertical) || (_vertical.hasContact && trySlideOff(walk, _vertical.place, depth - (top - _vertical.place.z))))
+            {
+                walk.wallRow = upperWall >= 0 ? upperWall : wallBefore;
+                return true;
+            }
+            return false;
         }
 
         // Whether a place is farther along the substep than where the walk is.

@@ -22,8 +22,8 @@ package starlogo.convex
         // How far outside of a triangle a point may be because of rounding, as a weight.
         private static const BORDER:Number = 1e-15;
 
-        // The weight of a triangle's corner that has no share of a point on the triangle's border. It is kept, as corners without a weight are not.
-        private static const LEAST_WEIGHT:Number = 1e-300;
+        /** The weight of a triangle's corner that has no share of a point on the triangle's border. It is kept, as corners without a weight are not. */
+        public static const LEAST_WEIGHT:Number = 1e-300;
 
         /** Tries a corner. */
         public static function tryCorner(w:Vector.<Number>, i:int, out:NearestPoint):void

@@ -111,8 +111,7 @@ package starlogo.ground
         public function isAtBorder(level:int, column:int, row:int):Boolean
         {
             var grid:HeightGrid = search.grid;
-            var shift:int = level * HeightPyramid.SHIFT;
-            return column == 0 || row == 0 || column == grid.lastCellColumn >> shift || row == grid.lastCellRow >> shift;
+            return column == 0 || row == 0 || column == HeightPyramid.squareOf(grid.lastCellColumn, level) || row == HeightPyramid.squareOf(grid.lastCellRow, level);
         }
 
         /** Finds the passage over a square until the latest time. Returns whether there is one. */
@@ -140,7 +139,7 @@ package starlogo.ground
             var end:Number = search.box.z + passage.latest * search.motion.z;
             var maxDistance:Number = search.maxDistance;
             // a triangle beside the box must be nearer in height to be near enough
-            var up:Number = maxDistance > 0 ? Math.sqrt(Math.max(0, maxDistance * maxDistance - passage.besideSquared)) : 0;
+            var up:Number = maxDistance > 0 ? Math.sqrt(Math.max(0, maxDistance * maxDistance - passage.squaredDistanceBeside)) : 0;
             passage.minHeight = Math.min(start, end) - _reachZ - up;
             passage.maxHeight = Math.max(start, end) + _reachZ + up;
             return true;
@@ -155,7 +154,7 @@ package starlogo.ground
             if (speed == 0)
             {
                 var beside:Number = Math.max(0, Math.abs(axis.middle - axis.cellsBegin - (square + 0.5) * width) - width / 2 - axis.reach);
-                passage.besideSquared += beside * beside;
+                passage.squaredDistanceBeside += beside * beside;
                 return beside <= search.maxDistance;
             }
             var low:Number = (axis.cellsBegin + square * width - (axis.middle + axis.reach)) / speed;
@@ -166,7 +165,7 @@ package starlogo.ground
         }
 
         /** Whether the shape in the box stays farther away from a square than a triangle may be. The square is between two heights. */
-        public function isFarther(level:int, column:int, row:int, heights:HeightBounds):Boolean
+        public function isBeyondMaxDistance(level:int, column:int, row:int, heights:HeightBounds):Boolean
         {
             if (search.shape == null)
             {
@@ -178,7 +177,7 @@ package starlogo.ground
             _square.z = (heights.min + heights.max) / 2;
             _square.halfX = _square.halfY = half + slack;
             _square.halfZ = (heights.max - heights.min) / 2 + slack;
-            return _separation.isFarther(search, _square);
+            return _separation.isBeyondMaxDistance(search, _square);
         }
     }
 }

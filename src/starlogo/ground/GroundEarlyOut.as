@@ -34,17 +34,17 @@ package starlogo.ground
          *
          * @param grid the ground
          * @param extents of the agent, in the world
-         * @param form of the agent
+         * @param kind of the agent
          * @return one of the three answers
          */
-        public function decide(grid:HeightGrid, extents:GroundBox, form:int):int
+        public function decide(grid:HeightGrid, extents:GroundBox, kind:int):int
         {
-            // Forms above HULL are ModelShape's: trees, whose nodes may extend beyond their extents, and structures of other kinds.
-            if (form > BoundingStructure.HULL)
+            // Kinds above HULL are ModelShape's: trees, whose nodes may extend beyond their extents, and structures of other kinds.
+            if (kind > BoundingStructure.HULL)
             {
                 return UNKNOWN;
             }
-            var isSphere:Boolean = form == BoundingStructure.SPHERE;
+            var isSphere:Boolean = kind == BoundingStructure.SPHERE;
             // a ball with this radius around the middle is in the agent
             var inner:Number = isSphere ? extents.halfX : 0;
             _under.x = extents.x;
@@ -54,7 +54,7 @@ package starlogo.ground
             if (above <= inner)
             {
                 // the middle of a hull's extents may be outside of the hull
-                return form == BoundingStructure.HULL ? UNKNOWN : TOUCHING;
+                return kind == BoundingStructure.HULL ? UNKNOWN : TOUCHING;
             }
             if (isNaN(above))
             {

@@ -29,24 +29,24 @@ package starlogo.ground
         private var _squaresEnd:int = 0;
 
         /** Begins with all triangles of the cells in some columns and rows. All walls go down to the lowest height. */
-        public function beginOver(grid:HeightGrid, firstColumn:int, firstRow:int, lastColumn:int, lastRow:int):void
+        public function beginWithCells(grid:HeightGrid, firstColumn:int, firstRow:int, lastColumn:int, lastRow:int):void
         {
             var search:GroundSearch = new GroundSearch();
             search.grid = grid;
             search.floor = grid.pyramid.whole.min;
             search.box.halfX = search.box.halfY = search.box.halfZ = Infinity;
-            beginOn(search);
+            reset(search);
             addSquares(0, firstColumn, firstRow, lastColumn, lastRow);
         }
 
         /** Begins a search, which is kept until it ends. */
         internal function begin(search:GroundSearch):void
         {
-            beginOn(search);
+            reset(search);
             addSquares(_path.firstLevel(), 0, 0, int.MAX_VALUE, int.MAX_VALUE);
         }
 
-        private function beginOn(search:GroundSearch):void
+        private function reset(search:GroundSearch):void
         {
             stop();
             _path.begin(search);
@@ -61,7 +61,7 @@ package starlogo.ground
         }
 
         /** Whether the search, which has just begun, begins with cells and not with larger squares, because its box comes to few cells. */
-        internal function startsAtCells():Boolean
+        internal function beginsAtCells():Boolean
         {
             return _path.firstLevel() == 0;
         }
@@ -152,7 +152,7 @@ package starlogo.ground
                 return;
             }
             readHeights(level, column, row);
-            if (!_heights.areHoles && _passage.minHeight <= _heights.max && _passage.maxHeight >= _heights.min && !_path.isFarther(level, column, row, _heights))
+            if (!_heights.isAllHoles && _passage.minHeight <= _heights.max && _passage.maxHeight >= _heights.min && !_path.isBeyondMaxDistance(level, column, row, _heights))
             {
                 column <<= HeightPyramid.SHIFT;
                 row <<= HeightPyramid.SHIFT;

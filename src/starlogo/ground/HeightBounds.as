@@ -23,6 +23,6 @@ package starlogo.ground
         public var hasHole:Boolean = false;
 
         /** Whether all cells there are holes. */
-        public var areHoles:Boolean = true;
+        public var isAllHoles:Boolean = true;
     }
 }

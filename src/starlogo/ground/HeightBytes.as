@@ -29,7 +29,7 @@ package starlogo.ground
             writeNumbers(bytes, numbers, true);
         }
 
-        /** Reads a surface: see HeightGrid.read. */
+        /** Reads a surface: see HeightGrid.readFrom. */
         public static function read(bytes:ByteArray, grid:HeightGrid):HeightGrid
         {
             var columns:int = bytes.readInt();

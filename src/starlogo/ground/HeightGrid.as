@@ -57,7 +57,7 @@ package starlogo.ground
         private var _point:GroundPoint = new GroundPoint();
 
         // A grid that has been a copy of this one, or of which this one is a copy; or null.
-        private var _other:HeightGrid = null;
+        private var _spareCopy:HeightGrid = null;
 
         public function HeightGrid(columns:int, rows:int, cellWidth:Number, x:Number, y:Number)
         {
@@ -122,19 +122,19 @@ package starlogo.ground
             {
                 return this;
             }
-            if (_other == null || _other._holders > 0)
+            if (_spareCopy == null || _spareCopy._holders > 0)
             {
-                _other = new HeightGrid(columns, rows, cellWidth, x, y);
-                _other._other = this;
+                _spareCopy = new HeightGrid(columns, rows, cellWidth, x, y);
+                _spareCopy._spareCopy = this;
             }
-            _other.isBlocky = isBlocky;
+            _spareCopy.isBlocky = isBlocky;
             for (var i:int = 0; i < heights.length; i++)
             {
-                _other.heights[i] = heights[i];
+                _spareCopy.heights[i] = heights[i];
             }
-            _other.holes = holes.concat();
-            _other.pyramid.copyFrom(pyramid);
-            return _other;
+            _spareCopy.holes = holes.concat();
+            _spareCopy.pyramid.copyFrom(pyramid);
+            return _spareCopy;
         }
 
         /** Writes the surface for a snapshot: a method, so that a game without ground does not load HeightBytes. */
@@ -150,7 +150,7 @@ package starlogo.ground
          * @throws EOFError if they are cut off
          * @throws RangeError if they are no surface
          */
-        public function read(bytes:ByteArray):HeightGrid
+        public function readFrom(bytes:ByteArray):HeightGrid
         {
             return HeightBytes.read(bytes, this);
         }

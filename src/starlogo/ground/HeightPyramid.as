@@ -20,7 +20,7 @@ package starlogo.ground
 
         // How many numbers a square has: the least height, the greatest height, the greatest difference of two heights that are neighbours along x, the same
         // along y, and 2 if all cells there are holes, 1 if one is, or 0.
-        private static const NUMBERS:int = 5;
+        private static const NUMBERS_PER_SQUARE:int = 5;
 
         /** The number of the last level. Level 0 is the cells, whose heights need no bounds. */
         public var lastLevel:int = 0;
@@ -45,7 +45,7 @@ package starlogo.ground
             {
                 lastLevel++;
                 _begins.push(size);
-                size += NUMBERS * countSquares(grid.columns, lastLevel) * countSquares(grid.rows, lastLevel);
+                size += NUMBERS_PER_SQUARE * countSquares(grid.columns, lastLevel) * countSquares(grid.rows, lastLevel);
             }
             _bounds = new Vector.<Number>(size, true);
             findWhole();
@@ -91,18 +91,18 @@ package starlogo.ground
             var high:Number = -Infinity;
             out.maxStepX = out.maxStepY = 0;
             out.hasHole = false;
-            out.areHoles = true;
+            out.isAllHoles = true;
             for (var row:int = firstRow; row <= lastRow; row++)
             {
                 for (var column:int = firstColumn; column <= lastColumn; column++)
                 {
-                    var at:int = _begins[level] + NUMBERS * (row * stride + column);
+                    var at:int = _begins[level] + NUMBERS_PER_SQUARE * (row * stride + column);
                     low = Math.min(low, _bounds[at]);
                     high = Math.max(high, _bounds[int(at + 1)]);
                     out.maxStepX = Math.max(out.maxStepX, _bounds[int(at + 2)]);
                     out.maxStepY = Math.max(out.maxStepY, _bounds[int(at + 3)]);
                     out.hasHole ||= _bounds[int(at + 4)] > 0;
-                    out.areHoles &&= _bounds[int(at + 4)] > 1;
+                    out.isAllHoles &&= _bounds[int(at + 4)] > 1;
                 }
             }
             out.min = low;
@@ -120,7 +120,7 @@ package starlogo.ground
             var maxStepX:Number = 0;
             var maxStepY:Number = 0;
             out.hasHole = false;
-            out.areHoles = true;
+            out.isAllHoles = true;
             for (var row:int = firstRow; row <= lastRow; row++)
             {
                 for (var column:int = firstColumn; column <= lastColumn; column++)
@@ -141,7 +141,7 @@ package starlogo.ground
                     }
                     else
                     {
-                        out.areHoles = false;
+                        out.isAllHoles = false;
                     }
                 }
             }
@@ -212,12 +212,12 @@ package starlogo.ground
             var lastColumn:int = Math.min(countSquares(_grid.columns, level - 1), ((column + 1) << SHIFT) + overlap) - 1;
             var lastRow:int = Math.min(countSquares(_grid.rows, level - 1), ((row + 1) << SHIFT) + overlap) - 1;
             findRange(level - 1, firstColumn, firstRow, lastColumn, lastRow, _range);
-            var at:int = _begins[level] + NUMBERS * (row * countSquares(_grid.columns, level) + column);
+            var at:int = _begins[level] + NUMBERS_PER_SQUARE * (row * countSquares(_grid.columns, level) + column);
             _bounds[at] = _range.min;
             _bounds[int(at + 1)] = _range.max;
             _bounds[int(at + 2)] = _range.maxStepX;
             _bounds[int(at + 3)] = _range.maxStepY;
-            _bounds[int(at + 4)] = int(_range.hasHole) + int(_range.areHoles);
+            _bounds[int(at + 4)] = int(_range.hasHole) + int(_range.isAllHoles);
         }
     }
 }

@@ -38,7 +38,7 @@ package starlogo.ground
         /** The kind of the current piece. Read only. */
         public var kind:int = STRUCTURE;
 
-        /** It decides about a triangle of the ground and the current piece. It has no shape of an inner node, and a triangle's after makeShape(). */
+        /** It decides about a triangle of the ground and the current piece. It has no shape of an inner node, and a triangle's after ensureShape(). */
         public var kernel:TriangleKernel = new TriangleKernel();
 
         /** The margin of the current piece, with the margins of the model's place and surface. Read only. */
@@ -169,7 +169,7 @@ package starlogo.ground
         }
 
         /** Sets the kernel's shape to the current piece, which is no inner node. The shape of a triangle is not set before. */
-        public function makeShape():void
+        public function ensureShape():void
         {
             if (!_hasShape)
             {

@@ -25,11 +25,11 @@ package starlogo.ground
 
         // Whether they are kept, until fewer nodes are left than when the search began.
         private var _areKept:Boolean = false;
-        private var _nodesLeft:int = 0;
+        private var _nodesLeftAtSearch:int = 0;
 
         // Those near the box of the current leaf. They are chosen if a triangle of the leaf is the current piece.
-        private var _ofLeaf:Vector.<NearTriangle> = new Vector.<NearTriangle>();
-        private var _ofLeafCount:int = 0;
+        private var _leafTriangles:Vector.<NearTriangle> = new Vector.<NearTriangle>();
+        private var _leafTriangleCount:int = 0;
         private var _isInLeaf:Boolean = false;
 
         // The place of the next triangle in the list of the current piece.
@@ -83,9 +83,9 @@ package starlogo.ground
             {
                 _box.copyFrom(_pieces.box);
             }
-            if (!_areKept || _pieces.nodesLeft < _nodesLeft)
+            if (!_areKept || _pieces.nodesLeft < _nodesLeftAtSearch)
             {
-                find();
+                beginSearch();
             }
             if (!_search.motion.isStill)
             {
@@ -94,24 +94,24 @@ package starlogo.ground
         }
 
         // Begins to find the triangles near the box of the current piece.
-        private function find():void
+        private function beginSearch():void
         {
             _search.box.copyFrom(_box);
             _search.shape = _pieces.hasShapeInBox ? _pieces.kernel.shape : null;
             _source.begin(_search);
-            _areKept = _pieces.kind == ModelPieces.INNER_NODE && _source.startsAtCells();
-            _nodesLeft = _pieces.nodesLeft;
+            _areKept = _pieces.kind == ModelPieces.INNER_NODE && _source.beginsAtCells();
+            _nodesLeftAtSearch = _pieces.nodesLeft;
             _count = 0;
         }
 
         // Chooses the triangles near the box of the current leaf, whose first triangle is the current piece.
         private function chooseForLeaf():void
         {
-            _ofLeafCount = 0;
+            _leafTriangleCount = 0;
             while (nextFound())
             {
-                _ofLeaf[_ofLeafCount] = triangle;
-                _ofLeafCount++;
+                _leafTriangles[_leafTriangleCount] = triangle;
+                _leafTriangleCount++;
             }
             _next = 0;
         }
@@ -123,9 +123,9 @@ package starlogo.ground
             {
                 return nextFound();
             }
-            while (_next < _ofLeafCount)
+            while (_next < _leafTriangleCount)
             {
-                triangle = _ofLeaf[_next];
+                triangle = _leafTriangles[_next];
                 _next++;
                 if (!isInFront(triangle))
                 {

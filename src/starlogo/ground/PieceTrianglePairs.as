@@ -138,7 +138,7 @@ package starlogo.ground
             {
                 return false;
             }
-            pieces.makeShape();
+            pieces.ensureShape();
             // SquareSeparation may read the margin of any triangle: none is more than its slack
             pieces.kernel.shape.margin = pieces.shapeMargin + _triangles.triangle.margin;
             return true;

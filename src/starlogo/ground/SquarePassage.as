@@ -11,7 +11,7 @@ package starlogo.ground
         public var latest:Number = 0;
 
         /** The square of how far the box is beside the square all the time, along x and y. */
-        public var besideSquared:Number = 0;
+        public var squaredDistanceBeside:Number = 0;
 
         /** Triangles between these heights count: where the box is then, or as near as the limits of the search say. */
         public var minHeight:Number = 0;
@@ -22,7 +22,7 @@ package starlogo.ground
         {
             earliest = 0;
             this.latest = latest;
-            besideSquared = 0;
+            squaredDistanceBeside = 0;
         }
     }
 }

@@ -23,7 +23,7 @@ package starlogo.ground
          * @param search has the shape, and its motion
          * @param square the box around the square
          */
-        public function isFarther(search:GroundSearch, square:GroundBox):Boolean
+        public function isBeyondMaxDistance(search:GroundSearch, square:GroundBox):Boolean
         {
             var shape:ConvexShape = search.shape;
             var direction:Vector3D = _direction;

@@ -22,7 +22,7 @@ package starlogo.queries
         private var _seen:SeenAgents;
 
         // The search of a question.
-        private var _searches:NestedPool;
+        private var _searchPool:NestedPool;
 
         // The cone of inCone, which calls accepts only after the search.
         private var _cone:Cone = new Cone();
@@ -37,7 +37,7 @@ package starlogo.queries
         {
             requireGiven("seen", seen);
             _seen = seen;
-            _searches = new NestedPool(seen, NearSearch);
+            _searchPool = new NestedPool(seen, NearSearch);
         }
 
         /**
@@ -179,7 +179,7 @@ package starlogo.queries
         private function begin(asker:Agent, x:Number, y:Number, z:Number, radius:Number, maxCount:int, filter:AgentFilter):NearSearch
         {
             requireNotNegative("radius", radius);
-            var search:NearSearch = NearSearch(_searches.top);
+            var search:NearSearch = NearSearch(_searchPool.top);
             return search.begin(_seen.beginCollecting(maxCount, SQUARE_ROUNDING * radius * radius, asker, filter), x, y, z);
         }
     }

@@ -8,10 +8,10 @@ package starlogo.queries
     import starlogo.geometry.requireInWorld;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayEntry;
+    import starlogo.queries.rays.HitPool;
     import starlogo.queries.rays.RayHits;
     import starlogo.queries.rays.RowRayTest;
     import starlogo.queries.rays.RowSurfaceTest;
-    import starlogo.queries.rays.SpareHits;
     import starlogo.queries.trees.Collector;
     import starlogo.queries.trees.SweptBoxSearch;
     import starlogo.search.Body;
@@ -31,9 +31,9 @@ package starlogo.queries
         private var _entry:RayEntry = new RayEntry();
 
         // How the ray of a question meets rows.
-        private var _hits:NestedPool;
+        private var _rayHitsPool:NestedPool;
 
-        private var _spare:SpareHits = new SpareHits(RayHit);
+        private var _hitPool:HitPool = new HitPool(RayHit);
 
         // For the line between two agents.
         private var _middleA:Vector3D = new Vector3D();
@@ -51,7 +51,7 @@ package starlogo.queries
             _seen = seen;
             _rowRays = new RowRayTest(seen);
             _rowSurfaces = new RowSurfaceTest(seen);
-            _hits = new NestedPool(seen, RayHits);
+            _rayHitsPool = new NestedPool(seen, RayHits);
         }
 
         /**
@@ -124,7 +124,7 @@ package starlogo.queries
             var collector:Collector = begin(Collector.ALL, requireOrigin(origin), direction, maxDistance, filter);
             var listed:Vector.<RayHit> = out || new Vector.<RayHit>();
             var hits:RayHits = allSurfaces ? collectSurfaces(collector) : collect(collector);
-            _spare.resize(listed, hits.end(collector));
+            _hitPool.resize(listed, hits.end(collector));
             for (var i:int = 0; i < listed.length; i++)
             {
                 hits.writeHit(i, listed[i]);
@@ -217,7 +217,7 @@ package starlogo.queries
         // Finds the rows that the ray meets. Returns how it meets them.
         private function collect(collector:Collector):RayHits
         {
-            var hits:RayHits = RayHits(_hits.top);
+            var hits:RayHits = RayHits(_rayHitsPool.top);
             hits.clear();
             for (var row:int = _search.next(collector); row >= 0; row = _search.next(collector))
             {
@@ -234,7 +234,7 @@ package starlogo.queries
         // Finds the rows that the ray meets. Returns all surfaces of them that it crosses.
         private function collectSurfaces(collector:Collector):RayHits
         {
-            var hits:RayHits = RayHits(_hits.top);
+            var hits:RayHits = RayHits(_rayHitsPool.top);
             hits.clear();
             for (var row:int = _search.next(collector); row >= 0; row = _search.next(collector))
             {

@@ -7,17 +7,17 @@ package starlogo.queries
     import starlogo.collision.Contact;
     import starlogo.engine;
     import starlogo.geometry.copyVector;
-    import starlogo.queries.motion.TouchResult;
     import starlogo.queries.motion.Depenetration;
     import starlogo.queries.motion.MotionResult;
     import starlogo.queries.motion.MovingBody;
     import starlogo.queries.motion.SlideLimits;
     import starlogo.queries.motion.Slider;
+    import starlogo.queries.motion.TouchResult;
     import starlogo.queries.motion.TouchSweep;
-    import starlogo.queries.motion.WalkState;
     import starlogo.queries.motion.WalkPlanner;
+    import starlogo.queries.motion.WalkState;
+    import starlogo.queries.rays.HitPool;
     import starlogo.queries.rays.HitWriter;
-    import starlogo.queries.rays.SpareHits;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.table.ListedAgents;
@@ -32,7 +32,7 @@ package starlogo.queries
      */
     public final class MoveQueries
     {
-        private static const DEFAULTS:WalkOptions = new WalkOptions();
+        private static const DEFAULT_OPTIONS:WalkOptions = new WalkOptions();
         private static const UP:Vector3D = new Vector3D(0, 0, 1);
 
         private var _seen:SeenAgents;
@@ -42,10 +42,10 @@ package starlogo.queries
         private var _planner:WalkPlanner;
         private var _sweep:TouchSweep = new TouchSweep();
         private var _writer:HitWriter;
-        private var _spare:SpareHits = new SpareHits(ShapeHit);
+        private var _hitPool:HitPool = new HitPool(ShapeHit);
 
         // The walk of a question. If the question is another one, only the walk's body takes part.
-        private var _walks:NestedPool;
+        private var _walkPool:NestedPool;
 
         // How a slide ends.
         private var _slid:MotionResult = new MotionResult();
@@ -56,7 +56,7 @@ package starlogo.queries
             _seen = seen;
             _writer = new HitWriter(seen);
             _planner = new WalkPlanner(seen);
-            _walks = new NestedPool(seen, WalkState);
+            _walkPool = new NestedPool(seen, WalkState);
         }
 
         /** See AgentMotions.castShape. */
@@ -90,7 +90,7 @@ package starlogo.queries
             _seen.requireMovable(agent, "moveUntilTouch");
             var body:MovingBody = currentBody().setToAgent(agent).aim(dx, dy, dz);
             var first:TouchResult = findTouches(body, filter);
-            if (first.isStopped)
+            if (first.hasRow)
             {
                 _sweep.moveIntoTouch(body, first);
             }
@@ -99,7 +99,7 @@ package starlogo.queries
             if (contact != null)
             {
                 contact.time = first.time;
-                if (first.isStopped)
+                if (first.hasRow)
                 {
                     contact.setFromPoint(first.contact);
                     contact.approachSpeed = Math.max(0, -first.contact.along(body.motion));
@@ -116,7 +116,7 @@ package starlogo.queries
             body.collectRowsWithin(body.motion.length, 0, 0, filter);
             _slider.slide(body, body.rows, body.from, body.motion, limits || SlideLimits.NONE, _slid);
             _depenetration.restoreClearance(body, _slid.place);
-            if (limits == SlideLimits.HORIZONTAL)
+            if (limits != null && limits.keepsHeight)
             {
                 // the clearance leads off slopes by their normals
                 _slid.place.z = body.from.z;
@@ -129,8 +129,8 @@ package starlogo.queries
         public function walk(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:Footing):Footing
         {
             _seen.requireMovable(agent, "walk");
-            var walk:WalkState = WalkState(_walks.top);
-            _planner.go(agent, dx, dy, options || DEFAULTS, walk);
+            var walk:WalkState = WalkState(_walkPool.top);
+            _planner.plan(agent, dx, dy, options || DEFAULT_OPTIONS, walk);
             // before the footing is written, because an agent that would leave the world throws an error
             _seen.moveAgent(agent, walk.place, walk.carryTurn);
             var footing:Footing = writeFooting(walk, out || new Footing());
@@ -149,8 +149,8 @@ package starlogo.queries
          */
         public function findFooting(agent:Agent, options:WalkOptions, out:Footing):Footing
         {
-            var walk:WalkState = WalkState(_walks.top);
-            _planner.go(agent, 0, 0, options, walk);
+            var walk:WalkState = WalkState(_walkPool.top);
+            _planner.plan(agent, 0, 0, options, walk);
             return writeFooting(walk, out);
         }
 
@@ -170,21 +170,21 @@ package starlogo.queries
         // The body of the question that begins now.
         private function currentBody():MovingBody
         {
-            var walk:WalkState = WalkState(_walks.top);
+            var walk:WalkState = WalkState(_walkPool.top);
             return walk.body;
         }
 
         private function cast(body:MovingBody, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
             var first:TouchResult = findTouches(body, filter);
-            return first.isStopped ? writeHit(first, hit || new ShapeHit()) : null;
+            return first.hasRow ? writeHit(first, hit || new ShapeHit()) : null;
         }
 
         private function castAll(body:MovingBody, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
             var hits:Vector.<ShapeHit> = out || new Vector.<ShapeHit>();
             findTouches(body, filter);
-            _spare.resize(hits, _sweep.count);
+            _hitPool.resize(hits, _sweep.count);
             for (var i:int = 0; i < hits.length; i++)
             {
                 writeHit(_sweep.touchAt(i), hits[i]);

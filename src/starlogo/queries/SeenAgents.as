@@ -56,7 +56,7 @@ package starlogo.queries
         private var _source:QuerySource;
 
         // Functions that add the tests which some questions need.
-        private var _needs:Vector.<Function> = new Vector.<Function>();
+        private var _testAdders:Vector.<Function> = new Vector.<Function>();
 
         private var _terrain:Terrain = null;
 
@@ -65,15 +65,15 @@ package starlogo.queries
         private var _extentTree:RowTree = new RowTree();
         private var _isUpdated:Boolean = false;
 
-        // By row: how far up a one-way agent has moved since the update before the last one, without a jump. That of all rows but _oneWayRows is 0.
+        // By row: how far up a one-way agent has moved since the update before the last one, without a jump. That of all rows but _risenRows is 0.
         private var _rises:Vector.<Number> = new Vector.<Number>();
-        private var _oneWayRows:IntList = new IntList();
+        private var _risenRows:IntList = new IntList();
 
         // The body of an agent that has changed since the last update.
         private var _spare:Body = new Body();
 
         // What collects the rows of a question.
-        private var _collectors:NestedPool;
+        private var _collectorPool:NestedPool;
 
         /**
          * Begins without agents, as an AgentQueries does.
@@ -90,7 +90,7 @@ package starlogo.queries
             }
             narrowPhase = _source.findNarrowPhase();
             table = new AgentTable(narrowPhase.choice);
-            _collectors = new NestedPool(this, Collector);
+            _collectorPool = new NestedPool(this, Collector);
         }
 
         /**
@@ -133,20 +133,20 @@ package starlogo.queries
         {
             requireGiven("agents", agents);
             requireOutsideFilter("update");
-            var newPhase:NarrowPhase = _source.findNarrowPhase();
-            var isOther:Boolean = newPhase !== narrowPhase;
-            var next:AgentTable = isOther ? new AgentTable(newPhase.choice) : table;
+            var newNarrowPhase:NarrowPhase = _source.findNarrowPhase();
+            var isOtherNarrowPhase:Boolean = newNarrowPhase !== narrowPhase;
+            var next:AgentTable = isOtherNarrowPhase ? new AgentTable(newNarrowPhase.choice) : table;
             next.setList(agents);
             findRises(next);
             next.readChanges();
             next.readEnvironment(terrain == null ? null : terrain.environmentAgent, null);
             table = next;
-            narrowPhase = newPhase;
-            if (isOther)
+            narrowPhase = newNarrowPhase;
+            if (isOtherNarrowPhase)
             {
-                for (var i:int = 0; i < _needs.length; i++)
+                for (var i:int = 0; i < _testAdders.length; i++)
                 {
-                    _needs[i](newPhase);
+                    _testAdders[i](newNarrowPhase);
                 }
             }
             _placeTree.makeStale();
@@ -187,11 +187,11 @@ package starlogo.queries
         // Finds the rises of the rows that a table reads next.
         private function findRises(next:AgentTable):void
         {
-            for (var i:int = 0; i < _oneWayRows.count; i++)
+            for (var i:int = 0; i < _risenRows.count; i++)
             {
-                _rises[_oneWayRows.values[i]] = 0;
+                _rises[_risenRows.values[i]] = 0;
             }
-            _oneWayRows.count = 0;
+            _risenRows.count = 0;
             _rises.length = Math.max(_rises.length, next.listed.rowCapacity);
             for (i = 0; i < next.changed.count; i++)
             {
@@ -200,12 +200,12 @@ package starlogo.queries
         }
 
         // How far up a row has moved from where it was read last to where its agent is now; 0 if it is not one-way or has jumped.
-        private static function riseNow(from:AgentTable, row:int):Number
+        private static function riseNow(table:AgentTable, row:int):Number
         {
-            var agent:Agent = from.listed.agentsByRow[row];
-            if (agent.isOneWay && from.isMotionStart(row))
+            var agent:Agent = table.listed.agentsByRow[row];
+            if (agent.isOneWay && table.isMotionStart(row))
             {
-                return agent.z - from.places.z[row];
+                return agent.z - table.places.z[row];
             }
             return 0;
         }
@@ -215,7 +215,7 @@ package starlogo.queries
             if (rise != 0)
             {
                 _rises[row] += rise;
-                _oneWayRows.add(row);
+                _risenRows.add(row);
             }
         }
 
@@ -226,9 +226,9 @@ package starlogo.queries
          */
         engine function needTests(addTo:Function):void
         {
-            if (_needs.indexOf(addTo) < 0)
+            if (_testAdders.indexOf(addTo) < 0)
             {
-                _needs.push(addTo);
+                _testAdders.push(addTo);
                 addTo(narrowPhase);
             }
         }
@@ -236,7 +236,7 @@ package starlogo.queries
         /** @private Begins the search of a question, and returns what collects its rows: see Collector.begin. */
         engine function beginCollecting(maxCount:int, limit:Number, asker:Agent, filter:AgentFilter):Collector
         {
-            var collector:Collector = Collector(_collectors.top);
+            var collector:Collector = Collector(_collectorPool.top);
             collector.begin(maxCount, limit, asker, filter);
             return collector;
         }

@@ -77,7 +77,7 @@ package starlogo.terrain
             var triangle:GroundTriangle = new GroundTriangle();
             // a cell of slopes ends at the next heights
             var next:int = _terrain.isBlocky ? 0 : 1;
-            source.beginOver(_terrain.grid, _first.column, _first.row, _last.column - next, _last.row - next);
+            source.beginWithCells(_terrain.grid, _first.column, _first.row, _last.column - next, _last.row - next);
             while (source.next(triangle))
             {
                 addTriangle(triangle);

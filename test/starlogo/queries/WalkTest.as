@@ -275,6 +275,34 @@ package starlogo.queries
         }
 
         [Test]
+        public function theFootingSaysWhatItMeetsOnTopOfAStep():void
+        {
+            for each (var name:String in NAMES)
+            {
+                for each (var shape:String in WALKERS)
+                {
+                    var message:String = name + ", " + shape;
+                    var walker:Agent = walkerAt(shape, 0.7, 0, 0);
+                    var kerb:Agent = agentAt("cube", 1.5, 0, -0.8);
+                    var enemy:Agent = agentAt("cube", 1.8, 0, 0, "enemies");
+                    var agents:Vector.<Agent> = new <Agent>[walker, kerb, enemy];
+                    addTiles(agents, -4, 4, flat);
+                    var queries:AgentQueries = queriesOf(name, agents);
+                    queries.walk(walker, 0.5, 0, _options, _footing);
+                    assertStrictlyEquals(message + ": " + [walker.x, walker.z], kerb, _footing.on);
+                    assertStrictlyEquals(message, enemy, _footing.against);
+                    // a step down and up again, without a wall
+                    queries.walk(walker, -0.5, 0, _options, _footing);
+                    agents.splice(2, 1);
+                    queries.update(agents);
+                    queries.walk(walker, 0.5, 0, _options, _footing);
+                    assertStrictlyEquals(message + ": " + [walker.x, walker.z], kerb, _footing.on);
+                    assertNull(message + ": no wall", _footing.against);
+                }
+            }
+        }
+
+        [Test]
         public function withoutFallsItGoesOverACliff():void
         {
             _options.fall = 0;

@@ -247,7 +247,7 @@ package starlogo.collision.snapshots
             }
             if ((contents & HAS_HEIGHTS) != 0)
             {
-                parts.ground = ground.surface.grid.read(bytes);
+                parts.ground = ground.surface.grid.readFrom(bytes);
             }
             parts.hasTraits = (contents & HAS_TRAITS) != 0;
             requireIntact(parts.hasTraits || bytes.position == bytes.length);

@@ -58,7 +58,7 @@ package starlogo.queries.motion
          */
         public function depenetrate(motion:ShrunkSweep):void
         {
-            if (replaceByPlanes(motion, false) && !pushOut(motion))
+            if (replaceByPlanes(motion, false) && !pushOutOfShallow(motion))
             {
                 replaceByPlanes(motion, true);
             }
@@ -111,16 +111,16 @@ package starlogo.queries.motion
         /**
          * Measures how far one-way rows have risen into a body that was above them.
          *
-         * @param carrier the row that carries the body already; -1 for none
+         * @param platformRow the row that carries the body already; -1 for none
          * @return how far up the body was, as these rows see it: the longest of their rises; 0 if none has risen into the body
          */
-        public function measureRise(body:MovingBody, place:Vector3D, carrier:int):Number
+        public function measureRise(body:MovingBody, place:Vector3D, platformRow:int):Number
         {
             var longest:Number = 0;
             for (var i:int = 0; i < body.rows.count; i++)
             {
                 var row:int = body.rows.values[i];
-                var rise:Number = row == carrier ? 0 : body.riseOf(row);
+                var rise:Number = row == platformRow ? 0 : body.riseOf(row);
                 if (rise > longest && hasRisenInto(row, rise, body, place))
                 {
                     longest = rise;
@@ -139,7 +139,7 @@ package starlogo.queries.motion
 
         // Pushes the body out of the obstacles that the shrunk body overlaps, one after the other, in rounds, until a round needs no push. Returns whether it
         // is free then. It is not if an overlap is not shallow. Then the body is where it was, and there are no pushes.
-        private function pushOut(motion:ShrunkSweep):Boolean
+        private function pushOutOfShallow(motion:ShrunkSweep):Boolean
         {
             var shrunk:ShrunkBody = motion.shrunk;
             var rows:IntList = motion.obstacles;
@@ -241,7 +241,7 @@ package starlogo.queries.motion
             var shrunk:ShrunkBody = motion.shrunk;
             shrunk.body.findContact(row, motion.start, alsoShallow, _contact);
             var isCounted:Boolean = alsoShallow || !shrunk.body.isShallow(row, _contact);
-            if (!isCounted || shrunk.narrow(row, motion.start) || !shrunk.bodyOverlaps(row, motion.start))
+            if (!isCounted || shrunk.tryNarrow(row, motion.start) || !shrunk.bodyOverlaps(row, motion.start))
             {
                 return false;
             }

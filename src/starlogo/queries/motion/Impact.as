@@ -30,7 +30,7 @@ package starlogo.queries.motion
         public var isNormalFallback:Boolean = false;
 
         /** Whether a row is met. */
-        public function get isMet():Boolean
+        public function get hasRow():Boolean
         {
             return row >= 0;
         }

@@ -172,7 +172,7 @@ package starlogo.queries.motion
         {
             if (searchAround())
             {
-                var largest:Number = boundOfExtents;
+                var largest:Number = largestExtentBound;
                 var reach:Number = range + maxSlop(range, largest);
                 if (ShrunkBody.SHALLOW * largest > extent)
                 {
@@ -196,7 +196,7 @@ package starlogo.queries.motion
         }
 
         /** No row of the table has a larger extent, nor the body. It reads the ground too. */
-        public function get boundOfExtents():Number
+        public function get largestExtentBound():Number
         {
             return Math.max(extent, _seen.treeOfExtents().maxExtent);
         }

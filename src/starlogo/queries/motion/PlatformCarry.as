@@ -114,19 +114,19 @@ package starlogo.queries.motion
          * Carries the agent of a walk with its platform. The agent slides along others that are in its way, but not into the platform. The platform has
          * moved already, so only the rest of its way, which the agent misses, can lead into it.
          *
-         * @param platform its row
+         * @param platformRow the row of the platform
          */
-        public function carry(walk:WalkState, platform:int):void
+        public function carry(walk:WalkState, platformRow:int):void
         {
-            _others.copyExcept(walk.body.rows, platform);
+            _others.copyExcept(walk.body.rows, platformRow);
             _carried.copyFrom(walk.place);
             _carried.incrementBy(walk.carry);
             _slider.slide(walk.body, _others, walk.place, walk.carry, SlideLimits.NONE, _slid);
             var place:Vector3D = _slid.place;
-            if (_slid.fraction < 1 && leadsIntoPlatform(platform, walk, place))
+            if (_slid.fraction < 1 && leadsIntoPlatform(platformRow, walk, place))
             {
                 _slider.moveStraight(walk.body, _others, walk.place, walk.carry, _straight);
-                if (!leadsIntoPlatform(platform, walk, _straight.place))
+                if (!leadsIntoPlatform(platformRow, walk, _straight.place))
                 {
                     place = _straight.place;
                 }
@@ -135,11 +135,11 @@ package starlogo.queries.motion
         }
 
         // Whether the way to a place, from where the platform carries the agent, leads into the platform.
-        private function leadsIntoPlatform(platform:int, walk:WalkState, place:Vector3D):Boolean
+        private function leadsIntoPlatform(platformRow:int, walk:WalkState, place:Vector3D):Boolean
         {
             _motion.copyFrom(place);
             _motion.decrementBy(_carried);
-            return _sweep.meets(walk.body, platform, _carried, _motion);
+            return _sweep.meets(walk.body, platformRow, _carried, _motion);
         }
     }
 }

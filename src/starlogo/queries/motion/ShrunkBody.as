@@ -123,7 +123,7 @@ package starlogo.queries.motion
          *
          * @return whether the shrunk body is free of the row
          */
-        public function narrow(row:int, place:Vector3D):Boolean
+        public function tryNarrow(row:int, place:Vector3D):Boolean
         {
             var before:Number = _inset;
             setInset(_maxInset);

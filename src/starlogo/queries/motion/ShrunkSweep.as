@@ -75,7 +75,7 @@ package starlogo.queries.motion
             {
                 return true;
             }
-            if (shrunk.isFlat || (findFirst(start, motion, true, impact) && (impact.time == 0 || body.isOneWay(impact.row))))
+            if (shrunk.isFlat || (findFirstOfObstacles(start, motion, true, impact) && (impact.time == 0 || body.isOneWay(impact.row))))
             {
                 // it overlaps something, or a sweep cannot tell
                 _depenetration.depenetrate(this);
@@ -98,9 +98,9 @@ package starlogo.queries.motion
                 {
                     return 0;
                 }
-                findImpact(start, motion);
+                findStoppingImpact(start, motion);
             }
-            return impact.isMet ? findTouchTime(start, motion) : 1;
+            return impact.hasRow ? findTouchTime(start, motion) : 1;
         }
 
         /**
@@ -115,11 +115,11 @@ package starlogo.queries.motion
         public function findFirstImpact(from:Vector3D, motion:Vector3D, out:Impact):Boolean
         {
             out.row = -1;
-            return hasLength(motion) && findFirst(from, motion, false, out);
+            return hasLength(motion) && findFirstOfObstacles(from, motion, false, out);
         }
 
         /** Finds the impact: which obstacle stops the shrunk body first. One-way rows that the body passes leave the obstacles. */
-        public function findImpact(from:Vector3D, motion:Vector3D):void
+        public function findStoppingImpact(from:Vector3D, motion:Vector3D):void
         {
             while (findFirstImpact(from, motion, impact) && shrunk.body.passesOneWay(impact.row, impact.contact))
             {
@@ -199,12 +199,12 @@ package starlogo.queries.motion
             impact.time = impact.orderTime = 0;
             impact.isNormalFallback = false;
             impact.contact.triangle = -1;
-            return impact.isMet;
+            return impact.hasRow;
         }
 
         // Finds which obstacle the shrunk body meets first. If the motion starts there, the body may be inside of obstacles, and meets these at once.
         // Returns whether it meets any.
-        private function findFirst(from:Vector3D, motion:Vector3D, isStart:Boolean, out:Impact):Boolean
+        private function findFirstOfObstacles(from:Vector3D, motion:Vector3D, isStart:Boolean, out:Impact):Boolean
         {
             out.row = -1;
             out.time = out.orderTime = RelativeMotion.NEVER;
@@ -215,7 +215,7 @@ package starlogo.queries.motion
                     out.copyFrom(_met);
                 }
             }
-            return out.isMet;
+            return out.hasRow;
         }
 
         // Finds when and how a row stops the shrunk body. If the first contact does not point against the motion, the shrunk body leaves there what

@@ -51,7 +51,7 @@ package starlogo.queries.motion
             if (!isKnown)
             {
                 _remaining.beginCorner();
-                if (limits == SlideLimits.HORIZONTAL)
+                if (limits.keepsHeight)
                 {
                     makePlanesUpright(_sweep.planes, _remaining);
                 }
@@ -59,7 +59,7 @@ package starlogo.queries.motion
             }
             // the planes from this index on belong to the corner where the body is
             var corner:int = _sweep.planes.count;
-            for (var contacts:int = 0; contacts < MAX_CONTACTS && impact.isMet; contacts++)
+            for (var contacts:int = 0; contacts < MAX_CONTACTS && impact.hasRow; contacts++)
             {
                 if (!isInCorner(impact, _remaining.motion))
                 {
@@ -72,7 +72,7 @@ package starlogo.queries.motion
                 dropNeedlessPlanes(out.place, corner, _sweep.planes.add(impact.contact, impact.row));
                 turn(out.place);
             }
-            if (!impact.isMet)
+            if (!impact.hasRow)
             {
                 _remaining.advance(out.place, 1);
             }
@@ -83,7 +83,7 @@ package starlogo.queries.motion
         private function turn(place:Vector3D):void
         {
             _remaining.project(_sweep.planes);
-            _sweep.findImpact(place, _remaining.motion);
+            _sweep.findStoppingImpact(place, _remaining.motion);
         }
 
         /**

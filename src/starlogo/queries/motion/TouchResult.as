@@ -29,7 +29,7 @@ package starlogo.queries.motion
         public var hasPlane:Boolean = false;
 
         /** Whether a row stops it. */
-        public function get isStopped():Boolean
+        public function get hasRow():Boolean
         {
             return row >= 0;
         }

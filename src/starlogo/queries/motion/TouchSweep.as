@@ -103,7 +103,7 @@ package starlogo.queries.motion
                 findTouch(body, body.rows.values[i], touch);
                 // the row alone pushes the body, or stops it at once in a shallow overlap
                 mayPush ||= compareVectors(_alone.start, _among.start) != 0 || (touch.time == 0 && !touch.hasPlane);
-                if (touch.isStopped)
+                if (touch.hasRow)
                 {
                     _touches.add(count, touch.time);
                 }
@@ -119,8 +119,8 @@ package starlogo.queries.motion
             _alone.obstacles.add(row);
             out.time = _alone.findStop(body, _among.start, body.motion);
             out.row = _alone.impact.row;
-            out.hasPlane = out.isStopped && _alone.planes.count > 0;
-            if (out.isStopped)
+            out.hasPlane = out.hasRow && _alone.planes.count > 0;
+            if (out.hasRow)
             {
                 out.contact.copyFrom(_alone.impact.contact);
                 if (!out.hasPlane)

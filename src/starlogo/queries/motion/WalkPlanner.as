@@ -14,7 +14,7 @@ package starlogo.queries.motion
     /**
      * Computes a walk, as a game character does. The agent slides along the ground. For this slide, surfaces that are too steep are walls. If a wall stops
      * the agent, it tries the same way a step higher, and goes down again. At the end it goes down to the ground, or falls. The method
-     * <code>go()</code> shows the order.
+     * <code>plan()</code> shows the order.
      *
      * <p>Steps take the walk to its next place, <code>WalkState.place</code>, and return whether the agent stands there. Then the walk has the floor too. If the
      * agent does not stand after a method that begins with "try", here or in Foothold, the walk is where it was.</p>
@@ -72,10 +72,10 @@ package starlogo.queries.motion
          * @param options how it walks
          * @param out receives where the walk ends, and how the agent stands there
          */
-        public function go(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:WalkState):void
+        public function plan(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:WalkState):void
         {
-            var carrier:int = begin(agent, dx, dy, options, out);
-            out.stands = walkSubsteps(out, standOrPushOut(out, carrier)) || fall(out);
+            var platformRow:int = begin(agent, dx, dy, options, out);
+            out.stands = walkSubsteps(out, standOrPushOut(out, platformRow)) || fall(out);
             _depenetration.restoreClearance(out.body, out.place);
         }
 
@@ -89,15 +89,15 @@ package starlogo.queries.motion
             walk.substepCount = Math.min(MAX_SUBSTEPS, Math.max(1, Math.ceil(length / agent.size)));
             walk.substepMotion.setTo(dx / walk.substepCount, dy / walk.substepCount, 0);
             walk.substepLength = length / walk.substepCount;
-            var platform:int = _platforms.find(agent, walk);
+            var platformRow:int = _platforms.find(agent, walk);
             walk.body.setToAgent(agent, walk.carryTurn).aim(dx, dy, 0);
             walk.place.copyFrom(walk.body.from);
             collectRows(walk, 0);
-            if (platform >= 0)
+            if (platformRow >= 0)
             {
-                _platforms.carry(walk, platform);
+                _platforms.carry(walk, platformRow);
             }
-            return platform;
+            return platformRow;
         }
 
         // Finds the rows near a walk, and up to a distance from it, and how close to them it stands.
@@ -107,7 +107,7 @@ package starlogo.queries.motion
             var body:MovingBody = walk.body;
             // the way on the steepest slope, how far a slide after a fall goes sideways, and the way of the platform, whatever their directions
             var range:Number = walk.substepCount * walk.substepLength / walk.minFloorNormalZ + depthAfterFall(walk) / 2 + walk.carry.length + distance;
-            range += closeDepthAmong(walk, body.boundOfExtents);
+            range += closeDepthAmong(walk, body.largestExtentBound);
             body.collectRowsWithin(range, walk.substepCount * options.stepHeight, walk.substepCount * options.snap + options.fall, options.filter);
             walk.closeDepth = closeDepthAmong(walk, body.largestExtent);
         }
@@ -119,15 +119,15 @@ package starlogo.queries.motion
         }
 
         // Pushes the agent out of what it overlaps. Returns whether it stands then.
-        private function standOrPushOut(walk:WalkState, carrier:int):Boolean
+        private function standOrPushOut(walk:WalkState, platformRow:int):Boolean
         {
             walk.substepStart.copyFrom(walk.place);
-            var risen:Number = riseWithPlatforms(walk, carrier);
+            var risen:Number = riseWithPlatforms(walk, platformRow);
             _slider.moveVertically(walk.body, walk.place, -walk.closeDepth, _vertical);
             var isOverlapping:Boolean = _vertical.hasPlanes;
             if (isOverlapping)
             {
-                pushOut(walk, risen);
+                pushOutOfDeep(walk, risen);
                 _slider.moveVertically(walk.body, walk.place, -walk.closeDepth, _vertical);
             }
             var x:Number = walk.place.x - walk.substepStart.x;
@@ -139,9 +139,9 @@ package starlogo.queries.motion
         }
 
         // Leads the agent up with one-way rows that have risen into it since it was moved, if there is room. Returns how far they have.
-        private function riseWithPlatforms(walk:WalkState, carrier:int):Number
+        private function riseWithPlatforms(walk:WalkState, platformRow:int):Number
         {
-            var height:Number = _depenetration.measureRise(walk.body, walk.place, carrier);
+            var height:Number = _depenetration.measureRise(walk.body, walk.place, platformRow);
             if (height > 0)
             {
                 collectRows(walk, height);
@@ -153,7 +153,7 @@ package starlogo.queries.motion
 
         // Pushes the agent out of what it overlaps deeply. The deepest overlap comes first. A push is a slide, so it leads through nothing else. All pushes
         // together are as long as the depths of all overlaps at the beginning. The agent has risen so far before.
-        private function pushOut(walk:WalkState, risen:Number):void
+        private function pushOutOfDeep(walk:WalkState, risen:Number):void
         {
             var left:Number = _depenetration.measureOverlaps(walk.body, walk.place, walk.deepestOverlap);
             if (!(left > 0))
@@ -223,9 +223,8 @@ package starlogo.queries.motion
             var wallBefore:int = walk.wallRow;
             slideAlong(walk, walk.place, rise, walk.minFloorNormalZ, _slid);
             endSubstep(walk, _slid);
-            if (_slid.wallRow >= 0 && tryStepUp(walk))
+            if (_slid.wallRow >= 0 && tryStepUp(walk, wallBefore))
             {
-                walk.wallRow = wallBefore;
                 return true;
             }
             // the ground may have led up only for a part of the substep: on a ramp, and over the edge of a step
@@ -243,8 +242,9 @@ package starlogo.queries.motion
             }
         }
 
-        // Tries a substep again a step higher, and goes down again. Returns whether the agent comes farther than without the step, and stands.
-        private function tryStepUp(walk:WalkState):Boolean
+        // Tries a substep again a step higher, and goes down again. Returns whether the agent comes farther than without the step, and stands. Then the last
+        // wall is one that it met there, or the one before the substep.
+        private function tryStepUp(walk:WalkState, wallBefore:int):Boolean
         {
             _slider.moveVertically(walk.body, walk.substepStart, walk.options.stepHeight, _vertical);
             var height:Number = _vertical.place.z - walk.substepStart.z;
@@ -257,10 +257,16 @@ package starlogo.queries.motion
             {
                 return false;
             }
+            var upperWall:int = _slid.wallRow;
             var depth:Number = height + walk.options.snap + walk.closeDepth;
             var top:Number = _slid.place.z;
             _slider.moveVertically(walk.body, _slid.place, -depth, _vertical);
-            return _foothold.tryStandAtEnd(walk, _vertical) || (_vertical.hasContact && trySlideOff(walk, _vertical.place, depth - (top - _vertical.place.z)));
+            if (_foothold.tryStandAtEnd(walk, _vertical) || (_vertical.hasContact && trySlideOff(walk, _vertical.place, depth - (top - _vertical.place.z))))
+            {
+                walk.wallRow = upperWall >= 0 ? upperWall : wallBefore;
+                return true;
+            }
+            return false;
         }
 
         // Whether a place is farther along the substep than where the walk is.

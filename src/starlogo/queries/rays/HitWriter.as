@@ -23,8 +23,6 @@ package starlogo.queries.rays
      */
     public final class HitWriter
     {
-        private static const LEAST:Number = 1e-300;
-
         private var _seen:SeenAgents;
 
         // From the point to each corner of the triangle: x, y, z of each; and the triangle's point that is nearest to the point.
@@ -85,10 +83,10 @@ package starlogo.queries.rays
             hit.weights.z = weightOf(2);
         }
 
-        // SimplexPart gives a corner that has no share of the point the weight LEAST.
+        // SimplexPart gives a corner that has no share of the point the weight LEAST_WEIGHT.
         private function weightOf(corner:int):Number
         {
-            return _nearest.weights[corner] > LEAST ? _nearest.weights[corner] : 0;
+            return _nearest.weights[corner] > SimplexPart.LEAST_WEIGHT ? _nearest.weights[corner] : 0;
         }
 
         private function readCorners(tree:BoxTree, corner:int, placement:Placement, point:Vector3D):void

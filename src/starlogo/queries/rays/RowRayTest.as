@@ -29,9 +29,9 @@ package starlogo.queries.rays
     public final class RowRayTest
     {
         private var _seen:SeenAgents;
-        private var _inModel:Ray = new Ray();
+        private var _rayInModel:Ray = new Ray();
         private var _span:RaySpan = new RaySpan();
-        private var _solid:TreeRayEntryQuery = new TreeRayEntryQuery();
+        private var _treeEntries:TreeRayEntryQuery = new TreeRayEntryQuery();
 
         /** @param seen has the rows */
         public function RowRayTest(seen:SeenAgents)
@@ -53,12 +53,12 @@ package starlogo.queries.rays
             {
                 return _seen.narrowPhase.groundTestsOf(body).findRayEntry(body, ray, out);
             }
-            bringIntoModel(ray, body.placement, _inModel);
-            if (!_inModel.isFinite || !findEntryOfShape(body, _inModel, out))
+            bringIntoModel(ray, body.placement, _rayInModel);
+            if (!_rayInModel.isFinite || !findEntryOfShape(body, _rayInModel, out))
             {
                 return false;
             }
-            bringIntoWorld(out, _inModel, body.placement, ray);
+            bringIntoWorld(out, _rayInModel, body.placement, ray);
             return out.distance <= ray.to;
         }
 
@@ -71,26 +71,26 @@ package starlogo.queries.rays
         /**
          * Moves a ray into the space of a row's model.
          *
-         * @param line receives the ray there
+         * @param rayInModel receives the ray there
          */
-        internal static function bringIntoModel(ray:Ray, placement:Placement, line:Ray):void
+        internal static function bringIntoModel(ray:Ray, placement:Placement, rayInModel:Ray):void
         {
             var ahead:Number = aheadOf(ray, placement);
-            line.directionX = ray.directionX;
-            line.directionY = ray.directionY;
-            line.directionZ = ray.directionZ;
-            line.x = ahead * line.directionX - (placement.x - ray.x);
-            line.y = ahead * line.directionY - (placement.y - ray.y);
-            line.z = ahead * line.directionZ - (placement.z - ray.z);
+            rayInModel.directionX = ray.directionX;
+            rayInModel.directionY = ray.directionY;
+            rayInModel.directionZ = ray.directionZ;
+            rayInModel.x = ahead * rayInModel.directionX - (placement.x - ray.x);
+            rayInModel.y = ahead * rayInModel.directionY - (placement.y - ray.y);
+            rayInModel.z = ahead * rayInModel.directionZ - (placement.z - ray.z);
             var size:Number = placement.size;
-            line.scaleAndTurnBack(placement);
-            line.from = -ahead / size;
+            rayInModel.scaleAndTurnBack(placement);
+            rayInModel.from = -ahead / size;
             // because of rounding this end is a little too far; hits beyond the exact end are refused later
-            line.to = (ray.to - ahead + Tolerances.ROUNDING * (ray.to + Math.abs(ahead))) / size;
+            rayInModel.to = (ray.to - ahead + Tolerances.ROUNDING * (ray.to + Math.abs(ahead))) / size;
         }
 
         /** Moves where a ray enters a shape from the model's space into the world. Because of rounding, it may be beyond the ray's end there. */
-        internal static function bringIntoWorld(entry:RayEntry, line:Ray, placement:Placement, ray:Ray):void
+        internal static function bringIntoWorld(entry:RayEntry, rayInModel:Ray, placement:Placement, ray:Ray):void
         {
             var x:Number = entry.normalX;
             var y:Number = entry.normalY;
@@ -98,17 +98,17 @@ package starlogo.queries.rays
             entry.normalX = placement.r00 * x + placement.r01 * y + placement.r02 * z;
             entry.normalY = placement.r10 * x + placement.r11 * y + placement.r12 * z;
             entry.normalZ = placement.r20 * x + placement.r21 * y + placement.r22 * z;
-            entry.distance = entry.distance > line.from ? Math.max(0, entry.distance * placement.size + aheadOf(ray, placement)) : 0;
+            entry.distance = entry.distance > rayInModel.from ? Math.max(0, entry.distance * placement.size + aheadOf(ray, placement)) : 0;
         }
 
-        private function findEntryOfShape(body:Body, line:Ray, out:RayEntry):Boolean
+        private function findEntryOfShape(body:Body, rayInModel:Ray, out:RayEntry):Boolean
         {
             var shape:ModelShape = body.shape;
             if (shape.tree != null)
             {
-                return _solid.find(shape.tree, _seen.narrowPhase.treeLimits.depthOf(body), line, out);
+                return _treeEntries.find(shape.tree, _seen.narrowPhase.treeLimits.depthOf(body), rayInModel, out);
             }
-            return SpanFinder.find(line, shape.structure, _seen.narrowPhase.convexSpans, _span) && out.enter(line, _span);
+            return SpanFinder.find(rayInModel, shape.structure, _seen.narrowPhase.convexSpans, _span) && out.enter(rayInModel, _span);
         }
     }
 }

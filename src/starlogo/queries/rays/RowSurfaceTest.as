@@ -21,9 +21,9 @@ package starlogo.queries.rays
     public final class RowSurfaceTest
     {
         private var _seen:SeenAgents;
-        private var _inModel:Ray = new Ray();
+        private var _rayInModel:Ray = new Ray();
         private var _span:RaySpan = new RaySpan();
-        private var _trees:TreeRayCrossingQuery = new TreeRayCrossingQuery();
+        private var _treeCrossings:TreeRayCrossingQuery = new TreeRayCrossingQuery();
 
         // All crossings with a row's shape, those that are surfaces, and one of them.
         private var _crossings:RayCrossings = new RayCrossings();
@@ -56,8 +56,8 @@ package starlogo.queries.rays
             }
             else
             {
-                RowRayTest.bringIntoModel(ray, body.placement, _inModel);
-                areTriangles = _inModel.isFinite && addCrossings(body, _inModel, _crossings);
+                RowRayTest.bringIntoModel(ray, body.placement, _rayInModel);
+                areTriangles = _rayInModel.isFinite && addCrossings(body, _rayInModel, _crossings);
             }
             _surfaces.find(_crossings, areTriangles);
             for (var i:int = 0; i < _surfaces.indices.count; i++)
@@ -65,7 +65,7 @@ package starlogo.queries.rays
                 _crossings.readEntry(_surfaces.indices.values[i], _entry);
                 if (!isGround)
                 {
-                    RowRayTest.bringIntoWorld(_entry, _inModel, body.placement, ray);
+                    RowRayTest.bringIntoWorld(_entry, _rayInModel, body.placement, ray);
                 }
                 if (_entry.distance <= ray.to)
                 {
@@ -77,16 +77,16 @@ package starlogo.queries.rays
         }
 
         // Adds the crossings of a ray in the model's space with a body's shape. Returns whether they are those of triangles.
-        private function addCrossings(body:Body, line:Ray, out:RayCrossings):Boolean
+        private function addCrossings(body:Body, rayInModel:Ray, out:RayCrossings):Boolean
         {
             var shape:ModelShape = body.shape;
             if (shape.tree != null)
             {
-                return _trees.findAll(shape.tree, _seen.narrowPhase.treeLimits.depthOf(body), line, out);
+                return _treeCrossings.findAll(shape.tree, _seen.narrowPhase.treeLimits.depthOf(body), rayInModel, out);
             }
-            if (SpanFinder.find(line, shape.structure, _seen.narrowPhase.convexSpans, _span))
+            if (SpanFinder.find(rayInModel, shape.structure, _seen.narrowPhase.convexSpans, _span))
             {
-                out.addSpan(line, _span, 0);
+                out.addSpan(rayInModel, _span, 0);
             }
             return false;
         }

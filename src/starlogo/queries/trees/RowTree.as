@@ -76,8 +76,8 @@ package starlogo.queries.trees
         private var _slots:Vector.<int> = new Vector.<int>();
 
         // The columns given to build(), by row: the middle of the row's box, and half of its lengths, or null for places.
-        private var _points:Points;
-        private var _sizes:Extents;
+        private var _middles:Points;
+        private var _halves:Extents;
 
         /**
          * Builds the tree again. It keeps the columns, because <code>refresh()</code> reads them later.
@@ -94,8 +94,8 @@ package starlogo.queries.trees
             maxExtent = 0;
             _breedsAsOf = -1;
             this.count = count;
-            _points = points;
-            _sizes = sizes;
+            _middles = points;
+            _halves = sizes;
             firstLeaf = 1;
             while (firstLeaf * LEAF_SIZE < count)
             {
@@ -268,20 +268,20 @@ package starlogo.queries.trees
         {
             var row:int = rows[slot];
             var box:int = PER_BOX * slot;
-            var x:Number = _points.x[row];
-            var y:Number = _points.y[row];
-            var z:Number = _points.z[row];
+            var x:Number = _middles.x[row];
+            var y:Number = _middles.y[row];
+            var z:Number = _middles.z[row];
             var halfX:Number = 0;
             var halfY:Number = 0;
             var halfZ:Number = 0;
-            if (_sizes != null)
+            if (_halves != null)
             {
-                halfX = _sizes.halfX[row];
-                halfY = _sizes.halfY[row];
-                halfZ = _sizes.halfZ[row];
+                halfX = _halves.halfX[row];
+                halfY = _halves.halfY[row];
+                halfZ = _halves.halfZ[row];
                 var halves:Number = halfX + halfY + halfZ;
                 maxExtent = 2 * halves > maxExtent ? 2 * halves : maxExtent;
-                var slack:Number = slackOf(x, y, z, halves, _sizes.distanceFromPlace[row]);
+                var slack:Number = slackOf(x, y, z, halves, _halves.distanceFromPlace[row]);
                 halfX += slack;
                 halfY += slack;
                 halfZ += slack;

@@ -134,26 +134,26 @@ package starlogo.queries.trees
             while (_waiting > 0)
             {
                 _waiting--;
-                var next:int = _stack[_waiting];
+                var popped:int = _stack[_waiting];
                 if (_entries[_waiting] > limit)
                 {
                     continue;
                 }
-                if (next < 0)
+                if (popped < 0)
                 {
-                    return _tree.rows[-1 - next];
+                    return _tree.rows[-1 - popped];
                 }
-                if (!_tree.mayHave(next, breedSet))
+                if (!_tree.mayHave(popped, breedSet))
                 {
                     continue;
                 }
-                if (next < _tree.firstLeaf)
+                if (popped < _tree.firstLeaf)
                 {
-                    push(_tree.nodeBoxes, next << 1, (next << 1) + 2, false, limit);
+                    push(_tree.nodeBoxes, popped << 1, (popped << 1) + 2, false, limit);
                 }
                 else
                 {
-                    push(_tree.rowBoxes, _tree.startOf(next), _tree.startOf(next + 1), true, limit);
+                    push(_tree.rowBoxes, _tree.startOf(popped), _tree.startOf(popped + 1), true, limit);
                 }
             }
             return -1;

@@ -5,13 +5,13 @@ package starlogo.queries.rays
      *
      * @private
      */
-    public final class SpareHits
+    public final class HitPool
     {
         private var _type:Class;
-        private var _spare:Array = [];
+        private var _free:Array = [];
 
         /** @param type RayHit or ShapeHit */
-        public function SpareHits(type:Class)
+        public function HitPool(type:Class)
         {
             _type = type;
         }
@@ -30,14 +30,14 @@ package starlogo.queries.rays
                 if (hit != null)
                 {
                     hit.agent = null;
-                    _spare.push(hit);
+                    _free.push(hit);
                 }
             }
             for (var i:int = 0; i < length; i++)
             {
                 if (i == hits.length || hits[i] == null)
                 {
-                    var spare:Object = _spare.pop();
+                    var spare:Object = _free.pop();
                     if (spare == null)
                     {
                         spare = new _type();

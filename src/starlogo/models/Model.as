@@ -270,7 +270,7 @@ package starlogo.models
                     if (numbers[i] < -1 || names != null && numbers[i] >= names.length)
                     {
                         throw new ModelError(name, "", (numbers[i] < -1 ? "a number less than -1: " + numbers[i] + " among its "
-                                : "no name for number " + numbers[i] + " of its ") + what);
+                                    : "no name for number " + numbers[i] + " of its ") + what);
                     }
                     labels.beginRun(numbers[i], i);
                 }

@@ -104,7 +104,7 @@ test("a game loads the questions that it asks", () => {
 		[["Agent", "BinCollider", "SeenAgents", "AgentPlaces"], 32.6],
 		[["Agent", "Collision", "BinCollider", "SeenAgents", "AgentPlaces"], 40.9],
 		[["Agent", "Collision", "BinCollider", "AgentQueries"], 73.5],
-		[[...level, "AgentRays"], 44.8],
+		[[...level, "AgentRays"], 44.9],
 		[[...level, "AgentMotions"], 75.5],
 		[[...level, "AgentRays", "AgentMotions"], 77.1],
 	];

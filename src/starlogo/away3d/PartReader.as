@@ -4,7 +4,7 @@ package starlogo.away3d
     import starlogo.geometry.AffineTransform;
     import starlogo.geometry.vertices.PointTable;
     import starlogo.models.ModelError;
-    import starlogo.models.files.refuseFileIf;
+    import starlogo.models.files.refuseModelIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -77,7 +77,7 @@ package starlogo.away3d
         {
             var indices:Vector.<uint> = _part.indexData || new Vector.<uint>();
             open();
-            refuseFileIf(indices.length < 3 * triangleCount, _name,
+            refuseModelIf(indices.length < 3 * triangleCount, _name,
                     "a sub-geometry has " + triangleCount + " triangles, but only " + indices.length + " indices");
             return new StepSequence().slices(3 * triangleCount, INDICES_PER_STEP, function(first:int, end:int):void
                 {
@@ -89,7 +89,7 @@ package starlogo.away3d
         private function open():void
         {
             _numbers = _part.vertexData || new Vector.<Number>();
-            refuseFileIf(vertexCount > 0 && _part.vertexOffset + (vertexCount - 1) * _part.vertexStride + 3 > _numbers.length, _name,
+            refuseModelIf(vertexCount > 0 && _part.vertexOffset + (vertexCount - 1) * _part.vertexStride + 3 > _numbers.length, _name,
                     "a sub-geometry has " + vertexCount + " vertices, but only " + _numbers.length + " numbers for them");
             _pointOf = new Vector.<int>(vertexCount);
             for (var i:int = 0; i < vertexCount; i++)

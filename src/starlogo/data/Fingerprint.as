@@ -49,11 +49,11 @@ package starlogo.data
          * Adds bytes in groups of eight.
          *
          * @param bytes read from its position on, in its own byte order
-         * @param count the number of groups
+         * @param groupCount the number of groups
          */
-        public function addBytes(bytes:ByteArray, count:int):void
+        public function addGroups(bytes:ByteArray, groupCount:int):void
         {
-            for (var i:int = 0; i < count; i++)
+            for (var i:int = 0; i < groupCount; i++)
             {
                 addWords(bytes.readInt(), bytes.readInt());
             }
@@ -76,7 +76,7 @@ package starlogo.data
                         bytes.writeDouble(numbers[i]);
                     }
                     bytes.position = 0;
-                    addBytes(bytes, end - first);
+                    addGroups(bytes, end - first);
                 }).slices(indices == null ? 0 : indices.length, NUMBERS_PER_STEP, function(first:int, end:int):void
                 {
                     for (var i:int = first; i < end; i++)
@@ -104,8 +104,8 @@ package starlogo.data
             bytes.writeInt(_high);
         }
 
-        /** Whether the next bytes are this fingerprint. */
-        public function isNextOf(bytes:ByteArray):Boolean
+        /** Reads the next bytes. Returns whether they are this fingerprint. */
+        public function readAndCompare(bytes:ByteArray):Boolean
         {
             var low:int = bytes.readInt();
             var high:int = bytes.readInt();

@@ -99,7 +99,7 @@ package starlogo.data
             _count = 0;
         }
 
-        // Keys that follow one another get different slots, as long as the table is large enough.
+        // Keys that follow one another get different slots, as long as the table is large enough. find() repeats this formula: change both.
         private static function hashOf(first:int, second:int):int
         {
             var mixed:int = first * 8191 + second * 131;

@@ -1,8 +1,8 @@
 package starlogo.data
 {
     /**
-     * A hint for an error message about a name that is not known: the names that are. The ES module has its own version, which tells the name
-     * that is probably meant.
+     * A hint for an error message about a name that is not known: the names that are. It continues a sentence: it begins with "," or ";". The ES
+     * module has its own version, which tells the name that is probably meant.
      *
      * @param name the name that is not known
      * @param names all names that are

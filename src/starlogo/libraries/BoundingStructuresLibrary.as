@@ -239,7 +239,7 @@ package starlogo.libraries
         /** @private The work that finds the structures of a shape. None of its steps is done yet. @param structures takes what is found */
         engine function newBuilder(name:String, structures:ModelStructures):StructuresBuilder
         {
-            ModelTable.checkName(name);
+            ModelTable.requireName(name);
             return new StructuresBuilder(name, structures, fitters, keepHulls);
         }
 

@@ -61,7 +61,7 @@ package starlogo.libraries
         {
             var all:Array = [fingerprintOf(CookedFile.STRUCTURES), fingerprintOf(CookedFile.HIERARCHY), preparesExact];
             var hull:Fingerprint = fingerprintOf(CookedFile.HULL);
-            return fingerprintOfText((hull == null ? all : all.concat(hull)).join()).toString();
+            return fingerprintWithRevision((hull == null ? all : all.concat(hull)).join()).toString();
         }
 
         /** @private A section of a cooked file; null if it is empty, has other settings, or is not wanted. */
@@ -85,7 +85,7 @@ package starlogo.libraries
         // The fingerprint of a section's settings; null if its results are not wanted, or cannot be kept.
         private function fingerprintOf(section:int):Fingerprint
         {
-            return _settingsOfSections[section] == null ? null : fingerprintOfText(_settingsOfSections[section]);
+            return _settingsOfSections[section] == null ? null : fingerprintWithRevision(_settingsOfSections[section]);
         }
 
         // Null if a fitter has no signature. A comma within a signature is doubled, so that other fitters give another text.
@@ -103,7 +103,7 @@ package starlogo.libraries
             return signatures.join(", ");
         }
 
-        private static function fingerprintOfText(text:String):Fingerprint
+        private static function fingerprintWithRevision(text:String):Fingerprint
         {
             var fingerprint:Fingerprint = new Fingerprint();
             fingerprint.addWord(REVISION);

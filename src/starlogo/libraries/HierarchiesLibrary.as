@@ -96,14 +96,14 @@ package starlogo.libraries
          */
         public function add(name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null):void
         {
-            ModelTable.checkName(name);
+            ModelTable.requireName(name);
             var hasTriangles:Boolean = triangles != null && triangles.length > 0;
             var problem:String = vertexProblem(vertices) || (hasTriangles ? triangleProblem(triangles, vertices.length / 3) : null);
             if (problem != null)
             {
                 throw ModelTable.errorOf(name, problem);
             }
-            ModelTable.requireSize(name, vertices);
+            ModelTable.requireCoordinates(name, vertices);
             var model:Model = models.entryOf(name).model;
             var keptVertices:Vector.<Number> = model != null && vertices == model.vertices ? vertices : vertices.concat();
             var keptTriangles:Vector.<uint> = model != null && triangles == model.triangles ? triangles : (hasTriangles ? triangles.concat() : null);

@@ -52,7 +52,7 @@ package starlogo.libraries
         }
 
         /** Throws an ArgumentError if a name is null or empty. */
-        public static function checkName(name:String):void
+        public static function requireName(name:String):void
         {
             if (name == null || name == "")
             {
@@ -61,7 +61,7 @@ package starlogo.libraries
         }
 
         /** Returns the largest coordinate of a shape's vertices. Throws an ArgumentError if it is beyond 1e60. */
-        public static function requireSize(name:String, vertices:Vector.<Number>):Number
+        public static function requireCoordinates(name:String, vertices:Vector.<Number>):Number
         {
             var largest:Number = VertexBounds.of(vertices).largest;
             VertexBounds.requireWithin(largest, problemOf(name, ""));

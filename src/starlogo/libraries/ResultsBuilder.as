@@ -35,7 +35,7 @@ package starlogo.libraries
 
         // how often the model was posed before this work, and its largest coordinate
         private var _poseCount:int;
-        private var _size:Number;
+        private var _largestCoordinate:Number;
 
         private var _settings:FitSettings;
 
@@ -53,7 +53,7 @@ package starlogo.libraries
         {
             _model = model;
             _poseCount = model.poseCount;
-            _size = ModelTable.requireSize(model.name, model.vertices);
+            _largestCoordinate = ModelTable.requireCoordinates(model.name, model.vertices);
             _settings = new FitSettings(structuresLibrary, hierarchiesLibrary);
             tree = hierarchiesLibrary == null ? null : hierarchiesLibrary.newTree(model.vertices, model.triangles);
             structures = structuresLibrary == null ? null : structuresLibrary.newStructures(model.vertices);
@@ -184,8 +184,8 @@ package starlogo.libraries
         // Takes the structures in a file, if it has all that are wanted. The smallest sphere may be in the hull's place.
         private function takeStructures(file:CookedFile):void
         {
-            var found:Vector.<BoundingStructure> = CookedStructures.read(_settings.sectionOf(file, CookedFile.STRUCTURES), BoundingStructure.BOX, _size);
-            var hulls:Vector.<BoundingStructure> = CookedStructures.read(_settings.sectionOf(file, CookedFile.HULL), BoundingStructure.HULL, _size);
+            var found:Vector.<BoundingStructure> = CookedStructures.read(_settings.sectionOf(file, CookedFile.STRUCTURES), BoundingStructure.BOX, _largestCoordinate);
+            var hulls:Vector.<BoundingStructure> = CookedStructures.read(_settings.sectionOf(file, CookedFile.HULL), BoundingStructure.HULL, _largestCoordinate);
             var hull:BoundingStructure = hulls == null ? null : hulls[BoundingStructure.HULL] || hulls[BoundingStructure.SPHERE];
             if (found != null && (hulls != null || !_settings.keepsHull))
             {
@@ -194,10 +194,10 @@ package starlogo.libraries
         }
 
         // The section with structures; null if there are none, or reading would refuse them, because one is much larger than the model.
-        private function sectionOf(found:Vector.<BoundingStructure>, last:int):ByteArray
+        private function structuresSection(found:Vector.<BoundingStructure>, lastKind:int):ByteArray
         {
             var bytes:ByteArray = CookedStructures.write(found);
-            return CookedStructures.read(bytes, last, _size) == null ? null : bytes;
+            return CookedStructures.read(bytes, lastKind, _largestCoordinate) == null ? null : bytes;
         }
 
         // The bytes of a file with the results. It has the surface if that is prepared. @param model the bytes of the model; null for none
@@ -207,8 +207,8 @@ package starlogo.libraries
             sections[CookedFile.MODEL] = model;
             if (structures != null)
             {
-                sections[CookedFile.STRUCTURES] = sectionOf(structures.smallest, BoundingStructure.BOX);
-                sections[CookedFile.HULL] = sectionOf(new <BoundingStructure>[structures.hullOrSphere], BoundingStructure.HULL);
+                sections[CookedFile.STRUCTURES] = structuresSection(structures.smallest, BoundingStructure.BOX);
+                sections[CookedFile.HULL] = structuresSection(new <BoundingStructure>[structures.hullOrSphere], BoundingStructure.HULL);
             }
             if (tree != null)
             {

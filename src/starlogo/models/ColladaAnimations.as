@@ -41,7 +41,7 @@ package starlogo.models
          */
         public static function fromBytes(name:String, bytes:ByteArray, upAxis:Object = null):ColladaAnimations
         {
-            return new ColladaAnimations(name, new ModelFile(name, bytes).textOf(), upAxis);
+            return new ColladaAnimations(name, new ModelFile(name, bytes).requireText(), upAxis);
         }
     }
 }

@@ -58,7 +58,7 @@ package starlogo.models
          */
         public static function fromBytes(name:String, bytes:ByteArray, upAxis:Object = null, scaling:String = Model.FOOTPRINT):ColladaModel
         {
-            return new ColladaModel(name, new ModelFile(name, bytes).textOf(), upAxis, scaling);
+            return new ColladaModel(name, new ModelFile(name, bytes).requireText(), upAxis, scaling);
         }
     }
 }

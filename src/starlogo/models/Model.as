@@ -1,7 +1,8 @@
 // This room has models, and what reads them from files. A FormatReader for each format fills a ModelData, of which a ModelBuilder makes a Model: it
 // brings the vertices to their place and scale. building/ has these three; files/, text/ and polygons/ serve the readers; animation/ moves what they read;
-// cooked/ is the engine's own format. A ModelLoader does the same in steps while a game runs. Read this file first, then building/ModelBuilder and
-// obj/ObjReader, and ModelLoader with loading/ModelLoad for loading.
+// cooked/ is the engine's own format: CookedFile is the whole file; CookedReader and CookedWriter have the model's section; libraries/cooked and
+// ResultsBuilder have the others. A ModelLoader does the same in steps while a game runs. Read this file first, then building/ModelBuilder,
+// obj/ObjReader, ModelLoader, loading/ModelLoad.
 package starlogo.models
 {
     import starlogo.engine;
@@ -10,7 +11,7 @@ package starlogo.models
     import starlogo.models.building.ModelBuilder;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.TriangleLabels;
-    import starlogo.models.files.refuseFileIf;
+    import starlogo.models.files.refuseModelIf;
 
     use namespace engine;
 
@@ -263,12 +264,13 @@ package starlogo.models
             var count:int = triangleCount;
             if (numbers != null)
             {
-                refuseFileIf(numbers.length != count, name, numbers.length + " numbers of " + what + " for " + count + " triangles");
+                refuseModelIf(numbers.length != count, name, numbers.length + " numbers of " + what + " for " + count + " triangles");
                 for (var i:int = 0; i < count; i++)
                 {
                     if (numbers[i] < -1 || names != null && numbers[i] >= names.length)
                     {
-                        throw new ModelError(name, "", "no name for number " + numbers[i] + " of its " + what);
+                        throw new ModelError(name, "", (numbers[i] < -1 ? "a number less than -1: " + numbers[i] + " among its "
+                                    : "no name for number " + numbers[i] + " of its ") + what);
                     }
                     labels.beginRun(numbers[i], i);
                 }

@@ -86,7 +86,7 @@ package starlogo.models
         {
             if (animation < 0 || animation >= _animations.length)
             {
-                throw new RangeError("the file has animations 0 to " + (_animations.length - 1) + ", not " + animation);
+                throw new RangeError(_animations.length == 0 ? "the file has no animations" : "the file has animations 0 to " + (_animations.length - 1) + ", not " + animation);
             }
             return _animations[animation];
         }

@@ -47,7 +47,7 @@ package starlogo.models
          */
         public static function fromBytes(name:String, bytes:ByteArray, upAxis:Object = "z", scaling:String = Model.FOOTPRINT):ObjModel
         {
-            return new ObjModel(name, new ModelFile(name, bytes).textOf(), upAxis, scaling);
+            return new ObjModel(name, new ModelFile(name, bytes).requireText(), upAxis, scaling);
         }
     }
 }

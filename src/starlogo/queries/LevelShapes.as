@@ -55,7 +55,7 @@ package starlogo.queries
         public function addModel(model:Model):void
         {
             requireGiven("model", model);
-            ModelTable.requireSize(model.name, model.vertices);
+            ModelTable.requireCoordinates(model.name, model.vertices);
             var tree:ModelTree = new ModelTree(new BoxTree(model.vertices, model.triangles));
             tree.beginBuilding(BoxTreeBuilder.DEFAULT_LEAF_VERTICES, BoxTreeBuilder.DEFAULT_DEPTH, false, prepareExact);
             tree.finishBuilding();
@@ -72,7 +72,7 @@ package starlogo.queries
          */
         public function addStructure(name:String, structure:BoundingStructure):void
         {
-            ModelTable.checkName(name);
+            ModelTable.requireName(name);
             ModelShape.requireStructure(structure);
             choice.models.entryToWrite(name).replace(null, ModelStructures.of(structure), null);
         }

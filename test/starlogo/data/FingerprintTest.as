@@ -39,17 +39,17 @@ package starlogo.data
             Fingerprint.of("other").writeTo(file);
             assertEquals(2 * Fingerprint.LENGTH, file.length);
             file.position = 0;
-            assertTrue(Fingerprint.of("one").isNextOf(file));
-            assertFalse(Fingerprint.of("one").isNextOf(file));
+            assertTrue(Fingerprint.of("one").readAndCompare(file));
+            assertFalse(Fingerprint.of("one").readAndCompare(file));
             assertEquals(file.length, file.position);
             file.position = 0;
             var fingerprint:Fingerprint = new Fingerprint();
-            fingerprint.addBytes(file, 2);
+            fingerprint.addGroups(file, 2);
             assertEquals(file.length, file.position);
             file[15] ^= 1;
             file.position = 0;
             var other:Fingerprint = new Fingerprint();
-            other.addBytes(file, 2);
+            other.addGroups(file, 2);
             assertTrue("every bit counts", fingerprint.toString() != other.toString());
         }
 

@@ -524,7 +524,7 @@ package starlogo.libraries
                 {
                     var section:ByteArray = file.section(i, null);
                     section.length = section.length + 7 & ~7;
-                    all.addBytes(section, section.length / Fingerprint.LENGTH);
+                    all.addGroups(section, section.length / Fingerprint.LENGTH);
                 }
             }
             trace("  fits of the twelve models: " + all);
@@ -543,7 +543,7 @@ package starlogo.libraries
                 finish(file);
                 var section:ByteArray = file.section(CookedFile.HULL, null);
                 section.length = section.length + 7 & ~7;
-                all.addBytes(section, section.length / Fingerprint.LENGTH);
+                all.addGroups(section, section.length / Fingerprint.LENGTH);
             }
             assertEquals(HULLS, all.toString());
         }

@@ -287,7 +287,7 @@ package starlogo.models
             assertEquals("1,0", [new ColladaAnimations("a", text).count, new ColladaAnimations("a", text).durationOf(0)].join());
             assertPoint(moved("visibility", "0 0 0 0", "LINEAR"), 1, "1 0 7");
             assertEquals(0, new ColladaAnimations("a", documentOf("")).count);
-            assertThrows(RangeError, /animations 0 to -1, not 0/, new ColladaAnimations("a", documentOf("")).verticesAt, 0, 0);
+            assertThrows(RangeError, /the file has no animations/, new ColladaAnimations("a", documentOf("")).verticesAt, 0, 0);
             assertThrows(RangeError, /finite/, new ColladaAnimations("a", text).verticesAt, 0, NaN);
         }
 

@@ -122,7 +122,7 @@ package starlogo.queries
             model.setMeshes(new <int>[0, 1], new <String>["a", "b"]);
             assertThrows(ModelError, /3 numbers of meshes for 2 triangles/, model.setMeshes, new <int>[0, 1, 0]);
             assertThrows(ModelError, /no name for number 2 of its meshes/, model.setMeshes, new <int>[0, 2], new <String>["a", "b"]);
-            assertThrows(ModelError, /no name for number -2 of its materials/, model.setMaterials, new <int>[0, -2]);
+            assertThrows(ModelError, /a number less than -1: -2 among its materials/, model.setMaterials, new <int>[0, -2]);
             assertEquals("as before", "0,1", model.meshes.join());
             assertSame(model, CookedModel.fromBytes("a", new GreatLand().cook(model)));
             model.setMaterials();

@@ -52,9 +52,9 @@ package starlogo.libraries.cooked
         }
 
         /**
-         * Writes the order of the items. Each index takes as few bytes as the number of items allows. Then it writes the nodes from the
-         * root down, left before right. A node without children is 0. Any other node is the sum of: 1; its axis; 3 if the node is a leaf of
-         * the thesis's tree or below one; 6 times the number of items on its low side.
+         * Writes the order of the items. Each index takes 1, 2 or 4 bytes: see widthFor(). Then it writes the nodes from the root down, left
+         * before right. A node without children is 0. Any other node is the sum of: 1; its axis; 3 if the node is a leaf of the thesis's tree or
+         * below one; 6 times the number of items on its low side.
          */
         public static function write(tree:BoxTree):ByteArray
         {

@@ -4,7 +4,7 @@ package starlogo.models.animation
     import starlogo.data.lastNotAfter;
     import starlogo.geometry.Trigonometry;
     import starlogo.models.ModelError;
-    import starlogo.models.files.refuseFileIf;
+    import starlogo.models.files.refuseModelIf;
 
     /**
      * A channel of an animation: which numbers of the file move, and how: as keys and what is between them. The readers of formats make it.
@@ -78,7 +78,7 @@ package starlogo.models.animation
          * @param inFile all numbers of the target, as they are in the file
          * @param first the index of the first one that moves
          */
-        public function moving(target:String, inFile:Vector.<Number>, first:int = 0):AnimationChannel
+        public function withTarget(target:String, inFile:Vector.<Number>, first:int = 0):AnimationChannel
         {
             _target = target;
             _inFile = inFile;
@@ -87,7 +87,7 @@ package starlogo.models.animation
         }
 
         /** Sets the numbers of a pose to those at a time. @param time seconds */
-        public function setPose(pose:Pose, time:Number):void
+        public function applyTo(pose:Pose, time:Number):void
         {
             pose.setNumbers(_target, _inFile, _first, numbersAt(time));
         }
@@ -126,7 +126,7 @@ package starlogo.models.animation
             {
                 lerp(result, valuesOf(next), fraction);
             }
-            refuseFileIf(!areFinite(result), _modelName, "its numbers at " + time + " seconds are not finite", _place);
+            refuseModelIf(!areFinite(result), _modelName, "its numbers at " + time + " seconds are not finite", _place);
             return result;
         }
 

@@ -46,7 +46,7 @@ package starlogo.models.animation
             var pose:Pose = new Pose();
             for each (var channel:AnimationChannel in _channels)
             {
-                channel.setPose(pose, _start + Math.max(0, Math.min(time, duration)));
+                channel.applyTo(pose, _start + Math.max(0, Math.min(time, duration)));
             }
             return ModelBuilder.verticesOf(_newReader(pose));
         }

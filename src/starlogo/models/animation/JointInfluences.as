@@ -60,7 +60,7 @@ package starlogo.models.animation
                     points[int(at + 2)] = z / sum;
                 }
                 var all:Number = points[at] + points[int(at + 1)] + points[int(at + 2)];
-                differences += all - all;
+                differences += all - all; // 0, but NaN if the sum is not finite, and then differences stays NaN
             }
             return differences == 0;
         }

@@ -10,7 +10,7 @@ package starlogo.models.building
     import starlogo.models.Model;
     import starlogo.models.ModelMaker;
     import starlogo.models.ModelTransform;
-    import starlogo.models.files.refuseFileIf;
+    import starlogo.models.files.refuseModelIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
@@ -26,7 +26,7 @@ package starlogo.models.building
     public final class ModelBuilder extends StepSequence implements ModelMaker
     {
         // Reading the file is this share of the work. The rest is normalising.
-        private static const READING:Number = 0.9;
+        private static const READING_SHARE:Number = 0.9;
 
         // Extents in x and y below this fraction of the z extent are rounding errors of the program that placed the vertices.
         private static const LINE_RATIO:Number = 1e-6;
@@ -107,7 +107,7 @@ package starlogo.models.building
         /** @inheritDoc */
         public function get progress():Number
         {
-            return _isComplete ? 1 : READING * _data.readProgress;
+            return _isComplete ? 1 : READING_SHARE * _data.readProgress;
         }
 
         /** The model, always the same one. Read it when no step is left. */
@@ -119,9 +119,9 @@ package starlogo.models.building
         private function checkData():void
         {
             var count:int = _data.vertices.length;
-            refuseFileIf(_data.name == "", _data.name, "a model needs a name that is not empty");
-            refuseFileIf(count == 0, _data.name, "no vertices: a model needs at least one");
-            refuseFileIf(count % 3 != 0, _data.name, "vertices have three coordinates each, but there are " + count + " in all");
+            refuseModelIf(_data.name == "", _data.name, "a model needs a name that is not empty");
+            refuseModelIf(count == 0, _data.name, "no vertices: a model needs at least one");
+            refuseModelIf(count % 3 != 0, _data.name, "vertices have three coordinates each, but there are " + count + " in all");
             ModelData.requireScaling(_data.name, _data.scaling);
         }
 
@@ -171,7 +171,7 @@ package starlogo.models.building
                 {
                     _bounds.add(_data.vertices, first, end);
                     var problem:String = _bounds.areFinite ? null : vertexProblem(_data.vertices);
-                    refuseFileIf(problem != null, _data.name, problem);
+                    refuseModelIf(problem != null, _data.name, problem);
                 });
         }
 
@@ -209,7 +209,7 @@ package starlogo.models.building
         // Puts the middle of the box at the origin, and makes its volume 1.
         private function normalisingVolume():Steps
         {
-            return placingBox(_bounds.extentZ / 2, rootOf(_bounds.extentX) * rootOf(_bounds.extentY) * rootOf(_bounds.extentZ)).begin(measuring);
+            return placingBox(_bounds.extentZ / 2, cubeRootOrOne(_bounds.extentX) * cubeRootOrOne(_bounds.extentY) * cubeRootOrOne(_bounds.extentZ)).begin(measuring);
         }
 
         // The steps that put a point of the box at the origin, the middle in x and y, at a height above the floor; and divide by a divisor.
@@ -246,13 +246,13 @@ package starlogo.models.building
         private function checkExtent():void
         {
             var size:Number = _bounds.extentX + _bounds.extentY + _bounds.extentZ;
-            refuseFileIf(!(size < Infinity), _data.name, "the coordinates are too large: the model's extent is not a finite number");
+            refuseModelIf(!(size < Infinity), _data.name, "the coordinates are too large: the model's extent is not a finite number");
         }
 
         private function checkCorners(first:int, end:int):void
         {
             var problem:String = triangleProblem(_data.triangles, _data.vertices.length / 3, first, end);
-            refuseFileIf(problem != null, _data.name, problem);
+            refuseModelIf(problem != null, _data.name, problem);
         }
 
         // A mirror image's triangles get the reverse winding, so that they still face outwards.
@@ -278,7 +278,7 @@ package starlogo.models.building
         }
 
         // as in the client: an extent of 0 counts as 1
-        private static function rootOf(extent:Number):Number
+        private static function cubeRootOrOne(extent:Number):Number
         {
             return extent == 0 ? 1 : cubeRoot(extent);
         }

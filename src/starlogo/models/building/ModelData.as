@@ -6,7 +6,7 @@ package starlogo.models.building
     import starlogo.models.ModelTransform;
     import starlogo.models.SourceFrame;
     import starlogo.models.cooked.CookedFile;
-    import starlogo.models.files.refuseFileIf;
+    import starlogo.models.files.refuseModelIf;
 
     use namespace engine;
 
@@ -83,13 +83,13 @@ package starlogo.models.building
         /** Throws a ModelError if a scaling is none of Model's. */
         public static function requireScaling(name:String, scaling:String):void
         {
-            refuseFileIf(Model.SCALINGS.indexOf(scaling) < 0, name, "the scaling must be Model.FOOTPRINT, VOLUME or AS_GIVEN, not \"" + scaling + "\"");
+            refuseModelIf(Model.SCALINGS.indexOf(scaling) < 0, name, "the scaling must be Model.FOOTPRINT, VOLUME or AS_GIVEN, not \"" + scaling + "\"");
         }
 
         /** Throws a ModelError if an up axis is not "x", "y" or "z", or a ModelTransform in its place. */
         public static function requireUpAxis(name:String, upAxis:Object):void
         {
-            refuseFileIf(["x", "y", "z"].indexOf(upAxis) < 0 && !(upAxis is ModelTransform), name, "the up axis must be \"x\", \"y\" or \"z\", or a ModelTransform, not "
+            refuseModelIf(["x", "y", "z"].indexOf(upAxis) < 0 && !(upAxis is ModelTransform), name, "the up axis must be \"x\", \"y\" or \"z\", or a ModelTransform, not "
                     + textOf(upAxis) + (Model.SCALINGS.indexOf(String(upAxis)) < 0 ? "" : ": a scaling is the argument after it"));
         }
     }

@@ -50,7 +50,7 @@ package starlogo.models.collada
             array = element.target("source", arrays, source);
             add(TextWords.splitting(array.countedText(), function(all:Array):Steps
                     {
-                        return readEntries(all, points);
+                        return readingEntries(all, points);
                     }));
         }
 
@@ -88,7 +88,7 @@ package starlogo.models.collada
         }
 
         // The last point may have no words after its coordinates. Returns the steps that add the points, or null.
-        private function readEntries(all:Array, points:Vector.<Number>):Steps
+        private function readingEntries(all:Array, points:Vector.<Number>):Steps
         {
             array.checkCount(all.length, "values");
             // the attributes may be larger than an int

@@ -32,12 +32,12 @@ package starlogo.models.collada
             channel.refuseIf(parts == null, "expected a target like \"node/translate.X\", but found \"" + shortened(target) + "\"");
             var sids:Array = parts[2].split("/").slice(1);
             var named:Array = null;
-            var element:ColladaElement = targetOf(channel, parts[1], sids);
+            var element:ColladaElement = animatedElement(channel, parts[1], sids);
             if (element == null && sids.length > 0)
             {
                 // without an element of this sid, the dot in it is before a name
                 named = WITH_NAME.exec(sids.pop());
-                element = named == null ? null : targetOf(channel, parts[1], sids.concat(named[1]));
+                element = named == null ? null : animatedElement(channel, parts[1], sids.concat(named[1]));
             }
             var isArray:Boolean = element != null && element.name == "float_array";
             var size:int = isArray ? TextWords.of(element.countedText()).length : (element == null ? 0 : ColladaTransform.sizeOf(element.name));
@@ -52,12 +52,12 @@ package starlogo.models.collada
             var width:int = movesAll ? size : 1;
             channel.refuseIf(!(index >= 0 && index < size), "there is no such number in the <" + element.name + ">");
             channel.refuseIf(keys.componentCount != width, "its sampler has " + keys.componentCount + " numbers for each key, but expected " + width);
-            return keys.moving(String(element.index), element.numbers(size), index);
+            return keys.withTarget(String(element.index), element.numbers(size), index);
         }
 
         // The element with an id, and the element in it that a list of sids leads to. Null if the id is not that of a scene, a node or an array, or
         // if there is no element with a sid.
-        private static function targetOf(channel:ColladaElement, id:String, sids:Array):ColladaElement
+        private static function animatedElement(channel:ColladaElement, id:String, sids:Array):ColladaElement
         {
             if (sids.length > 0 && !channel.hasSid(sids[sids.length - 1]))
             {
@@ -68,14 +68,14 @@ package starlogo.models.collada
                 || channel.elementAt("float_array", "#" + id) || (source == null ? null : source.child("float_array"));
             for (var i:int = 0; i < sids.length && found != null; i++)
             {
-                found = inside(channel, found, sids[i]);
+                found = descendantWithSid(channel, found, sids[i]);
             }
             return found;
         }
 
         // The element with a sid in another one, nearest to it. Null if there is none: some programs move what a node does not have, such as its
         // visibility.
-        private static function inside(channel:ColladaElement, around:ColladaElement, sid:String):ColladaElement
+        private static function descendantWithSid(channel:ColladaElement, around:ColladaElement, sid:String):ColladaElement
         {
             var pending:Vector.<ColladaElement> = new <ColladaElement>[around];
             for (var i:int = 0; i < pending.length; i++)

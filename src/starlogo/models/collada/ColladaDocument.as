@@ -2,7 +2,7 @@ package starlogo.models.collada
 {
     import starlogo.models.files.FileBudget;
     import starlogo.models.files.ModelFile;
-    import starlogo.models.files.refuseFileIf;
+    import starlogo.models.files.refuseModelIf;
     import starlogo.models.files.shortened;
     import starlogo.models.text.TextWords;
     import starlogo.steps.StepSequence;
@@ -24,7 +24,7 @@ package starlogo.models.collada
         /** @param file the document's file */
         public function ColladaDocument(file:ModelFile)
         {
-            var text:String = file.textOf();
+            var text:String = file.requireText();
             budget = new FileBudget(file.name, text.length);
             _xml = new XmlReader(text, budget);
             add(_xml);
@@ -33,7 +33,7 @@ package starlogo.models.collada
         /** The root, when all is read. @throws ModelError if it is not COLLADA */
         internal function get root():ColladaElement
         {
-            refuseFileIf(_xml.root == null, budget.modelName, "this is not XML: expected a COLLADA document");
+            refuseModelIf(_xml.root == null, budget.modelName, "this is not XML: expected a COLLADA document");
             _xml.root.refuseIf(_xml.root.name != "COLLADA", "expected a COLLADA document, but its root element is <" + _xml.root.name + ">");
             return _xml.root;
         }

@@ -125,10 +125,10 @@ package starlogo.models.collada
             if (_first == null)
             {
                 _first = {};
-                for each (var each:ColladaElement in children)
+                for each (var element:ColladaElement in children)
                 {
-                    _first[keyOf(each.name)] ||= each;
-                    _first[keyOf(each.name + "#" + each.childKey)] ||= each;
+                    _first[keyOf(element.name)] ||= element;
+                    _first[keyOf(element.name + "#" + element.childKey)] ||= element;
                 }
             }
             return _first[keyOf(key == null ? name : name + "#" + key)];

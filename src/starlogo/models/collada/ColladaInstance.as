@@ -132,7 +132,7 @@ package starlogo.models.collada
             var base:Vector.<Number> = morph.attribute("method") == "RELATIVE" ? new Vector.<Number>(_points.length) : _points.slice();
             return new StepSequence().beginEach(targets.words.length, function(index:int):Steps
                 {
-                    var target:ColladaMesh = targetOf(morph, targets.words[index]);
+                    var target:ColladaMesh = morphTargetMesh(morph, targets.words[index]);
                     return new StepSequence().add(target).call(function():void
                         {
                             morph.refuseIf(target.points.length != _points.length, "its target \"" + shortened(targets.words[index]) + "\" has another number of points");
@@ -145,7 +145,7 @@ package starlogo.models.collada
                 });
         }
 
-        private function targetOf(morph:ColladaElement, id:String):ColladaMesh
+        private function morphTargetMesh(morph:ColladaElement, id:String):ColladaMesh
         {
             var geometry:ColladaElement = morph.elementAt("geometry", "#" + id);
             morph.refuseIf(geometry == null, "there is no <geometry> with the id \"" + shortened(id) + "\"");

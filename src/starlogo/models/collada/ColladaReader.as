@@ -8,7 +8,7 @@ package starlogo.models.collada
     import starlogo.models.building.FormatReader;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.removingUnusedVertices;
-    import starlogo.models.files.refuseFileIf;
+    import starlogo.models.files.refuseModelIf;
     import starlogo.models.files.shortened;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -89,14 +89,14 @@ package starlogo.models.collada
         }
 
         /**
-         * What takes points of a joint to the scene, when no step is left.
+         * The transform from a joint to the scene, when no step is left.
          *
          * @param joint the joint's element
          * @param skinNode the node with the skin. Of several nodes of the joint, the nearest one counts
          * @param skin the skin's element, for the error
          * @throws ModelError if the joint is not in the scene
          */
-        public function jointAt(joint:ColladaElement, skinNode:ColladaNode, skin:ColladaElement):AffineTransform
+        public function jointTransform(joint:ColladaElement, skinNode:ColladaNode, skin:ColladaElement):AffineTransform
         {
             var nodes:Array = _nodes[joint.index];
             skin.refuseIf(nodes == null, "its joint \"" + shortened(joint.attribute("sid") || joint.id) + "\" is not in the scene");
@@ -217,7 +217,7 @@ package starlogo.models.collada
                 }).call(function():void
                 {
                     _data.readProgress = 1;
-                    refuseFileIf(_data.vertices.length == 0, _data.name, "no vertices: expected a scene or a library with a geometry in it");
+                    refuseModelIf(_data.vertices.length == 0, _data.name, "no vertices: expected a scene or a library with a geometry in it");
                 });
         }
     }

@@ -63,7 +63,7 @@ package starlogo.models.collada
             var jointMatrices:Vector.<AffineTransform> = new Vector.<AffineTransform>();
             for (var i:int = 0; i < joints.length; i++)
             {
-                jointMatrices.push(reader.jointAt(joints[i], node, element).after(_inverseBindMatrices[i]).after(bindShape));
+                jointMatrices.push(reader.jointTransform(joints[i], node, element).after(_inverseBindMatrices[i]).after(bindShape));
             }
             jointMatrices.push(bindShape);
             return jointMatrices;

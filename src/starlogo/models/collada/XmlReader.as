@@ -2,7 +2,7 @@ package starlogo.models.collada
 {
     import starlogo.data.keyOf;
     import starlogo.models.files.FileBudget;
-    import starlogo.models.files.refuseFileIf;
+    import starlogo.models.files.refuseModelIf;
     import starlogo.models.text.TextWords;
     import starlogo.steps.Steps;
 
@@ -72,7 +72,7 @@ package starlogo.models.collada
                     readTag();
                 }
             }
-            refuseFileIf(_at == _text.length && _open != null, _budget.modelName, MALFORMED, this);
+            refuseModelIf(_at == _text.length && _open != null, _budget.modelName, MALFORMED, this);
             return _at < _text.length;
         }
 
@@ -118,7 +118,7 @@ package starlogo.models.collada
         {
             var start:int = _at + 1;
             _at = endOf(">");
-            refuseFileIf(_open == null || _text.substring(start, _at - 1).split(NAME_END, 1)[0] != _names.pop(), _budget.modelName, MALFORMED, this);
+            refuseModelIf(_open == null || _text.substring(start, _at - 1).split(NAME_END, 1)[0] != _names.pop(), _budget.modelName, MALFORMED, this);
             _open = _open.parent;
         }
 
@@ -127,7 +127,7 @@ package starlogo.models.collada
             var end:int = endOf(">") - 1;
             var quote:int = TextWords.indexOfEither(_text, QUOTE, APOSTROPHE, _at, end);
             var name:String = _text.substring(_at, quote).split(NAME_END, 1)[0];
-            refuseFileIf(name == "" || root != null && _open == null, _budget.modelName, MALFORMED, this);
+            refuseModelIf(name == "" || root != null && _open == null, _budget.modelName, MALFORMED, this);
             _budget.spendElements(1, this);
             var attributes:Object = {};
             _at += name.length;
@@ -135,7 +135,7 @@ package starlogo.models.collada
             {
                 var words:Array = ATTRIBUTE.exec(_text.substring(_at, quote));
                 var close:int = _text.indexOf(_text.charAt(quote), quote + 1);
-                refuseFileIf(words == null || close < 0, _budget.modelName, MALFORMED, this);
+                refuseModelIf(words == null || close < 0, _budget.modelName, MALFORMED, this);
                 // those with a prefix are of other namespaces: "xml:id", "xmlns:name"
                 if (words[1].indexOf(":") < 0)
                 {
@@ -145,8 +145,8 @@ package starlogo.models.collada
                 end = end < close ? endOf(">") - 1 : end;
                 quote = TextWords.indexOfEither(_text, QUOTE, APOSTROPHE, _at, end);
             }
-            refuseFileIf(quote < end, _budget.modelName, "an element has more than " + MAX_ATTRIBUTES + " attributes", this);
-            refuseFileIf(!TAG_END.test(_text.substring(_at, end)), _budget.modelName, MALFORMED, this);
+            refuseModelIf(quote < end, _budget.modelName, "an element has more than " + MAX_ATTRIBUTES + " attributes", this);
+            refuseModelIf(!TAG_END.test(_text.substring(_at, end)), _budget.modelName, MALFORMED, this);
             var element:ColladaElement = new ColladaElement(_budget, _elementCount++, name.substr(name.indexOf(":") + 1), _open, attributes);
             root ||= element;
             if (_text.charAt(end - 1) != "/")
@@ -154,7 +154,7 @@ package starlogo.models.collada
                 _names.push(name);
                 _open = element;
             }
-            refuseFileIf(_names.length > MAX_DEPTH, _budget.modelName, "elements are nested more than " + MAX_DEPTH + " deep", this);
+            refuseModelIf(_names.length > MAX_DEPTH, _budget.modelName, "elements are nested more than " + MAX_DEPTH + " deep", this);
             _at = end + 1;
         }
 
@@ -170,7 +170,7 @@ package starlogo.models.collada
         private function endOf(piece:String):int
         {
             var found:int = _text.indexOf(piece, _at);
-            refuseFileIf(found < 0, _budget.modelName, MALFORMED, this);
+            refuseModelIf(found < 0, _budget.modelName, MALFORMED, this);
             return found + piece.length;
         }
 

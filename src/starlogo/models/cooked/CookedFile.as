@@ -54,7 +54,7 @@ package starlogo.models.cooked
         private static const TABLE_AT:int = 16;
         private static const ENTRY_LENGTH:int = 16;
         private static const HEAD_LENGTH:int = TABLE_AT + SECTION_COUNT * ENTRY_LENGTH;
-        private static const WORDS_PER_STEP:int = 4000;
+        private static const GROUPS_PER_STEP:int = 4000;
 
         /** Whether the file has another layout, because another version of the engine has made it. */
         public var isOfOtherVersion:Boolean = false;
@@ -78,12 +78,12 @@ package starlogo.models.cooked
             {
                 _bytes.position = 0;
                 var whole:Fingerprint = new Fingerprint();
-                slices(_bytes.length / Fingerprint.LENGTH - 1, WORDS_PER_STEP, function(first:int, end:int):void
+                slices(_bytes.length / Fingerprint.LENGTH - 1, GROUPS_PER_STEP, function(first:int, end:int):void
                     {
-                        whole.addBytes(_bytes, end - first);
+                        whole.addGroups(_bytes, end - first);
                     }).call(function():void
                     {
-                        check(whole.isNextOf(_bytes));
+                        check(whole.readAndCompare(_bytes));
                     });
             }
         }
@@ -124,7 +124,7 @@ package starlogo.models.cooked
             out.writeInt(out.length + Fingerprint.LENGTH);
             var whole:Fingerprint = new Fingerprint();
             out.position = 0;
-            whole.addBytes(out, out.length / Fingerprint.LENGTH);
+            whole.addGroups(out, out.length / Fingerprint.LENGTH);
             whole.writeTo(out);
             out.position = 0;
             return out;
@@ -155,7 +155,7 @@ package starlogo.models.cooked
         public function hasKey(index:int, key:Fingerprint):Boolean
         {
             _bytes.position = TABLE_AT + ENTRY_LENGTH * index;
-            return _isComplete && key.isNextOf(_bytes);
+            return _isComplete && key.readAndCompare(_bytes);
         }
 
         /**

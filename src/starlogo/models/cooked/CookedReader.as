@@ -13,7 +13,7 @@ package starlogo.models.cooked
     import starlogo.models.building.ModelData;
     import starlogo.models.building.TriangleLabels;
     import starlogo.models.files.FileBudget;
-    import starlogo.models.files.refuseFileIf;
+    import starlogo.models.files.refuseModelIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -21,18 +21,18 @@ package starlogo.models.cooked
 
     /**
      * Reads the model of a cooked file. In most encodings the file has the vertices of the source, the transform and the scaling. These vertices
-     * are normalised again, as for any source. With the encoding DOUBLE it has the vertices of the model, and the model's place in its source. In
-     * both cases the model equals the source's model to the last bit.
+     * are normalised again, as for any source. With the encoding NORMALISED_DOUBLE it has the vertices of the model, and the model's place in its
+     * source. In both cases the model equals the source's model to the last bit.
      *
      * @private
      */
     public final class CookedReader extends StepSequence implements FormatReader
     {
-        /** The encoding of coordinates as floats of 32 bits. A smaller encoding n has whole multiples of 1e-n. */
-        internal static const SINGLE:int = 9;
+        /** The encoding of the source's coordinates as floats of 32 bits. A smaller encoding, 0 to 8, is the number of their decimals. */
+        internal static const SOURCE_FLOAT:int = 9;
 
         /** The encoding of the model's own coordinates as doubles of 64 bits. */
-        internal static const DOUBLE:int = 10;
+        internal static const NORMALISED_DOUBLE:int = 10;
 
         private static const VERTICES_PER_STEP:int = 1500;
         private static const CORNERS_PER_STEP:int = 4500;
@@ -65,7 +65,7 @@ package starlogo.models.cooked
         /** The divisor for the numbers of an encoding. */
         internal static function divisorOf(encoding:int):Number
         {
-            return encoding < SINGLE ? Number("1e" + encoding) : 1;
+            return encoding < SOURCE_FLOAT ? Number("1e" + encoding) : 1;
         }
 
         /** @inheritDoc */
@@ -80,8 +80,8 @@ package starlogo.models.cooked
             catch (error:Error)
             {
                 // the transform's own error, or that of the end of the bytes
-                refuseFileIf(error is RangeError, _data.name, error.message);
-                refuseFileIf(error is EOFError, _data.name, "the cooked file has fewer numbers than it says");
+                refuseModelIf(error is RangeError, _data.name, error.message);
+                refuseModelIf(error is EOFError, _data.name, "the cooked file has fewer numbers than it says");
                 throw error;
             }
             return hasMore;
@@ -90,27 +90,27 @@ package starlogo.models.cooked
         // Reads the head. The work that it returns reads the numbers.
         private function reading(file:CookedFile, modelKey:Fingerprint):Steps
         {
-            refuseFileIf(file.isOfOtherVersion, _data.name, "the cooked file is of another version of the engine: cook it again");
+            refuseModelIf(file.isOfOtherVersion, _data.name, "the cooked file is of another version of the engine: cook it again");
             _bytes = file.section(CookedFile.MODEL, null);
-            refuseFileIf(_bytes == null, _data.name, "the cooked file is damaged: cook it again");
-            refuseFileIf(modelKey != null && !file.hasKey(CookedFile.MODEL, modelKey), _data.name, "the cooked file is for another up axis, transform or scaling");
+            refuseModelIf(_bytes == null, _data.name, "the cooked file is damaged: cook it again");
+            refuseModelIf(modelKey != null && !file.hasKey(CookedFile.MODEL, modelKey), _data.name, "the cooked file is for another up axis, transform or scaling");
             _data.cooked = file;
             _data.scaling = Model.SCALINGS[readInteger(0, Model.SCALINGS.length - 1)];
-            var encoding:int = readInteger(0, DOUBLE);
+            var encoding:int = readInteger(0, NORMALISED_DOUBLE);
             // the model's own vertices are transformed already
-            var hasTransform:Boolean = readInteger(0, encoding == DOUBLE ? 0 : 1) == 1;
+            var hasTransform:Boolean = readInteger(0, encoding == NORMALISED_DOUBLE ? 0 : 1) == 1;
             var vertexCount:int = readInteger(0, int.MAX_VALUE);
             var triangleCount:int = readInteger(0, int.MAX_VALUE);
             new FileBudget(_data.name, _bytes.length).checkMeshSize(vertexCount, triangleCount);
             _data.transform = hasTransform ? new ModelTransform(readVector(), readVector(), readVector()) : null;
-            if (encoding == DOUBLE)
+            if (encoding == NORMALISED_DOUBLE)
             {
                 _data.source = readSource();
                 _data.isNormalised = true;
-                refuseFileIf(!_data.source.isValid, _data.name, "the cooked file does not have the model's place in its source");
+                refuseModelIf(!_data.source.isValid, _data.name, "the cooked file does not have the model's place in its source");
             }
             // Each number takes at least one byte. A declared count is not trusted: memory is reserved only for data that is present.
-            refuseFileIf(_bytes.bytesAvailable < 3 * (vertexCount + triangleCount), _data.name, "the cooked file has fewer bytes than it says");
+            refuseModelIf(_bytes.bytesAvailable < 3 * (vertexCount + triangleCount), _data.name, "the cooked file has fewer bytes than it says");
             _data.vertices.length = 3 * vertexCount;
             _data.triangles.length = 3 * triangleCount;
             return new StepSequence().slices(vertexCount, VERTICES_PER_STEP, function(first:int, end:int):void
@@ -194,7 +194,7 @@ package starlogo.models.cooked
             var divisor:Number = divisorOf(encoding);
             for (var i:int = 3 * first; i < 3 * end; i++)
             {
-                if (encoding < SINGLE)
+                if (encoding < SOURCE_FLOAT)
                 {
                     // each number is stored as the difference from the one of the vertex before, in multiples of 1 / divisor
                     var multiple:int = i < 3 ? 0 : Math.round(all[int(i - 3)] * divisor);
@@ -203,7 +203,7 @@ package starlogo.models.cooked
                 }
                 else
                 {
-                    all[i] = encoding == DOUBLE ? _bytes.readDouble() : _bytes.readFloat();
+                    all[i] = encoding == NORMALISED_DOUBLE ? _bytes.readDouble() : _bytes.readFloat();
                 }
             }
         }

@@ -9,7 +9,7 @@ package starlogo.models.cooked
     import starlogo.models.building.ModelBuilder;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.TriangleLabels;
-    import starlogo.models.files.refuseFileIf;
+    import starlogo.models.files.refuseModelIf;
 
     use namespace engine;
 
@@ -30,7 +30,7 @@ package starlogo.models.cooked
             var transform:ModelTransform = model.data.transform;
             // a transform that mirrors would turn the triangles over once more
             var isMirror:Boolean = transform != null && transform.isMirror;
-            for (var encoding:int = 0; encoding <= CookedReader.SINGLE && !isMirror; encoding++)
+            for (var encoding:int = 0; encoding <= CookedReader.SOURCE_FLOAT && !isMirror; encoding++)
             {
                 var points:Vector.<Number> = rounded(source, encoding);
                 if (areSourceOf(points, model, transform))
@@ -38,8 +38,8 @@ package starlogo.models.cooked
                     return writeAs(model, encoding, points, transform);
                 }
             }
-            refuseFileIf(!model.source.isValid, model.name, "its place in its source is not finite numbers, so it can't be cooked");
-            return writeAs(model, CookedReader.DOUBLE, model.vertices, null);
+            refuseModelIf(!model.source.isValid, model.name, "its place in its source is not finite numbers, so it can't be cooked");
+            return writeAs(model, CookedReader.NORMALISED_DOUBLE, model.vertices, null);
         }
 
         // Whether a model of these points and the model's triangles is the model: the vertices and the place in the source are equal to the last bit.
@@ -60,8 +60,8 @@ package starlogo.models.cooked
                 bytes.position = 0;
                 bytes.writeFloat(value);
                 bytes.position = 0;
-                var number:Number = encoding < CookedReader.SINGLE ? Math.round(value * divisor) : bytes.readFloat();
-                points.push(Math.abs(number) < LARGEST || encoding == CookedReader.SINGLE && isFinite(number) ? number / divisor : 0);
+                var number:Number = encoding < CookedReader.SOURCE_FLOAT ? Math.round(value * divisor) : bytes.readFloat();
+                points.push(Math.abs(number) < LARGEST || encoding == CookedReader.SOURCE_FLOAT && isFinite(number) ? number / divisor : 0);
             }
             return points;
         }
@@ -82,7 +82,7 @@ package starlogo.models.cooked
                 writeVector(transform.scale, out);
                 writeVector(transform.translation, out);
             }
-            if (encoding == CookedReader.DOUBLE)
+            if (encoding == CookedReader.NORMALISED_DOUBLE)
             {
                 for each (var number:Number in model.source.numbers)
                 {
@@ -115,11 +115,11 @@ package starlogo.models.cooked
             var divisor:Number = CookedReader.divisorOf(encoding);
             for (var i:int = 0; i < points.length; i++)
             {
-                if (encoding < CookedReader.SINGLE)
+                if (encoding < CookedReader.SOURCE_FLOAT)
                 {
                     VarInt.write(Math.round(points[i] * divisor) - (i < 3 ? 0 : Math.round(points[i - 3] * divisor)), out);
                 }
-                else if (encoding == CookedReader.SINGLE)
+                else if (encoding == CookedReader.SOURCE_FLOAT)
                 {
                     out.writeFloat(points[i]);
                 }

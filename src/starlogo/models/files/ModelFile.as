@@ -12,7 +12,9 @@ package starlogo.models.files
      */
     public final class ModelFile
     {
-        private static const HEAD_LENGTH:int = 1024;
+        /** How much of a file's beginning shows what it is. */
+        public static const HEAD_LENGTH:int = 1024;
+
         private static const DECLARATION_LENGTH:int = 100;
         private static const UNITS_PER_PART:int = 4096;
         private static const WEB_PAGE:RegExp = /^\s*<(!doctype\s+)?html\b/i;
@@ -49,23 +51,23 @@ package starlogo.models.files
          * @param expected what a binary file should have been, for the message; null if the format has no binary form
          * @throws ModelError if it is no text, for example an image; or a web page, with which a server may answer if it has no such file
          */
-        public function textOf(expected:String = null):String
+        public function requireText(expected:String = null):String
         {
             if (_text == null)
             {
-                refuseFileIf(bytes == null || bytes.length == 0, name, "the file is empty");
+                refuseModelIf(bytes == null || bytes.length == 0, name, "the file is empty");
                 checkSize();
-                refuseFileIf(isArchive(bytes), name, "this is a zip archive (.zae is one too): unpack it, and load the model file that is in it");
+                refuseModelIf(isArchive(bytes), name, "this is a zip archive (.zae is one too): unpack it, and load the model file that is in it");
                 _text = TextWords.withoutByteOrderMark(decoded(expected));
             }
-            refuseFileIf(WEB_PAGE.test(_text.substr(0, HEAD_LENGTH)), name, "this is a web page, not a model: is the address right?");
+            refuseModelIf(WEB_PAGE.test(_text.substr(0, HEAD_LENGTH)), name, "this is a web page, not a model: is the address right?");
             return _text;
         }
 
         /** Throws a ModelError if the file has too many bytes. */
         public function checkSize():void
         {
-            refuseFileIf(bytes.length > FileBudget.MAX_BYTES, name, "the file has " + bytes.length + " bytes: expected at most " + FileBudget.MAX_BYTES);
+            refuseModelIf(bytes.length > FileBudget.MAX_BYTES, name, "the file has " + bytes.length + " bytes: expected at most " + FileBudget.MAX_BYTES);
         }
 
         private function decoded(expected:String):String

@@ -1,7 +1,7 @@
 package starlogo.models.gltf
 {
     import flash.utils.ByteArray;
-    import starlogo.models.files.refuseFileIf;
+    import starlogo.models.files.refuseModelIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -28,12 +28,12 @@ package starlogo.models.gltf
             {
                 length--;
             }
-            refuseFileIf(length % 4 == 1, name, "its base64 is cut off", place);
+            refuseModelIf(length % 4 == 1, name, "its base64 is cut off", place);
             out.length = length * 3 >> 2;
             // Each step begins with a group of four digits, because the number of digits per step is a multiple of four.
             return new StepSequence().slices(length, CHARACTERS_PER_STEP, function(first:int, end:int):void
                 {
-                    refuseFileIf(!decode(text, start + first, start + end, out, first * 3 >> 2), name, "expected base64, but found other characters", place);
+                    refuseModelIf(!decode(text, start + first, start + end, out, first * 3 >> 2), name, "expected base64, but found other characters", place);
                 });
         }
 

@@ -55,7 +55,7 @@ package starlogo.models.gltf
                     target.refuseIf(file.json.rootEntry("nodes", node).has("matrix") && path != "weights", "a node with a matrix can't be animated");
                     var sampler:int = channel.requiredInteger("sampler", animation.count("samplers") - 1);
                     var keys:AnimationChannel = samplerOf(file, animation.element("samplers", sampler), path);
-                    channels.push(keys.moving(GltfScene.targetOf(node, path), new Vector.<Number>(keys.componentCount)));
+                    channels.push(keys.withTarget(GltfScene.targetOf(node, path), new Vector.<Number>(keys.componentCount)));
                 }
             }
             return channels;

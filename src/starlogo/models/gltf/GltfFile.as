@@ -6,7 +6,7 @@ package starlogo.models.gltf
     import starlogo.models.files.FileUrl;
     import starlogo.models.files.FileBudget;
     import starlogo.models.files.ModelFile;
-    import starlogo.models.files.refuseFileIf;
+    import starlogo.models.files.refuseModelIf;
     import starlogo.models.files.shortened;
     import starlogo.models.text.TextWords;
     import starlogo.steps.StepSequence;
@@ -70,7 +70,7 @@ package starlogo.models.gltf
          */
         public function GltfFile(file:ModelFile, fetch:Function)
         {
-            var text:String = file.bytes != null && isBinary(file.bytes) ? openChunks(file) : file.textOf("glTF file");
+            var text:String = file.bytes != null && isBinary(file.bytes) ? openChunks(file) : file.requireText("glTF file");
             budget = new FileBudget(file.name, text.length);
             var reader:JsonReader = new JsonReader(text, budget);
             add(reader).call(function():void
@@ -105,7 +105,7 @@ package starlogo.models.gltf
         /** Whether the text is JSON with the marks of glTF. */
         public static function isText(text:String):Boolean
         {
-            return /^\s*\{/.test(text.substr(0, 1000)) && text.indexOf("\"asset\"") > 0;
+            return /^\s*\{/.test(text.substr(0, ModelFile.HEAD_LENGTH)) && text.indexOf("\"asset\"") > 0;
         }
 
         /**
@@ -166,19 +166,19 @@ package starlogo.models.gltf
             var text:String = null;
             var length:int = bytes.length;
             file.checkSize();
-            refuseFileIf(length < HEADER_LENGTH + CHUNK_HEADER_LENGTH, name, "the file is cut off: it has " + length + " bytes");
+            refuseModelIf(length < HEADER_LENGTH + CHUNK_HEADER_LENGTH, name, "the file is cut off: it has " + length + " bytes");
             bytes.endian = Endian.LITTLE_ENDIAN;
             var version:uint = wordAt(bytes, 4);
-            refuseFileIf(version != 2, name, "expected binary glTF of version 2, but found " + version, "byte 4");
+            refuseModelIf(version != 2, name, "expected binary glTF of version 2, but found " + version, "byte 4");
             var end:uint = wordAt(bytes, 8);
-            refuseFileIf(end > length, name, "the file is cut off: it should have " + end + " bytes, but has " + length, "byte 8");
+            refuseModelIf(end > length, name, "the file is cut off: it should have " + end + " bytes, but has " + length, "byte 8");
             for (var at:int = HEADER_LENGTH; at + CHUNK_HEADER_LENGTH <= end; at += CHUNK_HEADER_LENGTH + chunkLength)
             {
                 var chunkLength:uint = wordAt(bytes, at);
                 var type:uint = wordAt(bytes, at + 4);
                 var start:int = at + CHUNK_HEADER_LENGTH;
-                refuseFileIf(chunkLength > end - start, name, "a chunk should have " + chunkLength + " bytes, but " + (end - start) + " are left", "byte " + at);
-                refuseFileIf((text == null) != (type == JSON_CHUNK), name, "the first chunk, and no other, must be JSON", "byte " + at);
+                refuseModelIf(chunkLength > end - start, name, "a chunk should have " + chunkLength + " bytes, but " + (end - start) + " are left", "byte " + at);
+                refuseModelIf((text == null) != (type == JSON_CHUNK), name, "the first chunk, and no other, must be JSON", "byte " + at);
                 if (text == null)
                 {
                     bytes.position = start;
@@ -193,7 +193,7 @@ package starlogo.models.gltf
                     }
                 }
             }
-            refuseFileIf(text == null, name, "there is no JSON in it");
+            refuseModelIf(text == null, name, "there is no JSON in it");
             return text;
         }
 

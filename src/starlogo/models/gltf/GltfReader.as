@@ -4,7 +4,7 @@ package starlogo.models.gltf
     import starlogo.models.building.FormatReader;
     import starlogo.models.building.ModelData;
     import starlogo.models.building.removingUnusedVertices;
-    import starlogo.models.files.refuseFileIf;
+    import starlogo.models.files.refuseModelIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -104,7 +104,7 @@ package starlogo.models.gltf
         private function endReading():void
         {
             _data.readProgress = 1;
-            refuseFileIf(_data.vertices.length == 0, _data.name, "no vertices: expected a mesh in the scene");
+            refuseModelIf(_data.vertices.length == 0, _data.name, "no vertices: expected a mesh in the scene");
         }
     }
 }

@@ -35,9 +35,9 @@ package starlogo.models.gltf
                 {
                     for (var vertex:int = first; vertex < end; vertex++)
                     {
-                        for (var pair:int = 0; pair < indices.length; pair++)
+                        for (var setIndex:int = 0; setIndex < indices.length; setIndex++)
                         {
-                            readSet(indices[pair], weights[pair], vertex, jointCount);
+                            readSet(indices[setIndex], weights[setIndex], vertex, jointCount);
                         }
                         influences.offsets.push(influences.joints.length);
                     }

@@ -27,7 +27,7 @@ package starlogo.models.loading
         private static const GLTF:String = "gltf";
         private static const STL:String = "stl";
 
-        private static const HEAD_LENGTH:int = 10000;
+        private static const VERTEX_SEARCH_LENGTH:int = 10000;
         private static const TAG:RegExp = /^\s*</;
         private static const VERTEX:RegExp = /[\n\r][ \t]*v[ \t]+[\-+.\d]/;
         private static const EXTENSION:RegExp = /^[^?#]*\.(obj|dae|gltf|stl)([?#]|$)/i;
@@ -44,7 +44,7 @@ package starlogo.models.loading
         {
             var transform:ModelTransform = upAxis as ModelTransform;
             ModelData.requireUpAxis(file.name, upAxis);
-            switch ((file.bytes == null ? null : ofBytes(file.bytes)) || ofText(file.textOf(), file.url))
+            switch ((file.bytes == null ? null : ofBytes(file.bytes)) || ofText(file.requireText(), file.url))
             {
                 case COOKED:
                     return new CookedReader(file.name, file.bytes);
@@ -67,7 +67,7 @@ package starlogo.models.loading
 
         private static function ofText(text:String, url:String):String
         {
-            if (TAG.test(text.substr(0, 1000)))
+            if (TAG.test(text.substr(0, ModelFile.HEAD_LENGTH)))
             {
                 return COLLADA;
             }
@@ -79,7 +79,7 @@ package starlogo.models.loading
             {
                 return STL;
             }
-            var named:Array = url == null || VERTEX.test("\n" + text.substr(0, HEAD_LENGTH)) ? null : url.match(EXTENSION);
+            var named:Array = url == null || VERTEX.test("\n" + text.substr(0, VERTEX_SEARCH_LENGTH)) ? null : url.match(EXTENSION);
             return named == null ? OBJ : named[1].toLowerCase();
         }
     }

@@ -12,7 +12,7 @@ package starlogo.models.loading
     import starlogo.models.cooked.CookedReader;
     import starlogo.models.files.FileUrl;
     import starlogo.models.files.ModelFile;
-    import starlogo.models.files.refuseFileIf;
+    import starlogo.models.files.refuseModelIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -30,9 +30,9 @@ package starlogo.models.loading
      */
     public final class ModelLoad extends StepSequence
     {
-        // A model that is read has the progress READ. Fetching its file is the share FETCHING of that.
-        private static const READ:Number = 0.5;
-        private static const FETCHING:Number = 0.4;
+        // A model that is read has the progress READ_PROGRESS. Fetching its file is the share FETCHING_SHARE of that.
+        private static const READ_PROGRESS:Number = 0.5;
+        private static const FETCHING_SHARE:Number = 0.4;
 
         /** The model's name. */
         public var name:String;
@@ -49,7 +49,7 @@ package starlogo.models.loading
         private var _upAxis:Object;
         private var _scaling:String;
         private var _receiver:ModelReceiver;
-        private var _newLoader:Function;
+        private var _newURLLoader:Function;
 
         // The file's address; null if there is none to fetch. Whether the transform file beside it is fetched too. The list of cooked files; null if
         // there is none for it.
@@ -79,7 +79,7 @@ package starlogo.models.loading
             _upAxis = upAxis;
             _scaling = scaling;
             _receiver = receiver;
-            _newLoader = newLoader;
+            _newURLLoader = newLoader;
         }
 
         /** Whether the load can go on: no download is running. */
@@ -93,12 +93,12 @@ package starlogo.models.loading
         {
             if (model != null)
             {
-                return READ;
+                return READ_PROGRESS;
             }
-            var fetching:Number = _url == null ? 0 : FETCHING;
+            var fetching:Number = _url == null ? 0 : FETCHING_SHARE;
             var fetched:Number = _downloads.length == 0 ? 0 : _downloads[0].progress;
             var share:Number = _maker == null ? fetching * fetched : fetching + (1 - fetching) * (Math.max(0, Math.min(_maker.progress, 1)) || 0);
-            return _cookedProgress + (READ - _cookedProgress) * share;
+            return _cookedProgress + (READ_PROGRESS - _cookedProgress) * share;
         }
 
         /**
@@ -132,7 +132,7 @@ package starlogo.models.loading
                 return;
             }
             _manifest = manifest;
-            manifest.download ||= new FileDownload(manifest.url, _newLoader());
+            manifest.download ||= new FileDownload(manifest.url, _newURLLoader());
             call(fetchCooked);
         }
 
@@ -156,9 +156,9 @@ package starlogo.models.loading
         /** Stops fetching. */
         public function cancel():void
         {
-            for each (var each:FileDownload in _downloads)
+            for each (var running:FileDownload in _downloads)
             {
-                each.cancel();
+                running.cancel();
             }
         }
 
@@ -175,7 +175,7 @@ package starlogo.models.loading
                 fetchFile();
                 return;
             }
-            var file:FileDownload = download(address);
+            var file:FileDownload = startDownload(address);
             call(function():void
                 {
                     _maker = ModelBuilder.reading(new CookedReader(name, file.bytes, CookedFile.keyOfLoad(_upAxis, _scaling, _usesTransforms)));
@@ -205,9 +205,9 @@ package starlogo.models.loading
         private function fetchFile():void
         {
             _downloads.length = 0;
-            var file:FileDownload = _url == "" ? null : download(_url);
+            var file:FileDownload = _url == "" ? null : startDownload(_url);
             var address:String = _usesTransforms && FileUrl.hasFolder(_url) ? FileUrl.siblingOf(_url, ".slb") : null;
-            var transformFile:FileDownload = address == null ? null : download(address);
+            var transformFile:FileDownload = address == null ? null : startDownload(address);
             call(function():void
                 {
                     readFetched(file, transformFile);
@@ -215,17 +215,17 @@ package starlogo.models.loading
         }
 
         // Starts to fetch a file. The next step is done when it has come.
-        private function download(address:String):FileDownload
+        private function startDownload(address:String):FileDownload
         {
-            var started:FileDownload = new FileDownload(address, _newLoader());
+            var started:FileDownload = new FileDownload(address, _newURLLoader());
             _downloads.push(started);
             return started;
         }
 
         private function readFetched(file:FileDownload, transformFile:FileDownload):void
         {
-            refuseFileIf(file == null, name, "there is no address to fetch its file from");
-            refuseFileIf(file.problem != null, name, file.problem);
+            refuseModelIf(file == null, name, "there is no address to fetch its file from");
+            refuseModelIf(file.problem != null, name, file.problem);
             // without a transform file, or with one that says nothing, the caller's axis stays
             var bytes:ByteArray = transformFile == null ? null : transformFile.bytes;
             if (bytes != null)
@@ -240,7 +240,7 @@ package starlogo.models.loading
         // Starts to fetch a file that the model's file names: see GltfFile. The maker's next step is done when it has come.
         private function fetchSibling(uri:String):Object
         {
-            return FileUrl.hasFolder(_url) ? download(FileUrl.folderOf(_url) + uri)
+            return FileUrl.hasFolder(_url) ? startDownload(FileUrl.folderOf(_url) + uri)
                 : {bytes: null, problem: "it is in another file, and the address of this file is not known: load() fetches both"};
         }
 

@@ -7,7 +7,7 @@ package starlogo.models.obj
     import starlogo.models.building.removingUnusedVertices;
     import starlogo.models.files.FileBudget;
     import starlogo.models.files.ModelFile;
-    import starlogo.models.files.refuseFileIf;
+    import starlogo.models.files.refuseModelIf;
     import starlogo.models.files.shortened;
     import starlogo.models.polygons.Triangulator;
     import starlogo.models.text.Decimal;
@@ -29,8 +29,8 @@ package starlogo.models.obj
         // The faces of more than three corners are kept until all vertices are known: the corners, and the labels of each one's material and mesh. Then
         // the most triangles that they can have.
         private var _polygons:Vector.<Vector.<uint>> = new Vector.<Vector.<uint>>();
-        private var _materials:Vector.<int> = new Vector.<int>();
-        private var _meshes:Vector.<int> = new Vector.<int>();
+        private var _polygonMaterials:Vector.<int> = new Vector.<int>();
+        private var _polygonMeshes:Vector.<int> = new Vector.<int>();
         private var _polygonTriangles:int = 0;
 
         // The highest index of a vertex in a face, and its line.
@@ -40,10 +40,10 @@ package starlogo.models.obj
         /** The other parameters are those of ObjModel. @param file the file */
         public function ObjReader(file:ModelFile, upAxis:Object, scaling:String)
         {
-            var text:String = file.textOf();
+            var text:String = file.requireText();
             _data = ModelData.forFile(file.name, upAxis, scaling);
-            refuseFileIf(text.indexOf("\u0000") >= 0, file.name, "this is a binary file, not OBJ text");
-            refuseFileIf(/^\s*</.test(text.substr(0, 1000)), file.name, "this is no OBJ text: it begins with a tag. A ColladaModel reads COLLADA");
+            refuseModelIf(text.indexOf("\u0000") >= 0, file.name, "this is a binary file, not OBJ text");
+            refuseModelIf(/^\s*</.test(text.substr(0, ModelFile.HEAD_LENGTH)), file.name, "this is no OBJ text: it begins with a tag. A ColladaModel reads COLLADA");
             _lines = new LineReader(file.name, text);
             _budget = new FileBudget(file.name, text.length);
             repeat(readSome).call(checkIndices).begin(triangulating).add(removingUnusedVertices(_data.vertices, _data.triangles));
@@ -104,8 +104,8 @@ package starlogo.models.obj
             else if (corners.length > 3)
             {
                 _polygons.push(corners);
-                _materials.push(_data.materials.current);
-                _meshes.push(_data.meshes.current);
+                _polygonMaterials.push(_data.materials.current);
+                _polygonMeshes.push(_data.meshes.current);
                 _polygonTriangles += corners.length - 2;
             }
         }
@@ -138,8 +138,8 @@ package starlogo.models.obj
         private function checkIndices():void
         {
             var vertexCount:int = _data.vertices.length / 3;
-            refuseFileIf(vertexCount == 0, _data.name, "no vertices, so this is no OBJ text: expected lines such as \"v 1 2 3\"");
-            refuseFileIf(_highestIndex >= vertexCount, _data.name, "there is no vertex " + (_highestIndex + 1) + ": the file has " + vertexCount, LineReader.placeOf(_highestLine));
+            refuseModelIf(vertexCount == 0, _data.name, "no vertices, so this is no OBJ text: expected lines such as \"v 1 2 3\"");
+            refuseModelIf(_highestIndex >= vertexCount, _data.name, "there is no vertex " + (_highestIndex + 1) + ": the file has " + vertexCount, LineReader.placeOf(_highestLine));
         }
 
         // The steps that triangulate all polygons.
@@ -148,8 +148,8 @@ package starlogo.models.obj
             var triangulator:Triangulator = new Triangulator(_budget, _data.vertices, _data.triangles);
             return triangulator.addingEach(_polygons.length, function(index:int):Steps
                 {
-                    _data.materials.beginRun(_materials[index], _data.triangles.length / 3);
-                    _data.meshes.beginRun(_meshes[index], _data.triangles.length / 3);
+                    _data.materials.beginRun(_polygonMaterials[index], _data.triangles.length / 3);
+                    _data.meshes.beginRun(_polygonMeshes[index], _data.triangles.length / 3);
                     return triangulator.addPolygon(_polygons[index]);
                 });
         }

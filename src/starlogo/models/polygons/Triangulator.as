@@ -21,7 +21,7 @@ package starlogo.models.polygons
     {
         private static const POLYGONS_PER_STEP:int = 100;
 
-        // The areas in quads with shorter diagonals are multiplied by a power of two, which rounds nothing.
+        // The areas in quads with shorter diagonals are multiplied by a power of two, which rounds nothing: ENLARGING is 2^600.
         private static const TINY:Number = 1e-60;
         private static const ENLARGING:Number = 4.149515568880993e180;
 

@@ -8,7 +8,7 @@ package starlogo.models.stl
     import starlogo.models.building.ModelData;
     import starlogo.models.files.FileBudget;
     import starlogo.models.files.ModelFile;
-    import starlogo.models.files.refuseFileIf;
+    import starlogo.models.files.refuseModelIf;
     import starlogo.models.text.LineReader;
     import starlogo.steps.StepSequence;
 
@@ -49,7 +49,7 @@ package starlogo.models.stl
             }
             else
             {
-                addText(file.textOf("STL file, or one that is cut off"));
+                addText(file.requireText("STL file, or one that is cut off"));
             }
             _data.vertices = _points.coordinates;
             call(checkEnd);
@@ -100,7 +100,7 @@ package starlogo.models.stl
         /** Whether the text is an STL file's text. */
         public static function isText(text:String):Boolean
         {
-            return /^\s*solid\b[^\n\r]*[\n\r]\s*(facet|endsolid)\b/i.test(text.substr(0, 1000));
+            return /^\s*solid\b[^\n\r]*[\n\r]\s*(facet|endsolid)\b/i.test(text.substr(0, ModelFile.HEAD_LENGTH));
         }
 
         private static function countIn(bytes:ByteArray):uint
@@ -180,8 +180,8 @@ package starlogo.models.stl
 
         private function checkEnd():void
         {
-            refuseFileIf(_corners != 0, _data.name, "the file is cut off: a facet has no end", _lines == null ? "" : _lines.place);
-            refuseFileIf(_data.vertices.length == 0, _data.name, "no vertices: expected facets");
+            refuseModelIf(_corners != 0, _data.name, "the file is cut off: a facet has no end", _lines == null ? "" : _lines.place);
+            refuseModelIf(_data.vertices.length == 0, _data.name, "no vertices: expected facets");
         }
     }
 }

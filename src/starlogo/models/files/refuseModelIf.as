@@ -3,8 +3,8 @@ package starlogo.models.files
     import starlogo.models.ModelError;
 
     /**
-     * Throws a ModelError if something in a model's file is wrong. The message is built in any case, so long loops throw their errors
-     * themselves.
+     * Throws a ModelError if something is wrong with a model, its file or the arguments for it. The message is built in any case, so long loops
+     * throw their errors themselves.
      *
      * @param isWrong whether it is wrong
      * @param name the model's name
@@ -14,7 +14,7 @@ package starlogo.models.files
      *
      * @private
      */
-    public function refuseFileIf(isWrong:Boolean, name:String, problem:String, place:Object = ""):void
+    public function refuseModelIf(isWrong:Boolean, name:String, problem:String, place:Object = ""):void
     {
         if (isWrong)
         {

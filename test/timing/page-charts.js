@@ -55,16 +55,15 @@ const limit = {
 	},
 };
 
-const LABEL = { font: '10px system-ui, sans-serif', height: 12 };
-
 // The number of each bar above it, if all have room beside one another.
 const numbers = {
 	id: 'numbers',
 	afterDatasetsDraw(chart, _, { kind, series }) {
 		const { ctx } = chart;
 		ctx.save();
-		ctx.font = LABEL.font;
+		ctx.font = '10px system-ui, sans-serif';
 		ctx.textAlign = 'center';
+		ctx.textBaseline = 'bottom';
 		ctx.fillStyle = color('quiet');
 		const shown = kind === 'bars' ? series.flatMap(({ values }, i) => (chart.isDatasetVisible(i)
 			? chart.getDatasetMeta(i).data.map((bar, at) => ({ bar, text: compact(values[at]), value: values[at] })) : [])).filter(({ value }) => value !== null) : [];

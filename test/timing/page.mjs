@@ -104,7 +104,7 @@ function section(figure, report, charts, clone) {
 	const isMarked = chart?.series.some(({ refused }) => refused?.some(Boolean));
 	return `<section>
 <h2>${escape(figure.title)}</h2>
-${chart ? `<p class="lead">${escape(figure.lead)} Each grid line is ten times the one before.</p>` : ''}
+${chart ? `<p class="lead">${escape(figure.lead)} The scale is logarithmic.</p>` : ''}
 ${picture}
 ${isMarked ? '<p class="note crosses">× stands for a number that was left out.</p>' : ''}
 <div class="scroll">${table(figure.head(mine), figure.rows(mine), figure.text)}</div>

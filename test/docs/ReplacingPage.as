@@ -10,6 +10,7 @@ package docs
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
     import starlogo.collision.TightestFitCollider;
+    import starlogo.queries.AgentFilter;
 
     /** For docs/replacing.md: a model of the client's own; its turtles collide as spheres do whose distances are measured here. */
     public class ReplacingPage extends Page
@@ -81,6 +82,11 @@ package docs
             walkers[0].xcor = 2.5;
             questions.update(walkers);
             assertTrue("moved into it", questions.touchesAny(walkers[0]));
+            questions.filter = AgentFilter.ofBreeds("walls");
+            walkers[0].xcor = 2;
+            questions.update(walkers);
+            questions.walk(walkers[0], 0.5, 0);
+            assertEquals("walked into it", "2.500", walkers[0].xcor.toFixed(3));
         }
 
         private function meetingsOf(turtles:Vector.<Turtle>):int

@@ -1,36 +1,65 @@
 #!/usr/bin/env node
 /**
- * Runs the SWF of a client's own tests. If it stalls or the player fails, it names the test that was running and counts those that did
- * not run.
+ * Runs the SWF of a client's own tests and counts them. If it stalls or the player fails, it names what was running, and the tests that
+ * did not run.
  *
- *   node test/runner/client-tests-run.mjs FILE.swf SECONDS COUNTS
+ *   node test/runner/client-tests-run.mjs FILE.swf SECONDS COUNTS [PLAYER]
  *
- * A test that gives no sign of life for so many seconds ends the run. COUNTS is a file for the counts. The exit status is that of
- * build/headless/run.mjs.
+ * What gives no sign of life for so many seconds ends the run, and so does what takes ten times as long altogether. COUNTS is a file for
+ * the counts. The exit status is that of PLAYER: build/headless/run.mjs, or in tests a script in its place.
  */
 import { spawn } from 'node:child_process';
 import { writeFileSync } from 'node:fs';
 import { createInterface } from 'node:readline';
 import { fileURLToPath } from 'node:url';
 
-const [swf, seconds, counts] = process.argv.slice(2);
-const headless = fileURLToPath(new URL('../../build/headless/run.mjs', import.meta.url));
+/** After so many times SECONDS a test has no end, even if it traces. */
+const TIMES = 10;
 
-const begun = { count: 0, of: 0, name: 'the SWF', ignored: 0 };
+/** The exit status of a SWF that stalls. */
+const FAILED = 70;
+
+const [swf, seconds, counts, player = fileURLToPath(new URL('../../build/headless/run.mjs', import.meta.url))] = process.argv.slice(2);
+
+/** The tests that there are, those of them that have begun, and those that are ignored; what failed, tests or others. With their places. */
+const tests = new Set();
+const begun = new Set();
+const ignored = new Set();
 const failed = new Set();
-let summary = '';
+let now;
+let limit;
 let reason = '';
+let isStackOfRunner = false;
 
-/** Reads a line of the reporter that test/runner/client-tests.mjs writes. */
+/** Reads a line of the reporter that test/runner/client-tests.mjs writes. Gives whether to show it. */
 function readTrace(line) {
-	const [, number, of, isIgnored, name] = /^ {2}(\d+)\/(\d+) (ignored: )?(.+)$/.exec(line) ?? [];
-	if (number) {
-		Object.assign(begun, { count: Number(number), of: Number(of), name, ignored: begun.ignored + (isIgnored ? 1 : 0) });
-	} else if (line.startsWith('FAILED ')) {
-		failed.add(begun.name);
-	} else if (/^\d+ passed, \d+ failed, \d+ ignored, 0 not run$/.test(line)) {
-		summary = line;
-	}
+	const [, isIgnored, test] = /^ {2}\d+\/\d+ (ignored: )?(.+)$/.exec(line) ?? [];
+	const [, tag, name] = /^ {2}@(tests|test|now)(?: (.+))?$/.exec(line) ?? [];
+	if (test) {
+		begun.add(test);
+		if (isIgnored) ignored.add(test);
+	} else if (tag === 'tests') tests.clear();
+	else if (tag === 'test') tests.add(name);
+	else if (line.startsWith('FAILED ')) failed.add(line.slice(7).split(': ')[0]);
+	if (test || tag === 'now') begin(test ?? name);
+	return !tag && !isOfRunner(line);
+}
+
+/** Notes what runs now, and how long it may. */
+function begin(name) {
+	now = name;
+	clearTimeout(limit);
+	limit = setTimeout(() => {
+		reason = `did not end within ${TIMES * seconds} s, ${TIMES} times -Dstall, though it traced meanwhile`;
+		run.kill();
+	}, TIMES * seconds * 1000);
+}
+
+/** Whether a line is one of a stack that tells nothing of the client: FlexUnit's calls, and what is below its runner's. */
+function isOfRunner(line) {
+	const isCall = /^\s*at /.test(line);
+	isStackOfRunner = isCall && (isStackOfRunner || /^\s*at (org\.flexunit\.(runners?|internals|token)\b|flex\.lang\.reflect|global\/flash\.utils::getDefinitionByName)/.test(line));
+	return isStackOfRunner || isCall && /org\.flexunit|::apply\(|^\s*at (global\$init|ClientTests\w*(\/\w+)?)?\(?\)?$/.test(line);
 }
 
 /** Of a message of the runner: why it has ended the run. */
@@ -41,27 +70,34 @@ function reasonIn(line) {
 		.replace(', or has ended without Host.exit', '');
 }
 
-const run = spawn(process.execPath, [headless, swf, '--stall', seconds], { stdio: ['ignore', 'pipe', 'pipe'] });
+/** Some tests without their places; a class of which all are among them stands for its tests. */
+function namesOf(some) {
+	const nameOf = (test) => test.replace(/ \(.*\)$/, '');
+	const classOf = (test) => nameOf(test).replace(/\.\w+$/, '');
+	const inParts = [...tests].filter((test) => !some.includes(test)).map(classOf);
+	return [...new Set(some.map((test) => (inParts.includes(classOf(test)) ? nameOf(test) : classOf(test))))].join(', ');
+}
+
+const run = spawn(process.execPath, [player, swf, '--stall', seconds], { stdio: ['ignore', 'pipe', 'pipe'] });
+begin('the SWF');
 createInterface({ input: run.stdout }).on('line', (line) => {
-	console.log(line);
-	readTrace(line);
+	if (readTrace(line)) console.log(line);
 });
 createInterface({ input: run.stderr }).on('line', (line) => {
 	reason ||= reasonIn(line) ?? '';
-	if (!reasonIn(line)) {
-		console.error(line);
-	}
+	if (!reasonIn(line) && !isOfRunner(line)) console.error(line);
 });
 run.on('close', (status) => {
+	clearTimeout(limit);
 	if (reason) {
-		console.log(`FAILED ${begun.name}: ${reason}`);
-		failed.add(begun.name);
+		console.log(`FAILED ${now}: ${reason}`);
+		failed.add(now);
 	}
-	if (!summary) {
-		const passed = Math.max(begun.count - begun.ignored - failed.size, 0);
-		summary = `${passed} passed, ${failed.size} failed, ${begun.ignored} ignored, ${begun.of - begun.count} not run`;
-		console.log(summary);
-	}
+	const passed = [...begun].filter((test) => !failed.has(test) && !ignored.has(test));
+	const left = [...tests].filter((test) => !begun.has(test));
+	if (left.length > 0) console.log(`not run: ${namesOf(left)}`);
+	const summary = `${passed.length} passed, ${failed.size} failed, ${ignored.size} ignored, ${left.length} not run`;
+	console.log(summary);
 	writeFileSync(counts, summary);
-	process.exitCode = status ?? 1;
+	process.exitCode = reason ? FAILED : status ?? 1;
 });

@@ -22,7 +22,7 @@ test('all test classes of all folders are run', () => {
 	const { status, stdout } = run('src,tests');
 	assert.equal(status, 0);
 	assert.equal(stdout, '2 test classes\n');
-	assert.match(written(), /Request\.classes\(MainTest, game\.world\.TurtleTest\)/);
+	assert.match(written(), /CLASSES:Array = \["MainTest", "game\.world\.TurtleTest"\]/);
 	assert.match(written(), /import game\.world\.TurtleTest;/);
 });
 
@@ -30,6 +30,18 @@ test('a test that fails is told with its file and line', () => {
 	writeFileSync(path.join(folder, 'tests/game/world/TurtleTest.as'), 'package game.world\n{\n    public class TurtleTest\n    {\n        [Test]\n        public function swims():void\n');
 	run('src,tests');
 	assert.match(readFileSync(path.join(folder, 'out/ClientTestsReporter.as'), 'utf8'), /"game\.world\.TurtleTest\.swims": "tests\/game\/world\/TurtleTest\.as:6"/);
+});
+
+test('what runs before and after the tests of a class has its file and line too, and its static initialiser that of the class', () => {
+	writeFileSync(path.join(folder, 'tests/game/world/TurtleTest.as'), ['package game.world', '{', '    /** A class of tests. */', '    public class TurtleTest', '    {',
+		'        [BeforeClass]', '        public static function begin():void {}', '        [BeforeClass(order=2)]', '        public static function fill():void {}',
+		'        [Test]', '        public function swims():void {}', ''].join('\n'));
+	assert.equal(run('src,tests').status, 0);
+	const reporter = readFileSync(path.join(folder, 'out/ClientTestsReporter.as'), 'utf8');
+	assert.match(reporter, /"game\.world\.TurtleTest": "tests\/game\/world\/TurtleTest\.as:4"/);
+	assert.match(reporter, /"game\.world\.TurtleTest \[BeforeClass\]": "tests\/game\/world\/TurtleTest\.as:7 or tests\/game\/world\/TurtleTest\.as:9"/);
+	assert.match(reporter, /"game\.world\.TurtleTest\.fill": "\[BeforeClass\]"/);
+	assert.match(reporter, /"game\.world\.TurtleTest": \["game\.world\.TurtleTest\.swims"\]/);
 });
 
 test('a function that FlexUnit would leave out is named', () => {
@@ -69,7 +81,7 @@ test('a class of the game whose name ends with Test is left out, and named', () 
 
 test('a name chooses some of them', () => {
 	assert.equal(run('src,tests', 'turtle').stdout, '1 test class\n');
-	assert.match(written(), /Request\.classes\(game\.world\.TurtleTest\)\)/);
+	assert.match(written(), /CLASSES:Array = \["game\.world\.TurtleTest"\]/);
 });
 
 test('a name with a point chooses tests of a class', () => {
@@ -77,7 +89,7 @@ test('a name with a point chooses tests of a class', () => {
 	writeFileSync(file, ['swims', 'dives', 'divesDeep'].map((name) => `        [Test]\n        public function ${name}():void {}\n`).join(''));
 	assert.equal(run('src,tests', 'TurtleTest.dive,MainTest').status, 0);
 	assert.match(written(), /PICKED:Array = \["MainTest", "game\.world\.TurtleTest\.dives", "game\.world\.TurtleTest\.divesDeep"\]/);
-	assert.match(written(), /Request\.classes\(MainTest, game\.world\.TurtleTest\)\.filterWith\(/);
+	assert.match(written(), /CLASSES:Array = \["MainTest", "game\.world\.TurtleTest"\][^]*\.filterWith\(/);
 	assert.equal(run('src,tests', 'TurtleTest.dives').status, 0);
 	assert.match(written(), /PICKED:Array = \["game\.world\.TurtleTest\.dives"\]/);
 	const mistyped = run('src,tests', 'turtletest.flies');

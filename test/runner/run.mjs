@@ -16,18 +16,18 @@
  *
  * A test of OF_HASHES that fails does not say what is wrong. So the others go on after it, until one does.
  *
- * Once the file of --until is there, no more of files and farther begin: the player writes it when a test fails there. With --first all
- * ends when one fails. With --coverage, FILE gets a line of JSON for each test: its name, the milliseconds that it takes, and the lines
+ * Once the file of --until names a test, but for OF_HASHES, no more of files and farther begin: the player writes it when tests fail
+ * there. With --first all ends when one fails. With --coverage, FILE gets a line of JSON for each test: its name, the milliseconds that it takes, and the lines
  * of TESTS that it runs. The first line has those that run when TESTS is loaded.
  */
 import { spawnSync } from "node:child_process";
-import { appendFileSync, existsSync, readFileSync, writeFileSync } from "node:fs";
+import { appendFileSync, readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { parseArgs } from "node:util";
 import { pathToFileURL } from "node:url";
 import { failuresIn, saidOf } from "./failures.mjs";
 import { countLines } from "./coverage.mjs";
-import { OF_HASHES } from "./farther.mjs";
+import { OF_HASHES, failureIn } from "./farther.mjs";
 import { mount } from "./fixtures.mjs";
 import { NOT_HERE } from "./not-here.mjs";
 import { watch, writeSummary } from "./watch.mjs";
@@ -107,7 +107,7 @@ function fail(said) {
 
 /** Whether a test has failed that says what is wrong, here or in the player, so that what is farther off need not run. */
 function isOver() {
-	return counts.failed > hashesFailed || existsSync(options.until);
+	return counts.failed > hashesFailed || failureIn(options.until) !== undefined;
 }
 
 /** A class's name without its package. */
@@ -150,7 +150,7 @@ async function runFarther(fartherClasses) {
 	const before = done();
 	let late = 0;
 	for (const each of fartherClasses) late += await runClass(each, isNext, true);
-	const why = isOver() ? `${firstFailed ?? readFileSync(options.until, "utf8").trim()} failed before` : `the time for all is ${ENOUGH_S} s`;
+	const why = isOver() ? `${firstFailed ?? failureIn(options.until)} failed before` : `the time for all is ${ENOUGH_S} s`;
 	console.log(`of the tests farther off ${done() - before} ran${late > 0 ? `, ${late} not begun: ${why}` : ""}`);
 	if (hashesFailed > 0 && !isOver()) console.log("of the tests that ran, only a hash says that something has changed");
 }

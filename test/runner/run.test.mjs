@@ -83,7 +83,9 @@ test("what is farther off does not begin once a test has failed in the player", 
 	writeFileSync(file, "import test from 'node:test';\ntest('passes', () => {});\n");
 	const runAll = () => run({ order: ["LaterTest.isSkipped"], files: [file], farther: ["LaterTest.passes"] }, [`--until=${until}`]);
 	assert.match(runAll().stdout, /^of the tests farther off 1 ran\n.*: 2 passed, 0 failed, 1 skipped,/);
-	writeFileSync(until, "ATest.is\n");
+	writeFileSync(until, "StoredFitsTest.anotherHullIsAnotherRevision\n");
+	assert.match(runAll().stdout, /^of the tests farther off 1 ran\n/);
+	writeFileSync(until, "StoredFitsTest.anotherHullIsAnotherRevision\nATest.is\n");
 	const { stdout, status } = runAll();
 	assert.match(stdout, /^of the tests farther off 0 ran, 1 not begun: ATest\.is failed before\n.*: 0 passed, 0 failed, 1 skipped,/);
 	assert.equal(status, 0);

@@ -99,16 +99,52 @@ test('a part that fails does not stop the others', { skip }, () => {
 	assert.match(stderr, /part 1\/2: the SWF stalled.*\n.*part 2\/2: the SWF stalled/);
 });
 
-test('the last test that a client\'s SWF has begun is the one that did not end', { skip }, () => {
+/** Runs a SWF as client-test does, or a script in the player's place: what is printed, and the counts. */
+function runClient(file, seconds = '5', ...player) {
 	const counts = path.join(folder, 'counts.txt');
-	const file = swf('hanging.swf', traced('  3/5 game.MeetTest.hangs (MeetTest.as:7)', LOOP.slice(2)));
-	const { status, stdout } = spawnSync(process.execPath, [path.join(root, 'test/runner/client-tests-run.mjs'), file, '5', counts], { encoding: 'utf8' });
+	const { status, stdout } = spawnSync(process.execPath, [path.join(root, 'test/runner/client-tests-run.mjs'), file, seconds, counts, ...player], { encoding: 'utf8' });
+	return { status, stdout, counts: readFileSync(counts, 'utf8') };
+}
+
+/** The same with what a client's SWF would trace, and then a script. */
+function runTraces(said, then = '') {
+	mkdirSync(folder, { recursive: true });
+	const script = path.join(folder, 'player.mjs');
+	writeFileSync(script, `console.log(${JSON.stringify(said.join('\n'))});\n${then}\n`);
+	return runClient('client.swf', '0.2', script);
+}
+
+test('the last test that a client\'s SWF has begun is the one that did not end', { skip }, () => {
+	const said = ['  @test a.M.ends', '  @test a.M.hangs (M.as:7)', '  @test a.M.later', '  @test a.N.one', '  @test a.N.two', '  1/5 a.M.ends', '  2/5 a.M.hangs (M.as:7)'];
+	const { status, stdout, counts } = runClient(swf('hanging.swf', traced(said.join('\n'), LOOP.slice(2))));
 	assert.equal(status, 70);
-	assert.match(stdout, /^FAILED game\.MeetTest\.hangs \(MeetTest\.as:7\): did not end within 5 s, and no frame in the last \d+ s: .*\n2 passed, 1 failed, 0 ignored, 2 not run\n$/m);
+	assert.match(stdout, /^ {2}1\/5 a\.M\.ends\n {2}2\/5 a\.M\.hangs \(M\.as:7\)\nFAILED a\.M\.hangs \(M\.as:7\): did not end within 5 s, and no frame in the last \d+ s: .*\nnot run: a\.M\.later, a\.N\n/);
+	assert.equal(counts, '1 passed, 1 failed, 0 ignored, 3 not run');
 	// the build's own reporter calls Host.exit
-	const waiting = spawnSync(process.execPath, [path.join(root, 'test/runner/client-tests-run.mjs'), swf('waiting-client.swf', traced('  1/1 game.MeetTest.waits')), '5', path.join(folder, 'others.txt')], { encoding: 'utf8' });
+	const waiting = runClient(swf('waiting-client.swf', traced('  1/1 game.MeetTest.waits')));
 	assert.match(waiting.stdout, /^FAILED game\.MeetTest\.waits: did not end within 5 s, but \d+ frames: it (?!.*Host)/m);
-	assert.equal(readFileSync(counts, 'utf8'), '2 passed, 1 failed, 0 ignored, 2 not run');
+});
+
+test('what hangs before the tests of a class does not fail the test that ended before', () => {
+	const said = ['  @test a.A.good', '  @test a.B.one', '  1/2 a.A.good', '  @now a.A [AfterClass]', '  @now a.B [BeforeClass] (B.as:6)'];
+	const { status, stdout, counts } = runTraces(said, 'console.error("headless: the SWF stalled: 6 s without a sign of life, and no frame");');
+	assert.equal(status, 70);
+	assert.equal(stdout, `  1/2 a.A.good\nFAILED a.B [BeforeClass] (B.as:6): did not end within 6 s, and no frame\nnot run: a.B\n${counts}\n`);
+	assert.equal(counts, '1 passed, 1 failed, 0 ignored, 1 not run');
+});
+
+test('a client\'s test that traces without end is ended', () => {
+	const { status, stdout, counts } = runTraces(['  @test a.A.on', '  1/1 a.A.on'], 'setInterval(() => console.log("on"), 50);');
+	assert.equal(status, 70);
+	assert.match(stdout, /^FAILED a\.A\.on: did not end within 2 s, 10 times -Dstall, though it traced meanwhile$/m);
+	assert.equal(counts, '0 passed, 1 failed, 0 ignored, 0 not run');
+});
+
+test('of a stack that a client\'s SWF traces, FlexUnit\'s calls are left out, and a class that fails has passed no test', () => {
+	const said = ['  @tests', '  @test a.A.on', '  1/1 a.A.on', 'Error: no', '\tat org.flexunit::Assert/fail()', '\tat a::A()', '\tat org.flexunit.runners::Suite/run()',
+		'\tat flash.events::EventDispatcher/dispatchEvent()', 'FAILED a.A.on: no', 'FAILED a.B, static initialiser (B.as:3): no: none'];
+	const { stdout } = runTraces(said, 'process.exitCode = 1;');
+	assert.equal(stdout, '  1/1 a.A.on\nError: no\n\tat a::A()\nFAILED a.A.on: no\nFAILED a.B, static initialiser (B.as:3): no: none\n0 passed, 2 failed, 0 ignored, 0 not run\n');
 });
 
 test('a file that is no SWF, or not all of one, is not played', () => {

@@ -3,12 +3,13 @@
  * to its own.
  *
  * workerData: { now, text, seconds, summary, until }. now and text share memory with the runner. now has the number of the test, the
- * bytes of its name, how many passed, failed and were skipped before it, and 1 if it need not run once the file of until is there. text
+ * bytes of its name, how many passed, failed and were skipped before it, and 1 if it need not run once the file of until names a test. text
  * has its name.
  */
-import { existsSync, mkdirSync, writeFileSync, writeSync } from "node:fs";
+import { mkdirSync, writeFileSync, writeSync } from "node:fs";
 import path from "node:path";
 import { Worker, isMainThread, workerData } from "node:worker_threads";
+import { failureIn } from "./farther.mjs";
 
 const CHECK_MS = 1000;
 const NAME_BYTES = 1000;
@@ -21,7 +22,7 @@ const NEEDLESS_S = 3;
  *
  * @param {number} seconds of a processor that a test may take
  * @param {string | undefined} summary the file that gets the counts if a test does not end
- * @param {string} until once this file is there, tests farther off need not run
+ * @param {string} until once this file names a test, but for those of hashes, tests farther off need not run
  * @returns {(name: string, ...counts: number[]) => void} tells the name of the test that begins, how many passed, failed and were
  *     skipped before, and 1 if it is farther off
  */
@@ -56,7 +57,7 @@ if (!isMainThread && workerData?.now) {
 			return;
 		}
 		const [, bytes, passed, failed, skipped, isFarther] = now;
-		const isNeedless = isFarther === 1 && existsSync(until);
+		const isNeedless = isFarther === 1 && failureIn(until) !== undefined;
 		if (number === 0 || used() - began <= (isNeedless ? NEEDLESS_S : seconds)) return;
 		const name = new TextDecoder().decode(text.slice(0, bytes));
 		writeSync(1, isNeedless ? `${name} and the tests after it were ended, as another failed before\n`

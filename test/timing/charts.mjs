@@ -16,7 +16,7 @@ export function chartsOf(entries) {
 		combination: combination(of('combination')),
 		scattered: scattered(of('scattered')),
 	};
-	return Object.fromEntries(Object.entries(charts).filter(([, chart]) => chart?.series.some(hasNumber)));
+	return Object.fromEntries(Object.entries(charts).filter(([, chart]) => chart?.series.some((one) => one.color !== 'thesis' && hasNumber(one))));
 }
 
 /** Whether a series has a number. */

@@ -241,7 +241,7 @@ export const FIGURES = [
 	},
 	{
 		id: 'volumes', title: 'Figure 6-1: volumes of bounding structures, in cubic patches', ...VOLUMES,
-		lead: 'Each group of bars is a model. A lower bar is a tighter structure. Blue should reach as low as grey.',
+		lead: 'Each group of bars is a model. A lower bar is a tighter structure. Of the sphere, the cube and the cylinder blue should reach as low as grey; the other models are not the thesis\'s.',
 		note: '* the tightest of the thesis\'s six. The smallest known sphere and capsule, and a hull of at most 16 corners, are on the right. The sphere of the'
 			+ ' BinCollider has 0.524. The models are the project\'s own, of the same kinds and vertex counts as the thesis\'s.'
 			+ ' Ritter\'s sphere of a cube has one of thirty volumes from 2.72 to 6.81, by the vertices on which it starts and by their'

@@ -8,7 +8,10 @@ function color(name) {
 }
 
 function compact(value) {
-	return value >= 1000 ? value.toLocaleString('en') : String(Number(value.toPrecision(3)));
+	if (value === null) {
+		return '';
+	}
+	return value >= 1000 ? Math.round(value).toLocaleString('en') : String(Number(value.toPrecision(3)));
 }
 
 // From the power of ten below the least, with room for its bar, to above the greatest.
@@ -17,13 +20,19 @@ function logarithmic(title, values) {
 	return {
 		type: 'logarithmic',
 		min: 10 ** Math.floor(Math.log10(Math.min(...found)) - 0.15),
-		max: Math.max(...found) * 1.3,
+		max: Math.max(...found) * 1.5,
 		title: { display: true, text: `${title} (log scale)`, color: color('quiet') },
 		grid: { color: color('grid') },
 		border: { color: color('grid') },
-		// powers of ten alone: the marks between them crowd
-		ticks: { color: color('quiet'), callback: (value) => (Math.abs(Math.log10(value) - Math.round(Math.log10(value))) < 1e-6 ? compact(value) : null) },
+		// powers of ten alone: the marks between them crowd, unless there are few
+		ticks: { color: color('quiet'), callback: (value) => (isMark(value, Math.max(...found) / Math.min(...found)) ? compact(value) : null) },
 	};
+}
+
+// Whether an axis of values that differ so many times has a mark at a value.
+function isMark(value, times) {
+	const first = value / 10 ** Math.floor(Math.log10(value) + 1e-9);
+	return (times < 30 ? [1, 2, 5] : [1]).some((each) => Math.abs(first - each) < 1e-6);
 }
 
 // A dashed line across at a value. The legend has its name, because bars stand everywhere else.
@@ -42,6 +51,25 @@ const limit = {
 		ctx.moveTo(left, height);
 		ctx.lineTo(right, height);
 		ctx.stroke();
+		ctx.restore();
+	},
+};
+
+// The number of each bar above it, if all have room beside one another.
+const numbers = {
+	id: 'numbers',
+	afterDatasetsDraw(chart, _, { kind, series }) {
+		const { ctx } = chart;
+		ctx.save();
+		ctx.font = '10px system-ui, sans-serif';
+		ctx.textAlign = 'center';
+		ctx.textBaseline = 'bottom';
+		ctx.fillStyle = color('quiet');
+		const shown = kind === 'bars' ? series.flatMap(({ values }, i) => (chart.isDatasetVisible(i)
+			? chart.getDatasetMeta(i).data.map((bar, at) => ({ bar, text: compact(values[at]), value: values[at] })) : [])).filter(({ value }) => value !== null) : [];
+		if (shown.every(({ bar, text }) => ctx.measureText(text).width <= bar.width * 1.1)) {
+			for (const { bar, text } of shown) ctx.fillText(text, bar.x, bar.y - 3);
+		}
 		ctx.restore();
 	},
 };
@@ -94,6 +122,7 @@ function common(chart) {
 			tooltip: { callbacks: { label: (item) => `${item.dataset.label}: ${compact(item.parsed.y)} ${chart.unit}` } },
 			limit: chart.line ? { at: chart.line[0] } : {},
 			refused: { kind: chart.kind, series: chart.series },
+			numbers: { kind: chart.kind, series: chart.series },
 		},
 	};
 }
@@ -117,7 +146,7 @@ function barChart(chart) {
 					: logarithmic(chart.unit, chart.series.flatMap((series) => series.values)),
 			},
 		},
-		plugins: [limit, refused],
+		plugins: [limit, refused, numbers],
 	};
 }
 

@@ -1,5 +1,6 @@
 import { readFile } from 'node:fs/promises';
 import { chartsOf } from './charts.mjs';
+import { repeats } from './console.mjs';
 import { DISTURBED, FIGURES, bySubject, faster, measured, shownIn } from './figures.mjs';
 import { ratio } from './format.mjs';
 import { loadText, wasDisturbed } from './machine.mjs';
@@ -48,7 +49,8 @@ ${FIGURES.map((figure) => section(figure, report, charts, clone)).join('\n')}
 <p>Times are medians ± half the range of the repetitions, without the fastest and the slowest fifth, after a warm-up. “×” is a multiple of the sphere-sphere test, measured in turns
 with it: only these can be compared across machines.</p>
 <p id="left-out">Noisy: the range of the time, or of the multiple, is wider than 30 % either way, so it is left out. Contradictory: a time and its multiple, or the engine's and the literal one's,
-cannot both be right, because another program took the processor in a part of the run. Both happen less on a machine that does nothing else; the end of the run prints the commands that measure again.</p>
+cannot both be right, because another program took the processor in a part of the run. Both happen less on a machine that does nothing else.</p>
+${again(report)}
 <p>${report.load ? escape(loadText(report.load, report.machine.cores)) : ''}${report.earlierEntries ? ` ${earlierText(report)}` : ''}</p>
 <p>${Object.entries({ ...report.machine, ...report.versions }).map(([name, value]) => `<span>${words(name)}: ${escape(value)}</span>`).join(' · ')}</p>
 </footer>
@@ -78,6 +80,12 @@ function leftOut(entries) {
 	return count === 0 ? '' : `<p>${count} of ${timed.length} times <a href="#left-out">${count === 1 ? 'is' : 'are'} left out</a>: noisy, or contradictory.</p>`;
 }
 
+/** What is left out, and the commands that measure it again. */
+function again({ entries, versions }) {
+	const text = repeats(entries, versions.commit);
+	return text === '' ? '' : `<div class="scroll"><pre>${escape(text)}</pre></div>`;
+}
+
 /** Which numbers were taken in which player. */
 function takenIn({ player, beside }) {
 	const green = beside ? ` Green, and named JIT: this engine in ${escape(beside)}, the Flash client's virtual machine, in a second run on the same computer.` : '';
@@ -96,7 +104,7 @@ function section(figure, report, charts, clone) {
 	const isMarked = chart?.series.some(({ refused }) => refused?.some(Boolean));
 	return `<section>
 <h2>${escape(figure.title)}</h2>
-${chart ? `<p class="lead">${escape(figure.lead)} Each grid line is ten times the one before.</p>` : ''}
+${chart ? `<p class="lead">${escape(figure.lead)} The scale is logarithmic.</p>` : ''}
 ${picture}
 ${isMarked ? '<p class="note crosses">× stands for a number that was left out.</p>' : ''}
 <div class="scroll">${table(figure.head(mine), figure.rows(mine), figure.text)}</div>

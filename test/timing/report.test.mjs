@@ -358,7 +358,7 @@ test('what is noisy can join a report only if the commit says what was measured'
 });
 
 test('the page says at its top what is missing', async () => {
-	assert.match(await page({ ...EMPTY, entries }), /1 of 13 times <a href="#left-out">is left out<\/a>/);
+	assert.match(await page({ ...EMPTY, entries }), /1 of 13 times <a href="#left-out">is left out<\/a>[^]*<p id="left-out">[^]*<pre>Left out, [^]*\n {4}\.\/antw timing -Dfigures=crowds /);
 	assert.doesNotMatch(await page({ ...EMPTY, entries: entries.filter(({ refused }) => !refused) }), /href="#left-out"/);
 	assert.match(await page({ ...EMPTY, isComplete: false, entries }), /class="warning">The run ended early/);
 	assert.doesNotMatch(await page({ ...EMPTY, entries }), /ended early/);
@@ -369,6 +369,8 @@ test('without a number there is no chart, and no exponent', () => {
 	const found = ['BinCollider', 'TightestFitCollider'].flatMap((name) => [100, 1000].map((agents) => timed('scattered', `${agents} mix`, name, null, { agents, collisions: 0, refused: 'noisy' })));
 	assert.deepEqual(chartsOf([...found, timed('fits', 'bear', 'engine', null, { refused: 'noisy' })]), {});
 	assert.doesNotMatch(tables(found), /^exponent|with collisions/m);
+	// the thesis's number alone is none of the run
+	assert.deepEqual(chartsOf([timed('fits', 'bear', 'engine', null, { refused: 'noisy', thesis: 555 })]), {});
 });
 
 test('an interrupted run says how far it was, if it had measured anything', (t) => {

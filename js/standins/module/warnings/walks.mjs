@@ -76,7 +76,7 @@ export function $warnOfWalk(seen, walker, footing) {
 function $countStop({ interests, _pairIndices: met }, does, agent, other) {
 	if (!agent || !other) return; // the walk was refused, or went on
 	const [breed, otherBreed] = [agent.$breedNumber, other.$breedNumber];
-	if (!interests.$has(breed, otherBreed) || met.find(breed, otherBreed) >= 0 || met.find(otherBreed, breed) >= 0) return;
+	if (!interests.$hasPair(breed, otherBreed) || met.find(breed, otherBreed) >= 0 || met.find(otherBreed, breed) >= 0) return;
 	const [name, otherName] = [agent.breed, other.breed].map((each) => JSON.stringify(each));
 	const stops = ($stops.get(name + otherName) ?? 0) + 1;
 	$stops.set(name + otherName, stops);

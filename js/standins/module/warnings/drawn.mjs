@@ -20,11 +20,11 @@ function $keepSource(source, model) {
  */
 function $adviseOfNoPlace(name, vertices, meshes) {
 	const vertex = Math.floor(vertices.findIndex((value) => value - value !== 0) / 3);
-	const mesh = meshes.findLast(({ firstVertex, vertices: own }) => own.length > 0 && firstVertex <= vertex);
+	const mesh = meshes.findLast(({ firstVertex, meshVertices: own }) => own.length > 0 && firstVertex <= vertex);
 	if (vertex < 0 || mesh.object.isBatchedMesh) return;
 	const title = mesh.object.name || mesh.object.geometry.name;
 	const place = vertices.slice(3 * vertex, 3 * vertex + 3).join(", ");
-	throw new ModelError(name, title && `mesh "${title}"`, `vertex ${mesh.vertices[vertex - mesh.firstVertex]} of its geometry must be at finite numbers, not at (${place})`);
+	throw new ModelError(name, title && `mesh "${title}"`, `vertex ${mesh.meshVertices[vertex - mesh.firstVertex]} of its geometry must be at finite numbers, not at (${place})`);
 }
 
 /** Warns of a binding without the model that was made of the object, whose place and size in it are needed. */

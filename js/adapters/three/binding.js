@@ -85,8 +85,8 @@ export class ThreeAgentBinding {
 	/** Gives the object the agent's place, size and rotation. */
 	updateObject() {
 		const place = this.#place;
-		const hasMoved = this.#hasMoved();
-		if (!place.takeChange() && !hasMoved) return;
+		this.#transform.refusePivot();
+		if (!place.takeChange() && !this.#hasMoved()) return;
 		const { position, quaternion } = decomposed;
 		position.copy(this.#origin).multiplyScalar(place.size).applyQuaternion(place.quaternion).add(place.position);
 		quaternion.copy(place.quaternion);
@@ -98,6 +98,7 @@ export class ThreeAgentBinding {
 	/** Gives the agent the object's place, size and rotation. */
 	updateAgent() {
 		const place = this.#place;
+		this.#transform.refusePivot();
 		if (this.#hasMoved()) {
 			const { position, quaternion, scale } = this.#decompose();
 			const size = place.sizeFor(scale.x / this.#scale);
@@ -119,7 +120,7 @@ export class ThreeAgentBinding {
 		poseModel(this.#model, this.object);
 	}
 
-	/** Whether the object is elsewhere than at the last update. Throws if it has got a pivot since. */
+	/** Whether the object is elsewhere than at the last update. */
 	#hasMoved() {
 		const last = this.#lastSnapshot;
 		for (let i = this.#transform.snapshotInto(snapshot) - 1; i >= 0; i--) if (snapshot[i] !== last[i]) return true;
@@ -176,16 +177,19 @@ export function bindInstance(agent, mesh, index, model = null, options = {}) {
 class ObjectTransform {
 	constructor(agent, object) {
 		this.object = object;
-		this.snapshotInto(snapshot);
+		this.refusePivot();
 		warnings?.ofScale(agent, object);
 	}
 
-	/** Writes the numbers of the transform into an array. Returns how many there are. Throws if three.js would turn the object around a pivot. */
+	/** Throws if three.js would turn the object around a pivot. */
+	refusePivot() {
+		const { name, pivot } = this.object;
+		if (pivot) throw new ArgumentError(`ThreeAgentBinding: object "${name}" must have no pivot: put it into a Group, and bind the group`);
+	}
+
+	/** Writes the numbers of the transform into an array. Returns how many there are. */
 	snapshotInto(out) {
 		const { object } = this;
-		if (object.pivot) {
-			throw new ArgumentError(`ThreeAgentBinding: object "${object.name}" must have no pivot: put it into a Group, and bind the group`);
-		}
 		if (!object.matrixAutoUpdate) {
 			object.matrix.toArray(out);
 			return 16;
@@ -226,6 +230,9 @@ class InstanceTransform {
 		this.object = mesh;
 		this.index = index;
 	}
+
+	/** Does nothing: three.js takes an instance's matrix as it is. */
+	refusePivot() {}
 
 	snapshotInto(out) {
 		const { array } = this.object.instanceMatrix;

@@ -55,13 +55,22 @@ function requireName(call, name) {
 
 function modelOf(name, source, { data, meshes }, made, scaling) {
 	if (data.vertices.length === 0) throw new ModelError(name, "", `no vertices: ${whatIsMissing(source)}`);
-	warnings?.ofNoPlace(name, data.vertices, meshes);
 	Object.assign(data, { scaling, isNormalised: scaling === Model.AS_GIVEN });
-	const model = new Model(name, null, null, null, new ModelBuilder(data).build());
+	const model = new Model(name, null, null, null, build(name, data, meshes));
 	const indices = new Map(meshes.map(({ object }, i) => [object, i]).reverse());
 	sources.set(model, { ...made, meshes, indices, isGeometry: !source.isObject3D, posed: null });
 	warnings?.keepSource(source, model);
 	return model;
+}
+
+/** What a Model takes. Only an error is worth a search for the vertex: the engine names the model's, and the warnings that of its mesh. */
+function build(name, data, meshes) {
+	try {
+		return new ModelBuilder(data).build();
+	} catch (error) {
+		warnings?.ofNoPlace(name, data.vertices, meshes);
+		throw error;
+	}
 }
 
 function whatIsMissing(source) {

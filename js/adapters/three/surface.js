@@ -48,8 +48,9 @@ export function eachMesh(object, matrix, visit) {
 export function surfaceOf(name, source, isYUp, isPlaced = false) {
 	const pieces = collect(name, source, isPlaced);
 	const data = new ModelData(name);
-	weld(data, pieces, isYUp);
-	if (source.isObject3D) label(data, pieces);
+	const drawn = pieces.filter(({ corners }) => corners.length > 0);
+	weld(data, drawn, isYUp);
+	if (source.isObject3D) label(data, drawn);
 	const meshes = pieces.map(({ object, instanceId, points, meshVertices, firstVertex, firstTriangle, faceAt }) => (
 		{ object, instanceId, count: points.length / 3, meshVertices, firstVertex, firstTriangle, faceAt }
 	));
@@ -136,7 +137,6 @@ function label({ meshes, materials }, pieces) {
 	const meshLabels = new Map();
 	const materialLabels = new Map();
 	for (const { object, corners, runs, firstTriangle } of pieces) {
-		if (corners.length === 0) continue;
 		meshes.beginRun(labelOf(object, titleOf(object), meshLabels, meshes), firstTriangle);
 		let next = firstTriangle;
 		for (const { material, count } of runs) {

@@ -111,7 +111,8 @@ package starlogo.ground
         public function isAtBorder(level:int, column:int, row:int):Boolean
         {
             var grid:HeightGrid = search.grid;
-            return column == 0 || row == 0 || column == HeightPyramid.squareOf(grid.lastCellColumn, level) || row == HeightPyramid.squareOf(grid.lastCellRow, level);
+            return column == 0 || row == 0 || column == HeightPyramid.squareOf(grid.lastCellColumn, level)
+                || row == HeightPyramid.squareOf(grid.lastCellRow, level);
         }
 
         /** Finds the passage over a square until the latest time. Returns whether there is one. */

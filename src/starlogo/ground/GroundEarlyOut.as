@@ -84,9 +84,9 @@ package starlogo.ground
             {
                 return true;
             }
-            var maxStepX:Number = _heightsAround.maxStepX * halfX / grid.cellWidth;
-            var maxStepY:Number = _heightsAround.maxStepY * halfY / grid.cellWidth;
-            var height:Number = isSphere ? Math.sqrt(halfZ * halfZ + maxStepX * maxStepX + maxStepY * maxStepY) : halfZ + maxStepX + maxStepY;
+            var riseX:Number = _heightsAround.maxStepX * halfX / grid.cellWidth;
+            var riseY:Number = _heightsAround.maxStepY * halfY / grid.cellWidth;
+            var height:Number = isSphere ? Math.sqrt(halfZ * halfZ + riseX * riseX + riseY * riseY) : halfZ + riseX + riseY;
             return !grid.isBlocky && above > height;
         }
     }

@@ -152,7 +152,8 @@ package starlogo.ground
                 return;
             }
             readHeights(level, column, row);
-            if (!_heights.isAllHoles && _passage.minHeight <= _heights.max && _passage.maxHeight >= _heights.min && !_path.isBeyondMaxDistance(level, column, row, _heights))
+            if (!_heights.isAllHoles && _passage.minHeight <= _heights.max && _passage.maxHeight >= _heights.min
+                    && !_path.isBeyondMaxDistance(level, column, row, _heights))
             {
                 column <<= HeightPyramid.SHIFT;
                 row <<= HeightPyramid.SHIFT;

@@ -10,9 +10,9 @@ package starlogo.terrain
     import starlogo.geometry.requireInWorld;
     import starlogo.ground.GroundPoint;
     import starlogo.ground.HeightGrid;
+    import starlogo.search.EnvironmentAgent;
     import starlogo.search.ModelShape;
     import starlogo.search.pairs.GroundPairTests;
-    import starlogo.search.EnvironmentAgent;
 
     use namespace engine;
 

@@ -4,9 +4,9 @@ package starlogo.terrain
     import starlogo.agents.Breeds;
     import starlogo.engine;
     import starlogo.geometry.requireInWorld;
+    import starlogo.search.EnvironmentAgent;
     import starlogo.search.ModelShape;
     import starlogo.search.pairs.EdgePairTests;
-    import starlogo.search.EnvironmentAgent;
 
     use namespace engine;
 

@@ -9,8 +9,8 @@ package starlogo.queries.motion
     import starlogo.search.Body;
 
     /**
-     * Lets an agent that walks stand on what is below it, if that carries the agent. A surface carries the agent if it is not too steep. At an edge, such as that of a
-     * step, the face behind the edge decides.
+     * Lets an agent that walks stand on what is below it, if that carries the agent. A surface carries the agent if it is not too steep. At an edge,
+     * such as that of a step, the face behind the edge decides.
      *
      * @private
      */

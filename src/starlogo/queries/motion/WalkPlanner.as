@@ -283,7 +283,8 @@ package starlogo.queries.motion
             _foothold.slideDown(walk, from, depth, walk.substepLength, _slid);
             var dx:Number = _slid.place.x - walk.substepStart.x;
             var dy:Number = _slid.place.y - walk.substepStart.y;
-            return dx * dx + dy * dy <= walk.substepLength * walk.substepLength && isFarther(walk, _slid.place) && _foothold.tryStandBelow(walk, _slid.place, walk.closeDepth);
+            return dx * dx + dy * dy <= walk.substepLength * walk.substepLength && isFarther(walk, _slid.place)
+                && _foothold.tryStandBelow(walk, _slid.place, walk.closeDepth);
         }
 
         // Falls until something stops the agent, and slides down what is too steep. If nothing stops an endless fall, it ends where it began. Returns whether the
@@ -335,8 +336,8 @@ package starlogo.queries.motion
             var lowest:Number = Infinity;
             for (var i:int = 0; i < body.rows.count; i++)
             {
-                var row:Body = body.bodyOf(body.rows.values[i]);
-                lowest = Math.min(lowest, row.kind == ModelShape.GROUND ? row.shape.grid.pyramid.whole.min : row.middleZ - row.halfZ);
+                var other:Body = body.bodyOf(body.rows.values[i]);
+                lowest = Math.min(lowest, other.kind == ModelShape.GROUND ? other.shape.grid.pyramid.whole.min : other.middleZ - other.halfZ);
             }
             return lowest;
         }

@@ -75,7 +75,7 @@ package starlogo.queries.rays
                         insideFrom = crossings.distances[index];
                         break;
                     case RayCrossings.ENTERS:
-                        isKept = depth == 0 && endKeyOf(crossings, index) > insideFrom;
+                        isKept = depth == 0 && _all.keys[i] > insideFrom;
                         depth++;
                         break;
                     default:

@@ -39,7 +39,7 @@ package starlogo.queries.trees
             _box[0] = _box[3] = x;
             _box[1] = _box[4] = y;
             _box[2] = _box[5] = z;
-            begin(tree, 0);
+            begin(tree, RowTree.slackOf(x, y, z, 0, 0));
         }
 
         /**
@@ -55,25 +55,23 @@ package starlogo.queries.trees
             _box[3] = body.middleX + body.halfX;
             _box[4] = body.middleY + body.halfY;
             _box[5] = body.middleZ + body.halfZ;
-            begin(tree, body.distanceFromPlace);
+            begin(tree, RowTree.slackOf(body.middleX, body.middleY, body.middleZ, body.halfX + body.halfY + body.halfZ, body.distanceFromPlace));
             if (body.isEnvironment)
             {
                 widen(4 * Agent.LARGEST_COORDINATE);
             }
         }
 
-        // Begins with the box. The offset is how far its middle is from the place that it was computed from.
-        private function begin(tree:RowTree, offset:Number):void
+        // Begins with the box, made larger by its slack.
+        private function begin(tree:RowTree, slack:Number):void
         {
-            var box:Vector.<Number> = _box;
             _tree = tree;
             _isGroundLeft = true;
             _inverse[0] = _inverse[1] = _inverse[2] = 0;
             _stack[0] = RowTree.ROOT;
             _entries[0] = 0;
             _waiting = tree.count > 0 ? 1 : 0;
-            widen(RowTree.slackOf((box[0] + box[3]) / 2, (box[1] + box[4]) / 2, (box[2] + box[5]) / 2,
-                        (box[3] - box[0] + box[4] - box[1] + box[5] - box[2]) / 2, offset));
+            widen(slack);
         }
 
         /**

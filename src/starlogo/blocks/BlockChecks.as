@@ -1,7 +1,7 @@
 package starlogo.blocks
 {
     import starlogo.agents.Agent;
-    import starlogo.collision.Collision;
+    import starlogo.agents.Breeds;
     import starlogo.data.textOf;
     import starlogo.engine;
 
@@ -30,7 +30,7 @@ package starlogo.blocks
         {
             requireSubject(block, subject);
             var breed:String = subject is Agent ? Agent(subject).breed : subject as String;
-            if ([Collision.ANY_BREED, Collision.TERRAIN, Collision.EDGE].indexOf(breed) >= 0)
+            if (Breeds.isReserved(breed))
             {
                 throw new BlockError(block, "needs an agent or a breed of the game, not the ground, the edges of the world or any breed.");
             }

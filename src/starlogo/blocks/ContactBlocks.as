@@ -133,6 +133,7 @@ package starlogo.blocks
         {
             BlockChecks.requirePair("push away from", agent, other);
             BlockChecks.requirePlacedAgent("push away from", agent);
+            // in JavaScript a method of the engine's namespace can't be passed itself
             var contact:Object = BlockChecks.attempt("push away from", UNKNOWN_SHAPE, function():Contact
                 {
                     return _collisions.contactNow("push away from", agent, other);

@@ -191,7 +191,7 @@ package starlogo.search
         private static function requireExtents(shape:ModelShape, agent:Agent):void
         {
             var extents:Vector.<Number> = new Vector.<Number>(6, true);
-            shape.structure.findPlacedBox(new Placement(), extents);
+            shape.structure.findPlacedBox(Placement.IDENTITY, extents);
             requireInWorld("the middle of its model's structure", extents[0], extents[1], extents[2], agent);
             requireInWorld("half of the length of its model's structure", extents[3], extents[4], extents[5], agent);
         }

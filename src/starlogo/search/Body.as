@@ -22,8 +22,6 @@ package starlogo.search
      */
     public final class Body
     {
-        private static const UPRIGHT:Placement = new Placement();
-
         // The middle and half of the lengths of extents, within one call.
         private static var sExtents:Vector.<Number> = new Vector.<Number>(6, true);
 
@@ -89,7 +87,7 @@ package starlogo.search
                 return;
             }
             takeShape(shape);
-            placement.copyRotation(shape.ignoresRotation ? UPRIGHT : agent.freshPlacement());
+            placement.copyRotation(shape.ignoresRotation ? Placement.IDENTITY : agent.freshPlacement());
             placement.size = size;
             findExtents();
         }

@@ -155,22 +155,17 @@ package starlogo.search
             {
                 throw new ArgumentError("the ground and the edges of the world have no contact with each other");
             }
-            // they get the order that the pairs of a search have, so rounding is the same however a game asks
-            if (table.listed.orderKeyOf(a) > table.listed.orderKeyOf(b))
+            var rowA:int = table.listed.rowOf(a);
+            var rowB:int = table.listed.rowOf(b);
+            if (table.listed.orderKeyOf(a, rowA) > table.listed.orderKeyOf(b, rowB))
             {
-                findContactInOrder(b, a, motion, out);
+                // they get the order that the pairs of a search have, so rounding is the same however a game asks
+                findContact(b, a, motion, out);
                 out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
                 motion.endAfter(-motion.x, -motion.y, -motion.z);
                 return;
             }
-            findContactInOrder(a, b, motion, out);
-        }
-
-        // Finds the contact of an agent of the game with another agent, or with the ground or the edges of the world.
-        private function findContactInOrder(a:Agent, b:Agent, motion:RelativeMotion, out:ContactPoint):void
-        {
-            var rowA:int = table.listed.rowOf(a);
-            var rowB:int = table.listed.rowOf(b);
+            // from here on the first is an agent of the game
             var isSeenB:Boolean = table.isSeen(rowB);
             var areSeen:Boolean = isSeenB && table.isSeen(rowA);
             if (areSeen)

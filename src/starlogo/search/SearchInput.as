@@ -77,6 +77,10 @@ package starlogo.search
          */
         public function takeFilterOf(frame:SearchInput):void
         {
+            if (frame.admitted == null)
+            {
+                return;
+            }
             var all:Vector.<Agent> = frame.admittedAgents;
             if (all.length == agents.length && all.every(function(agent:Agent, index:int, ...ignored):Boolean
                     {

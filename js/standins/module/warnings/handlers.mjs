@@ -22,7 +22,7 @@ const $additions = /* @__PURE__ */ new WeakMap();
  * Warns of a handler with more parameters than it gets arguments, with the contact before the agents, of one that uses the contact
  * at the end of a touch, where it is null, and of one that is async. Handlers with fewer parameters are as common as methods without any.
  */
-export function $warnOfHandler(breed, otherBreed, handler, moment) {
+export function $warnOfHandler(breed, otherBreed, handler, phase) {
 	const breeds = $breedsText(breed, otherBreed);
 	const name = `the handler ${handler.name || "without a name"} for ${breeds}`;
 	$keptOf($breedsOf, handler, () => new Set()).add(breeds);
@@ -36,7 +36,7 @@ export function $warnOfHandler(breed, otherBreed, handler, moment) {
 	if (first === "contact" || second === "contact") {
 		$warn(`${name} has its contact too early: it gets the two agents first, (a, b, contact)`);
 	}
-	if (moment === $END && third && $readsBlindly(text, third)) {
+	if (phase === $END && third && $readsBlindly(text, third)) {
 		$warn(`${name} is for the end of a touch, where its third argument is null: there it is without contact. `
 			+ "Copy what you need of the contact in onCollisionStart");
 	}

@@ -240,7 +240,7 @@ package starlogo.search.table
             }
             var environment:EnvironmentAgent = agent as EnvironmentAgent;
             spare.setToAgent(agent, environment == null ? _choice.shapeOf(agent) : environment.requireSurface());
-            spare.orderKey = listed.orderKeyOf(agent);
+            spare.orderKey = listed.orderKeyOf(agent, row);
             return spare;
         }
 

@@ -86,14 +86,15 @@ package starlogo.search.table
         /**
          * Says where an agent comes in the order of tests: its index in the list. Agents that are not listed come after these, the older ones
          * first. The ground and the edges of the world come last. In <code>listIndices</code> they come right after the list.
+         *
+         * @param row the answer of <code>rowOf()</code>
          */
-        public function orderKeyOf(agent:Agent):int
+        public function orderKeyOf(agent:Agent, row:int):int
         {
             if (agent.isEnvironment)
             {
                 return int.MAX_VALUE;
             }
-            var row:int = rowOf(agent);
             return row >= 0 ? listIndices[row] : FIRST_UNLISTED_KEY + agent.idNumber;
         }
 

@@ -2,10 +2,7 @@ package starlogo.hierarchy
 {
     import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ClosestPoints;
-    import starlogo.engine;
     import starlogo.intersection.StructurePairs;
-
-    use namespace engine;
 
     /** Finds the distance of a structure from the boxes of a tree. The results are nested, as those of DistanceTraversal. @private */
     public final class NodeDistanceVisitor extends NodeVisitor
@@ -32,14 +29,12 @@ package starlogo.hierarchy
          * Finds the distance and the closest points of a tree and a structure.
          *
          * @param depth how many of the tree's levels are visited
-         * @param structure in the tree's space; it is enlarged
-         * @param pose has the margin of the structure's place
+         * @param structure in the tree's space, enlarged by the margin of its place
          * @param out receives them, in the tree's space
          */
-        public function find(tree:BoxTree, depth:int, structure:BoundingStructure, pose:RelativePose, out:ClosestPoints):void
+        public function find(tree:BoxTree, depth:int, structure:BoundingStructure, out:ClosestPoints):void
         {
             _structure = structure;
-            structure.widen(pose.margin);
             _structure.extentsInto(_extents);
             _radii = tree.radius + (_extents[1] - _extents[0]) / 2 + (_extents[3] - _extents[2]) / 2 + (_extents[5] - _extents[4]) / 2;
             _search.setExtents(_extents, 0);

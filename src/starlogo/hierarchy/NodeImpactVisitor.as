@@ -3,10 +3,7 @@ package starlogo.hierarchy
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.convex.RelativeMotion;
-    import starlogo.engine;
     import starlogo.intersection.StructurePairs;
-
-    use namespace engine;
 
     /**
      * Decides when a structure first touches the boxes of a tree, and whether it does if it is still (thesis §5.2). The kernel of the two decides
@@ -37,16 +34,14 @@ package starlogo.hierarchy
          * Finds when a structure first touches a node that decides, and which one.
          *
          * @param depth how many of the tree's levels are visited
-         * @param structure in the tree's space; it is enlarged
-         * @param pose has the margin of the structure's place
-         * @param motion of the structure, from the pose on; receives the time, and its latest time is overwritten. If it is still, the
+         * @param structure in the tree's space, enlarged by the margin of its place
+         * @param motion of the structure; receives the time, and its latest time is overwritten. If it is still, the
          *     structure touches at time 0 or never
          * @return the node, or -1
          */
-        public function findFirstNode(tree:BoxTree, depth:int, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):int
+        public function findFirstNode(tree:BoxTree, depth:int, structure:BoundingStructure, motion:RelativeMotion):int
         {
             _structure = structure;
-            structure.widen(pose.margin);
             _motion = motion;
             _found = -1;
             limit = motion.latestTime;

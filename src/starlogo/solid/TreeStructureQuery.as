@@ -115,13 +115,21 @@ package starlogo.solid
         {
             return _depth == BoxTree.EXACT
                 ? _triangleImpact.findFirstSlot(_tree, placed(), pose, motion)
-                : _nodeImpact.findFirstNode(_tree.boxTree, _depth, placed(), pose, motion);
+                : _nodeImpact.findFirstNode(_tree.boxTree, _depth, placedWidened(), motion);
         }
 
         // The structure in a's space. The next call overwrites it.
         private function placed():BoundingStructure
         {
             return _kernel.setStructure(_structure, pose.placement);
+        }
+
+        // The same, enlarged by the margin of the pose, because boxes decide. The shape is not enlarged.
+        private function placedWidened():BoundingStructure
+        {
+            var structure:BoundingStructure = placed();
+            structure.widen(pose.margin);
+            return structure;
         }
 
         private function findContactOfNode(node:int, motion:RelativeMotion, out:ContactPoint):void
@@ -138,7 +146,7 @@ package starlogo.solid
             }
             else
             {
-                _nodeDistance.find(_tree.boxTree, _depth, placed(), pose, out);
+                _nodeDistance.find(_tree.boxTree, _depth, placedWidened(), out);
             }
         }
 

@@ -65,9 +65,9 @@ package starlogo.solid
             }
         }
 
-        // A point with an open side is outside. This is known without the surface.
+        // A point from which a ray along an axis is clear is outside. This is known without the surface.
         [Test]
-        public function anOpenSideIsOutside():void
+        public function aPointWithAClearRayIsOutside():void
         {
             var random:SeededRandom = new SeededRandom(5103);
             var spared:int = 0;

@@ -133,7 +133,7 @@ const $KINDS = { Number: "a number", int: "an integer from -2147483648 to 214748
 
 /** The numbers for a Vector argument of a public method: an array, or a copy of a typed array as an array. */
 export function $numbers(target, name, list, type, isNullable) {
-	if (isNullable && (list == null)) return null;
+	if (isNullable && list == null) return null;
 	const isView = ArrayBuffer.isView(list) && !(list instanceof DataView);
 	if (!isView && !Array.isArray(list)) $refuse(target, name, list, "an array of numbers");
 	// Array.from takes three times as long
@@ -149,7 +149,7 @@ export function $numbers(target, name, list, type, isNullable) {
 
 /** The bytes for an argument of a public method: a ByteArray. An ArrayBuffer or a view of one is converted to one. */
 export function $bytes(target, name, value, isNullable) {
-	if (isNullable && (value == null)) return null;
+	if (isNullable && value == null) return null;
 	const areBytes = value instanceof ByteArray || ArrayBuffer.isView(value) || /ArrayBuffer\]$/.test(Object.prototype.toString.call(value));
 	if (!areBytes) $refuse(target, name, value, "an ArrayBuffer, a view of one, or a ByteArray");
 	return ByteArray.from(value);

@@ -18,9 +18,7 @@ const $optionNames = /* @__PURE__ */ new WeakMap();
 export function $options(target, name, given, defaults, kind) {
 	const where = target === null ? name : `${target}: ${name}`;
 	if (!$isObject(given) || Array.isArray(given)) $refuse(null, where, given, kind);
-	const type = defaults.constructor;
-	const names = type !== Object && $optionNames.get(type) || Object.keys($stateOf(defaults));
-	$optionNames.set(type, names);
+	const names = $optionNamesOf(defaults);
 	for (const key of Object.keys(given)) {
 		// an object of the same class has fields of its own
 		const isInner = /^[_$]/.test(key);
@@ -39,6 +37,14 @@ export function $options(target, name, given, defaults, kind) {
 		}
 	}
 	return defaults;
+}
+
+/** The names of an object's options. Those of a class are found once. */
+function $optionNamesOf(defaults) {
+	const type = defaults.constructor;
+	if (type === Object) return Object.keys(defaults);
+	if (!$optionNames.has(type)) $optionNames.set(type, Object.keys($stateOf(defaults)));
+	return $optionNames.get(type);
 }
 
 /** Whether an argument is an object. In place of a Boolean it has options. */

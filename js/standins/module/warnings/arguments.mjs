@@ -36,11 +36,16 @@ export function $refuseNoAgent(call, agents) {
 	}
 }
 
-/** Refuses a ray's origin or direction, and names the call. */
-export function $refuseNoRay(call, origin, { x, y, z }) {
-	for (const name of ["x", "y", "z"]) $aFiniteNumber(`${call}: origin.${name}`, origin[name]);
+/** Refuses a ray's origin or direction, and names the call. Texts are made for what is wrong alone, because games cast many rays. */
+export function $refuseNoRay(call, origin, direction) {
+	if (!$isFinitePoint(origin)) for (const name of ["x", "y", "z"]) $aFiniteNumber(`${call}: origin.${name}`, origin[name]);
+	const { x, y, z } = direction;
 	if (x === 0 && y === 0 && z === 0) throw new ArgumentError(`${call}: direction must not be 0: (0, 0, 0) leads nowhere`);
-	if ([x, y, z].some((value) => value - value !== 0)) throw new ArgumentError(`${call}: direction must be finite, not (${x}, ${y}, ${z})`);
+	if (!$isFinitePoint(direction)) throw new ArgumentError(`${call}: direction must be finite, not (${x}, ${y}, ${z})`);
+}
+
+function $isFinitePoint({ x, y, z }) {
+	return x - x === 0 && y - y === 0 && z - z === 0;
 }
 
 /**

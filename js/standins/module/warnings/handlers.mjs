@@ -17,7 +17,6 @@ const $breedsOf = /* @__PURE__ */ new WeakMap();
 /** Of a Collision, by the text of two breeds: the update before their handlers were added, and in how many frames in turn they were. */
 const $additions = /* @__PURE__ */ new WeakMap();
 
-
 /**
  * Warns of a handler with more parameters than it gets arguments, with the contact before the agents, of one that uses the contact
  * at the end of a touch, where it is null, and of one that is async. Handlers with fewer parameters are as common as methods without any.

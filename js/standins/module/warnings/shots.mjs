@@ -11,16 +11,13 @@ const $FAR = 0.5;
 /** A class's own fields of these names hide the engine's, which is warned of: the agent is where it was. */
 const $FIELDS = ["x", "y", "z", "sweeps", "size"];
 
-/** Farther from the origin may be too far for an Agent: see Agent.LARGEST_COORDINATE. */
-const $FARTHEST = 1e9;
-
 /** Where agents have been put first since the last frame. */
 const $placed = /* @__PURE__ */ new Map();
 
 /** Keeps where an agent is put, if no way leads there: a new one by moveTo, or any by jumpTo. */
 export function $warnOfPlace(agent, x, y, z, isJump) {
 	if (!isJump && (agent.id <= $greatestId || $placed.has(agent)) || $placed.size >= $MOST_PLACED) return;
-	if (!(Math.hypot(x, y, z) <= $FARTHEST)) return; // the engine refuses it
+	if (!isInWorld(x, y, z)) return; // the engine refuses it
 	$placed.set(agent, { x, y, z });
 }
 

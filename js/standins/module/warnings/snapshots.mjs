@@ -12,7 +12,6 @@ const $MOST_SNAPSHOTS = 10;
 /** Of a Collision: for each snapshot without traits the agents' ids and places. */
 const $withoutTraits = /* @__PURE__ */ new WeakMap();
 
-
 /** Warns of a snapshot with traits before the first update, which has the traits of nobody; and keeps the places for one without. */
 export function $warnOfSnapshot(collision, withTraits) {
 	const agents = [...collision.lastAgents];

@@ -46,7 +46,7 @@ package starlogo.models.collada
             {
                 return "y";
             }
-            var axis:String = TextWords.of(element.text).join(" ");
+            var axis:String = TextWords.trimmed(element.text);
             element.refuseIf(!/^[XYZ]_UP$/.test(axis), "expected X_UP, Y_UP or Z_UP, but found \"" + shortened(axis) + "\"");
             return axis.charAt(0).toLowerCase();
         }

@@ -17,6 +17,7 @@ package starlogo.models.files
 
         private static const DECLARATION_LENGTH:int = 100;
         private static const UNITS_PER_PART:int = 4096;
+        private static const TAG:RegExp = /^\s*</;
         private static const WEB_PAGE:RegExp = /^\s*<(!doctype\s+)?html\b/i;
 
         // The characters of windows-1252 at 0x80 to 0x9f, where ISO 8859-1 has control characters. A byte that windows-1252 does not define stands
@@ -62,6 +63,12 @@ package starlogo.models.files
             }
             refuseModelIf(WEB_PAGE.test(_text.substr(0, HEAD_LENGTH)), name, "this is a web page, not a model: is the address right?");
             return _text;
+        }
+
+        /** Whether the text begins with a tag, as COLLADA does. */
+        public function get beginsWithTag():Boolean
+        {
+            return TAG.test(requireText().substr(0, HEAD_LENGTH));
         }
 
         /** Throws a ModelError if the file has too many bytes. */

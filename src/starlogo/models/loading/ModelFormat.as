@@ -28,7 +28,6 @@ package starlogo.models.loading
         private static const STL:String = "stl";
 
         private static const VERTEX_SEARCH_LENGTH:int = 10000;
-        private static const TAG:RegExp = /^\s*</;
         private static const VERTEX:RegExp = /[\n\r][ \t]*v[ \t]+[\-+.\d]/;
         private static const EXTENSION:RegExp = /^[^?#]*\.(obj|dae|gltf|stl)([?#]|$)/i;
 
@@ -44,7 +43,7 @@ package starlogo.models.loading
         {
             var transform:ModelTransform = upAxis as ModelTransform;
             ModelData.requireUpAxis(file.name, upAxis);
-            switch ((file.bytes == null ? null : ofBytes(file.bytes)) || ofText(file.requireText(), file.url))
+            switch ((file.bytes == null ? null : ofBytes(file.bytes)) || ofText(file))
             {
                 case COOKED:
                     return new CookedReader(file.name, file.bytes);
@@ -65,9 +64,10 @@ package starlogo.models.loading
             return CookedFile.isCookedFile(bytes) ? COOKED : (GltfFile.isBinary(bytes) ? GLTF : (StlReader.isBinary(bytes) ? STL : null));
         }
 
-        private static function ofText(text:String, url:String):String
+        private static function ofText(file:ModelFile):String
         {
-            if (TAG.test(text.substr(0, ModelFile.HEAD_LENGTH)))
+            var text:String = file.requireText();
+            if (file.beginsWithTag)
             {
                 return COLLADA;
             }
@@ -79,7 +79,7 @@ package starlogo.models.loading
             {
                 return STL;
             }
-            var named:Array = url == null || VERTEX.test("\n" + text.substr(0, VERTEX_SEARCH_LENGTH)) ? null : url.match(EXTENSION);
+            var named:Array = file.url == null || VERTEX.test("\n" + text.substr(0, VERTEX_SEARCH_LENGTH)) ? null : file.url.match(EXTENSION);
             return named == null ? OBJ : named[1].toLowerCase();
         }
     }

@@ -43,7 +43,7 @@ package starlogo.models.obj
             var text:String = file.requireText();
             _data = ModelData.forFile(file.name, upAxis, scaling);
             refuseModelIf(text.indexOf("\u0000") >= 0, file.name, "this is a binary file, not OBJ text");
-            refuseModelIf(/^\s*</.test(text.substr(0, ModelFile.HEAD_LENGTH)), file.name, "this is no OBJ text: it begins with a tag. A ColladaModel reads COLLADA");
+            refuseModelIf(file.beginsWithTag, file.name, "this is no OBJ text: it begins with a tag. A ColladaModel reads COLLADA");
             _lines = new LineReader(file.name, text);
             _budget = new FileBudget(file.name, text.length);
             repeat(readSome).call(checkIndices).begin(triangulating).add(removingUnusedVertices(_data.vertices, _data.triangles));

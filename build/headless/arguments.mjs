@@ -13,13 +13,20 @@ export class RunError extends Error {
 	}
 }
 
+/** The options of all these scripts. */
+const SHARED = {
+	param: { type: 'string', multiple: true, default: [] },
+	mount: { type: 'string', multiple: true, default: [] },
+};
+
 /**
  * The SWF and the options as they were given, with what they name.
  *
- * @param {object} known the options, as for parseArgs(). --param and --mount are among them
+ * @param {object} [own] the script's own options, as for parseArgs()
  * @throws {RunError} if one is wrong. It names the nearest
  */
-export function parsed(known) {
+export function parsed(own) {
+	const known = { ...SHARED, ...own };
 	try {
 		const { values, positionals } = parseArgs({ allowPositionals: true, options: known });
 		if (positionals.length !== 1) throw new Error('exactly one SWF must be given');

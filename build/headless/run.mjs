@@ -32,8 +32,6 @@ const FAILED = 70;
 const SIGNALS = { SIGHUP: 129, SIGINT: 130, SIGTERM: 143 };
 
 const OPTIONS = {
-	param: { type: 'string', multiple: true, default: [] },
-	mount: { type: 'string', multiple: true, default: [] },
 	out: { type: 'string', default: 'bin' },
 	stall: { type: 'string', default: '120' },
 	seconds: { type: 'string' },

@@ -13,13 +13,8 @@ import { refuse } from '../refuse.mjs';
 import { parsed, requireSwf } from './arguments.mjs';
 import { serve } from './server.mjs';
 
-const OPTIONS = {
-	param: { type: 'string', multiple: true, default: [] },
-	mount: { type: 'string', multiple: true, default: [] },
-};
-
 async function given() {
-	const all = parsed(OPTIONS);
+	const all = parsed();
 	await requireSwf(all.swf);
 	return all;
 }

@@ -41,6 +41,11 @@ function bundle(name, options = {}) {
 	return path.join(work, name);
 }
 
+/** The JSON that a program prints in a process of its own. */
+function printedBy(program) {
+	return JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program], { encoding: "utf8" }));
+}
+
 /** What the sample does, as an object that can be compared. */
 const use = async (sample, base, bear, bytes) => ({
 	calls: sample.play(bear),
@@ -331,14 +336,13 @@ test("while a game is developed, names that do nothing are warned of, once", () 
 		for (let i = 0; i < 100; i++) rooms.slide(hero, 0.1, 0, 0);
 		if (!(hero.x > 9.9)) throw new Error("from inside nothing stops it");
 		console.log(JSON.stringify(said));`;
-	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
-	const said = run("starlogo-collision.js");
+	const said = printedBy(program("starlogo-collision.js"));
 	const expected = [/exact does nothing on a BinCollider/, /sweep is no property of Agent.*is sweeps meant/, /colour is no property of Wolf.*is color meant/, /Heading is no property of Wolf.*is heading meant/, /sweep is no property of Wolf/, /the handler eat for "wolfs" and "sheep" has 4 parameters, and gets three/, /no agent is of the breed "wolfs"; is "wolves" meant/, /"sheeps"; is "sheep" meant/, /"Wolves"; is "wolves" meant/, /"birds"; is "birdes" meant/, /"turtle"; is "turtles" meant/, /sweeps is a field of Bird that hides the engine's: set it in the constructor/, /x is a field of Bird that hides/, /12638 triangles.*set hierarchical/,
 		/breed is no property of AgentFilter.*is breeds meant/, /stepheight is no property of WalkOptions.*is stepHeight meant/, /position is no property of Agent .*is moveTo\(x, y, z\) meant/, /isHierarchical is no .*is hierarchical meant/, /oneWay is no property of Wolf.*is isOneWay meant/,
 		/loadTightestfit is no property of GreatLand.*is loadTightestFit meant/, /a ModelLoader sends no event "load"; it sends modelLoaded, error, progress, complete, cancel/, /agent \d+ \(breed "turtles", shape "hero"\) begins a motion at \(0, 0, 1\), \S+ deep inside of agent \d+ \(breed "turtles", shape "room"\), which does not stop it\. What is inside of a closed model/];
 	assert.equal(said.length, expected.length, said.join("\n"));
 	expected.forEach((pattern, i) => assert.match(said[i], pattern));
-	assert.deepEqual(run("starlogo-collision.min.js"), []);
+	assert.deepEqual(printedBy(program("starlogo-collision.min.js")), []);
 });
 
 test("while a game is developed, names that do nothing are warned of when they are set after the first frame, too", () => {
@@ -358,13 +362,12 @@ test("while a game is developed, names that do nothing are warned of when they a
 			if (frame === 17) collision.exact = collision.collisionSystem.maxDepth = 3;
 		}
 		console.log(JSON.stringify(said));`;
-	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
-	const said = run("starlogo-collision.js");
+	const said = printedBy(program("starlogo-collision.js"));
 	const expected = [/sweep is no property of Agent .*is sweeps meant/, /colour is no property of Agent .*is color meant/, /isHierarchical is no property of Agent .*is hierarchical meant/,
 		/exact does nothing on a Collision: it is for a HierarchicalCollider/, /maxDepth does nothing on a BinCollider/];
 	assert.equal(said.length, expected.length, said.join("\n"));
 	expected.forEach((pattern, i) => assert.match(said[i], pattern));
-	assert.deepEqual(run("starlogo-collision.min.js"), []);
+	assert.deepEqual(printedBy(program("starlogo-collision.min.js")), []);
 });
 
 test("while a game is developed, handlers and places that can't be meant are warned of, once", () => {
@@ -407,8 +410,7 @@ test("while a game is developed, handlers and places that can't be meant are war
 		for (let i = 0; i < 3; i++) ground.moveTo(0, 0, -8 - i), queries.walk(player, 0.001, 0);
 		if (before > 0 && said.length !== before + 1) throw new Error(said.join());
 		console.log(JSON.stringify(said));`;
-	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
-	const said = run("starlogo-collision.js");
+	const said = printedBy(program("starlogo-collision.js"));
 	const expected = [/the handler leave for "heroes" and "walls" is for the end of a touch, where its third argument is null/, /the handler without a name for "heroes" and "walls" is for the end/, /its contact too early: it gets the two agents first/,
 		/no agent is of the breed "coin", which is the shape of agent \d+ \(breed "turtles", shape "coin"\)/, /heirarchical is no property of Agent that the engine reads; is hierarchical meant/, /in 300 frames no handler was called, and no agent is of the breed "walls" or "coin"\. The agents' breeds are "heroes", "turtles"/,
 		/no agent is of the breed "constructer"; is "constructor" meant/,
@@ -416,7 +418,7 @@ test("while a game is developed, handlers and places that can't be meant are war
 		/questions see agent \d+ \(breed "levels", shape "ground"\) where it was at the last queries\.update\(agents\), 400 frames ago/];
 	assert.equal(said.length, expected.length, said.join("\n"));
 	for (const pattern of expected) assert.ok(said.some((text) => pattern.test(text)), `${pattern}: ${said.join("\n")}`);
-	assert.deepEqual(run("starlogo-collision.min.js"), []);
+	assert.deepEqual(printedBy(program("starlogo-collision.min.js")), []);
 });
 
 test("while a game is developed, async handlers are warned of, once, and no breed that a handler names is another's name", () => {
@@ -435,12 +437,11 @@ test("while a game is developed, async handlers are warned of, once, and no bree
 		queries.near(hero, 9, { breeds: ["balls"] });
 		queries.near(hero, 9, { breeds: ["halls"] });
 		console.log(JSON.stringify(said));`;
-	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
-	const said = run("starlogo-collision.js");
+	const said = printedBy(program("starlogo-collision.js"));
 	const expected = [/the handler save for "heroes" and "walls" is async: after an await its contact is another pair's, and its errors are not in handlerErrors/, /no agent is of the breed "halls"; is "walls" meant/];
 	assert.equal(said.length, expected.length, said.join("\n"));
 	expected.forEach((pattern, i) => assert.match(said[i], pattern));
-	assert.deepEqual(run("starlogo-collision.min.js"), []);
+	assert.deepEqual(printedBy(program("starlogo-collision.min.js")), []);
 });
 
 test("while a game is developed, angles in radians are warned of, once, and angles in degrees never", () => {
@@ -455,7 +456,7 @@ test("while a game is developed, angles in radians are warned of, once, and angl
 		const angles = ${angles};
 		${use}
 		console.log(JSON.stringify(said));`;
-	const run = (angles, use = turning, module = "starlogo-collision.js") => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module, angles, use)], { encoding: "utf8" }));
+	const run = (angles, use = turning, module = "starlogo-collision.js") => printedBy(program(module, angles, use));
 	const many = (of) => `Array.from({ length: 900 }, (_, i) => ${of})`;
 	const radians = [["[0, 3, -Math.PI / 2, Math.PI]", /^starlogo-collision: roll of agent \d+ \(breed "wolves", shape "sphere"\) is -1\.57, a part of π\..* here -90$/], ["[Math.PI / 6]", /here 30$/],
 		[many("Math.atan2(Math.sin(i), Math.cos(i))"), /and was -?[23]\.\d+; all angles were between -3\.1\d? and 3\.\d+\. Angles are in degrees/], [many("0.1 * i % (2 * Math.PI)"), /and was [56]\.\d+; all angles were between 0 and 6\.\d+\. /]];
@@ -485,12 +486,11 @@ test("while a game is developed, settings for a constructor that takes none are 
 		class Wolf extends Agent { constructor(...all) { super(...all); this.all = all; } }
 		new Agent("sphere"), new Agent("sphere", "wolves"), new Wolf("sphere", "wolves", 3), new Agent("sphere", "wolves", { sweeps: true });
 		console.log(JSON.stringify(said));`;
-	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
 	const none = (name, such) => `starlogo-collision: new ${name} takes no arguments, and does nothing with those that it got: settings${such} are set after it`;
-	assert.deepEqual(run("starlogo-collision.js"), [none("GreatLand", " such as loadHulls"),
+	assert.deepEqual(printedBy(program("starlogo-collision.js")), [none("GreatLand", " such as loadHulls"),
 		none("LevelShapes", ""), none("Footing", " such as stands"), none("RayHit", ""), none("ShapeHit", ""), none("Contact", ""), "starlogo-collision: new Collision takes 1 argument, and does nothing with the others: settings such as terrain are set after it",
 		"starlogo-collision: new Agent takes 2 arguments, and does nothing with the others: settings such as sweeps are set after it"]);
-	assert.deepEqual(run("starlogo-collision.min.js"), []);
+	assert.deepEqual(printedBy(program("starlogo-collision.min.js")), []);
 });
 
 test("while a game is developed, what is made anew in each frame, traits that do nothing, long strides and forgotten updates are warned of, once", () => {
@@ -545,14 +545,13 @@ test("while a game is developed, what is made anew in each frame, traits that do
 			other.update([]);
 		}
 		console.log(JSON.stringify(said));`;
-	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
-	const said = run("starlogo-collision.js");
+	const said = printedBy(program("starlogo-collision.js"));
 	const expected = [/handlers for "wolves" and "sheep" were added in 30 frames in turn/, /all agents are new in 30 frames in turn/,
 		/hierarchical of agent \d+ \(breed "wolves", shape "sphere"\) does nothing in a TightestFitCollider: it is for a CombinationCollider/, /traversalDepth of agent .* in a TightestFitCollider: it is for a Hier/,
 		/collideAs of agent .* in a HierarchicalCollider/, /Collision\.update takes the list alone: the engine knows no time/, /accepts returns nothing/, /walks 3 patches in each frame/, /accepts is an async function/, /exakt is no property of LevelShapes/, /questions see agent \d+ \(breed "sheep"/];
 	assert.equal(said.length, expected.length, said.join("\n"));
 	for (const pattern of expected) assert.ok(said.some((text) => pattern.test(text)), `${pattern}: ${said.join("\n")}`);
-	assert.deepEqual(run("starlogo-collision.min.js"), []);
+	assert.deepEqual(printedBy(program("starlogo-collision.min.js")), []);
 });
 
 test("while a game is developed, rays that begin in their sender, models that replace others and grounds that are missing are warned of, once", () => {
@@ -614,13 +613,12 @@ test("while a game is developed, rays that begin in their sender, models that re
 		shapes.addStructure("capsule", new Sphere({ x: 0, y: 0, z: 0 }, 1));
 		shapes.addModel(BuiltInModel.capsule(0.4, 1));
 		console.log(JSON.stringify(said));`;
-	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
-	const said = run("starlogo-collision.js");
+	const said = printedBy(program("starlogo-collision.js"));
 	const expected = [/questions were updated 3000 times, and their Collision with handlers for "heroes" and "edge" never/, /30 rays began inside of agent \d+ \(breed "heroes", shape "sphere"\), .* \{ except: \[agent\] \}/, /no agent is of the breed "edge"; is Collision\.EDGE meant/,
 		/in 300 frames no handler was called, and handlers for Collision\.TERRAIN need the Collision's terrain, which is null/, /handlers for Collision\.EDGE need the Collision's bounds/, /no agent is of the breed "edge"\. The/, /a box of other lengths takes the place of the first.*BuiltInModel\.box\(\) takes a name last/];
 	assert.equal(said.length, expected.length, said.join("\n"));
 	expected.forEach((pattern, i) => assert.match(said[i], pattern));
-	assert.deepEqual(run("starlogo-collision.min.js"), []);
+	assert.deepEqual(printedBy(program("starlogo-collision.min.js")), []);
 });
 
 test("while a game is developed, a cast that begins inside of a hull is told from a walk", () => {
@@ -633,11 +631,10 @@ test("while a game is developed, a cast that begins inside of a hull is told fro
 		queries.update([new Agent("ground", "levels")]);
 		for (let i = 0; i < 2; i++) queries.castShape(new Sphere(new Vector3D(2, 3, 5), 0.5), 1, 0, 0);
 		console.log(JSON.stringify(said));`;
-	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
-	const [cast, ...others] = run("starlogo-collision.js");
+	const [cast, ...others] = printedBy(program("starlogo-collision.js"));
 	assert.match(cast, /a structure that is cast begins a motion 3\.5 deep inside of the structure around agent \d+ \(breed "levels", shape "ground"\), which it meets at once or not at all\. If this is a level/);
 	assert.deepEqual(others, []);
-	assert.deepEqual(run("starlogo-collision.min.js"), []);
+	assert.deepEqual(printedBy(program("starlogo-collision.min.js")), []);
 });
 
 test("while a game is developed, a walker whose way up is blocked by who stands on it is warned of, and a cast agent is named", () => {
@@ -664,12 +661,11 @@ test("while a game is developed, a walker whose way up is blocked by who stands 
 		rise("crates", []);
 		rise("boxes", ["heroes"]);
 		console.log(JSON.stringify(said));`;
-	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
-	const [blocked, cast, ...others] = run("starlogo-collision.js");
+	const [blocked, cast, ...others] = printedBy(program("starlogo-collision.js"));
 	assert.match(blocked, /agent \d+ \(breed "crates".*deep inside of agent \d+ \(breed "lifts".* Its way up is blocked by agent \d+ \(breed "heroes".*leave that one out of the filter of its walk/);
 	assert.match(cast, /agent \d+ \(breed "boxes", shape "boxes"\) begins a motion at/);
 	assert.deepEqual(others, []);
-	assert.deepEqual(run("starlogo-collision.min.js"), []);
+	assert.deepEqual(printedBy(program("starlogo-collision.min.js")), []);
 });
 
 test("while a game is developed, settings that a constructor does not take, levels without a tree and falls without end are warned of, once", () => {
@@ -698,14 +694,13 @@ test("while a game is developed, settings that a constructor does not take, leve
 		if (said.some((text) => text.includes("has fallen"))) throw new Error("too early");
 		for (let i = 0; i < 199; i++) queries.walk(hero, 0.1, 0);
 		console.log(JSON.stringify(said));`;
-	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
-	const said = run("starlogo-collision.js");
+	const said = printedBy(program("starlogo-collision.js"));
 	const expected = [/new HierarchicalCollider takes 1 argument, and does nothing with the others: settings such as exact are set after it/,
 		/agent \d+ \(breed "heroes", shape "hero"\) begins a motion 3\.8 deep inside of the structure around agent \d+ \(breed "levels", shape "ground"\), and a walk pushes it out.*hierarchical.*CombinationCollider/,
 		/agent \d+ \(breed "heroes", shape "hero"\) has fallen in 200 walks, from z = 500 to 400: .*queries\.update\(\), which is called once a frame.*AS_GIVEN or of levelFromObject.*"y"/];
 	assert.equal(said.length, expected.length, said.join("\n"));
 	expected.forEach((pattern, i) => assert.match(said[i], pattern));
-	assert.deepEqual(run("starlogo-collision.min.js"), []);
+	assert.deepEqual(printedBy(program("starlogo-collision.min.js")), []);
 });
 
 test("while a game is developed, a level that collides as the structure around it is warned of, once", () => {
@@ -731,11 +726,10 @@ test("while a game is developed, a level that collides as the structure around i
 			seenBy(new TightestFitCollider(land), "level", {}),
 			seenBy(new CombinationCollider(land), "level", {}),
 		]));`;
-	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
-	const said = run("starlogo-collision.js");
+	const said = printedBy(program("starlogo-collision.js"));
 	assert.deepEqual(said.map((texts) => texts.length), [0, 0, 0, 0, 1, 1], JSON.stringify(said));
 	assert.match(said[4][0], /\(breed "a", shape "level"\) has 10001 triangles, and collides as the structure around them: for a level set hierarchical to true in a CombinationCollider/);
-	assert.ok(run("starlogo-collision.min.js").every((texts) => texts.length === 0));
+	assert.ok(printedBy(program("starlogo-collision.min.js")).every((texts) => texts.length === 0));
 });
 
 test("while a game is developed, a shot that is moved before its first frame is warned of, once", () => {
@@ -774,12 +768,11 @@ test("while a game is developed, a shot that is moved before its first frame is 
 		collision.update([bullet]);
 		counts.push(said.length);
 		console.log(JSON.stringify({ said, counts }));`;
-	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
-	const { said, counts } = run("starlogo-collision.js");
+	const { said, counts } = printedBy(program("starlogo-collision.js"));
 	assert.deepEqual(counts, [0, 0, 0, 0, 1, 1, 3], said.join("\n"));
 	["x", "sweeps"].forEach((name, i) => assert.match(said[i + 1], new RegExp(`: ${name} is a field of Bullet that hides the engine's`)));
 	assert.match(said[0], /^starlogo-collision: agent \d+ \(breed "shots", shape "sphere"\) sweeps, and was moved by 2 between its place \(1, 2, 0\) and its first frame\. /);
-	assert.deepEqual(run("starlogo-collision.min.js").said, []);
+	assert.deepEqual(printedBy(program("starlogo-collision.min.js")).said, []);
 });
 
 test("while a game is developed, a level that was normalised is warned of, once, and what is placed or small is not", () => {
@@ -800,11 +793,10 @@ test("while a game is developed, a level that was normalised is warned of, once,
 			counts.push(said.length);
 		}
 		console.log(JSON.stringify({ said, counts }));`;
-	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
-	const { said, counts } = run("starlogo-collision.js");
+	const { said, counts } = printedBy(program("starlogo-collision.js"));
 	assert.deepEqual(counts, [0, 0, 0, 0, 0, 1], said.join("\n"));
 	assert.match(said[0], /agent \d+ \(.*shape "level"\) is one patch wide, and its model was 40 units wide before it was normalised\. .*Model\.AS_GIVEN.*levelFromObject/);
-	assert.deepEqual(run("starlogo-collision.min.js").said, []);
+	assert.deepEqual(printedBy(program("starlogo-collision.min.js")).said, []);
 });
 
 test("while a game is developed, a model without triangles where triangles decide is warned of, once", () => {
@@ -824,11 +816,10 @@ test("while a game is developed, a model without triangles where triangles decid
 			counts.push(said.length);
 		}
 		console.log(JSON.stringify({ said, counts }));`;
-	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
-	const { said, counts } = run("starlogo-collision.js");
+	const { said, counts } = printedBy(program("starlogo-collision.js"));
 	assert.deepEqual(counts, [0, 0, 0, 0, 1, 1], said.join("\n"));
 	assert.match(said[0], /agent \d+ \(.*shape "points"\) has gaps: .* its model has only vertices\. .*new Model\(.*levelFromObject/);
-	assert.deepEqual(run("starlogo-collision.min.js").said, []);
+	assert.deepEqual(printedBy(program("starlogo-collision.min.js")).said, []);
 });
 
 test("while a game is developed, a forgotten update of questions is warned of if no Collision counts the frames, once", () => {
@@ -856,11 +847,10 @@ test("while a game is developed, a forgotten update of questions is warned of if
 		const counts = [play(400, { update: (agents) => queries.update(agents), motions: queries }), play(400, { refresh: (agent) => queries.refresh(agent), motions: queries }),
 			play(299, { motions: new AgentMotions(seen) }), play(9, { motions: new AgentMotions(seen) }), play(400, { motions: queries })];
 		console.log(JSON.stringify({ said, counts }));`;
-	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
-	const { said, counts } = run("starlogo-collision.js");
+	const { said, counts } = printedBy(program("starlogo-collision.js"));
 	assert.deepEqual(counts, [0, 0, 0, 1, 1], said.join("\n"));
 	assert.match(said[0], /questions see agent \d+ \(.*shape "lift"\) where it was at the last queries\.update\(agents\), 30\d motions of agent \d+ \(.*shape "hero"\) ago: call it once a frame/);
-	assert.deepEqual(run("starlogo-collision.min.js").said, []);
+	assert.deepEqual(printedBy(program("starlogo-collision.min.js")).said, []);
 });
 
 test("an error says that a point's numbers are passed one by one, while a game is developed", () => {
@@ -897,11 +887,10 @@ test("while a game is developed, a ground that comes after the update of questio
 		for (let i = 0; i < 2; i++) ask(late);
 		counts.push(said.length);
 		console.log(JSON.stringify({ said, counts }));`;
-	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
-	const { said, counts } = run("starlogo-collision.js");
+	const { said, counts } = printedBy(program("starlogo-collision.js"));
 	assert.deepEqual(counts, [0, 1], said.join("\n"));
 	assert.match(said[0], /the ground was set after the last queries\.update\(agents\), so questions do not see it/);
-	assert.deepEqual(run("starlogo-collision.min.js").said, []);
+	assert.deepEqual(printedBy(program("starlogo-collision.min.js")).said, []);
 });
 
 test("while a game is developed, snapshots that put nobody back are warned of, once, and those of games that keep the traits never", () => {
@@ -934,13 +923,12 @@ test("while a game is developed, snapshots that put nobody back are warned of, o
 		const before = said.length;
 		for (const each of wrong) play(each);
 		console.log(JSON.stringify({ said, before }));`;
-	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
-	const { said, before } = run("starlogo-collision.js");
+	const { said, before } = printedBy(program("starlogo-collision.js"));
 	assert.equal(before, 0, said.join("\n"));
 	assert.equal(said.length, 2, said.join("\n"));
 	assert.match(said[0], /a snapshot before the first update has no agents/);
 	assert.match(said[1], /restore\(\) leaves agent \d+ \(breed "coins".*\) at \(9, 0, 0\), and it was at \(.*\) when the snapshot was taken, which has no traits/);
-	assert.deepEqual(run("starlogo-collision.min.js").said, []);
+	assert.deepEqual(printedBy(program("starlogo-collision.min.js")).said, []);
 });
 
 test("while a game is developed, walks that stop before what has a handler with the walker are warned of, once, unless the two meet otherwise", () => {
@@ -995,14 +983,13 @@ test("while a game is developed, walks that stop before what has a handler with 
 			}
 		}
 		console.log(JSON.stringify({ said, steps }));`;
-	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
-	const { said, steps } = run("starlogo-collision.js");
+	const { said, steps } = printedBy(program("starlogo-collision.js"));
 	// no handlers, left out, met after a while, not stopped for long, stopped, and stood on
 	assert.deepEqual(steps, ["0 0", "0 1", "0 2", "0 2", "1 2", "1 2", "2 2"]);
 	assert.match(said[0], /a walk of "heroes" stops before "doors" and does not touch them, so the handlers of the two do not run while it only stands there\..* leave them out: .*\{ filter: \{ exceptBreeds: \["doors"\] \} \}/);
 	assert.match(said[0], /bump into them, ask what has stopped it: the Footing's against/);
 	assert.match(said[1], /a walk of "heroes" ends on "floors" and does not touch them, so the handlers/);
-	assert.deepEqual(run("starlogo-collision.min.js").said, []);
+	assert.deepEqual(printedBy(program("starlogo-collision.min.js")).said, []);
 });
 
 test("while a game is developed, handlers that are not there to be removed, the world's breeds without their mark, and a star in a filter are warned of, once", () => {
@@ -1032,8 +1019,7 @@ test("while a game is developed, handlers that are not there to be removed, the 
 			removed.push(error.message);
 		}
 		console.log(JSON.stringify({ said, removed }));`;
-	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
-	const { said, removed } = run("starlogo-collision.js");
+	const { said, removed } = printedBy(program("starlogo-collision.js"));
 	assert.deepEqual(removed, [false, false, true, false, 'AgentFilter.except[0] must be an Agent, not "sheep"']);
 	const expected = [/no agent is of the breed "terrain"; is Collision\.TERRAIN meant\?/,
 		/a filter names the breed "\*", which no agent has; without breeds it takes agents of any breed$/,
@@ -1041,7 +1027,7 @@ test("while a game is developed, handlers that are not there to be removed, the 
 		/removeHandler removes nothing for "wolves" and "sheep": the function bound eat was never added: .* bind\(\)/];
 	assert.equal(said.length, expected.length, said.join("\n"));
 	expected.forEach((pattern, i) => assert.match(said[i], pattern));
-	assert.deepEqual(run("starlogo-collision.min.js"), { said: [], removed });
+	assert.deepEqual(printedBy(program("starlogo-collision.min.js")), { said: [], removed });
 });
 
 test("while a game is developed, a model's name that is misspelt is warned of, once", () => {
@@ -1054,11 +1040,10 @@ test("while a game is developed, a model's name that is misspelt is warned of, o
 		land.expect("trees");
 		const found = ["hero", "Hero", "Hero", "heros", "trees", "bear", ""].map((name) => land.modelOf(name)?.name ?? null);
 		console.log(JSON.stringify({ said, found }));`;
-	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
 	const found = ["hero", null, null, null, null, null, null];
 	const said = ["Hero", "heros"].map((name) => `starlogo-collision: there is no model "${name}", so modelOf() is null; is "hero" meant?`);
-	assert.deepEqual(run("starlogo-collision.js"), { said, found });
-	assert.deepEqual(run("starlogo-collision.min.js"), { said: [], found });
+	assert.deepEqual(printedBy(program("starlogo-collision.js")), { said, found });
+	assert.deepEqual(printedBy(program("starlogo-collision.min.js")), { said: [], found });
 });
 
 test("it runs in Node", async () => {

@@ -207,10 +207,9 @@ test("the cook leaves what is there, cooks what has changed, and says what is wr
 	const again = path.join(work, "again");
 	assert.match(run(plain, "--out", again).stdout, /^4 cooked$/m);
 	assert.match(run(plain, "--out", again).stdout, /^0 cooked, 4 as they were$/m);
-	const manifest = readFileSync(path.join(again, "manifest.json"));
+	const names = Object.keys(JSON.parse(readFileSync(path.join(again, "manifest.json"))).models);
 	assert.match(run(plain, "--out", again, "--up", "y").stdout, /^4 cooked$/m);
 	// a run that is interrupted has taken the entries of what it has cooked out of the manifest
-	const order = JSON.parse(manifest);
 	const interrupted = spawnSync(process.execPath, ["--input-type=module", "-e", `import fs from "node:fs";
 		import { syncBuiltinESMExports } from "node:module";
 		const write = fs.writeFileSync;
@@ -219,7 +218,7 @@ test("the cook leaves what is there, cooks what has changed, and says what is wr
 		process.argv = ["", ${JSON.stringify(plain)}, "--out", ${JSON.stringify(again)}];
 		await import(${JSON.stringify(path.join(folder, "cook.mjs"))});`]);
 	assert.equal(interrupted.status, 9);
-	assert.deepEqual(Object.keys(JSON.parse(readFileSync(path.join(again, "manifest.json"))).models).sort(), Object.keys(order.models).filter((name) => name !== "kelp.obj"));
+	assert.deepEqual(Object.keys(JSON.parse(readFileSync(path.join(again, "manifest.json"))).models).sort(), names.filter((name) => name !== "kelp.obj"));
 	assert.match(run(plain, "--out", again, "--up", "y").stdout, /^2 cooked, 2 as they were$/m);
 	writeFileSync(path.join(plain, "kelp.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
 	assert.match(run(plain, "--out", again, "--up", "y").stdout, /^1 cooked, 3 as they were$/m);

@@ -1,4 +1,5 @@
 import { existsSync, readFileSync } from 'node:fs';
+import { refuse } from '../../build/refuse.mjs';
 
 /**
  * The report that a run is compared with.
@@ -26,7 +27,6 @@ export function olderReportOrEnd(file) {
 	try {
 		return file ? olderReport(file) : undefined;
 	} catch (error) {
-		console.error(error.message);
-		return process.exit(64);
+		return refuse(error.message);
 	}
 }

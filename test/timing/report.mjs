@@ -14,6 +14,7 @@ import { readFile, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
+import { refuse } from '../../build/refuse.mjs';
 import { addBeside, timesAsFast } from './beside.mjs';
 import { comparison, repeats, tables } from './console.mjs';
 import { csv } from './csv.mjs';
@@ -27,10 +28,7 @@ const { positionals: [folder], values } = parseArgs({
 	allowPositionals: true,
 	options: { compare: { type: 'string', default: '' }, beside: { type: 'string', default: '' }, module: { type: 'string', default: '' } },
 });
-if (!folder) {
-	console.error('usage: report.mjs folder [--compare=older-report.json] [--beside=folder] [--module=folder]');
-	process.exit(64);
-}
+if (!folder) refuse('usage: report.mjs folder [--compare=older-report.json] [--beside=folder] [--module=folder]');
 const resultsOf = async (run) => JSON.parse(await readFile(path.join(run, 'results.json'), 'utf8'));
 const results = await resultsOf(folder);
 const beside = values.beside ? await resultsOf(values.beside) : undefined;

@@ -15,6 +15,7 @@ package starlogo.collision
     import support.MoodyBins;
     import support.agentAt;
     import support.assertThrows;
+    import support.ignore;
     import support.landOf;
 
     use namespace engine;
@@ -356,10 +357,6 @@ package starlogo.collision
                     _terrain.setHeight(column, row, 5);
                 }
             }
-        }
-
-        private function ignore(a:Agent, b:Agent):void
-        {
         }
 
         private function note(a:Agent, b:Agent, contact:Contact):void

@@ -18,6 +18,7 @@ package starlogo.collision
     import support.SolidModels;
     import support.agentAt;
     import support.assertThrows;
+    import support.ignore;
     import support.landOf;
 
     /**
@@ -417,10 +418,6 @@ package starlogo.collision
             {
                 AgentChanges.change(trait, agent, SHAPES, _random);
             }
-        }
-
-        private static function ignore(a:Agent, b:Agent):void
-        {
         }
 
         // One of them, two or all.

@@ -15,6 +15,7 @@ package starlogo.collision
     import support.Effort;
     import support.agentAt;
     import support.assertThrows;
+    import support.ignore;
     import support.landOf;
 
     /** Snapshots with the agents' traits: one call writes a game, one brings it back. */
@@ -265,10 +266,6 @@ package starlogo.collision
                 assertEquals(name, 0, contact.approachSpeed);
                 assertEquals(name, 1, contact.time);
             }
-        }
-
-        private function ignore(a:Agent, b:Agent):void
-        {
         }
 
         [Test]

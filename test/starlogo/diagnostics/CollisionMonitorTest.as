@@ -19,6 +19,7 @@ package starlogo.diagnostics
     import support.assertThrows;
     import support.assign;
     import support.create;
+    import support.ignore;
 
     use namespace engine;
 
@@ -220,10 +221,6 @@ package starlogo.diagnostics
                 }
             }
             return null;
-        }
-
-        private static function ignore(collider:Agent, collidee:Agent):void
-        {
         }
     }
 }

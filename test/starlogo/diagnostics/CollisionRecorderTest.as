@@ -16,6 +16,7 @@ package starlogo.diagnostics
     import starlogo.terrain.WorldBounds;
     import support.assertThrows;
     import support.create;
+    import support.ignore;
     import support.landOf;
 
     public class CollisionRecorderTest
@@ -214,10 +215,6 @@ package starlogo.diagnostics
                 fields.push(JSON.stringify(field) + ":" + JSON.stringify(record[field]));
             }
             return "{" + fields.sort().join(",") + "}";
-        }
-
-        private static function ignore(collider:Agent, collidee:Agent):void
-        {
         }
     }
 }

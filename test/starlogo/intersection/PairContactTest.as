@@ -68,10 +68,7 @@ package starlogo.intersection
             {
                 var tiny:Vector3D = shapes.direction();
                 tiny.scaleBy(random.logBetween(1e-170, 1e-140));
-                var end:Vector3D = shapes.direction();
-                var start:Vector3D = end.clone();
-                start.negate();
-                var capsule:Capsule = new Capsule(start, end, 0.3);
+                var capsule:Capsule = capsuleAround(shapes.direction());
                 var axes:Vector.<Vector3D> = shapes.frame();
                 var stick:Box = new Box(new Vector3D(), axes[0], axes[1], axes[2], tiny.length, 0.5, random.pick([tiny.length, 0.5]));
                 for each (var short:BoundingStructure in [new Capsule(new Vector3D(), tiny, 0.5), stick])
@@ -93,13 +90,18 @@ package starlogo.intersection
             {
                 var tiny:Vector3D = shapes.direction();
                 tiny.scaleBy(random.logBetween(1e-165, 1e-140));
-                var end:Vector3D = shapes.direction();
-                var start:Vector3D = end.clone();
-                start.negate();
-                var capsule:Capsule = new Capsule(start, end, 0.3);
+                var capsule:Capsule = capsuleAround(shapes.direction());
                 StructurePairs.findContact(new Capsule(new Vector3D(), tiny, 0.5), capsule, _displacement, _touch);
                 assertTrue(tiny + " and " + capsule + ": " + _touch.depth, Math.abs(_touch.depth - 0.8) < 1e-12);
             }
+        }
+
+        // Its segment leads from the opposite of a direction to the direction.
+        private static function capsuleAround(direction:Vector3D):Capsule
+        {
+            var opposite:Vector3D = direction.clone();
+            opposite.negate();
+            return new Capsule(opposite, direction, 0.3);
         }
 
         /** Seen along the normal the sides that touch have nothing in common but for rounding. The middle of one side may be far from the other. */

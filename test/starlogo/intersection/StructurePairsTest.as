@@ -4,6 +4,7 @@ package starlogo.intersection
     import evaluation.pairs.SeededRandom;
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
     import org.flexunit.asserts.fail;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
@@ -152,6 +153,7 @@ package starlogo.intersection
             var structures:RandomStructures = new RandomStructures(random);
             var complaints:Complaints = new Complaints();
             var placement:Placement = new Placement();
+            var touching:int = 0;
             for (var i:int = 0; i < 200; i++)
             {
                 for each (var a:BoundingStructure in _collided)
@@ -169,12 +171,17 @@ package starlogo.intersection
                         var from:Vector3D = structures.direction();
                         var side:int = from.dotProduct(_closest.b.subtract(_closest.a)) < 0 ? 4 : -4;
                         _motion.endAfter(side * from.x, side * from.y, side * from.z);
-                        StructurePairs.findTimeOfImpact(a, placed, _motion);
-                        complaints.addIf(_motion.time == RelativeMotion.NEVER && intersects(a, placed), a.kind + " and " + b.kind, a + " and " + placed);
+                        if (intersects(a, placed))
+                        {
+                            StructurePairs.findTimeOfImpact(a, placed, _motion);
+                            complaints.addIf(_motion.time == RelativeMotion.NEVER, a.kind + " and " + b.kind, a + " and " + placed);
+                            touching++;
+                        }
                     }
                 }
             }
             complaints.assertNone();
+            assertTrue(touching + " touch", touching > 3000);
         }
 
         private function eachMissing(ask:Function):void

@@ -14,6 +14,7 @@ package starlogo.queries
     import starlogo.models.Model;
     import starlogo.terrain.WorldBounds;
     import support.EachCollider;
+    import support.PointSets;
     import support.agentAt;
     import support.assertThrows;
     import support.landOf;
@@ -77,14 +78,9 @@ package starlogo.queries
         {
             var far:Number = 11000;
             var cube:Model = BuiltInModel.cube();
-            var vertices:Vector.<Number> = new Vector.<Number>();
-            for (var i:int = 0; i < cube.vertices.length; i++)
-            {
-                vertices.push(cube.vertices[i] + (i % 3 == 0 ? far : 0));
-            }
-            var land:GreatLand = landOf(new Model("far", vertices, cube.triangles, Model.AS_GIVEN), cube);
+            var land:GreatLand = landOf(new Model("far", PointSets.placed(cube.vertices, 1, far), cube.triangles, Model.AS_GIVEN), cube);
             var random:SeededRandom = new SeededRandom(22);
-            for (i = 0; i < 60; i++)
+            for (var i:int = 0; i < 60; i++)
             {
                 var collider:HierarchicalCollider = new HierarchicalCollider(land);
                 var heading:Number = random.between(0, 360);

@@ -16,6 +16,7 @@ package starlogo.search
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
     import support.RandomWorlds;
+    import support.ignore;
     import support.landOf;
 
     /**
@@ -335,10 +336,6 @@ package starlogo.search
             collision.onCollision("walls", "walls", ignore);
             collision.onCollisionStart("movers", "coins", ignore);
             collision.onCollisionEnd(Collision.ANY_BREED, "movers", ignore);
-        }
-
-        private static function ignore(a:Agent, b:Agent):void
-        {
         }
 
         private function scattered(count:int, side:Number):Vector.<Agent>

@@ -1,0 +1,9 @@
+package support
+{
+    import starlogo.agents.Agent;
+
+    /** A handler that does nothing. */
+    public function ignore(collider:Agent, collidee:Agent):void
+    {
+    }
+}

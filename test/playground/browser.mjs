@@ -231,6 +231,11 @@ export async function hold(page, address) {
 	return release;
 }
 
+/** Opens an address in the page that is there. */
+export const go = (page, hash) => page.evaluate((to) => {
+	location.hash = to;
+}, hash);
+
 export const ready = (page, view) => page.waitForSelector(`main[data-ready="${view}"]`);
 
 /** Presses a button, by what is on it. If it is in the menu of Play, the menu is opened first. */
@@ -262,6 +267,12 @@ export const listen = (page) => page.evaluate(() => {
 
 /** Waits for the title of the program that is open in Play. */
 export const titled = (page, title) => page.waitForFunction((wanted) => document.querySelector('.title').value === wanted, title);
+
+/** Opens a program in Play from a file, as the user does. */
+export async function openProgram(page, name, program) {
+	await page.setInputFiles('.program input[type=file]', { name: `${name}.json`, mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(program)) });
+	await titled(page, name);
+}
 
 /** The user's own programs: their names. */
 export const own = (page) => page.evaluate(() => globalThis.playground.programs.shelf.all.map(({ name }) => name));

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { isChromium } from '../../build/headless/browsers.mjs';
-import { SIZES, begin, finger, focused, listen, open, press, ready, rest, titled } from './browser.mjs';
+import { SIZES, begin, finger, focused, listen, open, openProgram, press, ready, rest, titled } from './browser.mjs';
 
 let site;
 before(async () => {
@@ -23,17 +23,12 @@ const boxOf = (page, selector) => page.evaluate((each) => {
 }, selector);
 const number = (value) => ({ shadow: { type: 'math_number', fields: { NUM: value } } });
 const inside = (block) => ({ DO: { block } });
-const program = (...scripts) => JSON.stringify({ blocks: { languageVersion: 0, blocks: scripts } });
+const program = (...scripts) => ({ blocks: { languageVersion: 0, blocks: scripts } });
 const create = (breed, shape, inner) => ({ type: 'starlogo_create', fields: { BREED: breed, SHAPE: shape }, inputs: { COUNT: number(1), ...(inner && inside(inner)) } });
 const go = (x, y, z) => ({ type: 'starlogo_go', inputs: { X: number(x), Y: number(y), Z: number(z) } });
 
 /** A program that never comes to an end. */
 const ENDLESS = program({ type: 'starlogo_start', inputs: inside({ type: 'controls_whileUntil', fields: { MODE: 'WHILE' }, inputs: { BOOL: { block: { type: 'logic_boolean', fields: { BOOL: 'TRUE' } } } } }) });
-
-async function openProgram(page, name, text) {
-	await page.setInputFiles('.program input[type=file]', { name: `${name}.json`, mimeType: 'application/json', buffer: Buffer.from(text) });
-	await titled(page, name);
-}
 
 /** Opens a category of the drawer with the mouse. */
 async function openDrawer(page, name) {

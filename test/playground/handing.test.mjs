@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { isChromium } from '../../build/headless/browsers.mjs';
-import { SIZES, begin, goNowhere, keepCopies, open, own, press, ready, refuseCopies, root, saved, titled, told } from './browser.mjs';
+import { SIZES, begin, go, goNowhere, keepCopies, open, own, press, ready, refuseCopies, root, saved, titled, told } from './browser.mjs';
 
 let site;
 before(async () => {
@@ -17,11 +17,6 @@ const BEAR = path.join(root, 'assets/bear.obj');
 const skip = isChromium ? false : 'downloads are Chromium\'s';
 const tickOf = (page, name) => page.evaluate((lesson) => globalThis.playground.programs.progress.isDone(lesson), name);
 const lessonShown = (page) => page.evaluate(() => document.querySelector('.lesson h2')?.textContent ?? null);
-
-/** Opens an address in the page that is there. */
-const go = (page, hash) => page.evaluate((to) => {
-	location.hash = to;
-}, hash);
 
 /** Does the lesson with the helmet, whose task is the choice of a system. */
 async function doHelmet(page) {

@@ -1,9 +1,10 @@
 /** What users do out of the usual order: while something loads, after a game has stopped, after another tab has changed something. In the browser. */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { deflateRawSync } from 'node:zlib';
 import { isChromium } from '../../build/headless/browsers.mjs';
-import { SIZES, begin, drop, hold, listen, open, own, press, ready, rest, saved, titled, told } from './browser.mjs';
+import { change, collision, create, each, go as place, heading, move, program, start } from '../../js/playground/play/builtin/notation.js';
+import { packed } from '../../js/playground/shared/files/packing.js';
+import { SIZES, begin, drop, go, hold, listen, open, openProgram, own, press, ready, rest, saved, titled } from './browser.mjs';
 
 let site;
 before(async () => {
@@ -11,28 +12,10 @@ before(async () => {
 });
 after(() => site.close());
 
-const number = (value) => ({ shadow: { type: 'math_number', fields: { NUM: value } } });
-const forward = (steps) => ({ type: 'starlogo_forward', inputs: { STEPS: number(steps) } });
-const inside = (block) => ({ DO: { block } });
-const start = (block) => ({ type: 'starlogo_start', inputs: inside(block) });
-const each = (breed, block) => ({ type: 'starlogo_each', fields: { BREED: breed }, inputs: inside(block) });
-const create = (breed, shape, block) => ({ type: 'starlogo_create', fields: { BREED: breed, SHAPE: shape }, inputs: { COUNT: number(1), ...(block && inside(block)) } });
-const program = (...scripts) => ({ blocks: { languageVersion: 0, blocks: scripts } });
 /** A bear and a wall in one place, whose collision raises the score. */
-const counting = (...more) => program(start({ ...create('bears', 'bear'), next: { block: create('walls', 'wall') } }),
-	{ type: 'starlogo_collision', fields: { BREED: 'bears', OTHER: 'walls' }, inputs: inside({ type: 'starlogo_score_change', inputs: { SCORE: number(1) } }) }, ...more);
+const COUNTING = program(start(create(1, 'bears', 'bear'), create(1, 'walls', 'wall')), collision('bears', 'walls', change(1)));
 
-/** Opens a program from a file, as the user does. */
-async function openProgram(page, name, content) {
-	await page.setInputFiles('.program input[type=file]', { name: `${name}.json`, mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(content)) });
-	await titled(page, name);
-}
 const score = (page) => page.evaluate(() => globalThis.playground.world.score);
-const go = (page, hash) => page.evaluate((to) => {
-	location.hash = to;
-}, hash);
-/** The address's argument for a program. */
-const linkOf = (value) => deflateRawSync(JSON.stringify(value)).toString('base64url');
 
 test('before the blocks are there, no control of Play does anything, and no key starts the game', async () => {
 	const { page, said, leave } = await open(site, 'play/jump', SIZES.laptop);
@@ -62,7 +45,7 @@ test('who chooses a program while a link is read gets the chosen one', async () 
 			return arrayBuffer.call(this);
 		};
 	});
-	await go(page, `play/${linkOf({ name: 'Linked', ...counting() })}`);
+	await go(page, `play/${await packed({ name: 'Linked', ...COUNTING })}`);
 	await rest(page);
 	await page.evaluate(() => globalThis.playground.programs.choose('maze'));
 	await titled(page, 'Maze');
@@ -85,7 +68,7 @@ test('an address with the name of something that every object has leads nowhere,
 
 test('a stopped game shows what another system finds, and what a dragged agent touches, without running collision scripts', async () => {
 	const { page, said, leave } = await open(site, 'play/paintball', SIZES.laptop);
-	await openProgram(page, 'counting', counting());
+	await openProgram(page, 'counting', COUNTING);
 	await press(page, 'Step');
 	const before = await score(page);
 	assert.ok(before > 0);
@@ -131,8 +114,7 @@ test('after something else was moved no “Undo” is offered for deleted blocks
 test('after the game has gone back, a tone is played only in a frame in which a touch begins', async () => {
 	const { page, said, leave } = await open(site, 'play/paintball', SIZES.laptop);
 	await listen(page);
-	await openProgram(page, 'apart', program(start({ ...create('bears', 'bear', { type: 'starlogo_go', inputs: { X: number(-3), Y: number(0), Z: number(0) } }), next: { block: create('walls', 'wall') } }),
-		each('bears', { type: 'starlogo_heading', inputs: { HEADING: number(0) }, next: { block: forward(0.5) } })));
+	await openProgram(page, 'apart', program(start(create(1, 'bears', 'bear', place(-3, 0, 0)), create(1, 'walls', 'wall')), each('bears', heading(0), move(0.5))));
 	for (let i = 0; i < 16; i++) await press(page, 'Step');
 	const touched = await page.evaluate(() => globalThis.playground.world.events.at(-1)?.frame);
 	assert.ok(touched > 1 && touched < 14, `they touch in frame ${touched}`);
@@ -148,7 +130,7 @@ test('after the game has gone back, a tone is played only in a frame in which a 
 
 test('a program that another tab has removed cannot be removed here any more, and an emptied name is the last one', async () => {
 	const { page, said, leave } = await open(site, 'play/paintball', SIZES.laptop);
-	await openProgram(page, 'A', counting());
+	await openProgram(page, 'A', COUNTING);
 	await press(page, 'Lessons and games');
 	const name = page.locator('.gallery .own input');
 	await name.fill('B');

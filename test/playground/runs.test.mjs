@@ -1,7 +1,7 @@
 /** What a child meets who runs games again and again: random numbers, the camera, lessons that start by themselves, words. In the browser. */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { SIZES, begin, open, press, ready, rest, titled, told } from './browser.mjs';
+import { SIZES, begin, open, openProgram, press, ready, rest, titled, told } from './browser.mjs';
 
 let site;
 before(async () => {
@@ -108,8 +108,7 @@ test('“All of it” follows the only agent that moves when it walks out of the
 	const { page, said, leave } = await open(site, 'play/paintball', SIZES.laptop);
 	const blocks = [{ type: 'starlogo_start', inputs: { DO: { block: { type: 'starlogo_create', fields: { BREED: 'bears', SHAPE: 'bear' }, inputs: { COUNT: { shadow: { type: 'math_number', fields: { NUM: 1 } } } } } } } },
 		{ type: 'starlogo_each', fields: { BREED: 'bears' }, inputs: { DO: { block: { type: 'starlogo_forward', inputs: { STEPS: { shadow: { type: 'math_number', fields: { NUM: 0.05 } } } } } } } }];
-	await page.setInputFiles('.program input[type=file]', { name: 'away.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify({ blocks: { languageVersion: 0, blocks } })) });
-	await titled(page, 'away');
+	await openProgram(page, 'away', { blocks: { languageVersion: 0, blocks } });
 	const unseen = (frames) => page.evaluate((count) => {
 		const { world, stage, draw } = globalThis.playground;
 		let most = 0;

@@ -133,7 +133,8 @@ class Installation {
 
 	/** Sets some of an agent's traits, as its blocks do. The others stay. */
 	changeTraits(agent, traits) {
-		this.#giveTraits(agent, { ...this.#traits.ofAgents.get(agent), ...checkTraits(traits) });
+		// a block may say the same in each tick
+		if (!this.#traits.hasAll(agent, traits)) this.#giveTraits(agent, { ...this.#traits.ofAgents.get(agent), ...checkTraits(traits) });
 	}
 
 	/** Whether two agents touch now. */

@@ -80,7 +80,7 @@ class CompareView {
 	/** Offers models to the two agents, in place of earlier ones with their names. */
 	offer(models) {
 		for (const [name, model] of models) {
-			for (const shape of this.models.has(name) ? [] : this.shapes) shape.append(h("option", { value: name }, name));
+			if (!this.models.has(name)) for (const shape of this.shapes) shape.append(h("option", { value: name }, name));
 			this.models.set(name, model);
 			this.greatLand.addModel(model);
 		}

@@ -59,10 +59,9 @@ export class World {
 		Object.assign(this, beginning(seed));
 		this.agents.length = this.sounds.length = 0;
 		this.collisions.collision.terrain = this.collisions.collision.bounds = null;
-		this.#tellSolidBreeds();
 		this.hasHills = false;
 		this.input.endFrame();
-		this.#areSensesOld = true;
+		this.restoreBlocks();
 	}
 
 	/** The blocks that answer questions, those for contacts, for the ground and the edges, and those that walk. */
@@ -83,8 +82,6 @@ export class World {
 	begin(program, seed = SEED) {
 		this.#forget(seed);
 		this.collisions.forgetScripts();
-		this.traits.forgetBreeds();
-		this.structures.showNone();
 		this.history.clear();
 		if (!this.isSystemFixed) this.useSystem(CollisionBlocks.systemNames.includes(program.system) ? program.system : CollisionBlocks.TIGHTEST_FITS);
 		this.#scripts = [];
@@ -269,7 +266,7 @@ export class World {
 		for (const [block, breed, value] of this.breedTraits.values()) this.traits[block](breed, value);
 		this.structures.showNone();
 		for (const [whom, isOn] of this.shownStructures) this.structures.show(whom, isOn);
-		this.#tellSolidBreeds();
+		if (this.#lateBlocks || this.solid.length > 0) this.walker.solidBreeds = this.solid;
 		this.#areSensesOld = true;
 	}
 
@@ -283,10 +280,6 @@ export class World {
 	setSolid(breed, isOn) {
 		this.walker.setSolid(breed, isOn);
 		this.solid = this.walker.solidBreeds;
-	}
-
-	#tellSolidBreeds() {
-		if (this.#lateBlocks || this.solid.length > 0) this.walker.solidBreeds = this.solid;
 	}
 
 	/** The blocks for contacts. */

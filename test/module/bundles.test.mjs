@@ -66,7 +66,7 @@ test("a bundle has what is used and no more", () => {
 	const limits = [
 		[["Vector3D"], 2],
 		[["Agent", "Collision", "BinCollider"], 36.4],
-		[["Agent", "Collision", "TightestFitCollider", "GreatLand", "BuiltInModel"], 83.5],
+		[["Agent", "Collision", "TightestFitCollider", "GreatLand", "BuiltInModel"], 83.8],
 	];
 	const sizes = limits.map(([names, limit]) => {
 		const size = weigh(bundle(names)) / KB;
@@ -151,7 +151,7 @@ test("a game that walks and collects coins", async () => {
 	const { result } = await import(`data:text/javascript;base64,${Buffer.from(text).toString("base64")}`);
 	assert.equal(result, "5.000000,1.000000,true,9");
 	const player = weigh(bundle(["Agent", "Collision", "CombinationCollider", "GreatLand", "BuiltInModel", "Footing", "AgentQueries"])) / KB;
-	assert.ok(player <= 114, `with all questions: ${player.toFixed(1)} KB of 114`);
+	assert.ok(player <= 114.5, `with all questions: ${player.toFixed(1)} KB of 114.5`);
 });
 
 test("nothing runs when it is imported, so that bundlers may leave it out", () => {

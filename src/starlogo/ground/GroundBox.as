@@ -30,13 +30,8 @@ package starlogo.ground
             halfZ = other.halfZ;
         }
 
-        /**
-         * Becomes the box around a triangle.
-         *
-         * @param corners nine numbers
-         * @param growth by how much the box is larger, on all sides
-         */
-        public function setToTriangle(corners:Vector.<Number>, growth:Number):void
+        /** Becomes the box around a triangle, whose corners are nine numbers. */
+        public function setToTriangle(corners:Vector.<Number>):void
         {
             var minX:Number = corners[0] < corners[3] ? corners[0] : corners[3];
             var minY:Number = corners[1] < corners[4] ? corners[1] : corners[4];
@@ -53,9 +48,17 @@ package starlogo.ground
             x = (minX + maxX) / 2;
             y = (minY + maxY) / 2;
             z = (minZ + maxZ) / 2;
-            halfX = (maxX - minX) / 2 + growth;
-            halfY = (maxY - minY) / 2 + growth;
-            halfZ = (maxZ - minZ) / 2 + growth;
+            halfX = (maxX - minX) / 2;
+            halfY = (maxY - minY) / 2;
+            halfZ = (maxZ - minZ) / 2;
+        }
+
+        /** Becomes larger on all sides. */
+        public function grow(distance:Number):void
+        {
+            halfX += distance;
+            halfY += distance;
+            halfZ += distance;
         }
 
         /** Becomes the box around a motion of the box until its latest time. */

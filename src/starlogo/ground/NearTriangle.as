@@ -13,10 +13,11 @@ package starlogo.ground
         public var plane:TrianglePlane = new TrianglePlane();
         public var margin:Number = 0;
 
-        /** Sets all this to the corners. The box is larger by a growth on all sides. */
-        public function update(growth:Number):void
+        /** Sets all this to the corners. The box is larger by the source's slack. */
+        public function update(source:GroundTriangles):void
         {
-            box.setToTriangle(corners, growth);
+            box.setToTriangle(corners);
+            box.grow(source.slack);
             plane.setTriangle(corners, 0);
             margin = Touching.marginOfSurface(radius);
         }

@@ -77,7 +77,8 @@ package starlogo.ground
         {
             if (_pieces.kind == ModelPieces.TRIANGLE)
             {
-                _box.setToTriangle(_pieces.corners, _pieces.shapeMargin);
+                _box.setToTriangle(_pieces.corners);
+                _box.grow(_pieces.shapeMargin);
             }
             else
             {
@@ -165,7 +166,7 @@ package starlogo.ground
             {
                 return false;
             }
-            _found[_count].update(_source.slack);
+            _found[_count].update(_source);
             _count++;
             return true;
         }

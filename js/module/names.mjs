@@ -23,7 +23,6 @@ export const EXTERNALS = {
 	"starlogo.data.warn": "$warn",
 	"starlogo.agents.warnOfBreeds": "$warnOfBreeds",
 	"starlogo.queries.motion.warnOfInside": "$warnOfInside",
-	"starlogo.queries.warnOfSender": "$warnOfSender",
 	"starlogo.data.warnOfUnknownProperties": "$warnOfUnknownProperties",
 	"starlogo.handlers.mayTakeContact": "mayTakeContact",
 	"starlogo.handlers.requireParameters": "$warnOfHandler",
@@ -33,11 +32,12 @@ export const EXTERNALS = {
 	"standin.LocalStore.write": "writeLocal",
 	"standin.Machine.className": "classNameOf",
 	"standin.Machine.clearTimeout": "clearTimeout",
-	"standin.Machine.frameListeners": "frameListeners",
+	"standin.Machine.addFrameListener": "addFrameListener",
+	"standin.Machine.removeFrameListener": "removeFrameListener",
 	"standin.Machine.now": "now",
 	"standin.Machine.setTimeout": "setTimeout",
-	"standin.Machine.unheard": "unheard",
-	"standin.Machine.uncaught": "uncaught",
+	"standin.Machine.reportError": "reportError",
+	"standin.Machine.unhandledEvent": "unhandledEvent",
 	"standin.Network.fetch": "fetchFile",
 };
 

@@ -43,7 +43,7 @@ machine.clearTimeout = function(id:uint):void
         });
 };
 
-machine.uncaught = function(error:*):void
+machine.reportError = function(error:*):void
 {
     var stack:String = error is Error ? error.getStackTrace() : null;
     print(SIGN + "uncaught " + escape(error + (stack ? "\n" + stack : "")));
@@ -153,7 +153,7 @@ function attempt(call:Function):void
     }
     catch (error:*)
     {
-        machine.uncaught(error);
+        machine.reportError(error);
     }
 }
 

@@ -765,6 +765,12 @@ test("a listener may listen once, and until a signal", () => {
 	assert.equal(fire(), "second,first");
 	loader.removeEventListener("complete", first, { capture: true });
 	assert.equal(fire(), "");
+	loader.addEventListener("hasOwnProperty", second);
+	loader.addEventListener("complete", first, true);
+	assert.equal(fire(), "first");
+	assert.deepEqual(["complete", "hasOwnProperty", "toString"].map((type) => loader.hasEventListener(type)), [true, true, false]);
+	loader.removeEventListener("complete", first);
+	assert.equal(fire(), "");
 	// a dispatch inside of another, by a listener that comes before
 	let depth = 0;
 	loader.addEventListener("complete", () => depth++ === 0 && loader.dispatchEvent(new Event(Event.COMPLETE)), {}, 1);

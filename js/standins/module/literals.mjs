@@ -13,17 +13,17 @@ const $optionNames = /* @__PURE__ */ new WeakMap();
  *
  * @param given the literal
  * @param defaults an object of the class that has the options; it receives the values
- * @param kind the required kind
+ * @param expected what is required
  */
-export function $options(target, name, given, defaults, kind) {
+export function $options(target, name, given, defaults, expected) {
 	const where = target === null ? name : `${target}: ${name}`;
-	if (!$isObject(given) || Array.isArray(given)) $refuse(null, where, given, kind);
+	if (!$isObject(given) || Array.isArray(given)) $refuse(null, where, given, expected);
 	const names = $optionNamesOf(defaults);
 	for (const key of Object.keys(given)) {
 		// an object of the same class has fields of its own
 		const isInner = /^[_$]/.test(key);
 		if (names.includes(key) || isInner && key in defaults) continue;
-		if (isInner) $refuse(null, where, given, kind);
+		if (isInner) $refuse(null, where, given, expected);
 		throw new ArgumentError(`${where}.${key} is no option; ${$hintOfOptions(name, given, key, names)}there are ${names.join(", ")}`);
 	}
 	for (const key of names) {
@@ -63,11 +63,11 @@ export function $listen(target, type, listener, given, priority) {
 	$aBoolean("addEventListener: options.once", once);
 	$aSignal("addEventListener: options.signal", signal);
 	if (signal?.aborted) return;
-	if (target.$recordOf(type, listener, false) !== null) return;
+	if (target.$recordOf(type, listener) !== null) return;
 	target.addEventListener(type, listener, false, priority);
-	const added = target.$recordOf(type, listener, false);
+	const added = target.$recordOf(type, listener);
 	added.isOnce = once;
-	signal?.addEventListener("abort", () => target.$removeRecord(type, added), { once: true });
+	signal?.addEventListener("abort", () => target.$removeRecord(added), { once: true });
 }
 
 /** `loader.loadAsync(name, url, { upAxis, scaling, signal })`. */

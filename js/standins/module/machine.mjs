@@ -14,44 +14,42 @@ export function now() {
 }
 
 /** Throws an error that no caller can catch, only global error listeners. */
-export function uncaught(error) {
+export function reportError(error) {
 	setTimeout(() => {
 		throw error;
 	});
 }
 
 /** The error for an error event without a listener. */
-export function unheard(type, text) {
+export function unhandledEvent(type, text) {
 	return new Error(`${text}. Nothing listens to the event ${JSON.stringify(type)}`);
 }
 
-/** The list of frame listeners. Frames are sent as long as it is not empty. */
-export class FrameListeners extends Array {
-	#isTicking = false;
+/** The EventDispatchers that get frames. */
+const frameListeners = /* @__PURE__ */ new Set();
+let isTicking = false;
 
-	static get [Symbol.species]() {
-		return Array;
-	}
-
-	push(...listeners) {
-		const length = super.push(...listeners);
-		this.#tick();
-		return length;
-	}
-
-	#tick() {
-		if (this.#isTicking) return;
-		this.#isTicking = true;
-		setTimeout(() => {
-			this.#isTicking = false;
-			for (const listener of [...this]) listener.dispatchEvent(new Event(Event.ENTER_FRAME));
-			if (this.length > 0) this.#tick();
-		}, FRAME_MS);
-	}
+/** Sends frames to a dispatcher from now on. */
+export function addFrameListener(dispatcher) {
+	frameListeners.add(dispatcher);
+	tick();
 }
 
-/** The frame listeners: EventDispatchers, each once. */
-export const frameListeners = /* @__PURE__ */ new FrameListeners();
+/** Sends it no more frames. */
+export function removeFrameListener(dispatcher) {
+	frameListeners.delete(dispatcher);
+}
+
+/** Sends frames as long as somebody gets them. */
+function tick() {
+	if (isTicking || frameListeners.size === 0) return;
+	isTicking = true;
+	setTimeout(() => {
+		isTicking = false;
+		for (const dispatcher of [...frameListeners]) dispatcher.dispatchEvent(new Event(Event.ENTER_FRAME));
+		tick();
+	}, FRAME_MS);
+}
 
 /** The name of an object's class. */
 export function classNameOf(value) {

@@ -23,10 +23,10 @@ package standin
         public static var clearTimeout:Function;
 
         /** <code>(error:*):void</code>: called with errors that listeners threw, and with error events without a listener. */
-        public static var uncaught:Function;
+        public static var reportError:Function;
 
         /** The error for an error event without a listener. */
-        public static function unheard(type:String, text:String):Error
+        public static function unhandledEvent(type:String, text:String):Error
         {
             return new Error("Error #2044: Unhandled " + type + ":. text=" + text);
         }
@@ -63,5 +63,17 @@ package standin
 
         /** The frame listeners: EventDispatchers, each once. */
         public static var frameListeners:Array = [];
+
+        /** Sends frames to an EventDispatcher from now on. */
+        public static function addFrameListener(dispatcher:Object):void
+        {
+            frameListeners.push(dispatcher);
+        }
+
+        /** Sends it no more frames. */
+        public static function removeFrameListener(dispatcher:Object):void
+        {
+            frameListeners.splice(frameListeners.indexOf(dispatcher), 1);
+        }
     }
 }

@@ -7,10 +7,10 @@ package standin
         public static native function now():Number;
 
         /** Called with errors that listeners threw, and with error events without a listener. */
-        public static native function uncaught(error:*):void;
+        public static native function reportError(error:*):void;
 
         /** The error for an error event without a listener. */
-        public static native function unheard(type:String, text:String):Error;
+        public static native function unhandledEvent(type:String, text:String):Error;
 
         /** Calls a function once, after this time. */
         public static native function setTimeout(callback:Function, ms:Number):uint;
@@ -21,7 +21,10 @@ package standin
         /** The name of an object's class. */
         public static native function className(value:*):String;
 
-        /** The frame listeners: EventDispatchers, each once. */
-        public static native function get frameListeners():Array;
+        /** Sends frames to an EventDispatcher from now on. */
+        public static native function addFrameListener(dispatcher:Object):void;
+
+        /** Sends it no more frames. */
+        public static native function removeFrameListener(dispatcher:Object):void;
     }
 }

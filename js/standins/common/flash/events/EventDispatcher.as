@@ -7,14 +7,16 @@ package flash.events
      * added. If a listener is added or removed during a dispatch, this takes effect with the next event. A listener that is called once never
      * runs twice, not even in a dispatch inside of another.
      *
-     * <p>Listeners of the capture phase are kept but never called. All listeners are kept until they are removed, also those with weak
-     * references. If a listener throws, the others are still called, and the error is reported as uncaught. An error event without a
+     * <p>Events have no phases here, so a listener of the capture phase is as any other. All listeners are kept until they are removed, also those
+     * with weak references. If a listener throws, the others are still called, and the error is reported as uncaught. An error event without a
      * listener is reported as uncaught too. Ruffle reports neither.</p>
      */
     public class EventDispatcher implements IEventDispatcher
     {
         private var _target:IEventDispatcher;
-        private var _listeners:Object = {};
+
+        // of all types; those of higher priority come first
+        private var _listeners:Array = [];
 
         /** @param target the target of the events; null is this dispatcher */
         public function EventDispatcher(target:IEventDispatcher = null)
@@ -32,22 +34,20 @@ package flash.events
         {
             check(type, "type");
             check(listener, "listener");
-            if (recordOf(type, listener, useCapture) != null)
+            if (recordOf(type, listener) != null)
             {
                 return;
             }
-            var all:Array = listenersTo(type);
+            if (type == Event.ENTER_FRAME && !hasEventListener(type))
+            {
+                Machine.addFrameListener(this);
+            }
             var place:int = 0;
-            while (place < all.length && all[place].priority >= priority)
+            while (place < _listeners.length && _listeners[place].priority >= priority)
             {
                 place++;
             }
-            var added:Listener = new Listener(listener, useCapture, priority);
-            _listeners[type] = all.slice(0, place).concat([added], all.slice(place)); // a running dispatch keeps its list
-            if (type == Event.ENTER_FRAME && Machine.frameListeners.indexOf(this) < 0)
-            {
-                Machine.frameListeners.push(this);
-            }
+            _listeners.splice(place, 0, new Listener(type, listener, priority));
         }
 
         /** @throws TypeError if the type or the listener is null */
@@ -55,7 +55,7 @@ package flash.events
         {
             check(type, "type");
             check(listener, "listener");
-            removeRecord(type, recordOf(type, listener, useCapture));
+            removeRecord(recordOf(type, listener));
         }
 
         public function hasEventListener(type:String):Boolean
@@ -79,18 +79,18 @@ package flash.events
             {
                 event = event.clone();
             }
-            var isHeard:Boolean = false;
+            var isHandled:Boolean = false;
             for each (var listener:Listener in listenersTo(event.type))
             {
                 var call:Function = listener.call;
-                if (listener.isCapturing || event.isStopped || call == null)
+                if (event.isStopped || call == null)
                 {
                     continue;
                 }
-                isHeard = true;
+                isHandled = true;
                 if (listener.isOnce)
                 {
-                    removeRecord(event.type, listener);
+                    removeRecord(listener);
                     listener.call = null;
                 }
                 event.arrive(_target == null ? this : _target);
@@ -100,12 +100,12 @@ package flash.events
                 }
                 catch (error:*)
                 {
-                    Machine.uncaught(error);
+                    Machine.reportError(error);
                 }
             }
-            if (!isHeard && event is ErrorEvent)
+            if (!isHandled && event is ErrorEvent)
             {
-                Machine.uncaught(Machine.unheard(event.type, ErrorEvent(event).text));
+                Machine.reportError(Machine.unhandledEvent(event.type, ErrorEvent(event).text));
             }
             return !event.isDefaultPrevented();
         }
@@ -115,32 +115,35 @@ package flash.events
             return "[object " + Machine.className(this).split("::").pop() + "]";
         }
 
+        // A list of its own: a running dispatch keeps it.
         private function listenersTo(type:String):Array
         {
-            return _listeners.hasOwnProperty(type) ? _listeners[type] : [];
+            return _listeners.filter(function(listener:Listener, ...others):Boolean
+                {
+                    return listener.type == type;
+                });
         }
 
         // Removes a listener, if it is still there: not one that the same function has become since.
-        private function removeRecord(type:String, listener:Listener):void
+        private function removeRecord(listener:Listener):void
         {
-            var all:Array = listenersTo(type);
-            var place:int = all.indexOf(listener);
+            var place:int = _listeners.indexOf(listener);
             if (place < 0)
             {
                 return;
             }
-            _listeners[type] = all.slice(0, place).concat(all.slice(place + 1));
-            if (type == Event.ENTER_FRAME && all.length == 1)
+            _listeners.splice(place, 1);
+            if (listener.type == Event.ENTER_FRAME && !hasEventListener(listener.type))
             {
-                Machine.frameListeners.splice(Machine.frameListeners.indexOf(this), 1);
+                Machine.removeFrameListener(this);
             }
         }
 
-        private function recordOf(type:String, call:Function, isCapturing:Boolean):Listener
+        private function recordOf(type:String, call:Function):Listener
         {
             for each (var listener:Listener in listenersTo(type))
             {
-                if (listener.call == call && listener.isCapturing == isCapturing)
+                if (listener.call == call)
                 {
                     return listener;
                 }

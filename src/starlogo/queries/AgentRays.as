@@ -83,16 +83,7 @@ package starlogo.queries
         {
             var collector:Collector = begin(1, requireOrigin(origin), direction, maxDistance, filter);
             var hits:RayHits = collect(collector);
-            if (hits.end(collector) == 0)
-            {
-                return null;
-            }
-            var first:RayHit = hits.writeHit(0, hit || new RayHit());
-            if (first.distance == 0)
-            {
-                warnOfSender(first.agent, origin);
-            }
-            return first;
+            return hits.end(collector) == 0 ? null : hits.writeHit(0, hit || new RayHit());
         }
 
         /**

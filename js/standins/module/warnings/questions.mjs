@@ -1,7 +1,7 @@
-/** Questions whose update is forgotten, or whose Collision's is; that have not seen the ground; and rays that meet who sends them. */
+/** Questions whose update is forgotten, or whose Collision's is, and that have not seen the ground. */
 import { $isUpdated, $updates } from "./frames.mjs";
 import { $breedsWithHandlers } from "./handlers.mjs";
-import { $hasWarned, $keptOf, $warn } from "./warn.mjs";
+import { $hasWarned, $getOrInsert, $warn } from "./warn.mjs";
 
 /** After so many frames without an update, or walks of one agent, the agents' places are compared. */
 const $LONG_WITHOUT_UPDATE = 300;
@@ -11,9 +11,6 @@ const $MOST_PLACES = 100;
 
 /** So many updates of questions pass before the Collision's own is missed. */
 const $LONG_WITHOUT_FRAMES = 3000;
-
-/** So many rays from the same place in an agent are no accident. */
-const $MANY_RAYS = 30;
 
 /**
  * Of questions: how many updates they had before their Collision's first; the list of their last update, and when it was; the first agent
@@ -30,9 +27,6 @@ function $newQuestions() {
 let $lastAsked = null;
 let $askedUpdate = 0;
 
-/** The last ray that began in an agent: the agent, its place, the ray's origin from there, and how many rays in turn were like that. */
-let $lastRay = { agent: null, x: 0, y: 0, dx: 0, dy: 0, dz: 0, rays: 0 };
-
 /**
  * Warns of questions whose update() is forgotten: if they are asked for hundreds of frames without it, and an agent has moved meanwhile. An
  * agent that a question moves or refreshes is seen where it is. If no Collision counts the frames, the walks of one agent do.
@@ -47,7 +41,7 @@ export function $warnOfStale(queries, agents, mover) {
 	$lastAsked = queries;
 	$askedUpdate = $updates;
 	if ($hasWarned("stale")) return;
-	const kept = $keptOf($questions, queries, $newQuestions);
+	const kept = $getOrInsert($questions, queries, $newQuestions);
 	if (agents !== null) Object.assign(kept, { agents, updated: $updates, walker: null, walks: 0, places: null });
 	if (kept.agents === null) return;
 	if (mover !== null) {
@@ -79,27 +73,10 @@ function $warnOfLateGround(queries) {
 export function $warnOfNoFrames(queries) {
 	const collision = queries._source;
 	if (!(collision._handlers?._lists.length > 0) || $isUpdated(collision)) return;
-	const kept = $keptOf($questions, queries, $newQuestions);
+	const kept = $getOrInsert($questions, queries, $newQuestions);
 	kept.updatesBefore++;
 	if (kept.updatesBefore !== $LONG_WITHOUT_FRAMES) return;
 	const breeds = $breedsWithHandlers(collision);
 	$warn(`questions were updated ${kept.updatesBefore} times, and their Collision with handlers${breeds ? ` for ${breeds}` : ""} never, `
 		+ "so no handler runs: call collision.update(agents) once a frame, too");
-}
-
-/**
- * Warns of rays that begin inside of the agent that sends them: many begin in an agent that moves, all at the same place beside the
- * agent's own. It compares with the ray before, which began in an agent.
- */
-export function $warnOfSender(agent, origin) {
-	if ($hasWarned("sender")) return;
-	const before = $lastRay;
-	const [dx, dy, dz] = [origin.x - agent.x, origin.y - agent.y, origin.z - agent.z];
-	const apart = Math.abs(dx - before.dx) + Math.abs(dy - before.dy) + Math.abs(dz - before.dz);
-	const isBeside = agent === before.agent && apart < 1e-9 * agent.size;
-	if (isBeside && agent.x === before.x && agent.y === before.y) return;
-	$lastRay = { agent, x: agent.x, y: agent.y, dx, dy, dz, rays: isBeside ? before.rays + 1 : 1 };
-	if ($lastRay.rays !== $MANY_RAYS) return;
-	$warn(`${$MANY_RAYS} rays began inside of ${agent}, and met it at distance 0, wherever it was. `
-		+ "If it sends them, leave it out: cast(origin, direction, maxDistance, { except: [agent] })", "sender");
 }

@@ -7,7 +7,7 @@ export const RETURNS_UINT8ARRAY = new Set(["starlogo.GreatLand.cook", "starlogo.
 export const ONLY_IN_JAVASCRIPT = {
 	// for the adapters: to three.js, which fills the data of a model as a reader of files does; its warnings are not in the minified module
 	"starlogo.models.Model": {
-		text: `static get $parts() {
+		text: `static get $internals() {
 return { ModelData, ModelBuilder, vectorOf: $vector, checkedOptions: $options, textOf: $textOf, warnings: $warningsForAdapters() };
 }`,
 		declaration: null,

@@ -58,7 +58,7 @@ export class Scenes {
 		return new THREE.Quaternion().setFromAxisAngle(new THREE.Vector3(x, y, z), dice.number(-Math.PI, Math.PI));
 	}
 
-	/** Puts an object anywhere, turned and evenly scaled: as an agent can be. Now and then near gimbal lock, or mirrored twice. */
+	/** Puts an object anywhere, turned and uniformly scaled: as an agent can be. Now and then near gimbal lock, or mirrored twice. */
 	place(object) {
 		const { dice } = this;
 		object.position.set(dice.number(-5, 5), dice.number(-5, 5), dice.number(-5, 5));
@@ -82,7 +82,7 @@ export class Scenes {
 		return object;
 	}
 
-	/** A tree of objects: uneven scales and mirrors below its root. */
+	/** A tree of objects: non-uniform scales and mirrors below its root. */
 	tree(depth = 0) {
 		const { THREE, dice } = this;
 		const object = depth > 2 || (depth > 0 && dice.isLuckyIn(2)) ? this.mesh() : !this.isForRays && dice.isLuckyIn(6) ? this.#lod() : new THREE.Group();

@@ -451,6 +451,16 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 		pair.children.reverse();
 		new ThreeAgentBinding(new Agent("pair"), pair, ofPair).updateModel();
 		assert.deepEqual([...ofPair.vertices], asMade);
+		// a mesh of the source beside the clone of another, and instances that another mesh had
+		const box = pair.children.find(({ geometry }) => geometry.parameters.width === 1);
+		pair.remove(box).add(box.clone());
+		const crowds = new THREE.Group().add(new THREE.InstancedMesh(box.geometry, null, 3), new THREE.InstancedMesh(box.geometry, null, 3));
+		crowds.children[0].count = 2;
+		const ofCrowds = modelFromObject("crowds", crowds);
+		crowds.children.forEach((each, i) => each.count = 3 - i);
+		for (const [object, own] of [[pair, ofPair], [crowds, ofCrowds], [crowds.clone(), ofCrowds]]) {
+			assert.throws(() => new ThreeAgentBinding(new Agent("pair"), object, own).updateModel(), /^ArgumentError: .* other meshes/);
+		}
 		assert.throws(() => new ThreeAgentBinding(new Agent("box"), source, new Model("own", model.vertices)).updateModel(), /modelFromObject/);
 		assert.throws(() => bindInstance(new Agent("box"), new THREE.InstancedMesh(source.geometry, source.material, 2), 1, model).updateModel(), /instance/);
 	});
@@ -585,7 +595,7 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 		binding.updateObject();
 		agent.moveTo(3, 0, 0);
 		object.scale.y = 2;
-		assert.throws(() => binding.updateAgent(), /evenly scaled/);
+		assert.throws(() => binding.updateAgent(), /uniformly scaled/);
 		object.scale.y = 1;
 		binding.updateObject();
 		assert.equal(object.position.x, 3);
@@ -673,6 +683,7 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 		refuse(({ quaternion }) => quaternion.set(0, 0, 0, 2), /the quaternion must be of length 1, not 2$/);
 		refuse(({ position }) => position.set(0, Infinity, 0), /ArgumentError: .* the position must be finite numbers, not \(0, /);
 		refuse(({ position }) => position.set(0, 1e200, 0), /^RangeError: .* can't be of size 1 at \(0, 1e\+200, 0\)/);
+		refuse(({ position }) => position.set(1e308, 1e308, 0), /^RangeError: .* can't be of size 1 at/);
 		refuse(({ scale }) => scale.setScalar(1e200), /^RangeError: .* can't be of size 1e\+200/);
 		refuse((object) => {
 			object.matrixAutoUpdate = false;

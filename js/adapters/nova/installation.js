@@ -8,7 +8,7 @@ import { SPHERE, Shapes } from "./shapes.js";
 import { Traits, checkTraits } from "./traits.js";
 
 /** The engine's own check of options. */
-const { checkedOptions } = Model.$parts;
+const { checkedOptions } = Model.$internals;
 
 /** The name of the symbol under which a client keeps its installation. Other copies of this script find it there too. */
 export const INSTALLATION_KEY = "starlogo-collision.nova";

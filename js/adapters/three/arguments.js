@@ -4,7 +4,7 @@ import { ArgumentError, Model } from "starlogo-collision";
  * The engine's own: the record of what a model is made of, the work that makes a model of it, numbers in a list without gaps, the text for a
  * value in an error, and warnings, which the minified module has not.
  */
-export const { ModelData, ModelBuilder, vectorOf, textOf, warnings } = Model.$parts;
+export const { ModelData, ModelBuilder, vectorOf, textOf, warnings } = Model.$internals;
 
 /**
  * The options of a call, with the defaults of those that are absent, and whether y is up. Refuses options that there are not: a misspelt one
@@ -15,7 +15,7 @@ export const { ModelData, ModelBuilder, vectorOf, textOf, warnings } = Model.$pa
  * @param {object} others all options that there are beside `up`, with their defaults
  */
 export function optionsOf(call, given, others = {}) {
-	const options = Model.$parts.checkedOptions(null, `${call}: options`, given, { up: "y", ...others }, 'a literal such as { up: "y" }');
+	const options = Model.$internals.checkedOptions(null, `${call}: options`, given, { up: "y", ...others }, 'a literal such as { up: "y" }');
 	return { ...options, isYUp: isYUp(options.up) };
 }
 

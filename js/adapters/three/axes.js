@@ -6,7 +6,7 @@ import { requirePoint, textOf } from "./arguments.js";
  * Turns a point, a direction or a quaternion from a scene's axes to the engine's, in place. The engine has z up. If the scene has y up, its (x, y, z)
  * is the engine's (x, -z, y). That is a turn, so nothing is mirrored.
  */
-export function turnToEngine(vector, isYUp) {
+export function toEngineAxes(vector, isYUp) {
 	if (isYUp) {
 		const { y } = vector;
 		vector.y = 0 - vector.z; // not -0, which prints differently
@@ -16,7 +16,7 @@ export function turnToEngine(vector, isYUp) {
 }
 
 /** Turns a point, a direction or a quaternion from the engine's axes to a scene's, in place. */
-export function turnToScene(vector, isYUp) {
+export function toSceneAxes(vector, isYUp) {
 	if (isYUp) {
 		const { y } = vector;
 		vector.y = vector.z;
@@ -27,12 +27,12 @@ export function turnToScene(vector, isYUp) {
 
 /** A point or direction of a scene with y up, in the engine's axes. */
 export function toEngine(vector, out = null) {
-	return turnToEngine(copyTo(out ?? new Vector3D(), requirePoint("toEngine", vector)), true);
+	return toEngineAxes(copyTo(out ?? new Vector3D(), requirePoint("toEngine", vector)), true);
 }
 
 /** A point or direction of the engine, in the axes of a scene with y up. */
 export function toScene(vector, out = null) {
-	return turnToScene(copyTo(out ?? new Vector3(), requirePoint("toScene", vector)), true);
+	return toSceneAxes(copyTo(out ?? new Vector3(), requirePoint("toScene", vector)), true);
 }
 
 const copyTo = (out, { x, y, z }) => Object.assign(out, { x: x + 0, y: y + 0, z: z + 0 });
@@ -44,8 +44,8 @@ const point = new Vector3();
 
 const ROUNDING = 1e-15;
 
-/** Where an agent was when it was last read or written, in the axes of a scene. */
-export class AgentPlace {
+/** The transform of an agent when it was last read or written, in the axes of a scene. */
+export class AgentTransform {
 	agent;
 	position = new Vector3();
 	quaternion = new Quaternion();
@@ -71,13 +71,13 @@ export class AgentPlace {
 		return this.agent.$revision !== this.#revision;
 	}
 
-	/** Reads the agent's present place. Returns whether it has changed. */
-	takeChange() {
+	/** Reads the agent's present transform. Returns whether it has changed. */
+	readIfChanged() {
 		if (!this.hasChanged) return false;
 		const { agent } = this;
 		this.#revision = agent.$revision;
 		const { x, y, z, size } = agent.$placement;
-		turnToScene(this.position.set(x, y, z), this.#isYUp);
+		toSceneAxes(this.position.set(x, y, z), this.#isYUp);
 		if (agent.$bodyRevision === this.#bodyRevision) return true;
 		this.#bodyRevision = agent.$bodyRevision;
 		this.size = size;
@@ -91,19 +91,19 @@ export class AgentPlace {
 	}
 
 	/** Moves the agent to a place in the scene. If it already has the rotation, up to rounding, its angles stay. */
-	write(position, quaternion, size) {
+	moveAgentTo(position, quaternion, size) {
 		const { agent } = this;
-		const { x, y, z } = turnToEngine(point.copy(position), this.#isYUp);
+		const { x, y, z } = toEngineAxes(point.copy(position), this.#isYUp);
 		agent.moveTo(x, y, z);
 		agent.size = size;
-		// the values that takeChange() would give, up to rounding
+		// the values that readIfChanged() would give, up to rounding
 		this.position.copy(position);
 		this.size = size;
 		if (isNear(quaternion, this.#readQuaternion(rotation))) {
 			this.quaternion.copy(rotation);
 		} else {
 			this.quaternion.copy(quaternion);
-			turnToEngine(rotation.copy(quaternion), this.#isYUp);
+			toEngineAxes(rotation.copy(quaternion), this.#isYUp);
 			agent.setQuaternion(rotation.x, rotation.y, rotation.z, rotation.w);
 		}
 		this.#revision = agent.$revision;
@@ -112,7 +112,7 @@ export class AgentPlace {
 
 	#readQuaternion(out) {
 		this.agent.$freshPlacement().readQuaternion(numbers);
-		return turnToScene(out.fromArray(numbers), this.#isYUp);
+		return toSceneAxes(out.fromArray(numbers), this.#isYUp);
 	}
 }
 

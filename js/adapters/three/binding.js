@@ -1,31 +1,27 @@
 import { Matrix4, Quaternion, Vector3 } from "three";
 import { Agent, ArgumentError } from "starlogo-collision";
 import { isYUp as isAxisY, optionsOf, textOf, warnings } from "./arguments.js";
-import { AgentPlace, turnToScene } from "./axes.js";
+import { AgentTransform, toSceneAxes } from "./axes.js";
 import { isMadeOf, isModelYUp, isPlaced, poseModel } from "./model.js";
 
 /** The relative error that a scene's numbers may have, because many are of single precision. */
 const TOLERANCE = 1e-6;
 
-// for one call each
+// for one call each: the numbers of a transform, where an object is in its land and how large, and what these are computed with
 const snapshot = new Float64Array(16);
+const components = { position: new Vector3(), quaternion: new Quaternion(), scale: new Vector3() };
+const given = new Matrix4();
 const composed = new Matrix4();
 const turn = new Quaternion();
 const offset = new Vector3();
-
-/**
- * What a transform is decomposed to, one for all calls: where an object is in its land, and how large. `isSimilar` says whether this describes the
- * object's matrix completely.
- */
-const decomposed = { matrix: new Matrix4(), position: new Vector3(), quaternion: new Quaternion(), scale: new Vector3(), isSimilar: true };
 
 /**
  * Keeps an agent and an object, or an instance of an InstancedMesh, in the same place: position, rotation and size. The object's parent is
  * the land, one unit per patch. For an instance the land is the InstancedMesh itself.
  */
 export class ThreeAgentBinding {
-	#place;
-	#transform;
+	#agentTransform;
+	#objectTransform;
 	#model;
 	// the object's transform at the last update of either side
 	#lastSnapshot = new Float64Array(16).fill(NaN);
@@ -47,9 +43,9 @@ export class ThreeAgentBinding {
 	 */
 	constructor(agent, object, model = null, options = {}) {
 		const { isYUp, modelUp, index } = optionsOf("ThreeAgentBinding", options, { modelUp: undefined, index: null });
-		this.#place = new AgentPlace(agent, isYUp, "ThreeAgentBinding");
+		this.#agentTransform = new AgentTransform(agent, isYUp, "ThreeAgentBinding");
 		if (!object?.isObject3D) throw new ArgumentError(`ThreeAgentBinding: object must be an Object3D, not ${textOf(object)}`);
-		this.#transform = index === null ? new ObjectTransform(agent, object) : new InstanceTransform(object, index, model);
+		this.#objectTransform = index === null ? new ObjectTransform(agent, object) : new InstanceTransform(object, index, model);
 		this.#model = model;
 		if (model !== null) this.#setModel(model, isYUp);
 		else warnings?.ofNoModel(agent, object);
@@ -65,90 +61,90 @@ export class ThreeAgentBinding {
 			throw new ArgumentError(`model "${model.name}" is of levelFromObject and has its object's place in it: its agent stays at the origin, without a binding. `
 				+ "What moves has a model of modelFromObject(name, object, { scaling: Model.AS_GIVEN })");
 		}
-		const { position, quaternion, scale, isSimilar } = decompose(decomposed.matrix.fromArray(model.source.matrix.rawData));
-		if (!isSimilar) {
+		const { position, quaternion, scale } = components;
+		if (!decompose(given.fromArray(model.source.matrix.rawData), components)) {
 			throw new ArgumentError(`model "${model.name}" is mirrored or stretched in what it was made of: no object can be bound with it`);
 		}
-		if (quaternion.w !== 1) this.#turn = turnToScene(quaternion.clone(), isYUp);
-		turnToScene(this.#origin.copy(position), isYUp);
+		if (quaternion.w !== 1) this.#turn = toSceneAxes(quaternion.clone(), isYUp);
+		toSceneAxes(this.#origin.copy(position), isYUp);
 		this.#scale = scale.x;
 	}
 
 	get agent() {
-		return this.#place.agent;
+		return this.#agentTransform.agent;
 	}
 
 	get object() {
-		return this.#transform.object;
+		return this.#objectTransform.object;
 	}
 
 	/** Gives the object the agent's place, size and rotation. */
 	updateObject() {
-		const place = this.#place;
-		this.#transform.refusePivot();
-		if (!place.takeChange() && !this.#hasMoved()) return;
-		const { position, quaternion } = decomposed;
-		position.copy(this.#origin).multiplyScalar(place.size).applyQuaternion(place.quaternion).add(place.position);
-		quaternion.copy(place.quaternion);
+		const agentTransform = this.#agentTransform;
+		const hasMoved = this.#hasMoved();
+		if (!agentTransform.readIfChanged() && !hasMoved) return;
+		const { position, quaternion } = components;
+		position.copy(this.#origin).multiplyScalar(agentTransform.size).applyQuaternion(agentTransform.quaternion).add(agentTransform.position);
+		quaternion.copy(agentTransform.quaternion);
 		if (this.#turn) quaternion.multiply(this.#turn);
-		this.#transform.compose(position, quaternion, place.size * this.#scale);
-		this.#transform.snapshotInto(this.#lastSnapshot);
+		this.#objectTransform.compose(position, quaternion, agentTransform.size * this.#scale);
+		this.#objectTransform.snapshotInto(this.#lastSnapshot);
 	}
 
 	/** Gives the agent the object's place, size and rotation. */
 	updateAgent() {
-		const place = this.#place;
-		this.#transform.refusePivot();
+		const agentTransform = this.#agentTransform;
 		if (this.#hasMoved()) {
-			const { position, quaternion, scale } = this.#decompose();
-			const size = place.sizeFor(scale.x / this.#scale);
+			this.#decomposeObject();
+			const { position, quaternion, scale } = components;
+			const size = agentTransform.sizeFor(scale.x / this.#scale);
 			if (this.#turn) quaternion.multiply(turn.copy(this.#turn).conjugate());
 			position.sub(offset.copy(this.#origin).multiplyScalar(size).applyQuaternion(quaternion));
 			this.#check(position, size);
-			place.write(position, quaternion, size);
-			this.#transform.snapshotInto(this.#lastSnapshot);
-		} else if (place.hasChanged) {
+			agentTransform.moveAgentTo(position, quaternion, size);
+			this.#objectTransform.snapshotInto(this.#lastSnapshot);
+		} else if (agentTransform.hasChanged) {
 			// where it was at the last update, without the rounding of a way back from the object
-			place.write(place.position, place.quaternion, place.size);
+			agentTransform.moveAgentTo(agentTransform.position, agentTransform.quaternion, agentTransform.size);
 		}
 	}
 
 	/** Gives the model the pose of the object. */
 	updateModel() {
 		if (this.#model === null) throw new ArgumentError("the binding has no model: pass it to the constructor");
-		if (this.#transform instanceof InstanceTransform) throw new ArgumentError("an instance has no pose of its own");
+		if (this.#objectTransform instanceof InstanceTransform) throw new ArgumentError("an instance has no pose of its own");
 		poseModel(this.#model, this.object);
 	}
 
 	/** Whether the object is elsewhere than at the last update. */
 	#hasMoved() {
 		const last = this.#lastSnapshot;
-		for (let i = this.#transform.snapshotInto(snapshot) - 1; i >= 0; i--) if (snapshot[i] !== last[i]) return true;
+		for (let i = this.#objectTransform.snapshotInto(snapshot) - 1; i >= 0; i--) if (snapshot[i] !== last[i]) return true;
 		return false;
 	}
 
-	/** The object's transform. Throws if the scale is not positive and the same in x, y and z. */
-	#decompose() {
-		const { matrix, quaternion, scale, isSimilar } = this.#transform.decompose();
+	/** Writes the object's transform into the components. Throws if the scale is not positive and uniform. */
+	#decomposeObject() {
+		const isSimilarity = this.#objectTransform.decomposeInto(components);
+		const { quaternion, scale } = components;
 		const { x, y, z } = scale;
 		// two mirrors are a turn
 		if (x * y * z > 0 && !(x > 0 && y > 0)) {
 			quaternion.multiply(turn.set(x > 0 ? 1 : 0, y > 0 ? 1 : 0, z > 0 ? 1 : 0, 0));
 			scale.set(Math.abs(x), Math.abs(y), Math.abs(z));
 		}
-		if (!isSimilar || !isEven(scale)) {
-			const found = isSimilar ? `scale ${x}, ${y}, ${z}` : `matrix ${matrix.elements.join(", ")}`;
-			throw this.#error(`it must be turned, moved and evenly scaled, and nothing else, not ${found}`);
+		if (!isSimilarity || !isUniform(scale)) {
+			const found = isSimilarity ? `scale ${x}, ${y}, ${z}` : `matrix ${this.#objectTransform.matrix.elements.join(", ")}`;
+			throw this.#error(`it must be turned, moved and uniformly scaled, and nothing else, not ${found}`);
 		}
 		const length = quaternion.length();
 		if (!(Math.abs(length - 1) <= TOLERANCE)) throw this.#error(`the quaternion must be of length 1, not ${length}`);
 		if (length !== 1) quaternion.normalize();
-		return decomposed;
 	}
 
 	#check({ x, y, z }, size) {
-		if (!Number.isFinite(x + y + z)) throw this.#error(`the position must be finite numbers, not (${x}, ${y}, ${z})`);
 		const farthest = Math.max(Math.abs(x), Math.abs(y), Math.abs(z));
+		if (!Number.isFinite(farthest)) throw this.#error(`the position must be finite numbers, not (${x}, ${y}, ${z})`);
 		if (!(size >= Agent.SMALLEST_SIZE && size <= Agent.LARGEST_SIZE && farthest <= Agent.LARGEST_COORDINATE)) {
 			throw new RangeError(`${this.agent} can't be of size ${size} at (${x}, ${y}, ${z}), as its object demands: see Agent's limits`);
 		}
@@ -177,37 +173,37 @@ export function bindInstance(agent, mesh, index, model = null, options = {}) {
 class ObjectTransform {
 	constructor(agent, object) {
 		this.object = object;
-		this.refusePivot();
+		this.snapshotInto(snapshot);
 		warnings?.ofScale(agent, object);
 	}
 
-	/** Throws if three.js would turn the object around a pivot. */
-	refusePivot() {
-		const { name, pivot } = this.object;
-		if (pivot) throw new ArgumentError(`ThreeAgentBinding: object "${name}" must have no pivot: put it into a Group, and bind the group`);
+	/** The object's matrix, which is computed from its components unless it is set itself. */
+	get matrix() {
+		return this.object.matrix;
 	}
 
-	/** Writes the numbers of the transform into an array. Returns how many there are. */
+	/** Writes the numbers of the transform into an array. Returns how many there are. Throws if three.js would turn the object around a pivot. */
 	snapshotInto(out) {
-		const { object } = this;
-		if (!object.matrixAutoUpdate) {
-			object.matrix.toArray(out);
+		const { name, pivot, matrixAutoUpdate, matrix, position, quaternion, scale } = this.object;
+		if (pivot) throw new ArgumentError(`ThreeAgentBinding: object "${name}" must have no pivot: put it into a Group, and bind the group`);
+		if (!matrixAutoUpdate) {
+			matrix.toArray(out);
 			return 16;
 		}
-		object.position.toArray(out, 0);
-		object.quaternion.toArray(out, 3);
-		object.scale.toArray(out, 7);
+		position.toArray(out, 0);
+		quaternion.toArray(out, 3);
+		scale.toArray(out, 7);
 		return 10;
 	}
 
-	decompose() {
+	/** Writes the position, the quaternion and the scale. Returns whether these describe the transform completely. */
+	decomposeInto(out) {
 		const { object } = this;
-		if (!object.matrixAutoUpdate) return decompose(object.matrix);
-		decomposed.position.copy(object.position);
-		decomposed.quaternion.copy(object.quaternion);
-		decomposed.scale.copy(object.scale);
-		decomposed.isSimilar = true;
-		return decomposed;
+		if (!object.matrixAutoUpdate) return decompose(object.matrix, out);
+		out.position.copy(object.position);
+		out.quaternion.copy(object.quaternion);
+		out.scale.copy(object.scale);
+		return true;
 	}
 
 	compose(position, quaternion, factor) {
@@ -220,7 +216,7 @@ class ObjectTransform {
 	}
 }
 
-/** The matrix of an instance of an InstancedMesh, with the methods of an ObjectTransform. */
+/** The matrix of an instance of an InstancedMesh, with the members of an ObjectTransform. */
 class InstanceTransform {
 	constructor(mesh, index, model) {
 		if (!mesh.isInstancedMesh) throw new ArgumentError(`ThreeAgentBinding: object must be an InstancedMesh, not ${textOf(mesh)}`);
@@ -231,8 +227,11 @@ class InstanceTransform {
 		this.index = index;
 	}
 
-	/** Does nothing: three.js takes an instance's matrix as it is. */
-	refusePivot() {}
+	/** The instance's matrix. The next call overwrites it. */
+	get matrix() {
+		this.object.getMatrixAt(this.index, given);
+		return given;
+	}
 
 	snapshotInto(out) {
 		const { array } = this.object.instanceMatrix;
@@ -241,9 +240,8 @@ class InstanceTransform {
 		return 16;
 	}
 
-	decompose() {
-		this.object.getMatrixAt(this.index, composed);
-		return decompose(composed);
+	decomposeInto(out) {
+		return decompose(this.matrix, out);
 	}
 
 	compose(position, quaternion, factor) {
@@ -256,13 +254,11 @@ class InstanceTransform {
 	}
 }
 
-/** Decomposes a matrix. */
-function decompose(matrix) {
-	const { position, quaternion, scale } = decomposed;
-	decomposed.matrix.copy(matrix).decompose(position, quaternion, scale);
+/** Decomposes a matrix. Returns whether it is a similarity: a turn, a move and a uniform scale, which then describe it completely. */
+function decompose(matrix, { position, quaternion, scale }) {
+	matrix.decompose(position, quaternion, scale);
 	composed.compose(position, quaternion, scale);
-	decomposed.isSimilar = isEven(scale) && areAlike(decomposed.matrix.elements, composed.elements, TOLERANCE * scale.x);
-	return decomposed;
+	return isUniform(scale) && areAlike(matrix.elements, composed.elements, TOLERANCE * scale.x);
 }
 
 /** Whether the elements of two matrices differ by at most so much, those for the position aside. False for NaN. */
@@ -272,4 +268,4 @@ function areAlike(elements, others, tolerance) {
 }
 
 /** Whether a scale is positive, finite and the same in x, y and z. False for NaN. */
-const isEven = ({ x, y, z }) => x > 0 && x < Infinity && Math.abs(y - x) <= TOLERANCE * x && Math.abs(z - x) <= TOLERANCE * x;
+const isUniform = ({ x, y, z }) => x > 0 && x < Infinity && Math.abs(y - x) <= TOLERANCE * x && Math.abs(z - x) <= TOLERANCE * x;

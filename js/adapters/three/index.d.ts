@@ -164,9 +164,10 @@ export class ThreeAgentBinding<BoundAgent extends Agent = Agent> {
 
     /**
      * Gives the agent the object's place, size and rotation. If the agent already has the rotation or the size, up to rounding, its heading, pitch
-     * and roll or its size stay. If the object has not changed since the last update of either side, the agent gets exactly what it had then.
+     * and roll or its size stay. If the object has not changed since the last update of either side, the agent gets exactly the place, the size and the
+     * rotation that it had then. The three angles may be others of the same rotation: 5 for a heading of 725.
      *
-     * @throws ArgumentError if the object is mirrored, unevenly scaled or sheared, or one of its numbers is not finite; the agent is then
+     * @throws ArgumentError if the object is mirrored, not uniformly scaled or sheared, or one of its numbers is not finite; the agent is then
      * unchanged
      * @throws RangeError if the agent can't have that size or place; the agent is then unchanged
      */
@@ -177,8 +178,8 @@ export class ThreeAgentBinding<BoundAgent extends Agent = Agent> {
      * it before the frame's `update()`, after the AnimationMixer's. All agents with the model have the pose: see `Model.pose`.
      *
      * The model must be one of `modelFromObject`, and the object its source or a clone of it, with the same meshes. Vertices that were at equal
-     * positions when the model was made stay one. The source's own meshes may have another order by now; those of a clone have the same. If it throws,
-     * the model is unchanged.
+     * positions when the model was made stay one. The source's own meshes may have another order by now; those of a clone have the same, and none of them is
+     * the source's. If it throws, the model is unchanged.
      *
      * @throws ArgumentError if the binding has no model or is one of an instance, if the model was made in another way or of other meshes, or if
      * a coordinate is not finite

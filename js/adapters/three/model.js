@@ -1,7 +1,7 @@
 import { Vector3 } from "three";
 import { ArgumentError, Model, ModelError } from "starlogo-collision";
 import { ModelBuilder, optionsOf, textOf, warnings } from "./arguments.js";
-import { turnToEngine } from "./axes.js";
+import { toEngineAxes } from "./axes.js";
 import { countOf, eachMesh, identity, surfaceOf, updateMatrices } from "./surface.js";
 
 /**
@@ -68,8 +68,7 @@ function build(name, data, meshes) {
 	try {
 		return new ModelBuilder(data).build();
 	} catch (error) {
-		warnings?.ofNoPlace(name, data.vertices, meshes);
-		throw error;
+		throw warnings?.errorOfVertex(name, data.vertices, meshes) ?? error;
 	}
 }
 
@@ -113,14 +112,17 @@ export function poseModel(model, object) {
 	const { meshes, indices, isGeometry, isYUp } = source;
 	const posed = source.posed ??= new Float64Array(model.vertices.length);
 	let number = 0;
-	const poseMesh = (mesh, matrix, instanceId = 0) => {
+	let areOwn = null;
+	const poseMesh = (mesh, matrix, instanceId = null) => {
 		if (mesh.isBatchedMesh) throw new ArgumentError(`model "${model.name}" was made of a BatchedMesh, which has no pose`);
 		// the source's own meshes may have another order by now; those of a clone have the same
-		const index = indices.has(mesh) ? indices.get(mesh) + instanceId : number;
-		const { count, meshVertices, firstVertex } = meshes[index] ?? refuse();
-		if (count !== countOf(mesh)) refuse();
+		const isOwn = indices.has(mesh);
+		areOwn ??= isOwn;
+		const made = meshes[isOwn ? indices.get(mesh) + instanceId : number];
+		if (isOwn !== areOwn || made?.instanceId !== instanceId || made.count !== countOf(mesh)) refuse();
+		const { meshVertices, firstVertex } = made;
 		meshVertices.forEach((vertex, i) => {
-			turnToEngine(mesh.getVertexPosition(vertex, point).applyMatrix4(matrix), isYUp).toArray(posed, 3 * (firstVertex + i));
+			toEngineAxes(mesh.getVertexPosition(vertex, point).applyMatrix4(matrix), isYUp).toArray(posed, 3 * (firstVertex + i));
 		});
 		number++;
 	};

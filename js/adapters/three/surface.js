@@ -46,37 +46,38 @@ export function eachMesh(object, matrix, visit) {
  * faces of its triangles
  */
 export function surfaceOf(name, source, isYUp, isPlaced = false) {
-	const pieces = collect(name, source, isPlaced);
+	const instances = collectInstances(name, source, isPlaced);
 	const data = new ModelData(name);
-	const drawn = pieces.filter(({ corners }) => corners.length > 0);
+	const drawn = instances.filter(({ corners }) => corners.length > 0);
 	weld(data, drawn, isYUp);
 	if (source.isObject3D) label(data, drawn);
-	const meshes = pieces.map(({ object, instanceId, points, meshVertices, firstVertex, firstTriangle, faceAt }) => (
-		{ object, instanceId, count: points.length / 3, meshVertices, firstVertex, firstTriangle, faceAt }
-	));
-	return { data, meshes };
+	return { data, meshes: instances.map(({ mesh }) => mesh) };
 }
 
-/** What a source draws: for each mesh or instance its shape as shapeOf has it, with its matrix and the number of its first triangle. */
-function collect(name, source, isPlaced) {
-	const pieces = [];
+/**
+ * What a source draws: for each mesh or instance its shape as shapeOf has it, its matrix, and the record that surfaceOf returns. A mesh without instances
+ * counts as one.
+ */
+function collectInstances(name, source, isPlaced) {
+	const instances = [];
 	let firstTriangle = 0;
 	const add = (object, instanceId, shape, matrix) => {
 		// scaled to 0, as hidden instances often are
 		const corners = matrix.getMaxScaleOnAxis() === 0 ? [] : shape.corners;
-		pieces.push({ ...shape, corners, object, instanceId, matrix, firstTriangle, firstVertex: 0, meshVertices: [] });
+		const mesh = { object, instanceId, count: shape.points.length / 3, meshVertices: [], firstVertex: 0, firstTriangle, faceAt: shape.faceAt };
+		instances.push({ ...shape, corners, matrix, mesh });
 		firstTriangle += corners.length / 3;
 	};
-	// the last mesh, and what it draws: its instances draw the same
-	let mesh = null;
+	// the last object, and what it draws: its instances draw the same
+	let last = null;
 	let shape;
 	const addMesh = (object, matrix, instanceId = null) => {
 		if (object.isBatchedMesh) {
 			eachInBatch(object, (i, ofInstance) => add(object, i, ofInstance, object.getMatrixAt(i, new Matrix4()).premultiply(matrix)));
 			return;
 		}
-		if (object !== mesh) shape = shapeOf(object);
-		mesh = object;
+		if (object !== last) shape = shapeOf(object);
+		last = object;
 		add(object, instanceId, shape, matrix);
 	};
 	if (source?.isBufferGeometry) {
@@ -88,7 +89,7 @@ function collect(name, source, isPlaced) {
 		const hint = source?.scene?.isObject3D ? ". Its scene is an Object3D" : "";
 		throw new ModelError(name, "", `expected an Object3D or a BufferGeometry, not ${textOf(source)}${hint}`);
 	}
-	return pieces;
+	return instances;
 }
 
 /** Calls a function for each instance of a BatchedMesh, visible or not, with its index and its shape: a part of the mesh's geometry. */
@@ -104,42 +105,42 @@ function eachInBatch(mesh, visit) {
 	}
 }
 
-/** Makes vertices and triangles of pieces. A list that has its length at once is made in a quarter of the time of one that grows. */
-function weld(data, pieces, isYUp) {
-	const triangles = (data.triangles = vectorOf(pieces.reduce((count, { corners }) => count + corners.length, 0), 0));
+/** Makes vertices and triangles of instances. A list that has its length at once is made in a quarter of the time of one that grows. */
+function weld(data, instances, isYUp) {
+	const triangles = (data.triangles = vectorOf(instances.reduce((count, { corners }) => count + corners.length, 0), 0));
 	const welder = new Welder(data.vertices, isYUp);
-	for (const piece of pieces) {
-		piece.firstVertex = data.vertices.length / 3;
-		welder.begin(piece);
-		addTriangles(data.name, piece, welder, triangles);
-		if (piece.matrix.determinant() < 0) turnOver(triangles, 3 * piece.firstTriangle, 3 * piece.firstTriangle + piece.corners.length);
+	for (const { mesh, points, corners, matrix } of instances) {
+		mesh.firstVertex = data.vertices.length / 3;
+		welder.begin(points, matrix, mesh.meshVertices);
+		addTriangles(data.name, mesh, points, corners, welder, triangles);
+		if (matrix.determinant() < 0) turnOver(triangles, 3 * mesh.firstTriangle, 3 * mesh.firstTriangle + corners.length);
 	}
 }
 
-/** Writes the triangles of a piece. */
-function addTriangles(name, { object, points, corners, firstTriangle }, welder, triangles) {
+/** Writes the triangles of an instance. */
+function addTriangles(name, { object, firstTriangle }, points, corners, welder, triangles) {
 	// the model's vertex at each point, -1 before it is known
 	const numbers = new Int32Array(points.length / 3).fill(-1);
 	for (let i = 0; i < corners.length; i++) {
 		const corner = corners[i];
 		let number = numbers[corner];
 		if (number === undefined) {
-			const title = titleOf(object);
-			throw new ModelError(name, title && `mesh "${title}"`, `a triangle names vertex ${corner}, the last one is ${numbers.length - 1}`);
+			const meshName = nameOf(object);
+			throw new ModelError(name, meshName && `mesh "${meshName}"`, `a triangle names vertex ${corner}, the last one is ${numbers.length - 1}`);
 		}
 		if (number < 0) number = numbers[corner] = welder.vertexAt(corner);
 		triangles[3 * firstTriangle + i] = number;
 	}
 }
 
-/** Labels the triangles of pieces by their meshes and materials, which hits tell. */
-function label({ meshes, materials }, pieces) {
+/** Labels the triangles of instances by their meshes and materials, which hits tell. */
+function label({ meshes, materials }, instances) {
 	const meshLabels = new Map();
 	const materialLabels = new Map();
-	for (const { object, corners, runs, firstTriangle } of pieces) {
-		meshes.beginRun(labelOf(object, titleOf(object), meshLabels, meshes), firstTriangle);
+	for (const { mesh: { object, firstTriangle }, materialRanges } of instances) {
+		meshes.beginRun(labelOf(object, nameOf(object), meshLabels, meshes), firstTriangle);
 		let next = firstTriangle;
-		for (const { material, count } of runs) {
+		for (const { material, count } of materialRanges) {
 			if (count === 0) continue;
 			materials.beginRun(labelOf(material, material?.name, materialLabels, materials), next);
 			next += count;
@@ -154,11 +155,11 @@ function labelOf(thing, name, known, labels) {
 }
 
 /**
- * What a mesh draws: the places of its vertices, three corners for each triangle, runs of triangles with one material, and a function for the
- * index of the face that a triangle is.
+ * What a mesh draws: the places of its vertices, three corners for each triangle, ranges of triangles with one material, and a function for
+ * the index of the face that a triangle is.
  */
 function shapeOf(mesh) {
-	if (countOf(mesh) === 0) return { points: [], corners: [], runs: [], faceAt: null };
+	if (countOf(mesh) === 0) return { points: [], corners: [], materialRanges: [], faceAt: null };
 	return { points: pointsOf(mesh, mesh.geometry.getAttribute("position")), ...drawnTriangles(mesh.geometry, mesh.material) };
 }
 
@@ -169,7 +170,7 @@ function shapeInBatch(mesh, id) {
 	const points = pointsOf(mesh, attributes.position, vertexStart, vertexCount);
 	// a triangle that is cut off is not drawn
 	const corners = Array.from({ length: count - (count % 3) }, (_, i) => (index ? index.getX(start + i) : start + i) - vertexStart);
-	return { points, corners, runs: [{ material: mesh.material, count: corners.length / 3 }], faceAt: facesFrom(start) };
+	return { points, corners, materialRanges: [{ material: mesh.material, count: corners.length / 3 }], faceAt: facesFrom(start) };
 }
 
 /** The faces of triangles that follow one another from a corner on. */
@@ -179,7 +180,7 @@ const facesFrom = (start) => (triangle) => Math.floor(start / 3) + triangle;
 export const countOf = (mesh) => mesh.geometry.getAttribute("position")?.count ?? 0;
 
 /** A mesh's name, or its geometry's if it has none. */
-const titleOf = (mesh) => mesh.name || mesh.geometry.name;
+const nameOf = (mesh) => mesh.name || mesh.geometry.name;
 
 /** The places of a mesh's vertices in its own space, x, y, z, ..., in its present pose: of all, or of some from a first one on. */
 function pointsOf(mesh, position, first = 0, count = position.count) {
@@ -188,7 +189,6 @@ function pointsOf(mesh, position, first = 0, count = position.count) {
 	const isPlain = position.getX === BufferAttribute.prototype.getX && position.itemSize === 3 && !position.normalized;
 	if (isPlain && !isPosed) return position.array.subarray(3 * first, 3 * (first + count));
 	const points = new Float64Array(3 * count);
-	if (mesh.isSkinnedMesh) for (const bone of mesh.skeleton.bones) bone.updateWorldMatrix(true, false);
 	const at = new Vector3();
 	for (let i = 0; i < count; i++) {
 		if (isPosed) mesh.getVertexPosition(first + i, at);
@@ -210,7 +210,7 @@ function geometryOf(mesh, instance) {
 }
 
 /**
- * The triangles that are drawn, with three corners each, in runs with one material, and their faces: those in the draw range and, with several
+ * The triangles that are drawn, with three corners each, in ranges with one material, and their faces: those in the draw range and, with several
  * materials, in the groups that have one.
  */
 function drawnTriangles({ index, attributes, drawRange, groups }, material) {
@@ -227,17 +227,17 @@ function drawnTriangles({ index, attributes, drawRange, groups }, material) {
 	if (ranges.length === 1) {
 		const [{ first, end, own }] = ranges;
 		const corners = rangeOf(all, first, end);
-		return { corners, runs: [{ material: own, count: corners.length / 3 }], faceAt: facesFrom(first) };
+		return { corners, materialRanges: [{ material: own, count: corners.length / 3 }], faceAt: facesFrom(first) };
 	}
 	const corners = [];
 	const faces = [];
 	const taken = new Uint8Array(total);
-	const runs = ranges.map(({ first, end, own }) => {
+	const materialRanges = ranges.map(({ first, end, own }) => {
 		const before = corners.length;
 		takeTriangles(all, first, end, taken, corners, faces);
 		return { material: own, count: (corners.length - before) / 3 };
 	});
-	return { corners, runs, faceAt: (triangle) => faces[triangle] };
+	return { corners, materialRanges, faceAt: (triangle) => faces[triangle] };
 }
 
 /** The corners from one index to another. A typed array's share its memory; an index may have a plain array. */

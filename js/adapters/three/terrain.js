@@ -1,7 +1,7 @@
 import { BufferAttribute, BufferGeometry, Vector3 } from "three";
 import { ArgumentError, Terrain, TerrainSurface } from "starlogo-collision";
 import { optionsOf, textOf } from "./arguments.js";
-import { turnToScene } from "./axes.js";
+import { toSceneAxes } from "./axes.js";
 import { surfaceOf } from "./surface.js";
 
 /** How far outside of a triangle a place may be and still count, as a part of the triangle: so rounding leaves no gap between two. */
@@ -63,7 +63,7 @@ export class TerrainGeometry extends BufferGeometry {
 
 	#attributeOf(numbers) {
 		const array = new Float32Array(numbers.length);
-		for (let i = 0; i < array.length; i += 3) turnToScene(point.fromArray(numbers, i), this.#isYUp).toArray(array, i);
+		for (let i = 0; i < array.length; i += 3) toSceneAxes(point.fromArray(numbers, i), this.#isYUp).toArray(array, i);
 		return new BufferAttribute(array, 3);
 	}
 }

@@ -20,7 +20,7 @@ export class Welder {
 	}
 
 	/** Begins a mesh: its points, its matrix, and the list that gets the corners that become vertices. */
-	begin({ points, matrix, meshVertices }) {
+	begin(points, matrix, meshVertices) {
 		this.#points = points;
 		this.#elements = matrix.elements;
 		this.#meshVertices = meshVertices;
@@ -29,7 +29,7 @@ export class Welder {
 		if (needed > this.#slots.length) this.#grow(2 ** Math.ceil(Math.log2(2 * needed)));
 	}
 
-	/** The vertex at a point, which is new if its position is. This is Vector3.applyMatrix4 and turnToEngine, in half of the time; -0 becomes 0. */
+	/** The vertex at a point, which is new if its position is. This is Vector3.applyMatrix4 and toEngineAxes, in half of the time; -0 becomes 0. */
 	vertexAt(corner) {
 		const points = this.#points;
 		const e = this.#elements;

@@ -1,7 +1,7 @@
 import { BufferAttribute, BufferGeometry, LineBasicMaterial, LineSegments, Matrix4, Vector3 } from "three";
 import { ArgumentError, Wireframes } from "starlogo-collision";
 import { optionsOf, requirePoint, textOf } from "./arguments.js";
-import { AgentPlace, turnToScene } from "./axes.js";
+import { AgentTransform, toSceneAxes } from "./axes.js";
 
 const matrix = new Matrix4();
 const scale = new Vector3();
@@ -16,7 +16,7 @@ const CROSS = 0.05;
  */
 export class ThreeWireframe extends LineSegments {
 	#isYUp;
-	// { place, lines, first }: the agent's place or null; six numbers for each line, z up; the first index in the attribute
+	// { transform, lines, first }: the agent's transform or null; six numbers for each line, z up; the first index in the attribute
 	#parts = [];
 	#count = 0;
 
@@ -80,11 +80,11 @@ export class ThreeWireframe extends LineSegments {
 		if (typeof lines?.length !== "number") throw new ArgumentError(`ThreeWireframe.showLines: lines must be an array of numbers, not ${textOf(lines)}`);
 		if (lines.length % 6 !== 0) throw new ArgumentError(`a line is six numbers: ${lines.length} are no lines`);
 		for (let i = 0; i < lines.length; i++) if (!Number.isFinite(lines[i])) throw new ArgumentError(`a line is six finite numbers, not ${textOf(lines[i])}`);
-		const part = { place: agent === null ? null : new AgentPlace(agent, this.#isYUp, "ThreeWireframe"), lines: Float64Array.from(lines), first: this.#count };
+		const part = { transform: agent === null ? null : new AgentTransform(agent, this.#isYUp, "ThreeWireframe"), lines: Float64Array.from(lines), first: this.#count };
 		this.#parts.push(part);
 		this.#count += lines.length / 3;
 		this.#makeRoom();
-		part.place?.takeChange();
+		part.transform?.readIfChanged();
 		this.#write(part);
 		this.geometry.setDrawRange(0, this.#count);
 		return this;
@@ -100,7 +100,7 @@ export class ThreeWireframe extends LineSegments {
 
 	/** Moves the lines to their agents. If no agent has changed, it does nothing. */
 	update() {
-		for (const part of this.#parts) if (part.place?.takeChange()) this.#write(part);
+		for (const part of this.#parts) if (part.transform?.readIfChanged()) this.#write(part);
 	}
 
 	/** Takes over another wireframe's lines. Unlike those of three.js, the two share no geometry, because each moves its own lines. */
@@ -111,7 +111,7 @@ export class ThreeWireframe extends LineSegments {
 		this.#isYUp = source.#isYUp;
 		const parts = source.#parts;
 		this.clearLines();
-		for (const { place, lines } of parts) this.showLines(lines, place?.agent);
+		for (const { transform, lines } of parts) this.showLines(lines, transform?.agent);
 		return this;
 	}
 
@@ -133,12 +133,12 @@ export class ThreeWireframe extends LineSegments {
 		for (const part of this.#parts) this.#write(part);
 	}
 
-	#write({ place, lines, first }) {
+	#write({ transform, lines, first }) {
 		const attribute = this.geometry.getAttribute("position");
-		if (place) matrix.compose(place.position, place.quaternion, scale.setScalar(place.size));
+		if (transform) matrix.compose(transform.position, transform.quaternion, scale.setScalar(transform.size));
 		else matrix.identity();
 		for (let i = 0; i < lines.length; i += 3) {
-			turnToScene(point.fromArray(lines, i), this.#isYUp).applyMatrix4(matrix);
+			toSceneAxes(point.fromArray(lines, i), this.#isYUp).applyMatrix4(matrix);
 			attribute.setXYZ(first + i / 3, point.x, point.y, point.z);
 		}
 		attribute.needsUpdate = true;

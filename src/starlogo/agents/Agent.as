@@ -380,8 +380,8 @@ package starlogo.agents
          * single precision, which rounds each number by up to 1e-7 of its size. The methods setQuaternion and moveTo and the property size keep
          * full precision.
          *
-         * @param matrix from the model's space to the world; it may rotate, scale evenly and translate
-         * @throws ArgumentError if it is null, or mirrors, shears, or scales unevenly
+         * @param matrix from the model's space to the world; it may rotate, scale uniformly and translate
+         * @throws ArgumentError if it is null, or mirrors, shears, or scales non-uniformly
          * @throws RangeError if an agent can't have the place or the size. After either error the agent is unchanged
          */
         public function setMatrix(matrix:Matrix3D):void
@@ -394,7 +394,7 @@ package starlogo.agents
             var found:Placement = new Placement();
             if (!found.setMatrix(data))
             {
-                throw new ArgumentError(this + ": matrix must only turn, move and evenly scale: " + data);
+                throw new ArgumentError(this + ": matrix must only turn, move and uniformly scale: " + data);
             }
             TraitChecks.requirePlace(this, found.x, found.y, found.z);
             size = found.size;

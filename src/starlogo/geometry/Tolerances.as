@@ -23,14 +23,14 @@ package starlogo.geometry
         /**
          * The difference up to which two numbers from single-precision matrices count as equal, as a fraction of the largest. An Away3D
          * object's three scales are such numbers. Smaller than 5e-7: objects that were loaded with a matrix are refused. Larger: objects
-         * of uneven scale pass, and the drawn object differs from the shape that collides.
+         * of non-uniform scale pass, and the drawn object differs from the shape that collides.
          */
         public static const SINGLE_PRECISION:Number = 1e-5;
 
         /**
          * How much the dot products of a rotation's columns, or of a box's axes, may differ from 1 and 0. Of a matrix with one scale, the columns
          * divided by it are compared. Smaller than 5e-7: matrices are refused that Flash Player has rounded to single precision. Larger: a scaled
-         * matrix passes for a rotation, and shear and uneven scale go unnoticed.
+         * matrix passes for a rotation, and shear and non-uniform scale go unnoticed.
          */
         public static const ORTHONORMALITY:Number = 1e-5;
 

@@ -34,7 +34,7 @@ package starlogo.models
          * The default scaling, from the thesis (§2.2). The model is centred on the origin in x and y, its lowest vertex is at z = 0, and
          * the larger of its x and y extents is 1. Its height may be more than 1. If the x and y extents are both less than a millionth of
          * the z extent, the model is a vertical line and its z extent becomes 1. A single point is only moved to the origin. Of a
-         * ModelTransform only the rotation and an uneven or negative scale have an effect.
+         * ModelTransform only the rotation and a non-uniform or negative scale have an effect.
          */
         public static const FOOTPRINT:String = "footprint";
 

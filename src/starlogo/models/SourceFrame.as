@@ -33,7 +33,7 @@ package starlogo.models
             return new Vector3D(_offset[0], _offset[1], _offset[2]);
         }
 
-        /** The length of the model's unit, in units of the source. For an uneven scale it is the geometric mean. */
+        /** The length of the model's unit, in units of the source. For a non-uniform scale it is the geometric mean. */
         public function get unit():Number
         {
             return _sourceUnits;
@@ -139,7 +139,7 @@ package starlogo.models
         }
 
         /**
-         * Adds a turn about the origin, or factors along the axes. A turn comes before any uneven scale.
+         * Adds a turn about the origin, or factors along the axes. A turn comes before any non-uniform scale.
          *
          * @param by turns or scales the model
          * @param factor how much larger that makes the model

@@ -4,9 +4,9 @@ import { $rounded, $warn } from "./warn.mjs";
 /** For each source of a model: the name of the last one, and its place in the source. */
 const $sources = /* @__PURE__ */ new WeakMap();
 
-/** The adapter's warnings: see Model.$parts. */
+/** The adapter's warnings: see Model.$internals. */
 export function $warningsForAdapters() {
-	return { keepSource: $keepSource, ofNoModel: $adviseOfNoModel, ofScale: $adviseOfScale, ofParent: $adviseOfParent, ofNoPlace: $adviseOfNoPlace };
+	return { keepSource: $keepSource, ofNoModel: $adviseOfNoModel, ofScale: $adviseOfScale, ofParent: $adviseOfParent, errorOfVertex: $errorOfVertex };
 }
 
 /** Keeps of which source a model was made. */
@@ -15,16 +15,16 @@ function $keepSource(source, model) {
 }
 
 /**
- * Refuses a vertex that is no place, and names it as its mesh does: the engine knows the model's vertices alone. Those of a BatchedMesh are
- * numbered in parts.
+ * The error for a vertex that is no place, with its mesh's own number: the engine knows the model's vertices alone. Null if there is none, or if it is of
+ * a BatchedMesh, whose vertices are numbered in parts.
  */
-function $adviseOfNoPlace(name, vertices, meshes) {
+function $errorOfVertex(name, vertices, meshes) {
 	const vertex = Math.floor(vertices.findIndex((value) => value - value !== 0) / 3);
 	const mesh = meshes.findLast(({ firstVertex, meshVertices: own }) => own.length > 0 && firstVertex <= vertex);
-	if (vertex < 0 || mesh.object.isBatchedMesh) return;
-	const title = mesh.object.name || mesh.object.geometry.name;
+	if (vertex < 0 || mesh.object.isBatchedMesh) return null;
+	const meshName = mesh.object.name || mesh.object.geometry.name;
 	const place = vertices.slice(3 * vertex, 3 * vertex + 3).join(", ");
-	throw new ModelError(name, title && `mesh "${title}"`, `vertex ${mesh.meshVertices[vertex - mesh.firstVertex]} of its geometry must be at finite numbers, not at (${place})`);
+	return new ModelError(name, meshName && `mesh "${meshName}"`, `vertex ${mesh.meshVertices[vertex - mesh.firstVertex]} of its geometry must be at finite numbers, not at (${place})`);
 }
 
 /** Warns of a binding without the model that was made of the object, whose place and size in it are needed. */
@@ -35,7 +35,7 @@ function $adviseOfNoModel(agent, object) {
 		+ "was made of the object. Pass it as the third argument", `source of ${name}`);
 }
 
-/** Warns of an object with an uneven scale of its own, which no model has: updateObject() would set it to the agent's size. */
+/** Warns of an object with a non-uniform scale of its own, which no model has: updateObject() would set it to the agent's size. */
 function $adviseOfScale(agent, object) {
 	const sizes = object.scale.toArray();
 	if (!object.matrixAutoUpdate || Math.max(...sizes.map(Math.abs)) <= (1 + 1e-6) * Math.min(...sizes.map(Math.abs))) return;

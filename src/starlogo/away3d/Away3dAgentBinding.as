@@ -21,13 +21,13 @@ package starlogo.away3d
      * the two sides, because Away3D does not send an event for every change. They do nothing if nothing has changed, and they allocate
      * nothing.</p>
      *
-     * <p>Away3D's DAEParser sets matrices, and the first change of a trait overwrites them. So bind a new ObjectContainer3D that contains
+     * <p>Away3D's DAEParser sets matrices, and the first change of position, rotation or scale overwrites them. So bind a new ObjectContainer3D that contains
      * the loaded object.</p>
      */
     public final class Away3dAgentBinding
     {
         private static var sRotation:SwappedRotation = new SwappedRotation();
-        private static var sTraits:Vector.<Number> = new Vector.<Number>(12, true);
+        private static var sComponents:Vector.<Number> = new Vector.<Number>(12, true);
 
         private var _agent:Agent;
         private var _object:Object3D;
@@ -36,9 +36,9 @@ package starlogo.away3d
         private var _origin:Vector3D = new Vector3D();
         private var _width:Number = 1;
 
-        // The state of both sides at the last update.
+        // The state of both sides at the last update: the agent's revision, and the components of the object's transform.
         private var _revision:int = -1;
-        private var _traits:Vector.<Number> = new Vector.<Number>(12, true);
+        private var _components:Vector.<Number> = new Vector.<Number>(12, true);
 
         /**
          * Creates a binding. It changes neither side.
@@ -100,7 +100,7 @@ package starlogo.away3d
         /**
          * Gives the agent the object's place, size and turns.
          *
-         * @throws ArgumentError if the object's scale is mirrored, uneven, zero or not finite, or another of its traits is not finite; the
+         * @throws ArgumentError if the object's scale is mirrored, not uniform, zero or not finite, or another of its numbers is not finite; the
          * agent is then unchanged
          * @throws RangeError if the agent can't have that size or place; the agent is then unchanged
          */
@@ -138,32 +138,32 @@ package starlogo.away3d
             {
                 return false;
             }
-            readTraits(sTraits);
-            return areSameNumbers(sTraits, _traits);
+            readComponents(sComponents);
+            return areSameNumbers(sComponents, _components);
         }
 
         private function remember():void
         {
             _revision = _agent.revision;
-            readTraits(_traits);
+            readComponents(_components);
         }
 
-        private function readTraits(traits:Vector.<Number>):void
+        private function readComponents(components:Vector.<Number>):void
         {
             var drawn:Object3D = _object;
             var pivot:Vector3D = drawn.pivotPoint;
-            traits[0] = drawn.x;
-            traits[1] = drawn.y;
-            traits[2] = drawn.z;
-            traits[3] = drawn.rotationX;
-            traits[4] = drawn.rotationY;
-            traits[5] = drawn.rotationZ;
-            traits[6] = drawn.scaleX;
-            traits[7] = drawn.scaleY;
-            traits[8] = drawn.scaleZ;
-            traits[9] = pivot.x;
-            traits[10] = pivot.y;
-            traits[11] = pivot.z;
+            components[0] = drawn.x;
+            components[1] = drawn.y;
+            components[2] = drawn.z;
+            components[3] = drawn.rotationX;
+            components[4] = drawn.rotationY;
+            components[5] = drawn.rotationZ;
+            components[6] = drawn.scaleX;
+            components[7] = drawn.scaleY;
+            components[8] = drawn.scaleZ;
+            components[9] = pivot.x;
+            components[10] = pivot.y;
+            components[11] = pivot.z;
         }
 
         // The object stores radians, so an angle comes back rounded.

@@ -41,10 +41,10 @@ package starlogo.away3d
             return _builder.progress;
         }
 
-        /** The Away3dModel. Read it when no step is left. */
+        /** The Away3dModel, always the same one. Read it when no step is left. */
         public function get model():Model
         {
-            return _model;
+            return _model ||= new Away3dModel(name, _builder);
         }
 
         /**
@@ -54,12 +54,7 @@ package starlogo.away3d
          */
         public function step():Boolean
         {
-            var hasMore:Boolean = _builder.step();
-            if (!hasMore)
-            {
-                _model ||= new Away3dModel(name, _builder);
-            }
-            return hasMore;
+            return _builder.step();
         }
     }
 }

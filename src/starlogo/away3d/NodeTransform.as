@@ -13,12 +13,12 @@ package starlogo.away3d
     internal final class NodeTransform
     {
         /**
-         * The transform of an object. It is computed from the object's traits, because a Matrix3D has single precision in Flash Player. If
+         * The transform of an object. It is computed from the object's components, because a Matrix3D has single precision in Flash Player. If
          * the object's matrix differs, the matrix counts, because Away3D draws with it. For example, the DAEParser sets only the matrix.
          */
         internal static function of(object:Object3D):AffineTransform
         {
-            var traits:Vector.<Number> = ofTraits(object).rows;
+            var components:Vector.<Number> = ofComponents(object).rows;
             var columns:Vector.<Number> = object.transform.rawData;
             var drawn:Vector.<Number> = new Vector.<Number>(12);
             var largest:Array = [0, 0, 0, 0];
@@ -27,19 +27,19 @@ package starlogo.away3d
             {
                 var column:int = i % 4;
                 drawn[i] = columns[4 * column + int(i / 4)];
-                largest[column] = Math.max(largest[column], Math.abs(traits[i]));
-                difference[column] = Math.max(difference[column], Math.abs(traits[i] - drawn[i]));
+                largest[column] = Math.max(largest[column], Math.abs(components[i]));
+                difference[column] = Math.max(difference[column], Math.abs(components[i] - drawn[i]));
             }
             // The comparison allows for single precision: of the scale in the first three columns, and in the fourth of the place or the scale, whichever
             // is larger.
             var scale:Number = Math.max(largest[0], largest[1], largest[2]);
             var areSame:Boolean = Math.max(difference[0], difference[1], difference[2]) <= scale * Tolerances.SINGLE_PRECISION
                 && difference[3] <= Math.max(scale, largest[3]) * Tolerances.SINGLE_PRECISION;
-            return new AffineTransform(areSame ? traits : drawn);
+            return new AffineTransform(areSame ? components : drawn);
         }
 
         // First the scale, then the turn about the pivot point, then the move: T(position) T(pivot) R T(-pivot) S.
-        private static function ofTraits(object:Object3D):AffineTransform
+        private static function ofComponents(object:Object3D):AffineTransform
         {
             var p:Placement = new Placement();
             var pivot:Vector3D = object.pivotPoint;

@@ -13,7 +13,8 @@ there already, of the same source and options, is left as it is.
 
   starlogo-cook FOLDER [options]
 
-  --out FOLDER         copies the models there, with what they need beside them, and writes beside the copies; without it, beside the models
+  --out FOLDER         copies the models there, with what they need beside them, and writes beside the copies; without it, beside the models.
+                       In FOLDER itself, give it to each run: to one without it the copies are models
   --up x|y|z           the axis that points up in OBJ and STL files, as load() is given it (z)
   --scaling WORD       footprint, volume or "as given", as load() is given it (footprint)
   --transforms         for loaders with usesTransforms: a file bear.slb beside bear.obj turns it
@@ -62,7 +63,7 @@ async function cookAll() {
 			const start = performance.now();
 			const path = join(out, `${file}.cooked`);
 			const last = lastModels[name];
-			if (!values.force && existsSync(path) && last?.source === hashOf(last?.files ?? [])) {
+			if (!values.force && existsSync(path) && last && last.source === hashOf(last.files)) {
 				copyAll(last.files);
 				models[name] = last;
 				kept++;
@@ -89,7 +90,7 @@ async function cookAll() {
 	process.exitCode = failures > 0 ? 1 : 0;
 }
 
-/** Whether a path in the folder is a model's file, and no copy that an earlier run has made in it. */
+/** Whether a path in the folder is a model's file, and none of --out. Copies that are elsewhere in the folder are models as any others. */
 function isSource(file) {
 	const path = join(folder, file);
 	const isCopy = isIn(folder, out) && out !== folder && isIn(out, path);
@@ -135,10 +136,11 @@ function fail(problem) {
 	process.exit(2);
 }
 
-/** The models in the manifest of the last run; none if there is no manifest, or it is damaged. */
+/** The models in the manifest of the last run, without damaged entries; none if there is no manifest. */
 function readManifest() {
+	const isWhole = ([, model]) => Array.isArray(model?.files) && model.files.every((file) => typeof file === "string");
 	try {
-		return JSON.parse(readFileSync(manifestPath, "utf8")).models ?? {};
+		return Object.fromEntries(Object.entries(JSON.parse(readFileSync(manifestPath, "utf8")).models).filter(isWhole));
 	} catch {
 		return {};
 	}

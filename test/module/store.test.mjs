@@ -207,6 +207,11 @@ test("the cook leaves what is there, cooks what has changed, and says what is wr
 	const again = path.join(work, "again");
 	assert.match(run(plain, "--out", again).stdout, /^4 cooked$/m);
 	assert.match(run(plain, "--out", again).stdout, /^0 cooked, 4 as they were$/m);
+	// a damaged entry is as none
+	const manifest = JSON.parse(readFileSync(path.join(again, "manifest.json")));
+	manifest.models["kelp.obj"] = { files: 5 };
+	writeFileSync(path.join(again, "manifest.json"), JSON.stringify(manifest));
+	assert.match(run(plain, "--out", again).stdout, /^1 cooked, 3 as they were$/m);
 	const names = Object.keys(JSON.parse(readFileSync(path.join(again, "manifest.json"))).models);
 	assert.match(run(plain, "--out", again, "--up", "y").stdout, /^4 cooked$/m);
 	// a run that is interrupted has taken the entries of what it has cooked out of the manifest

@@ -52,6 +52,13 @@ test("a cooked model is a Uint8Array, and so are its copies", () => {
 	for (const copy of [bytes, structuredClone(bytes), posted(bytes)]) assert.equal(CookedModel.fromBytes("cube", copy).vertices.length, BuiltInModel.cube().vertices.length);
 });
 
+test("a ByteArray may begin with another one's bytes, which are copied", () => {
+	const first = new ByteArray(new Uint8Array([1, 2, 3]));
+	const second = new ByteArray(first);
+	first.length = 0;
+	assert.deepEqual([...second.toUint8Array()], [1, 2, 3]);
+});
+
 test("a storage of fits that gives anything but a ByteArray has none", () => {
 	for (const read of [() => new Uint8Array(5), async () => null, () => undefined, () => "bytes"]) {
 		const land = new GreatLand();

@@ -79,7 +79,7 @@ export class Checks {
 	ofLiteral(qname) {
 		const { name } = this.#signatures.get(qname) ?? {};
 		if (!TAKES_LITERAL.has(qname)) return [];
-		return [`if (arguments[0] != null) $options(null, "new ${name}: settings", arguments[0], this, ${JSON.stringify(wantedText(name))});`];
+		return [`if (arguments[0] != null) $options(null, "new ${name}: settings", arguments[0], this, ${JSON.stringify(expectedText(name))});`];
 	}
 
 	/** Whether a class is recognised by its mark. */
@@ -94,7 +94,7 @@ export class Checks {
 		const member = { ...given, doc: `${docOf(type, given, this.#byName)}\n${getter?.doc ?? ""}` };
 		const isNullable = mayBeNull(parameter, member, type);
 		const { receiver, qualifiedName, inline } = this.#placeOf(type, member, name);
-		const refuse = (kind) => `$refuse(${receiver}, ${name}, ${kind});`;
+		const refuse = (expected) => `$refuse(${receiver}, ${name}, ${expected});`;
 		const unlessNull = isNullable && !/^(Number|u?int|Boolean)$/.test(parameter.type) ? `${name} != null && ` : "";
 		const vector = /^Vector\.<(.*)>$/.exec(parameter.type)?.[1];
 		// options as for the platform's own listeners, not only for Flash's class
@@ -107,8 +107,8 @@ export class Checks {
 		}
 		const simple = this.#simpleCheck(parameter, member, type);
 		if (simple) {
-			const [helper, test, kind] = simple;
-			if (inline) return [`if (${unlessNull}${test}) ${refuse(JSON.stringify(kind))}`];
+			const [helper, test, expected] = simple;
+			if (inline) return [`if (${unlessNull}${test}) ${refuse(JSON.stringify(expected))}`];
 			return [`${unlessNull === "" ? "" : `if (${name} != null) `}${helper}(${qualifiedName}, ${name});`];
 		}
 		switch (parameter.type) {
@@ -121,7 +121,7 @@ export class Checks {
 			}
 			case "AgentPredicate": {
 				const filter = this.#reference("starlogo.queries.AgentFilter");
-				const read = `$options(${receiver}, ${name}, new ${filter}(), ${JSON.stringify(wantedText("AgentFilter"))})`;
+				const read = `$options(${receiver}, ${name}, new ${filter}(), ${JSON.stringify(expectedText("AgentFilter"))})`;
 				return [`if (${name} != null && !${this.#typeTest(parameter.type, name)}) ${name} = ${read};`];
 			}
 			case "AgentFilter":
@@ -129,13 +129,13 @@ export class Checks {
 				const options = this.#reference(`starlogo.queries.${parameter.type}`);
 				return [
 					`if (${name} instanceof ${options}) $warnOfUnknownProperties(${name});`,
-					`else if (${name} != null) ${name} = $options(${receiver}, ${name}, new ${options}(), ${JSON.stringify(wantedText(parameter.type))});`,
+					`else if (${name} != null) ${name} = $options(${receiver}, ${name}, new ${options}(), ${JSON.stringify(expectedText(parameter.type))});`,
 					...parameter.type === "WalkOptions" ? [`$warnOfUnits(${name});`] : [],
 				];
 			}
 			default: {
 				const test = this.#typeTest(parameter.type, name);
-				return test ? [`if (${unlessNull}!${test}) ${refuse(JSON.stringify(wantedText(parameter.type)))}`] : [];
+				return test ? [`if (${unlessNull}!${test}) ${refuse(JSON.stringify(expectedText(parameter.type)))}`] : [];
 			}
 		}
 	}
@@ -158,21 +158,21 @@ export class Checks {
 		return { receiver: isNamed ? `this, "${what}"` : `null, ${qualifiedName}`, qualifiedName, inline: isNamed || isExtended };
 	}
 
-	// The function of the stand-ins for a type, the same check in place, and the required kind. Agents get the check in place, because they are
+	// The function of the stand-ins for a type, the same check in place, and what is required. Agents get the check in place, because they are
 	// checked and moved in loops.
-	#simpleCheck({ name, type: wanted }, member, type) {
+	#simpleCheck({ name, type: declared }, member, type) {
 		const isNoNumber = `typeof ${name} !== "number"`;
 		const isFinite = member.isField || FINITE_CHECKED_CLASS_NAMES.has(type.name);
 		const number = isFinite ? ["$aFiniteNumber", `${isNoNumber} || ${name} - ${name} !== 0`] : ["$aNumber", isNoNumber];
-		const offset = ["$anOffset", `${isNoNumber} || ${name} !== (${name} & 0x7fffffff)`, "a whole number, 0 or more"];
+		const index = ["$anIndex", `${isNoNumber} || ${name} !== (${name} & 0x7fffffff)`, "a whole number, 0 or more"];
 		return {
 			Number: [...number, member.name === "color" ? "0xRRGGBB, a number" : "a number"],
-			int: name === "offset" ? offset : ["$anInt", `${isNoNumber} || ${name} !== (${name} | 0)`, "a whole number"],
+			int: name === "offset" ? index : ["$anInt", `${isNoNumber} || ${name} !== (${name} | 0)`, "a whole number"],
 			uint: ["$aUint", `${isNoNumber} || ${name} !== ${name} >>> 0`, "a whole number"],
 			Boolean: ["$aBoolean", `typeof ${name} !== "boolean"`, "true or false"],
 			String: ["$aString", `typeof ${name} !== "string"`, "a string"],
 			Function: ["$aFunction", `typeof ${name} !== "function"`, "a function"],
-		}[wanted];
+		}[declared];
 	}
 
 	#typeTest(typeName, name) {
@@ -186,14 +186,14 @@ export class Checks {
 		// The engine checks the agents of a frame when it first meets them. That is once, as long as a list stays the same.
 		if (name === "out" || element === "Agent" && !isSetting) return [`${unlessNull}$checkList(${receiver}, ${name});`];
 		if (/^(Number|int|uint)$/.test(element)) return [`${name} = $numbers(${receiver}, ${name}, "${element}", ${isNullable});`];
-		const checked = (kind, test) => [`${unlessNull}$checkList(${receiver}, ${name}, "${kind}", (each) => ${test});`];
+		const checked = (expected, test) => [`${unlessNull}$checkList(${receiver}, ${name}, "${expected}", (each) => ${test});`];
 		if (element === "String") return checked("a string", `${hasNulls ? "each === null || " : ""}typeof each === "string"`);
 		if (element === "Vector3D") return checked("a Vector3D", `each instanceof ${this.#reference("flash.geom.Vector3D")}`);
 		const test = this.#typeTest(element, "each");
 		if (!test) return [`${unlessNull}$checkList(${receiver}, ${name});`];
 		// nobody among agents does no harm: a shot may have no shooter
 		const orNobody = element === "Agent" ? "each == null || " : "";
-		return checked(wantedText(element), `${orNobody}${test}`);
+		return checked(expectedText(element), `${orNobody}${test}`);
 	}
 }
 
@@ -222,7 +222,7 @@ function optionsOf({ name }) {
 }
 
 /** Where a literal is likely to be passed, the text says how such an object is made. */
-function wantedText(name) {
+function expectedText(name) {
 	if (name === "AgentFilter") return 'an AgentFilter, or a literal such as { breeds: ["sheep"] }';
 	if (name === "WalkOptions") return "WalkOptions, or a literal such as { stepHeight: 0.3 }";
 	if (name === "BoundingStructure") return "this package's Sphere, Capsule, Box or Hull";

@@ -106,7 +106,7 @@ export class ArgumentError extends Error {
 /** Bytes with a place to read and write at, as far as loading models needs them. */
 export class ByteArray {
 	/** @param source bytes to begin with, which are copied */
-	constructor(source?: ArrayBuffer | ArrayBufferView | null);
+	constructor(source?: Bytes | null);
 	/** The order of a number's bytes: "bigEndian" or "littleEndian". */
 	endian: "bigEndian" | "littleEndian";
 	/** Where the next byte is read or written. */

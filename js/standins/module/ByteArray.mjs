@@ -17,7 +17,7 @@ export class ByteArray {
 	/** The index of the next byte to read or write. */
 	position = 0;
 
-	/** @param source the first bytes; they are copied from an ArrayBuffer or a view of one */
+	/** @param source the first bytes, which are copied: a ByteArray, an ArrayBuffer or a view of one */
 	constructor(source = null) {
 		const given = source === null ? new Uint8Array() : toBytes(source);
 		this.#length = given.length;
@@ -204,5 +204,6 @@ export class EOFError extends Error {
 }
 
 function toBytes(source) {
+	if (source instanceof ByteArray) return source.toUint8Array();
 	return ArrayBuffer.isView(source) ? new Uint8Array(source.buffer, source.byteOffset, source.byteLength) : new Uint8Array(source);
 }

@@ -14,10 +14,10 @@ const $copy = {};
  * The text for a value in an error.
  *
  * @param value the value
- * @param wanted the kind that is required, for example "an Agent"
+ * @param expected what is required, for example "an Agent"
  */
-export function $textOf(value, wanted = "") {
-	if (isOfOtherCopy(value, wanted)) return "one of another copy of the engine. There are two copies of the engine: import it from one address";
+export function $textOf(value, expected = "") {
+	if (isOfOtherCopy(value, expected)) return "one of another copy of the engine. There are two copies of the engine: import it from one address";
 	switch (typeof value) {
 		case "string":
 			return JSON.stringify(value.length > 40 ? `${value.slice(0, 40)}...` : value);
@@ -36,9 +36,9 @@ export function $textOf(value, wanted = "") {
 	}
 }
 
-/** Whether an object's class has the wanted name, but belongs to another copy of the engine. three.js's Sphere has no internal fields. */
-function isOfOtherCopy(value, wanted) {
-	const names = wanted.match(/\b[A-Z]\w*/g) ?? [];
+/** Whether an object's class has the expected name, but belongs to another copy of the engine. three.js's Sphere has no internal fields. */
+function isOfOtherCopy(value, expected) {
+	const names = expected.match(/\b[A-Z]\w*/g) ?? [];
 	for (let each = value; each != null; each = Object.getPrototypeOf(each)) {
 		const type = Object.hasOwn(each, "constructor") && each.constructor;
 		if (names.includes(type?.name) && type !== globalThis[type.name] && Object.keys(value).some((key) => key.startsWith("_"))) return true;
@@ -47,20 +47,20 @@ function isOfOtherCopy(value, wanted) {
 }
 
 /**
- * Throws an error for an argument of the wrong kind.
+ * Throws an error for an argument that is not what it has to be.
  *
  * @param target the object that gets the argument, if that identifies the member, otherwise null
  * @param name the argument's name, with the member's if there is no target
  * @param value the argument
- * @param kind the required kind
+ * @param expected what is required
  */
-export function $refuse(target, name, value, kind) {
+export function $refuse(target, name, value, expected) {
 	const given = target === null ? name : `${target}: ${name}`;
-	if (typeof value === "number" && kind.endsWith(" number")) {
-		const wanted = kind === "a number" ? "a finite number" : Number.isInteger(value) ? `${kind} in the range of 32 bits` : kind;
-		throw new RangeError(`${given} must be ${wanted}, not ${value}`);
+	if (typeof value === "number" && expected.endsWith(" number")) {
+		const finite = expected === "a number" ? "a finite number" : Number.isInteger(value) ? `${expected} in the range of 32 bits` : expected;
+		throw new RangeError(`${given} must be ${finite}, not ${value}`);
 	}
-	throw new ArgumentError(`${given} must be ${kind}, not ${$textOf(value, kind)}${$hintOfValue(value, kind, given)}`);
+	throw new ArgumentError(`${given} must be ${expected}, not ${$textOf(value, expected)}${$hintOfValue(value, expected, given)}`);
 }
 
 /** Checks of arguments, for members outside of hot loops: `$aNumber("Class.method: name", value)`. */
@@ -76,7 +76,7 @@ export function $anInt(name, value) {
 	if (typeof value !== "number" || value !== (value | 0)) $refuse(null, name, value, "a whole number");
 }
 
-export function $anOffset(name, value) {
+export function $anIndex(name, value) {
 	if (typeof value !== "number" || value !== (value & 0x7fffffff)) $refuse(null, name, value, "a whole number, 0 or more");
 }
 
@@ -109,12 +109,12 @@ export function $isMarked(value, mark) {
 	return value?.[mark] === $copy;
 }
 
-/** Throws if the value is no array, or if an element fails the test. `kind` is the required kind of an element, for example "an Agent". */
-export function $checkList(target, name, list, kind = "", test = null) {
-	if (!Array.isArray(list)) $refuse(target, name, list, kind === "" ? "an array" : `an array of ${kind.replace(/^an? /, "")}s`);
+/** Throws if the value is no array, or if an element fails the test. `expected` is what an element has to be, for example "an Agent". */
+export function $checkList(target, name, list, expected = "", test = null) {
+	if (!Array.isArray(list)) $refuse(target, name, list, expected === "" ? "an array" : `an array of ${expected.replace(/^an? /, "")}s`);
 	if (test === null) return;
 	const place = list.findIndex((each) => !test(each));
-	if (place >= 0) $refuse(target, `${name}[${place}]`, list[place], kind);
+	if (place >= 0) $refuse(target, `${name}[${place}]`, list[place], expected);
 }
 
 /** A point or a vector that a public method takes: a Vector3D, or one with the x, y and z that something else has at the call. */
@@ -128,8 +128,8 @@ export function $point(target, name, value) {
 	return value instanceof Vector3D ? value : new Vector3D(value.x, value.y, value.z);
 }
 
-/** What the elements of a list have to be. */
-const $KINDS = { Number: "a number", int: "an integer from -2147483648 to 2147483647", uint: "an integer from 0 to 4294967295" };
+/** What the elements of a list of numbers have to be. */
+const $NUMBER_TYPES = { Number: "a number", int: "an integer from -2147483648 to 2147483647", uint: "an integer from 0 to 4294967295" };
 
 /** The numbers for a Vector argument of a public method: an array, or a copy of a typed array as an array. */
 export function $numbers(target, name, list, type, isNullable) {
@@ -141,7 +141,7 @@ export function $numbers(target, name, list, type, isNullable) {
 	for (let i = 0; i < list.length; i++) {
 		const value = list[i];
 		const isOfType = typeof value === "number" && (type === "Number" || value === (type === "int" ? value | 0 : value >>> 0));
-		if (!isOfType) $refuse(target, `${name}[${i}]`, value, $KINDS[type]);
+		if (!isOfType) $refuse(target, `${name}[${i}]`, value, $NUMBER_TYPES[type]);
 		if (isView) numbers[i] = value;
 	}
 	return numbers;

@@ -2,7 +2,7 @@
 import { $aFiniteNumber, $refuse } from "../checks.mjs";
 import { ArgumentError } from "../language.mjs";
 import { $hintOfName } from "./spelling.mjs";
-import { $warn } from "./warn.mjs";
+import { $functionKind, $warn } from "./warn.mjs";
 
 /** How many arguments a constructor takes, and which others it gets: by their number. */
 const $NUMBERS_TAKEN = [["no arguments", "those that it got"], ["1 argument", "the others"], ["2 arguments", "the others"]];
@@ -62,8 +62,8 @@ export function $warnOfAccepts(accepts) {
 	if (typeof accepts !== "function") return;
 	const text = Function.prototype.toString.call(accepts);
 	const hasBlock = /^(?:function\b|\w+\s*\(|[^=]*=>\s*\{)/.test(text);
-	if (/^async\b/.test(text)) {
-		$warn("accepts is an async function, whose promise counts as true for every agent: it has to answer at once");
+	if (/^Async|^Generator/.test($functionKind(accepts))) {
+		$warn("accepts is an async function or a generator, whose result counts as true for every agent: it has to answer at once");
 	} else if (hasBlock && !/\breturn\b|\bthrow\b|\[native code\]/.test(text)) {
 		$warn("accepts returns nothing, so no agent counts: it returns true for those that do");
 	}

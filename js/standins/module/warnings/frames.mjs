@@ -1,7 +1,7 @@
 /** What a Collision's frames tell: no handler is called, no agent has a breed that is named, or all agents are new. */
 import { $refuseNoAgent } from "./arguments.mjs";
 import { $isProbablyMisspelt } from "./spelling.mjs";
-import { $keptOf, $warn } from "./warn.mjs";
+import { $getOrInsert, $warn } from "./warn.mjs";
 
 /** After so many frames without a call the breeds are looked at. */
 const $LONG_SILENCE = 300;
@@ -48,7 +48,7 @@ export function $isUpdated(collision) {
  */
 export function $warnOfSilence(collision, agents) {
 	$updates++;
-	const kept = $keptOf($collisions, collision, $newCollision);
+	const kept = $getOrInsert($collisions, collision, $newCollision);
 	const frames = kept.silentFrames;
 	if (frames > $LONG_SILENCE) return;
 	kept.silentFrames = collision.statistics.handlerCalls > 0 ? Infinity : frames + 1;
@@ -109,7 +109,7 @@ function $warnOfBreed(breed, likely, agents) {
  * Ids grow, so each agent of a list then has a greater one than all of the list before. It comes first, and refuses what is no agent.
  */
 export function $warnOfNewAgents(collision, agents) {
-	const kept = $keptOf($collisions, collision, $newCollision);
+	const kept = $getOrInsert($collisions, collision, $newCollision);
 	let least = Infinity;
 	let greatest = -Infinity;
 	for (let i = 0; i < agents.length; i++) {

@@ -1,7 +1,7 @@
 /** Handlers that are probably not what is meant: their parameters, and how they are added and removed. */
 import { parametersOf } from "../contacts.mjs";
 import { $updates } from "./frames.mjs";
-import { $breedsText, $keptOf, $warn } from "./warn.mjs";
+import { $breedsText, $functionKind, $getOrInsert, $warn } from "./warn.mjs";
 
 const $END = 4; // CollisionHandler.END
 
@@ -19,14 +19,16 @@ const $additions = /* @__PURE__ */ new WeakMap();
 
 /**
  * Warns of a handler with more parameters than it gets arguments, with the contact before the agents, of one that uses the contact
- * at the end of a touch, where it is null, and of one that is async. Handlers with fewer parameters are as common as methods without any.
+ * at the end of a touch, where it is null, and of one that is async or a generator. Handlers with fewer parameters are as common as methods without any.
  */
 export function $warnOfHandler(breed, otherBreed, handler, phase) {
 	const breeds = $breedsText(breed, otherBreed);
 	const name = `the handler ${handler.name || "without a name"} for ${breeds}`;
-	$keptOf($breedsOf, handler, () => new Set()).add(breeds);
+	$getOrInsert($breedsOf, handler, () => new Set()).add(breeds);
 	if (handler.length > 3) $warn(`${name} has ${handler.length} parameters, and gets three arguments: the two agents and the contact`);
-	if (Object.prototype.toString.call(handler) === "[object AsyncFunction]") {
+	const kind = $functionKind(handler);
+	if (kind.endsWith("GeneratorFunction")) $warn(`${name} is a generator, so a call runs nothing of it: it has to be a function without *`);
+	if (kind === "AsyncFunction") {
 		$warn(`${name} is async: after an await its contact is another pair's, and its errors are not in handlerErrors. `
 			+ "Copy what you need of the contact first, and catch errors in the handler");
 	}
@@ -52,7 +54,7 @@ function $readsBlindly(text, name) {
 /** Warns of handlers of two breeds that are added in each frame, at the last of many in turn. */
 export function $warnOfAddition(collision, breed, otherBreed) {
 	const breeds = $breedsText(breed, otherBreed);
-	const additions = $keptOf($additions, collision, () => new Map());
+	const additions = $getOrInsert($additions, collision, () => new Map());
 	const before = additions.get(breeds);
 	if (before?.update === $updates) return;
 	const frames = $updates - before?.update <= $MOST_COLLISIONS ? before.frames + 1 : 1;

@@ -1,7 +1,7 @@
 /** Properties that a game sets and the engine does not read, and traits that a collision system does not look at. */
 import { $inheritedBy } from "../shown.mjs";
 import { $changesBetween } from "./spelling.mjs";
-import { $keptOf, $rounded, $warn } from "./warn.mjs";
+import { $getOrInsert, $rounded, $warn } from "./warn.mjs";
 
 /** So many objects are looked at. */
 const $MOST_OBJECTS = 1000;
@@ -80,7 +80,7 @@ export function $warnOfUnknownProperties(object, isChanging) {
  */
 export function $warnOfLaterProperties(updated, agents) {
 	const collisionSystem = $systemOf(updated);
-	const looks = $keptOf($lookedAgain, updated, $newLooks);
+	const looks = $getOrInsert($lookedAgain, updated, $newLooks);
 	looks.updates++;
 	const isPowerOfTwo = (looks.updates & (looks.updates - 1)) === 0;
 	if (!isPowerOfTwo) return;

@@ -1,6 +1,6 @@
 /** Snapshots that have less than is probably meant: of no agents, or without the traits that a game does not put back itself. */
 import { $isUpdated } from "./frames.mjs";
-import { $keptOf, $rounded, $warn } from "./warn.mjs";
+import { $getOrInsert, $rounded, $warn } from "./warn.mjs";
 
 /** The byte of a snapshot that says what is in it, and the bit for traits: see Snapshots.as. */
 const $CONTENTS = 4;
@@ -21,7 +21,7 @@ export function $warnOfSnapshot(collision, withTraits) {
 			+ "it is of the list of the last collision.update(agents)");
 		return;
 	}
-	const taken = $keptOf($withoutTraits, collision, () => []);
+	const taken = $getOrInsert($withoutTraits, collision, () => []);
 	if (taken.length <= $MOST_SNAPSHOTS) taken.push(agents.map(({ id, x, y, z }) => ({ id, x, y, z })));
 }
 

@@ -82,29 +82,29 @@ const $HINT_OF_BREEDS = ". Breeds go into one: { breeds: [\"sheep\"] }";
 const $HINT_OF_SAVED = ". JSON does not keep bytes: a saved game has them as text. See docs/snapshots.md in the package, \"A saved game\"";
 
 /** What an error says about a value of the wrong kind: what is probably meant by it. `given` is the call, a colon, and the argument's name. */
-export function $hintOfValue(value, kind, given) {
-	const ofCall = $meantInCall(value, kind, given);
+export function $hintOfValue(value, expected, given) {
+	const ofCall = $meantInCall(value, expected, given);
 	if (ofCall !== "") return ofCall;
-	if (typeof value === "function" && kind.startsWith("an AgentFilter")) return ". A function goes into one: { accepts: (agent) => agent.size > 1 }";
-	if (typeof value === "number" && kind.startsWith("WalkOptions")) return $HINT_OF_WALK;
-	if (typeof value === "string" && kind === "an array of strings") return `; is [${JSON.stringify(value)}] meant?`;
+	if (typeof value === "function" && expected.startsWith("an AgentFilter")) return ". A function goes into one: { accepts: (agent) => agent.size > 1 }";
+	if (typeof value === "number" && expected.startsWith("WalkOptions")) return $HINT_OF_WALK;
+	if (typeof value === "string" && expected === "an array of strings") return `; is [${JSON.stringify(value)}] meant?`;
 	if (typeof value !== "object" || value === null) return "";
-	if (kind.startsWith("an AgentFilter") && Array.isArray(value)) return typeof value[0] === "string" ? $HINT_OF_BREEDS : $HINT_OF_LIST;
-	if (kind === "an array" && "sweeps" in value) return ": all agents are in one, [level, hero]";
+	if (expected.startsWith("an AgentFilter") && Array.isArray(value)) return typeof value[0] === "string" ? $HINT_OF_BREEDS : $HINT_OF_LIST;
+	if (expected === "an array" && "sweeps" in value) return ": all agents are in one, [level, hero]";
 	if (typeof value.then === "function") return ": await it first";
-	if (kind === "an array of Agents" && "sweeps" in value) return ": put it into one, [agent]";
-	if (kind.startsWith("a Vector3D")) return Array.isArray(value) ? ". A point is an object: { x: 1, y: 2, z: 3 }" : $whatIsUndefined(value);
-	if (kind === "a SeenAgents" && "collisionSystem" in value) return ": new SeenAgents(collision) makes one of it";
-	if (kind === "a number" && $FILTER.some((name) => name in value)) {
+	if (expected === "an array of Agents" && "sweeps" in value) return ": put it into one, [agent]";
+	if (expected.startsWith("a Vector3D")) return Array.isArray(value) ? ". A point is an object: { x: 1, y: 2, z: 3 }" : $whatIsUndefined(value);
+	if (expected === "a SeenAgents" && "collisionSystem" in value) return ": new SeenAgents(collision) makes one of it";
+	if (expected === "a number" && $FILTER.some((name) => name in value)) {
 		return `. A filter is an argument after it${/: (?:radius|maxDistance)$/.test(given) ? ". Infinity is no limit" : ""}`;
 	}
-	if (kind === "a number" && "x" in value && "y" in value) return ". It takes the numbers of a point one by one: point.x, point.y, point.z";
+	if (expected === "a number" && "x" in value && "y" in value) return ". It takes the numbers of a point one by one: point.x, point.y, point.z";
 	const isDrawn = value.isObject3D || value.isBufferGeometry;
-	return kind === "a Model" && isDrawn ? ". modelFromObject() and levelFromObject() of starlogo-collision/three make a model of it" : "";
+	return expected === "a Model" && isDrawn ? ". modelFromObject() and levelFromObject() of starlogo-collision/three make a model of it" : "";
 }
 
 /** The hint about an argument of one call, or about one of a list. */
-function $meantInCall(value, kind, given) {
+function $meantInCall(value, expected, given) {
 	if (/^Collision\.(?:on\w+|removeHandler): (?:breed|otherBreed)$/.test(given)) return $meantByBreed(value);
 	const isSome = value !== null && /object|string/.test(typeof value) && typeof value.then !== "function";
 	if (given === "Collision.restore: bytes" && isSome) return $HINT_OF_SAVED;
@@ -113,7 +113,7 @@ function $meantInCall(value, kind, given) {
 	if (call && breeds.length > 0 && breeds.every((each) => typeof each === "string" && Number.isNaN(Number(each)))) {
 		return `. Breeds are in a filter after it: ${call}(..., Infinity, { breeds: ${JSON.stringify(breeds)} })`;
 	}
-	const isNested = Array.isArray(value) && given.endsWith("]") && /^an? (?:number|integer)/.test(kind);
+	const isNested = Array.isArray(value) && given.endsWith("]") && /^an? (?:number|integer)/.test(expected);
 	return isNested ? ". All numbers are in one flat list: list.flat()" : "";
 }
 

@@ -2,7 +2,7 @@
  * Walks and other motions that go wrong: too far in a frame, down without end, stopped by what should be walked through, begun inside of
  * a level.
  */
-import { $keptOf, $rounded, $warn } from "./warn.mjs";
+import { $getOrInsert, $rounded, $warn } from "./warn.mjs";
 
 /** So many walks in turn that go down steeply are a fall. */
 const $LONG_FALL = 200;
@@ -37,7 +37,7 @@ const $stops = /* @__PURE__ */ new Map();
  * ground that it walks on. And of many walks in turn that are probably each the way of a second.
  */
 export function $warnOfFall(agent, dx, dy) {
-	const walker = $keptOf($walkers, agent, $newWalker);
+	const walker = $getOrInsert($walkers, agent, $newWalker);
 	const way = Math.hypot(dx, dy);
 	$countStride(walker, agent, way);
 	$countFall(walker, agent, way);

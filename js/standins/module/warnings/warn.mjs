@@ -19,11 +19,16 @@ export function $hasWarned(key) {
 	return $warned.has(key);
 }
 
-/** What a WeakMap keeps of an object. `first` makes it for a new one. */
-export function $keptOf(map, object, first) {
-	let kept = map.get(object);
-	if (kept === undefined) map.set(object, kept = first(object));
-	return kept;
+/** The value of a WeakMap for an object. If there is none, `make` makes it. */
+export function $getOrInsert(map, object, make) {
+	let value = map.get(object);
+	if (value === undefined) map.set(object, value = make(object));
+	return value;
+}
+
+/** What a function is, as the language says it: "Function", "AsyncFunction", "GeneratorFunction" or "AsyncGeneratorFunction". */
+export function $functionKind(call) {
+	return Object.prototype.toString.call(call).slice(8, -1);
 }
 
 /** The text of a number, with three digits. */

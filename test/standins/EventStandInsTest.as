@@ -335,7 +335,7 @@ package standins
                 });
             owner.dispatchEvent(new of["Event"]("a"));
             to.note("text", String(dispatcher));
-            for each (var constant:String in ["COMPLETE", "ENTER_FRAME", "OPEN", "ADDED_TO_STAGE", "CANCEL", "RESIZE"])
+            for each (var constant:String in ["COMPLETE", "ENTER_FRAME", "ADDED_TO_STAGE", "CANCEL", "RESIZE"])
             {
                 to.note(constant, of.Event[constant]);
             }

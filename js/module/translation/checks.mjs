@@ -13,9 +13,6 @@ import { warningsOf, warningsOfMember } from "./warnings.mjs";
 /** Classes that are recognised by a mark of their own. Naming them would bring all the classes that they use into every bundle. By qualified names. */
 const MARKED = new Set(["starlogo.GreatLand", "starlogo.libraries.FitStore", "starlogo.terrain.Terrain", "starlogo.terrain.WorldBounds"]);
 
-/** Classes with many methods of several numbers, which are in every bundle, and whose speed does not matter. By qualified names. */
-const COMPACT = new Set(["flash.geom.Matrix3D"]);
-
 /** Classes whose fields are written by the engine's own loops, or by the engine alone. They are not checked. By simple names. */
 const UNCHECKED_CLASS_NAMES = new Set([
 	"BoundingStructure", "Box", "Capsule", "CastHit", "CollisionStatistics", "Contact", "Cylinder", "ErrorEvent", "Footing", "HierarchyNode",
@@ -53,11 +50,7 @@ export class Checks {
 		const isPublic = (each) => each.isPublic && !each.isPrivate;
 		const member = kind === "function" ? type : type?.members.find((each) => each.name === name && each.kind === kind && isPublic(each));
 		const parameters = member?.parameters ?? [];
-		const numbers = parameters.filter((parameter) => parameter.type === "Number");
-		const together = COMPACT.has(qname) && member?.kind === "method" && numbers.length > 1 ? numbers : [];
-		const names = together.map((parameter) => parameter.name).join(", ");
-		const checks = together.length > 0 ? [`$checkNumbers("${type.name}.${name}: ${names}", ${names});`] : [];
-		for (const parameter of parameters) if (!together.includes(parameter)) checks.push(...this.#check(type, member, parameter));
+		const checks = parameters.flatMap((parameter) => this.#check(type, member, parameter));
 		return [...switchesOf(type, member), ...checks, ...checkOfInner(type, member), ...warningsOf(qname, name, kind, parameters)];
 	}
 

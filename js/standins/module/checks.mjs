@@ -96,14 +96,6 @@ export function $aFunction(name, value) {
 	if (typeof value !== "function") $refuse(null, name, value, "a function");
 }
 
-/** Throws if one of a method's arguments is no number. `names` is the method, a colon, and the arguments' names. */
-export function $checkNumbers(names, ...values) {
-	const place = values.findIndex((value) => typeof value !== "number");
-	if (place < 0) return;
-	const [method, list] = names.split(": ");
-	$refuse(method, list.split(", ")[place], values[place], "a number");
-}
-
 /** Whether an object's class has such a mark, in this copy of the engine. */
 export function $isMarked(value, mark) {
 	return value?.[mark] === $copy;

@@ -22,10 +22,5 @@ package flash.events
         {
             return new ErrorEvent(type, bubbles, cancelable, text, errorID);
         }
-
-        override public function toString():String
-        {
-            return formatToString("ErrorEvent", "type", "bubbles", "cancelable", "eventPhase", "text");
-        }
     }
 }

@@ -1,5 +1,7 @@
 package flash.events
 {
+    import standin.Machine;
+
     /** An event and its target. It is only sent to its target and does not travel further. */
     public class Event
     {
@@ -7,7 +9,6 @@ package flash.events
         public static const CANCEL:String = "cancel";
         public static const COMPLETE:String = "complete";
         public static const ENTER_FRAME:String = "enterFrame";
-        public static const OPEN:String = "open";
         public static const REMOVED_FROM_STAGE:String = "removedFromStage";
         public static const RESIZE:String = "resize";
 
@@ -99,7 +100,7 @@ package flash.events
 
         public function toString():String
         {
-            return formatToString("Event", "type", "bubbles", "cancelable", "eventPhase");
+            return formatToString(Machine.className(this).split("::").pop(), "type", "bubbles", "cancelable", "eventPhase");
         }
 
         internal function arrive(target:Object):void

@@ -15,10 +15,5 @@ package flash.events
         {
             return new IOErrorEvent(type, bubbles, cancelable, text, errorID);
         }
-
-        override public function toString():String
-        {
-            return formatToString("IOErrorEvent", "type", "bubbles", "cancelable", "eventPhase", "text");
-        }
     }
 }

@@ -15,10 +15,5 @@ package flash.events
         {
             return new SecurityErrorEvent(type, bubbles, cancelable, text, errorID);
         }
-
-        override public function toString():String
-        {
-            return formatToString("SecurityErrorEvent", "type", "bubbles", "cancelable", "eventPhase", "text");
-        }
     }
 }

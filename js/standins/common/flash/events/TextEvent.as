@@ -1,5 +1,7 @@
 package flash.events
 {
+    import standin.Machine;
+
     /** An event with a text. */
     public class TextEvent extends Event
     {
@@ -21,7 +23,7 @@ package flash.events
 
         override public function toString():String
         {
-            return formatToString("TextEvent", "type", "bubbles", "cancelable", "eventPhase", "text");
+            return formatToString(Machine.className(this).split("::").pop(), "type", "bubbles", "cancelable", "eventPhase", "text");
         }
     }
 }

@@ -20,10 +20,5 @@ package flash.events
         {
             return new TimerEvent(type, bubbles, cancelable);
         }
-
-        override public function toString():String
-        {
-            return formatToString("TimerEvent", "type", "bubbles", "cancelable", "eventPhase");
-        }
     }
 }

@@ -76,10 +76,6 @@ export function $anInt(name, value) {
 	if (typeof value !== "number" || value !== (value | 0)) $refuse(null, name, value, "a whole number");
 }
 
-export function $anIndex(name, value) {
-	if (typeof value !== "number" || value !== (value & 0x7fffffff)) $refuse(null, name, value, "a whole number, 0 or more");
-}
-
 export function $aUint(name, value) {
 	if (typeof value !== "number" || value !== value >>> 0) $refuse(null, name, value, "a whole number");
 }

@@ -6,7 +6,7 @@ const $sources = /* @__PURE__ */ new WeakMap();
 
 /** The adapter's warnings: see Model.$internals. */
 export function $warningsForAdapters() {
-	return { keepSource: $keepSource, ofNoModel: $adviseOfNoModel, ofScale: $adviseOfScale, ofParent: $adviseOfParent, errorOfVertex: $errorOfVertex };
+	return { keepSource: $keepSource, ofNoModel: $warnOfNoModel, ofScale: $warnOfScale, ofParent: $warnOfParent, errorOfVertex: $errorOfVertex };
 }
 
 /** Keeps of which source a model was made. */
@@ -28,7 +28,7 @@ function $errorOfVertex(name, vertices, meshes) {
 }
 
 /** Warns of a binding without the model that was made of the object, whose place and size in it are needed. */
-function $adviseOfNoModel(agent, object) {
+function $warnOfNoModel(agent, object) {
 	const { name, matrix } = $sources.get(object) ?? $sources.get(object.geometry) ?? {};
 	if (name === undefined || name !== agent.shape || matrix.every((value, i) => Math.abs(value - (i % 5 === 0 ? 1 : 0)) < 1e-6)) return;
 	$warn(`new ThreeAgentBinding(agent, object) draws ${agent} elsewhere, or of another size, than it collides: the model ${JSON.stringify(name)} `
@@ -36,7 +36,7 @@ function $adviseOfNoModel(agent, object) {
 }
 
 /** Warns of an object with a non-uniform scale of its own, which no model has: updateObject() would set it to the agent's size. */
-function $adviseOfScale(agent, object) {
+function $warnOfScale(agent, object) {
 	const sizes = object.scale.toArray();
 	if (!object.matrixAutoUpdate || Math.max(...sizes.map(Math.abs)) <= (1 + 1e-6) * Math.min(...sizes.map(Math.abs))) return;
 	$warn(`the object of ${agent} has a scale of its own, (${sizes.map($rounded).join(", ")}), which is not in its model and which updateObject() overwrites. `
@@ -44,7 +44,7 @@ function $adviseOfScale(agent, object) {
 }
 
 /** Warns of a level below a parent that is moved or scaled in the scene. It may be the land, so it is no error. */
-function $adviseOfParent(name, object) {
+function $warnOfParent(name, object) {
 	if (!object.parent) return;
 	const { elements } = object.parent.matrixWorld;
 	const [x, y, z] = [12, 13, 14].map((i) => elements[i]);

@@ -4,7 +4,6 @@ package flash.events
     public class ProgressEvent extends Event
     {
         public static const PROGRESS:String = "progress";
-        public static const SOCKET_DATA:String = "socketData";
 
         public var bytesLoaded:Number;
         public var bytesTotal:Number;

@@ -6,7 +6,6 @@ package flash.events
     public class TextEvent extends Event
     {
         public static const LINK:String = "link";
-        public static const TEXT_INPUT:String = "textInput";
 
         public var text:String;
 

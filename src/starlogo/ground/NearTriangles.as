@@ -12,7 +12,7 @@ package starlogo.ground
     internal final class NearTriangles
     {
         /** The triangle that <code>next()</code> has found. Read only. */
-        public var triangle:NearTriangle = null;
+        public var triangle:GroundTriangle = null;
 
         private var _search:GroundSearch;
         private var _pieces:ModelPieces;
@@ -20,7 +20,7 @@ package starlogo.ground
 
         // The triangles so far. If they are not kept, the first one is overwritten. The list grows during the first searches, up to the triangles of few
         // cells. So later frames allocate nothing.
-        private var _found:Vector.<NearTriangle> = new Vector.<NearTriangle>();
+        private var _found:Vector.<GroundTriangle> = new Vector.<GroundTriangle>();
         private var _count:int = 0;
 
         // Whether they are kept, until fewer nodes are left than when the search began.
@@ -28,7 +28,7 @@ package starlogo.ground
         private var _nodesLeftAtSearch:int = 0;
 
         // Those near the box of the current leaf. They are chosen if a triangle of the leaf is the current piece.
-        private var _leafTriangles:Vector.<NearTriangle> = new Vector.<NearTriangle>();
+        private var _leafTriangles:Vector.<GroundTriangle> = new Vector.<GroundTriangle>();
         private var _leafTriangleCount:int = 0;
         private var _isInLeaf:Boolean = false;
 
@@ -160,19 +160,19 @@ package starlogo.ground
             }
             if (_count == _found.length)
             {
-                _found.push(new NearTriangle());
+                _found.push(new GroundTriangle());
             }
             if (!_source.next(_found[_count]))
             {
                 return false;
             }
-            _found[_count].update(_source);
+            _found[_count].prepare(_source);
             _count++;
             return true;
         }
 
         // Whether a triangle is near the box: the box comes near the triangle's own box, and is not all in front of its plane.
-        private function isNear(triangle:NearTriangle):Boolean
+        private function isNear(triangle:GroundTriangle):Boolean
         {
             var box:GroundBox = _box;
             var other:GroundBox = triangle.box;
@@ -197,7 +197,7 @@ package starlogo.ground
         }
 
         // Whether the current piece, a triangle of the model, is all in front of a triangle's plane.
-        private function isInFront(triangle:NearTriangle):Boolean
+        private function isInFront(triangle:GroundTriangle):Boolean
         {
             var corners:Vector.<Number> = _pieces.corners;
             var normal:Vector3D = triangle.plane.normal;

@@ -44,7 +44,7 @@ package starlogo.ground
         }
 
         /** The current triangle of the ground. */
-        public function get triangle():NearTriangle
+        public function get triangle():GroundTriangle
         {
             return _triangles.triangle;
         }

@@ -317,13 +317,6 @@ package starlogo.hierarchy
             _count = 0;
         }
 
-        /** Removes all nodes. */
-        public function removeNodes():void
-        {
-            _count = 0;
-            completeNodes();
-        }
-
         private function addNode(from:int, to:int, level:int):void
         {
             var node:int = _count;

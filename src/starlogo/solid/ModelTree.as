@@ -3,18 +3,18 @@
 // of two trees. Where the visit ends, boxes decide or triangles. Read ModelTree first, then TreeQuery and TreeTreeQuery, then TrianglePairKernel.
 // 
 // question              | a tree and a structure   | two trees              | a tree and a ray
-// who is asked          | TreeStructureQuery       | TreeTreeQuery          | TreeRayEntryQuery (the first place), TreeRayCrossingQuery (all)
+// who is asked          | TreeStructureQuery       | TreeTreeQuery          | TreeRayQuery
 // 
 // boxes decide
 // whether they touch    | NodeImpactVisitor        | OverlapTraversal       | -
 // when or where first   | NodeImpactVisitor        | ImpactTraversal        | who is asked
-// the distance          | NodeDistanceVisitor      | DistanceTraversal      | -
+// the distance          | StructureDistanceVisitor | DistanceTraversal      | -
 // the contact           | StructurePairs           | StructurePairs         | -
 // 
 // triangles decide
 // whether they touch    | TriangleImpactVisitor    | TrianglePairKernel     | -
 // when or where first   | TriangleImpactVisitor    | TrianglePairKernel     | who is asked, by a ShearedRay
-// the distance          | TriangleDistanceVisitor  | TrianglePairKernel     | -
+// the distance          | StructureDistanceVisitor | TrianglePairKernel     | -
 // the contact           | TriangleImpactVisitor    | TriangleContactFinder  | -
 // 
 // what is inside        | ModelTree.isInside()     | who is asked           | ModelTree.isInside()

@@ -7,14 +7,8 @@ package starlogo.solid
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.hierarchy.BestPair;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.DistanceTraversal;
-    import starlogo.hierarchy.ImpactTraversal;
-    import starlogo.hierarchy.NodePairKernel;
-    import starlogo.hierarchy.OverlapTraversal;
     import starlogo.hierarchy.TreeCounts;
-    import starlogo.hierarchy.TreePair;
     import starlogo.intersection.StructurePairs;
 
     use namespace engine;
@@ -170,7 +164,7 @@ package starlogo.solid
         }
 
         // What decides about two nodes: their triangles, or null for their boxes. The motion is that of b.
-        private function kernelFor(motion:RelativeMotion):NodePairKernel
+        private function kernelFor(motion:RelativeMotion):TrianglePairKernel
         {
             return isExact ? _pairKernel.begin(_a.mesh, _b.mesh, _trees, motion) : null;
         }

@@ -11,14 +11,13 @@ package starlogo.solid
     import starlogo.bounding.Sphere;
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ConvexShape;
+    import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.OverlapTraversal;
     import starlogo.hierarchy.HierarchyNode;
-    import starlogo.hierarchy.TreePair;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.intersection.intersects;
@@ -131,7 +130,7 @@ package starlogo.solid
             {
                 var a:ModelTree = random.pick([bear, ball]);
                 var b:ModelTree = random.pick([bear, ball]);
-                pose.setBetween(randomPlacement(random), randomPlacement(random));
+                pose.setBetween(randomPlacement(random), randomPlacement(random), RelativeMotion.NONE, 0);
                 trees.a = a.boxTree;
                 trees.b = b.boxTree;
                 trees.depthA = random.integer(1, 6);

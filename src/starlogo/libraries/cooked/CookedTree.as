@@ -136,7 +136,6 @@ package starlogo.libraries.cooked
         private function refuse():void
         {
             isRefused = true;
-            _tree.removeNodes();
         }
 
         private function readNodes():Boolean

@@ -1,9 +1,11 @@
-package starlogo.hierarchy
+package starlogo.solid
 {
     import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
+    import starlogo.hierarchy.BoxTree;
+    import starlogo.hierarchy.RelativePose;
     import starlogo.intersection.boxes.BoxPair;
 
     /**

@@ -25,13 +25,13 @@ package starlogo.solid
     use namespace engine;
 
     /** Rays against models: through edges and corners, and by their hierarchies at every depth. CastTest compares them with loops over all triangles. */
-    public class TreeRayEntryQueryTest
+    public class TreeRayQueryTest
     {
         public static const FIXTURES:Array = ["/assets/bear.obj", "/assets/kelp.obj", "/assets/fortress.obj", "/assets/seagull.dae"];
 
         private static const DEPTHS:Array = [1, 2, 3, 5, 8, 40];
 
-        private var _rays:TreeRayEntryQuery = new TreeRayEntryQuery();
+        private var _rays:TreeRayQuery = new TreeRayQuery();
         private var _entry:RayEntry = new RayEntry();
         private var _random:SeededRandom = new SeededRandom(2211);
         private var _structures:RandomStructures = new RandomStructures(_random);

@@ -1,6 +1,8 @@
-package starlogo.hierarchy
+package starlogo.solid
 {
     import flash.errors.IllegalOperationError;
+    import starlogo.hierarchy.BoxTree;
+    import starlogo.hierarchy.TreeCounts;
 
     /**
      * Finds the best pair of nodes of two trees, by branch and bound, depth-first (thesis §4.6; Larsen, Gottschalk, Lin and Manocha, "Fast
@@ -9,10 +11,8 @@ package starlogo.hierarchy
      *
      * <p>Which pair is best depends on the question, and each question has a subclass: when two moving trees first touch, how far two trees
      * are apart. Whether two standing trees overlap needs no bounds: see OverlapTraversal.</p>
-     *
-     * @private
      */
-    public class BestPairTraversal
+    internal class BestPairTraversal
     {
         private var _best:BestPair = new BestPair();
 
@@ -34,7 +34,7 @@ package starlogo.hierarchy
          * @param kernel decides about such nodes; null if their boxes decide
          * @return the best pair; the next search overwrites it
          */
-        protected final function find(trees:TreePair, kernel:NodePairKernel):BestPair
+        protected final function find(trees:TreePair, kernel:TrianglePairKernel):BestPair
         {
             var treeA:BoxTree = trees.a;
             var treeB:BoxTree = trees.b;
@@ -102,7 +102,7 @@ package starlogo.hierarchy
         }
 
         /** Measures two nodes that decide, by the kernel, or by their boxes if it is null. If they are better than the best pair so far, they become it. */
-        protected function measure(trees:TreePair, a:int, b:int, kernel:NodePairKernel, out:BestPair):void
+        protected function measure(trees:TreePair, a:int, b:int, kernel:TrianglePairKernel, out:BestPair):void
         {
             throw new IllegalOperationError(this + " does not implement measure");
         }

@@ -1,9 +1,11 @@
-package starlogo.hierarchy
+package starlogo.solid
 {
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
-    import starlogo.intersection.boxes.BoxSeparation;
+    import starlogo.hierarchy.BoxTree;
+    import starlogo.hierarchy.TreeCounts;
     import starlogo.intersection.boxes.BoxPair;
+    import starlogo.intersection.boxes.BoxSeparation;
 
     /**
      * Decides whether two standing trees overlap. It is like BestPairTraversal, but without bounds, because each pair overlaps
@@ -51,7 +53,7 @@ package starlogo.hierarchy
          * @param kernel decides about such nodes; null if their boxes decide
          * @return APART, ONLY_ROOTS or OVERLAPPING
          */
-        public function find(trees:TreePair, kernel:NodePairKernel):int
+        public function find(trees:TreePair, kernel:TrianglePairKernel):int
         {
             var pair:BoxPair = _pair;
             var margin:Number = trees.pose.margin;

@@ -1,17 +1,19 @@
-package starlogo.hierarchy
+package starlogo.solid
 {
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.convex.RelativeMotion;
+    import starlogo.hierarchy.BoxSearch;
+    import starlogo.hierarchy.BoxTree;
+    import starlogo.hierarchy.NodeVisitor;
+    import starlogo.hierarchy.TreeCounts;
     import starlogo.intersection.StructurePairs;
 
     /**
      * Decides when a structure first touches the boxes of a tree, and whether it does if it is still (thesis §5.2). The kernel of the two decides
      * about a node.
-     *
-     * @private
      */
-    public final class NodeImpactVisitor extends NodeVisitor
+    internal final class NodeImpactVisitor extends NodeVisitor
     {
         // Finds the nodes near the structure.
         private var _search:BoxSearch;

@@ -1,4 +1,4 @@
-package starlogo.hierarchy
+package starlogo.solid
 {
     import starlogo.convex.ClosestPoints;
 
@@ -6,10 +6,8 @@ package starlogo.hierarchy
      * The best pair of a BestPairTraversal so far, as a record: for times two nodes or items, for distances two points. a is of the first tree, and b of
      * the second. It has the time or distance and the bound too, because JavaScript engines allocate an
      * object for each Number that functions pass.
-     *
-     * @private
      */
-    public final class BestPair
+    internal final class BestPair
     {
         /** No larger time or distance counts. It is the best one found, or Infinity; a kernel of times may leave room for others at the same time. */
         public var limit:Number = Infinity;

@@ -11,7 +11,7 @@ package starlogo.solid
 
     /**
      * Finds the distance of two trees. The distance of two boxes' extents, along the axes of one box or the other, is a lower bound of the
-     * boxes' distance and takes few products. Only pairs that decide are measured exactly.
+     * boxes' distance and takes few products. Only pairs of leaves are measured exactly.
      *
      * <p>The results are nested, to the last bit: a result is never greater than the result for greater depths, or for the nodes'
      * triangles. Nodes are a little larger than the nodes below them (Tolerances.NESTING). That outweighs the rounding of short distances.
@@ -40,7 +40,7 @@ package starlogo.solid
         /**
          * Finds the closest points of two trees.
          *
-         * @param kernel decides about nodes that decide; null if their boxes do
+         * @param kernel measures the triangles of two leaves; null if their boxes are measured
          * @param out receives the points and their distance, in a's space
          */
         public function findClosest(trees:TreePair, kernel:TrianglePairKernel, out:ClosestPoints):void

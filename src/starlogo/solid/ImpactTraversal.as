@@ -9,7 +9,7 @@ package starlogo.solid
 
     /**
      * Finds when two moving trees first touch, as RelativeMotion says. Parents touch no later than their children. The axes of the edges are
-     * tried only for pairs whose boxes decide.
+     * tried only for pairs of leaves.
      */
     internal final class ImpactTraversal extends BestPairTraversal
     {
@@ -26,8 +26,8 @@ package starlogo.solid
          * Finds when two trees first touch.
          *
          * @param motion of tree b, from the pose on
-         * @param kernel decides about nodes that decide; null if their boxes do
-         * @return the nodes or items that touch first, and the time; the next search overwrites it
+         * @param kernel tests the triangles of two leaves; null if their boxes are tested
+         * @return the leaves or triangles that touch first, and the time; the next search overwrites it
          */
         public function findFirstPair(trees:TreePair, motion:RelativeMotion, kernel:TrianglePairKernel):BestPair
         {

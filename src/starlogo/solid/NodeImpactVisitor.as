@@ -10,8 +10,8 @@ package starlogo.solid
     import starlogo.intersection.StructurePairs;
 
     /**
-     * Decides when a structure first touches the boxes of a tree, and whether it does if it is still (thesis §5.2). The kernel of the two decides
-     * about a node.
+     * Decides when a structure first touches the boxes of a tree, and whether it does if it is still (thesis §5.2). The kernel of the two tests
+     * a leaf.
      */
     internal final class NodeImpactVisitor extends NodeVisitor
     {
@@ -33,13 +33,13 @@ package starlogo.solid
         }
 
         /**
-         * Finds when a structure first touches a node that decides, and which one.
+         * Finds when a structure first touches a leaf of the search, and which one.
          *
          * @param depth how many of the tree's levels are visited
          * @param structure in the tree's space, enlarged by the margin of its place
          * @param motion of the structure; receives the time, and its latest time is overwritten. If it is still, the
          *     structure touches at time 0 or never
-         * @return the node, or -1
+         * @return the leaf, or -1
          */
         public function findFirstNode(tree:BoxTree, depth:int, structure:BoundingStructure, motion:RelativeMotion):int
         {

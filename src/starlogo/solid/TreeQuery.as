@@ -81,7 +81,7 @@ package starlogo.solid
         }
 
         /**
-         * It is the contact of two triangles that touch there, or of two nodes that decide. If one model is inside of the other, it is the contact of
+         * It is the contact of two triangles that touch there, or of two leaves. If one model is inside of the other, it is the contact of
          * the boxes of their roots.
          *
          * @inheritDoc

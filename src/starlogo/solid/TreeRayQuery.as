@@ -94,7 +94,7 @@ package starlogo.solid
             if (_first >= 0 && _mesh != null)
             {
                 _mesh.readTriangle(_first, _corners);
-                _shearedRay.writeEntry(_corners, _shearedRay.first, model.boxTree.items[_first], out);
+                _shearedRay.writeEntry(_corners, _shearedRay.first, model.boxTree.primitives[_first], out);
                 return true;
             }
             return _first >= 0 && enters(model.boxTree, _first, out);
@@ -152,7 +152,7 @@ package starlogo.solid
             for (var i:int = tree.firstSlot[node]; i < tree.endSlot[node]; i++)
             {
                 _mesh.readTriangle(i, _corners);
-                _shearedRay.addCrossing(_corners, tree.items[i], _all);
+                _shearedRay.addCrossing(_corners, tree.primitives[i], _all);
             }
         }
 

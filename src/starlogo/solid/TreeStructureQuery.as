@@ -71,7 +71,7 @@ package starlogo.solid
         {
             pose.setBetween(placementA, placementB, RelativeMotion.NONE, 0);
             var slot:int = _depth == BoxTree.EXACT ? _distance.find(_tree, _depth, placed(), _measured) : -1;
-            return slot < 0 ? -1 : _tree.boxTree.items[slot];
+            return slot < 0 ? -1 : _tree.boxTree.primitives[slot];
         }
 
         /** @inheritDoc */
@@ -92,7 +92,7 @@ package starlogo.solid
             if (_depth == BoxTree.EXACT)
             {
                 _triangleImpact.findContact(found, motion, out);
-                out.triangle = _tree.boxTree.items[found];
+                out.triangle = _tree.boxTree.primitives[found];
             }
             else
             {

@@ -92,7 +92,7 @@ package starlogo.solid
             var pair:TreeStructureQuery = _treeAndStructure;
             var out:ClosestPoints = new ClosestPoints();
             var corners:Vector.<Number> = new Vector.<Number>(9);
-            for (var slot:int = bear.boxTree.itemCount - 1; slot > cube.boxTree.itemCount; slot -= 100)
+            for (var slot:int = bear.boxTree.primitiveCount - 1; slot > cube.boxTree.primitiveCount; slot -= 100)
             {
                 bear.mesh.readTriangle(slot, corners);
                 var sphere:Sphere = new Sphere(new Vector3D(corners[0], corners[1], corners[2]), 1e-6);
@@ -114,7 +114,7 @@ package starlogo.solid
             assertEquals(0, out.a.x);
         }
 
-        /** The traversals find what a loop over all pairs of nodes that decide finds. */
+        /** The traversals find what a loop over all pairs of leaves finds. */
         [Test]
         public function boxesFindWhatStructuresDo():void
         {

@@ -73,7 +73,7 @@ package starlogo.solid
                     // some along an axis, towards vertices that have simple numbers
                     origin.setTo(_random.between(-2, 2), _random.between(-2, 2), _random.pick([-1, 2]) * _random.between(1, 2));
                 }
-                mesh.readTriangle(_random.integer(0, mesh.tree.itemCount - 1), corners);
+                mesh.readTriangle(_random.integer(0, mesh.tree.primitiveCount - 1), corners);
                 var share:Number = i % 3 == 0 ? 0 : _random.next();
                 var from:int = 3 * _random.integer(0, 2);
                 var to:int = (from + 3) % 9;

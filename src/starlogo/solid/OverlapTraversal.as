@@ -89,7 +89,7 @@ package starlogo.solid
                 result = ONLY_ROOTS;
                 if (!isLeafA || !isLeafB)
                 {
-                    top = pushChildren(trees, pair, a, isLeafA, b, isLeafB, isDeep(pair), top);
+                    top = pushChildren(trees, a, isLeafA, b, isLeafB, top);
                 }
                 else if (areBoxesTested || kernel.areTouching(a, b))
                 {
@@ -101,11 +101,13 @@ package starlogo.solid
         }
 
         // Puts the children of one node or of both in place of the pair, so that the nearest pair is visited first. Returns the new top of the stack.
-        private function pushChildren(trees:TreePair, pair:BoxPair, a:int, isLeafA:Boolean, b:int, isLeafB:Boolean, isDeep:Boolean, top:int):int
+        private function pushChildren(trees:TreePair, a:int, isLeafA:Boolean, b:int, isLeafB:Boolean, top:int):int
         {
+            var pair:BoxPair = _pair;
             var stack:Vector.<int> = _nodes;
-            var dividesA:Boolean = isDeep ? !isLeafA : trees.dividesA(a, isLeafA, b, isLeafB);
-            var dividesB:Boolean = isDeep ? !isLeafB : !dividesA;
+            var dividesBoth:Boolean = isDeep(pair);
+            var dividesA:Boolean = dividesBoth ? !isLeafA : trees.dividesA(a, isLeafA, b, isLeafB);
+            var dividesB:Boolean = dividesBoth ? !isLeafB : !dividesA;
             var nearer:int;
             if (dividesA)
             {

@@ -11,8 +11,6 @@ package benchmark
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.OverlapTraversal;
-    import starlogo.hierarchy.TreePair;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.libraries.HierarchiesLibrary;
@@ -20,6 +18,8 @@ package benchmark
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
     import starlogo.solid.ModelTree;
+    import starlogo.solid.OverlapTraversal;
+    import starlogo.solid.TreePair;
     import starlogo.solid.TreeStructureQuery;
     import starlogo.solid.TreeTreeQuery;
     import support.Fixtures;
@@ -107,7 +107,7 @@ package benchmark
                 {
                     _trees.a = _trees.b = a.boxTree;
                     _trees.depthA = _trees.depthB = DEPTH;
-                    _trees.pose.setBetween(first[i], second[i]);
+                    _trees.pose.setBetween(first[i], second[i], RelativeMotion.NONE, 0);
                     var answer:Boolean = traversal.find(_trees, null) == OverlapTraversal.OVERLAPPING;
                     if (answers != null)
                     {

@@ -85,7 +85,7 @@ package starlogo.ground
             var kernel:TriangleKernel = _pairs.pieces.kernel;
             while (_pairs.nextTriangle())
             {
-                var near:NearTriangle = _pairs.triangle;
+                var near:GroundTriangle = _pairs.triangle;
                 if (!near.plane.areApart(kernel.shape, RelativeMotion.NONE) && kernel.areTouching(near.corners))
                 {
                     return true;
@@ -107,7 +107,7 @@ package starlogo.ground
             _pairs.begin(sweep, 0);
             while (_firstImpact.time > 0 && _pairs.next())
             {
-                var near:NearTriangle = _pairs.triangle;
+                var near:GroundTriangle = _pairs.triangle;
                 if (near.plane.areApart(kernel.shape, sweep))
                 {
                     continue;

@@ -111,7 +111,7 @@ package starlogo.ground
             _pairs.begin(RelativeMotion.NONE, 0);
             while (_pairs.next())
             {
-                var near:NearTriangle = _pairs.triangle;
+                var near:GroundTriangle = _pairs.triangle;
                 near.plane.findBehind(_pairs.pieces.kernel.shape, RelativeMotion.NONE, _tried);
                 // deeper by more than rounding
                 if (_tried.depth >= out.depth + near.margin && isThrough(near.corners, _tried))

@@ -1,11 +1,14 @@
 package starlogo.ground
 {
+    import starlogo.convex.TrianglePlane;
+    import starlogo.geometry.Touching;
+
     /**
-     * A triangle of the ground's surface, as a record.
+     * A triangle of the ground's surface, as a record. What the tests of all pieces of a model share is set by <code>prepare()</code>.
      *
      * @private
      */
-    public class GroundTriangle
+    public final class GroundTriangle
     {
         /** The corners, nine numbers; counter-clockwise as seen from outside of the ground. */
         public var corners:Vector.<Number> = new Vector.<Number>(9, true);
@@ -15,5 +18,21 @@ package starlogo.ground
 
         /** A sphere with this radius around the triangle's middle contains it. It need not be the smallest. */
         public var radius:Number = 0;
+
+        /** A box around it. */
+        internal var box:GroundBox = new GroundBox();
+
+        /** Its plane, and how far from it other shapes still touch it, because its surface is rounded (see Touching). */
+        internal var plane:TrianglePlane = new TrianglePlane();
+        internal var margin:Number = 0;
+
+        /** Sets the box, which is larger by the slack of its source, the plane and the margin. */
+        internal function prepare(source:GroundTriangles):void
+        {
+            box.setToTriangle(corners);
+            box.grow(source.slack);
+            plane.setTriangle(corners, 0);
+            margin = Touching.marginOfSurface(radius);
+        }
     }
 }

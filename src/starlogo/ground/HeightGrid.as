@@ -1,7 +1,7 @@
 // This room says how shapes and rays meet the ground, a solid whose surface is triangles over a grid of heights. HeightGrid has the heights, and
 // HeightPyramid bounds of them. Three parts build on these:
 // - GroundTriangles finds the triangles near the box of a GroundSearch: square by square (BoxPath), then those of each cell (CellTriangles).
-// - GroundModelQuery tests a model. PieceTrianglePairs are its convex pieces (ModelPieces), each with the triangles near it (NearTriangles).
+// - GroundModelQuery tests a model. PieceTrianglePairs are its convex pieces (ModelPieces), each with the triangles near it.
 // GroundPenetrationQuery finds how deep the model is, GroundExits a lower bound of the lengths of its exits.
 // - GroundRayQuery tests a ray, and GroundEarlyOut decides about most agents by the heights alone.
 // Read this file first, then GroundSearch, GroundTriangles and GroundModelQuery.
@@ -12,7 +12,8 @@ package starlogo.ground
     import starlogo.geometry.Tolerances;
 
     /**
-     * The heights of a terrain, and its holes: how high the ground is at a place.
+     * The heights of a terrain, and its holes: how high the ground is at a place. It is copied on write: who changes it changes
+     * <code>writable()</code>, which is a copy while frames hold the grid.
      *
      * <p>Frequent questions write to records, because V8 allocates an object for each Number that is passed or returned.</p>
      *

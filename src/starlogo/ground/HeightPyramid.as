@@ -1,7 +1,7 @@
 package starlogo.ground
 {
     /**
-     * Bounds of the heights of a grid, for squares of its cells: the least height, the greatest height, and how much neighbours differ. A square of
+     * A min-max mipmap of the heights of a grid: for squares of its cells the least height, the greatest height, and how much neighbours differ. A square of
      * level 1 is 8 cells wide, and a square of each next level is 8 squares wide. The last level is one square.
      *
      * <p>The heights and the holes around a square count too, because walls lead to them, and slopes end at the next square's first heights.</p>

@@ -202,7 +202,7 @@ package starlogo.ground
         private function enterNode(node:int):void
         {
             var tree:BoxTree = _tree.boxTree;
-            if (_depth != BoxTree.EXACT && tree.endsUpToDepth[node] >= _depth)
+            if (_depth != BoxTree.EXACT && tree.leafUpToDepth[node] >= _depth)
             {
                 enterStructure(tree.boxOf(node), NODE_BOX);
                 return;

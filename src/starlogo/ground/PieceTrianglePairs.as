@@ -14,11 +14,17 @@ package starlogo.ground
      *
      * <p>After <code>begin()</code>, <code>next()</code> goes through the pairs. If the pieces count too, <code>nextPiece()</code> goes through them, and
      * <code>nextTriangle()</code> through the triangles near the current one. The limits may be narrowed meanwhile.</p>
+     *
+     * <p>The triangles near an inner node that comes to few cells are found once, and kept for the pieces inside of it: each box is tested against them.
+     * If the pieces of a leaf are triangles, those near the leaf's box are chosen first, and only these are tested.</p>
      */
     internal final class PieceTrianglePairs
     {
         /** The pieces. A query may move the model before it begins. */
         public var pieces:ModelPieces = new ModelPieces();
+
+        /** The current triangle of the ground. Read only. */
+        public var triangle:GroundTriangle = null;
 
         /**
          * The search for the triangles near the current piece. Its origin is the place that the model was set to: pieces, triangles and contacts are
@@ -26,7 +32,27 @@ package starlogo.ground
          */
         public var search:GroundSearch = new GroundSearch();
 
-        private var _triangles:NearTriangles = new NearTriangles(search, pieces);
+        private var _source:GroundTriangles = new GroundTriangles();
+
+        // The triangles so far. If they are not kept, the first one is overwritten. The list grows during the first searches, up to the triangles of few
+        // cells. So later frames allocate nothing.
+        private var _found:Vector.<GroundTriangle> = new Vector.<GroundTriangle>();
+        private var _count:int = 0;
+
+        // Whether they are kept, until fewer nodes are left than when the search began.
+        private var _areKept:Boolean = false;
+        private var _nodesLeftAtSearch:int = 0;
+
+        // Those near the box of the current leaf. They are chosen if a triangle of the leaf is the current piece.
+        private var _leafTriangles:Vector.<GroundTriangle> = new Vector.<GroundTriangle>();
+        private var _leafTriangleCount:int = 0;
+        private var _isInLeaf:Boolean = false;
+
+        // The place of the next triangle in the list of the current piece.
+        private var _next:int = 0;
+
+        // The box around the whole motion of the current piece, or of the leaf around it.
+        private var _box:GroundBox = new GroundBox();
 
         // The ground under a point of the current piece, its normal there, and the piece's lowest point along this normal, relative to the origin.
         private var _under:GroundPoint = new GroundPoint();
@@ -43,12 +69,6 @@ package starlogo.ground
             pieces.setTo(tree, structure, placement, depth);
         }
 
-        /** The current triangle of the ground. */
-        public function get triangle():NearTriangle
-        {
-            return _triangles.triangle;
-        }
-
         /**
          * Begins.
          *
@@ -58,7 +78,9 @@ package starlogo.ground
          */
         public function begin(motion:RelativeMotion, maxDistance:Number):void
         {
-            _triangles.stop();
+            _source.stop();
+            _areKept = _isInLeaf = false;
+            _next = _count = 0;
             pieces.begin();
             search.motion = motion;
             search.maxDistance = maxDistance;
@@ -83,8 +105,8 @@ package starlogo.ground
         {
             while (pieces.next())
             {
-                _triangles.begin();
-                if (pieces.kind != ModelPieces.INNER_NODE || !_triangles.next())
+                beginPiece();
+                if (pieces.kind != ModelPieces.INNER_NODE || !nextNear())
                 {
                     return true;
                 }
@@ -93,10 +115,179 @@ package starlogo.ground
             return false;
         }
 
+        /** Goes on to the next triangle near the piece. Returns false if there is none. */
+        public function nextTriangle():Boolean
+        {
+            if (!nextNear())
+            {
+                return false;
+            }
+            pieces.ensureShape();
+            // SquareSeparation may read the margin of any triangle: none is more than its slack
+            pieces.kernel.shape.margin = pieces.shapeMargin + triangle.margin;
+            return true;
+        }
+
+        // Begins with the triangles near the current piece.
+        private function beginPiece():void
+        {
+            var isLeafTriangle:Boolean = pieces.kind == ModelPieces.TRIANGLE && _areKept;
+            _next = 0;
+            if (!isLeafTriangle)
+            {
+                beginWithBox();
+            }
+            else if (!_isInLeaf)
+            {
+                chooseForLeaf();
+            }
+            _isInLeaf = isLeafTriangle;
+        }
+
+        // Begins to go through the triangles near the box of the current piece.
+        private function beginWithBox():void
+        {
+            if (pieces.kind == ModelPieces.TRIANGLE)
+            {
+                _box.setToTriangle(pieces.corners);
+                _box.grow(pieces.shapeMargin);
+            }
+            else
+            {
+                _box.copyFrom(pieces.box);
+            }
+            if (!_areKept || pieces.nodesLeft < _nodesLeftAtSearch)
+            {
+                beginSearch();
+            }
+            if (!search.motion.isStill)
+            {
+                _box.extendAlong(search.motion);
+            }
+        }
+
+        // Begins to find the triangles near the box of the current piece.
+        private function beginSearch():void
+        {
+            search.box.copyFrom(_box);
+            search.shape = pieces.hasShapeInBox ? pieces.kernel.shape : null;
+            _source.begin(search);
+            _areKept = pieces.kind == ModelPieces.INNER_NODE && _source.beginsAtCells();
+            _nodesLeftAtSearch = pieces.nodesLeft;
+            _count = 0;
+        }
+
+        // Chooses the triangles near the box of the current leaf, whose first triangle is the current piece.
+        private function chooseForLeaf():void
+        {
+            _leafTriangleCount = 0;
+            while (nextFound())
+            {
+                _leafTriangles[_leafTriangleCount] = triangle;
+                _leafTriangleCount++;
+            }
+            _next = 0;
+        }
+
+        // Goes on to the next triangle near the piece, whose shape need not be set.
+        private function nextNear():Boolean
+        {
+            if (!_isInLeaf)
+            {
+                return nextFound();
+            }
+            while (_next < _leafTriangleCount)
+            {
+                triangle = _leafTriangles[_next];
+                _next++;
+                if (!isInFront())
+                {
+                    return true;
+                }
+            }
+            return false;
+        }
+
+        // Goes on to the next triangle near the box.
+        private function nextFound():Boolean
+        {
+            while (_next < _count || findMore())
+            {
+                triangle = _found[_next];
+                _next++;
+                if (isNear())
+                {
+                    return true;
+                }
+            }
+            return false;
+        }
+
+        // Finds one more triangle. Returns false if there is none.
+        private function findMore():Boolean
+        {
+            if (!_areKept)
+            {
+                _count = _next = 0;
+            }
+            if (_count == _found.length)
+            {
+                _found.push(new GroundTriangle());
+            }
+            if (!_source.next(_found[_count]))
+            {
+                return false;
+            }
+            _found[_count].prepare(_source);
+            _count++;
+            return true;
+        }
+
+        // Whether the current triangle is near the box: the box comes near the triangle's own box, and is not all in front of its plane.
+        private function isNear():Boolean
+        {
+            var box:GroundBox = _box;
+            var other:GroundBox = triangle.box;
+            var maxDistance:Number = search.maxDistance;
+            var x:Number = box.x - other.x;
+            var y:Number = box.y - other.y;
+            var z:Number = box.z - other.z;
+            var farX:Number = box.halfX + other.halfX + maxDistance;
+            var farY:Number = box.halfY + other.halfY + maxDistance;
+            var farZ:Number = box.halfZ + other.halfZ + maxDistance;
+            if (z > farZ || z < -farZ || x > farX || x < -farX || y > farY || y < -farY)
+            {
+                return false;
+            }
+            // the corner of the box that is farthest behind the plane
+            var normal:Vector3D = triangle.plane.normal;
+            x = normal.x > 0 ? box.x - box.halfX : box.x + box.halfX;
+            y = normal.y > 0 ? box.y - box.halfY : box.y + box.halfY;
+            z = normal.z > 0 ? box.z - box.halfZ : box.z + box.halfZ;
+            // a flat triangle has no plane
+            return !(normal.x * x + normal.y * y + normal.z * z - triangle.plane.max > maxDistance - search.minDepth + _source.slack);
+        }
+
+        // Whether the current piece, a triangle of the model, is all in front of the current triangle's plane.
+        private function isInFront():Boolean
+        {
+            var corners:Vector.<Number> = pieces.corners;
+            var normal:Vector3D = triangle.plane.normal;
+            var motion:RelativeMotion = search.motion;
+            var least:Number = normal.x * corners[0] + normal.y * corners[1] + normal.z * corners[2];
+            var other:Number = normal.x * corners[3] + normal.y * corners[4] + normal.z * corners[5];
+            least = other < least ? other : least;
+            other = normal.x * corners[6] + normal.y * corners[7] + normal.z * corners[8];
+            least = other < least ? other : least;
+            var travel:Number = (normal.x * motion.x + normal.y * motion.y + normal.z * motion.z) * motion.latestTime;
+            least = travel < 0 ? least + travel : least;
+            return least - triangle.plane.max > search.maxDistance - search.minDepth + pieces.shapeMargin + _source.slack;
+        }
+
         /** Whether a point of the current piece is at least this deep under the ground. */
         public function hasPointUnder(depth:Number):Boolean
         {
-            return isUnder(pieces.point, depth, _under);
+            return isUnder(pieces.point, depth);
         }
 
         /**
@@ -105,7 +296,7 @@ package starlogo.ground
          */
         public function isPartUnder():Boolean
         {
-            if (isUnder(pieces.point, 0, _under))
+            if (isUnder(pieces.point, 0))
             {
                 return true;
             }
@@ -119,29 +310,16 @@ package starlogo.ground
             _point.x = shape.x + shape.points[at] - shape.radius * _normal.x;
             _point.y = shape.y + shape.points[int(at + 1)] - shape.radius * _normal.y;
             _point.z = shape.z + shape.points[int(at + 2)] - shape.radius * _normal.z;
-            return isUnder(_point, 0, _under);
+            return isUnder(_point, 0);
         }
 
         // Finds the ground under a point. Returns whether the point is at least so deep under it.
-        private function isUnder(point:Vector3D, depth:Number, outGround:GroundPoint):Boolean
+        private function isUnder(point:Vector3D, depth:Number):Boolean
         {
-            outGround.x = point.x + search.origin.x;
-            outGround.y = point.y + search.origin.y;
-            search.grid.findHeight(outGround);
-            return outGround.height - depth >= point.z + search.origin.z;
-        }
-
-        /** Goes on to the next triangle near the piece. Returns false if there is none. */
-        public function nextTriangle():Boolean
-        {
-            if (!_triangles.next())
-            {
-                return false;
-            }
-            pieces.ensureShape();
-            // SquareSeparation may read the margin of any triangle: none is more than its slack
-            pieces.kernel.shape.margin = pieces.shapeMargin + _triangles.triangle.margin;
-            return true;
+            _under.x = point.x + search.origin.x;
+            _under.y = point.y + search.origin.y;
+            search.grid.findHeight(_under);
+            return _under.height - depth >= point.z + search.origin.z;
         }
 
         /** Moves a contact of the piece and the triangle into the world. */

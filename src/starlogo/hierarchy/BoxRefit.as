@@ -4,8 +4,8 @@ package starlogo.hierarchy
     import starlogo.steps.StepSequence;
 
     /**
-     * Gives all nodes of a tree boxes around the places where the vertices are now, in steps. The division of the items stays. The boxes are those
-     * that a BoxTreeBuilder gives to this division, to the last bit. Cost: linear in the number of items.
+     * Gives all nodes of a tree boxes around the places where the vertices are now, in steps. The division of the primitives stays. The boxes are those
+     * that a BoxTreeBuilder gives to this division, to the last bit. Cost: linear in the number of primitives.
      *
      * @private
      */

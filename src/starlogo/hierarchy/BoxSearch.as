@@ -4,7 +4,7 @@ package starlogo.hierarchy
     import starlogo.intersection.ray.Ray;
 
     /**
-     * Visits a tree, and calls a NodeVisitor for the nodes that decide (see BoxTree): those that an axis-aligned box may meet while it moves
+     * Visits a tree, and calls a NodeVisitor for the leaves of the search (see BoxTree): those that an axis-aligned box may meet while it moves
      * (<code>visitMet()</code>), or those that are near it (<code>visitNear()</code>). The nearer of two children comes first. A ray is a box without
      * extents (<code>visitAlong()</code>). A box that stands has no motion.
      *
@@ -145,7 +145,7 @@ package starlogo.hierarchy
             var absZ:Number = inverseZ < 0 ? -inverseZ : inverseZ;
             var boxes:Vector.<Number> = tree.boxes;
             var children:Vector.<int> = tree.left;
-            var ends:Vector.<int> = tree.endsUpToDepth;
+            var ends:Vector.<int> = tree.leafUpToDepth;
             // An exact visit ends at the nodes without children. It need not read another column.
             var isLimited:Boolean = depth < BoxTree.EXACT;
             var nodes:Vector.<int> = _nodes;
@@ -278,7 +278,7 @@ package starlogo.hierarchy
                     continue;
                 }
                 _counts.nodeVisits++;
-                if (tree.endsUpToDepth[node] >= depth)
+                if (tree.leafUpToDepth[node] >= depth)
                 {
                     visitor.visit(tree, node);
                     continue;

@@ -1,6 +1,6 @@
-// The package hierarchy keeps, builds and visits trees of boxes. A BoxTreeBuilder makes the nodes. A Search visits the nodes of one tree, and a Traversal
-// pairs of nodes of two trees (TreePair). Where they end, a Visitor decides about a node, and a Kernel about a pair. Read BoxTree first, then BoxSearch
-// and NodeVisitor, then OverlapTraversal and NodePairKernel. A TriangleMesh lists the corners of a tree's triangles in the order of the tree.
+// The package hierarchy keeps, builds and searches trees of boxes. A BoxTreeBuilder makes the nodes, and a BoxRefit moves them. A BoxSearch visits the nodes
+// of one tree, and calls a NodeVisitor at its leaves. A TriangleMesh lists the corners of a tree's triangles in the order of the tree. The package solid
+// asks trees, and visits pairs of nodes of two. Read BoxTree first, then BoxSearch and NodeVisitor.
 
 package starlogo.hierarchy
 {
@@ -9,23 +9,22 @@ package starlogo.hierarchy
     import starlogo.geometry.Tolerances;
 
     /**
-     * A model's tree of boxes (thesis §4.3). Its items are the model's triangles, or its vertices if it has no triangles.
+     * A model's tree of boxes (thesis §4.3). Its primitives are the model's triangles, or its vertices if it has no triangles.
      *
      * <p>A node is an index into the columns. The root is 0. The two children of a node stand side by side, after their parent. Once the
      * tree is made, only a BoxRefit changes it: it gives all nodes new boxes. Clients see a node as a HierarchyNode.</p>
      *
-     * <p>A leaf is a leaf of the thesis's tree. A tree of triangles goes on below its leaves, down to nodes with a few triangles, for exact tests.
-     * A visit ends at the nodes that its depth limit says (<code>endsUpToDepth</code>). They are the nodes that decide, by their boxes or their
-     * items.</p>
+     * <p>A tree of triangles goes on below the leaves of the thesis's tree, down to nodes with a few triangles, for exact tests. A search goes down to a
+     * depth. The nodes at which it ends are its leaves (<code>leafUpToDepth</code>). It tests them by their boxes, or in exact tests by their triangles.</p>
      *
      * @private
      */
     public final class BoxTree
     {
-        /** The depth limit of exact tests: a visit goes on below the leaves, to nodes without children. */
+        /** The depth of exact tests: a search goes on below the leaves of the thesis, to nodes without children. */
         public static const EXACT:int = int.MAX_VALUE;
 
-        /** The largest other depth limit. A visit with it ends at the leaves. */
+        /** The largest other depth: a search ends at the leaves of the thesis. */
         public static const LEAVES:int = int.MAX_VALUE - 1;
 
         // The boxes' margins are at least as large as if this were the model's largest coordinate. So no box is smaller than a structure may be.
@@ -34,14 +33,14 @@ package starlogo.hierarchy
         /** The model's vertices: x, y, z of each. */
         public var vertices:Vector.<Number>;
 
-        /** The model's triangles, three vertex indices each; null if the vertices are the items. */
+        /** The model's triangles, three vertex indices each; null if the vertices are the primitives. */
         public var triangles:Vector.<uint>;
 
         /**
-         * The items, so that those of a node stand side by side. An index into this list is a slot. An entry is an item's index in the model: that of a
-         * triangle or a vertex. Set before the nodes are made.
+         * The primitives in the order of the tree, so that those of a node stand side by side: the index in the model of each triangle or vertex. A slot
+         * is an index into this list. Set before the nodes are made.
          */
-        public var items:Vector.<int> = null;
+        public var primitives:Vector.<int> = null;
 
         /** Six numbers for each node: the middle of its box (x, y, z), and half of the box's extents. */
         public var boxes:Vector.<Number> = new Vector.<Number>();
@@ -49,17 +48,17 @@ package starlogo.hierarchy
         /** For each node, its left child, which is on the low side of the split. The right child is the next node. 0 if the node has no children. */
         public var left:Vector.<int> = new Vector.<int>();
 
-        /** For each node, the slot of its first item. */
+        /** For each node, the slot of its first primitive. */
         public var firstSlot:Vector.<int> = new Vector.<int>();
 
-        /** For each node, the slot after its last item. */
+        /** For each node, the slot after that of its last one. */
         public var endSlot:Vector.<int> = new Vector.<int>();
 
         /**
-         * For each node, the largest depth limit for which a visit ends at it: EXACT for a node without children, LEAVES for any other
-         * leaf or node below one, its level for a node above the leaves.
+         * For each node, the largest depth of the searches whose leaf it is: EXACT for a node without children, LEAVES for any other leaf of the thesis or
+         * node below one, its level for a node above these.
          */
-        public var endsUpToDepth:Vector.<int> = new Vector.<int>();
+        public var leafUpToDepth:Vector.<int> = new Vector.<int>();
 
         /** For each node, four times its level plus the axis along which it is split: see <code>levelOf()</code> and <code>axisOf()</code>. */
         internal var levelAndAxis:Vector.<int> = new Vector.<int>();
@@ -80,7 +79,7 @@ package starlogo.hierarchy
          * Creates a tree without nodes. A BoxTreeBuilder makes them, or a CookedTree.
          *
          * @param vertices x, y, z of each, at most 1e60
-         * @param triangles three vertex indices each, or null if the vertices are the items
+         * @param triangles three vertex indices each, or null if the vertices are the primitives
          */
         public function BoxTree(vertices:Vector.<Number>, triangles:Vector.<uint>)
         {
@@ -94,22 +93,22 @@ package starlogo.hierarchy
             return _count == 0 && left.length > 0;
         }
 
-        /** Whether the items are triangles; otherwise they are vertices. */
+        /** Whether the primitives are triangles; otherwise they are vertices. */
         public function get hasTriangles():Boolean
         {
             return triangles != null;
         }
 
-        /** The number of items. */
-        public function get itemCount():int
+        /** The number of primitives. */
+        public function get primitiveCount():int
         {
             return hasTriangles ? triangles.length / 3 : vertices.length / 3;
         }
 
-        /** Whether a node is a leaf, or below one. */
+        /** Whether a node is a leaf of the thesis, or below one. */
         public function isLeafOrBelow(node:int):Boolean
         {
-            return endsUpToDepth[node] >= LEAVES;
+            return leafUpToDepth[node] >= LEAVES;
         }
 
         /** The axis along which a node is split: 0, 1 or 2. */
@@ -142,7 +141,7 @@ package starlogo.hierarchy
         }
 
         /**
-         * The number of vertices of a node's items. Each vertex is counted once.
+         * The number of vertices of a node's primitives. Each vertex is counted once.
          *
          * @param enough the count may end when it is more than this
          */
@@ -156,7 +155,7 @@ package starlogo.hierarchy
             var count:int = 0;
             for (var i:int = firstSlot[node]; i < endSlot[node] && count <= enough; i++)
             {
-                for (var corner:int = 3 * items[i]; corner < 3 * items[i] + 3; corner++)
+                for (var corner:int = 3 * primitives[i]; corner < 3 * primitives[i] + 3; corner++)
                 {
                     if (isCounted[triangles[corner]] == undefined)
                     {
@@ -169,7 +168,7 @@ package starlogo.hierarchy
         }
 
         /**
-         * Reads the extents of some items together: minX, maxX, minY, maxY, minZ, maxZ.
+         * Reads the extents of some primitives together: minX, maxX, minY, maxY, minZ, maxZ.
          *
          * @param from the slot of the first of them
          * @param to the slot after the last of them
@@ -180,8 +179,8 @@ package starlogo.hierarchy
         {
             var points:Vector.<Number> = vertices;
             var corners:Vector.<uint> = triangles;
-            var slots:Vector.<int> = items;
-            var perItem:int = corners == null ? 1 : 3;
+            var slots:Vector.<int> = primitives;
+            var perPrimitive:int = corners == null ? 1 : 3;
             var minX:Number = Infinity;
             var minY:Number = Infinity;
             var minZ:Number = Infinity;
@@ -190,11 +189,11 @@ package starlogo.hierarchy
             var maxZ:Number = -Infinity;
             for (var i:int = from; i < to; i++)
             {
-                var corner:int = perItem * slots[i];
-                for (var last:int = corner + perItem; corner < last; corner++)
+                var corner:int = perPrimitive * slots[i];
+                for (var last:int = corner + perPrimitive; corner < last; corner++)
                 {
                     var vertex:int = corner;
-                    if (perItem == 3)
+                    if (perPrimitive == 3)
                     {
                         vertex = corners[corner];
                     }
@@ -268,23 +267,23 @@ package starlogo.hierarchy
          */
         public function beginNodes():void
         {
-            var room:int = Math.min(2 * itemCount, 0.4 * itemCount + 1000);
+            var room:int = Math.min(2 * primitiveCount, 0.4 * primitiveCount + 1000);
             boxes = new Vector.<Number>(6 * room);
             left = new Vector.<int>(room);
             firstSlot = new Vector.<int>(room);
             endSlot = new Vector.<int>(room);
-            endsUpToDepth = new Vector.<int>(room);
+            leafUpToDepth = new Vector.<int>(room);
             levelAndAxis = new Vector.<int>(room);
             _count = 0;
-            addNode(0, itemCount, 1);
+            addNode(0, primitiveCount, 1);
         }
 
         /**
          * Gives a node two children. They have no boxes yet.
          *
          * @param axis the axis along which it is split
-         * @param splitSlot the slot of the right child's first item
-         * @param isLeafOrBelow whether the node is a leaf, or below one
+         * @param splitSlot the slot of the right child's first primitive
+         * @param isLeafOrBelow whether the node is a leaf of the thesis, or below one
          * @return the left child
          */
         public function addChildren(node:int, axis:int, splitSlot:int, isLeafOrBelow:Boolean):int
@@ -292,7 +291,7 @@ package starlogo.hierarchy
             var level:int = levelOf(node);
             var child:int = _count;
             left[node] = child;
-            endsUpToDepth[node] = isLeafOrBelow ? LEAVES : level;
+            leafUpToDepth[node] = isLeafOrBelow ? LEAVES : level;
             levelAndAxis[node] = level << 2 | axis;
             addNode(firstSlot[node], splitSlot, level + 1);
             addNode(splitSlot, endSlot[node], level + 1);
@@ -309,19 +308,12 @@ package starlogo.hierarchy
                 left = left.slice(0, _count);
                 firstSlot = firstSlot.slice(0, _count);
                 endSlot = endSlot.slice(0, _count);
-                endsUpToDepth = endsUpToDepth.slice(0, _count);
+                leafUpToDepth = leafUpToDepth.slice(0, _count);
                 levelAndAxis = levelAndAxis.slice(0, _count);
             }
             boxes.length = 6 * _count;
-            left.length = firstSlot.length = endSlot.length = endsUpToDepth.length = levelAndAxis.length = _count;
+            left.length = firstSlot.length = endSlot.length = leafUpToDepth.length = levelAndAxis.length = _count;
             _count = 0;
-        }
-
-        /** Removes all nodes. */
-        public function removeNodes():void
-        {
-            _count = 0;
-            completeNodes();
         }
 
         private function addNode(from:int, to:int, level:int):void
@@ -330,11 +322,11 @@ package starlogo.hierarchy
             if (node == left.length)
             {
                 boxes.length = 12 * node;
-                left.length = firstSlot.length = endSlot.length = endsUpToDepth.length = levelAndAxis.length = 2 * node;
+                left.length = firstSlot.length = endSlot.length = leafUpToDepth.length = levelAndAxis.length = 2 * node;
             }
             firstSlot[node] = from;
             endSlot[node] = to;
-            endsUpToDepth[node] = EXACT;
+            leafUpToDepth[node] = EXACT;
             levelAndAxis[node] = level << 2;
             _count = node + 1;
         }

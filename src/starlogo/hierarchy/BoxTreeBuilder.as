@@ -4,21 +4,21 @@ package starlogo.hierarchy
     import starlogo.steps.StepSequence;
 
     /**
-     * Makes a tree of boxes from the root down (thesis §4.4): divides a node's items between two new nodes, and their items in turn.
+     * Makes a tree of boxes from the root down (thesis §4.4): divides a node's primitives between two new nodes, and their primitives in turn.
      *
      * <p>In a tree of triangles it goes on below the leaves (see BoxTree), down to a few triangles each, for exact tests and rays.</p>
      *
-     * <p>An item goes to the side of the split on which the centre of its extents is. The thesis splits halfway along the box's longest
+     * <p>A primitive goes to the side of the split on which the centre of its extents is. The thesis splits halfway along the box's longest
      * axis, or at the mean. If that leaves all triangles on one side, the split is halfway along the axis on which their centres are spread
-     * most. A node is a leaf if all its items have the same centre. Below the leaves such a node is divided by the number of its
-     * items. So is every node there from level Tolerances.NESTED_LEVELS on. Models of many parallel needles would make trees as deep as the
+     * most. A node is a leaf if all its primitives have the same centre. Below the leaves such a node is divided by the number of its
+     * primitives. So is every node there from level Tolerances.NESTED_LEVELS on. Models of many parallel needles would make trees as deep as the
      * number of their triangles otherwise.</p>
      *
      * <p>The thesis defines minVerticesToSplit in two ways: in §4.4 as the number of vertices up to which a node is not split, in §4.8 as
      * the smallest number that is split. A node with exactly that many vertices is a leaf here, as in §4.4, because §4.4 describes the
      * algorithm and §4.8 only lists its parameters.</p>
      *
-     * <p>It works in steps, each of one or two milliseconds for thousands of items.</p>
+     * <p>It works in steps, each of one or two milliseconds for thousands of primitives.</p>
      *
      * @private
      */
@@ -33,9 +33,9 @@ package starlogo.hierarchy
         // The most triangles of a node without children.
         private static const MAX_TRIANGLES:int = 8;
 
-        // The approximate work of a step, in items. Making a node counts as ITEMS_PER_NODE items.
-        private static const ITEMS_PER_STEP:int = 1000;
-        private static const ITEMS_PER_NODE:int = 10;
+        // The approximate work of a step, in primitives. Making a node counts as PRIMITIVES_PER_NODE primitives.
+        private static const PRIMITIVES_PER_STEP:int = 1000;
+        private static const PRIMITIVES_PER_NODE:int = 10;
 
         private var _tree:BoxTree;
         private var _maxLeafVertices:int;
@@ -51,7 +51,7 @@ package starlogo.hierarchy
         private var _isDividing:Boolean = false;
 
         /**
-         * @param tree without nodes; receives them, and the order of its items
+         * @param tree without nodes; receives them, and the order of its primitives
          * @param maxLeafVertices a node with at most this many vertices is a leaf
          * @param maxDepth a node on this level is a leaf
          * @param splitByMean whether to split at the mean, down to the leaves
@@ -62,7 +62,7 @@ package starlogo.hierarchy
             _maxLeafVertices = maxLeafVertices;
             _maxDepth = maxDepth;
             _splitByMean = splitByMean;
-            call(takeItems);
+            call(takePrimitives);
         }
 
         /** Whether a node of a tree has so many triangles that it must be divided, below the leaves too. */
@@ -72,18 +72,18 @@ package starlogo.hierarchy
         }
 
         /**
-         * Whether a node on a level below the leaves is divided in the middle of its items, wherever they are. So these levels are few, even if a
-         * division by place takes one item at a time.
+         * Whether a node on a level below the leaves is divided in the middle of its primitives, wherever they are. So these levels are few, even if a
+         * division by place takes one primitive at a time.
          */
         public static function isHalvedOnLevel(level:int):Boolean
         {
             return level >= Tolerances.NESTED_LEVELS;
         }
 
-        private function takeItems():void
+        private function takePrimitives():void
         {
             _partition = new TreePartition(_tree);
-            slices(_tree.itemCount, ITEMS_PER_STEP, _partition.measure).call(beginRoot).repeat(visitSome).call(_tree.completeNodes);
+            slices(_tree.primitiveCount, PRIMITIVES_PER_STEP, _partition.measure).call(beginRoot).repeat(visitSome).call(_tree.completeNodes);
         }
 
         private function beginRoot():void
@@ -97,11 +97,11 @@ package starlogo.hierarchy
 
         private function visitSome():Boolean
         {
-            var rest:int = ITEMS_PER_STEP;
+            var rest:int = PRIMITIVES_PER_STEP;
             while (rest > 0 && _waiting.length > 0)
             {
                 var node:int = _waiting[_waiting.length - 1];
-                rest -= _isDividing ? _tree.endSlot[node] - _tree.firstSlot[node] : ITEMS_PER_NODE;
+                rest -= _isDividing ? _tree.endSlot[node] - _tree.firstSlot[node] : PRIMITIVES_PER_NODE;
                 _isDividing = _isDividing ? advance(node) : beginNode(node);
                 if (!_isDividing)
                 {
@@ -172,7 +172,7 @@ package starlogo.hierarchy
                 halve(node);
                 return false;
             }
-            if (_partition.divideSome(ITEMS_PER_STEP))
+            if (_partition.divideSome(PRIMITIVES_PER_STEP))
             {
                 return true;
             }
@@ -195,14 +195,14 @@ package starlogo.hierarchy
             return false;
         }
 
-        // Divides a node by the number of its items.
+        // Divides a node by the number of its primitives.
         private function halve(node:int):void
         {
             _partition.halve(_tree.firstSlot[node], _tree.endSlot[node], longestAxisOf(node));
             makeChildren(node);
         }
 
-        // Makes the children of a node, whose items are divided.
+        // Makes the children of a node, whose primitives are divided.
         private function makeChildren(node:int):void
         {
             var child:int = _tree.addChildren(node, _partition.axis, _partition.splitSlot, _areLeavesOrBelow[_waiting.length - 1]);

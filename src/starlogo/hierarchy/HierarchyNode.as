@@ -94,7 +94,7 @@ package starlogo.hierarchy
          */
         public function triangleIndices(out:Vector.<int> = null):Vector.<int>
         {
-            return writeItems(_tree.hasTriangles, out);
+            return writePrimitives(_tree.hasTriangles, out);
         }
 
         /**
@@ -106,17 +106,17 @@ package starlogo.hierarchy
          */
         public function vertexIndices(out:Vector.<int> = null):Vector.<int>
         {
-            return writeItems(!_tree.hasTriangles, out);
+            return writePrimitives(!_tree.hasTriangles, out);
         }
 
-        private function writeItems(areAsked:Boolean, out:Vector.<int>):Vector.<int>
+        private function writePrimitives(areAsked:Boolean, out:Vector.<int>):Vector.<int>
         {
             var end:int = areAsked ? _tree.endSlot[_node] : 0;
             out ||= new Vector.<int>();
             out.length = 0;
             for (var i:int = _tree.firstSlot[_node]; i < end; i++)
             {
-                out.push(_tree.items[i]);
+                out.push(_tree.primitives[i]);
             }
             out.sort(Array.NUMERIC);
             return out;

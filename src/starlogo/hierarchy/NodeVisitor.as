@@ -3,8 +3,8 @@ package starlogo.hierarchy
     import flash.errors.IllegalOperationError;
 
     /**
-     * Decides about the nodes at which a BoxSearch ends, which calls it for each one, in the order in which its box may meet them, or from the
-     * nearest on. Abstract. A Node visitor decides by the boxes of the nodes. The package solid has others, which know the items.
+     * Tests the leaves of a BoxSearch, which calls it for each one, in the order in which its box may meet them, or from the nearest on. Abstract. A
+     * subclass knows what is looked for, and whether the boxes of the leaves are tested or their primitives.
      *
      * @private
      */
@@ -24,7 +24,7 @@ package starlogo.hierarchy
         }
 
         /**
-         * Decides about a node, by its box or its items.
+         * Tests a leaf of the search.
          *
          * @param tree the tree
          * @param node the node

@@ -30,18 +30,10 @@ package starlogo.hierarchy
          *
          * @param a the placement of a in the world
          * @param b the placement of b in the world
-         */
-        public function setBetween(a:Placement, b:Placement):void
-        {
-            setBetweenAt(a, b, RelativeMotion.NONE, 0);
-        }
-
-        /**
-         * Does what <code>setBetween()</code> does when a motion has brought a from its placement to another place.
-         *
+         * @param motion has brought a from its placement to another place: RelativeMotion.NONE if it stands
          * @param time of the motion
          */
-        public function setBetweenAt(a:Placement, b:Placement, motion:RelativeMotion, time:Number):void
+        public function setBetween(a:Placement, b:Placement, motion:RelativeMotion, time:Number):void
         {
             var relative:Placement = placement;
             var aX:Number = a.x + (motion.startX + time * motion.x);

@@ -3,14 +3,14 @@ package starlogo.hierarchy
     import starlogo.data.zeroedNumbers;
 
     /**
-     * The items of a tree while it is made: its triangles or its vertices. Divides the items of a node in two, and changes
-     * their order so that the items of each node stand side by side.
+     * The primitives of a tree while it is made: its triangles or its vertices. Divides the primitives of a node in two, and changes
+     * their order so that the primitives of each node stand side by side.
      *
      * @private
      */
     public final class TreePartition
     {
-        /** The extents of all items together after <code>measure()</code>. */
+        /** The extents of all primitives together after <code>measure()</code>. */
         public var allExtents:Vector.<Number> = new Vector.<Number>(6, true);
 
         /** After a division, the slot at which the second group begins. */
@@ -27,32 +27,32 @@ package starlogo.hierarchy
 
         private var _tree:BoxTree;
 
-        // The extents of each item, by its index: minX, maxX, minY, maxY, minZ, maxZ.
+        // The extents of each primitive, by its index: minX, maxX, minY, maxY, minZ, maxZ.
         private var _extents:Vector.<Number>;
 
-        // The current division. The items before splitSlot are in the first group, those after _last in the second one.
+        // The current division. The primitives before splitSlot are in the first group, those after _last in the second one.
         private var _last:int;
         private var _doubledSplit:Number;
 
         /**
-         * @param tree has the items; receives their order, which begins as that of their indices
+         * @param tree has the primitives; receives their order, which begins as that of their indices
          */
         public function TreePartition(tree:BoxTree)
         {
             _tree = tree;
             clear(allExtents);
-            var items:Vector.<int> = new Vector.<int>(tree.itemCount, true);
-            for (var i:int = 0; i < items.length; i++)
+            var primitives:Vector.<int> = new Vector.<int>(tree.primitiveCount, true);
+            for (var i:int = 0; i < primitives.length; i++)
             {
-                items[i] = i;
+                primitives[i] = i;
             }
-            tree.items = items;
+            tree.primitives = primitives;
         }
 
-        /** Measures a range of items. Must be called for all items before other methods. */
+        /** Measures a range of primitives. Must be called for all primitives before other methods. */
         public function measure(first:int, end:int):void
         {
-            _extents ||= zeroedNumbers(6 * _tree.items.length);
+            _extents ||= zeroedNumbers(6 * _tree.primitives.length);
             for (var i:int = first; i < end; i++)
             {
                 // the order is still that of the indices
@@ -61,22 +61,22 @@ package starlogo.hierarchy
             extend(allExtents, first, end);
         }
 
-        /** Twice the mean of the centres of some items along an axis. */
+        /** Twice the mean of the centres of some primitives along an axis. */
         public function doubledMeanOf(first:int, end:int, axis:int):Number
         {
             var sum:Number = 0;
             for (var i:int = first; i < end; i++)
             {
-                sum += doubledCentreOf(_tree.items[i], axis);
+                sum += doubledCentreOf(_tree.primitives[i], axis);
             }
             return sum / (end - first);
         }
 
         /**
-         * Begins a division: the items whose centre is below a splitting point move before the others.
+         * Begins a division: the primitives whose centre is below a splitting point move before the others.
          *
-         * @param first the slot of the first item
-         * @param end the slot after the last item
+         * @param first the slot of the first primitive
+         * @param end the slot after the last primitive
          * @param axis 0, 1 or 2
          * @param doubledSplit twice the coordinate of the splitting point
          */
@@ -91,10 +91,10 @@ package starlogo.hierarchy
         }
 
         /**
-         * Begins a division at the midpoint of the axis along which the centres of some items are spread most. Both groups will have items.
+         * Begins a division at the midpoint of the axis along which the centres of some primitives are spread most. Both groups will have primitives.
          *
-         * @param first the slot of the first item
-         * @param end the slot after the last item
+         * @param first the slot of the first primitive
+         * @param end the slot after the last primitive
          * @return false if no division is possible, because all centres are in one place, or so near that no number is between them
          */
         public function beginWhereCentresSpread(first:int, end:int):Boolean
@@ -110,7 +110,7 @@ package starlogo.hierarchy
                 var largest:Number = -Infinity;
                 for (var i:int = first; i < end; i++)
                 {
-                    var sum:Number = doubledCentreOf(_tree.items[i], along);
+                    var sum:Number = doubledCentreOf(_tree.primitives[i], along);
                     least = sum < least ? sum : least;
                     largest = sum > largest ? sum : largest;
                 }
@@ -127,14 +127,14 @@ package starlogo.hierarchy
         }
 
         /**
-         * Continues the division, and extends the extents of both groups. Items that are on the right side keep their places.
+         * Continues the division, and extends the extents of both groups. Primitives that are on the right side keep their places.
          *
-         * @param most the largest number of items to look at
-         * @return whether there are more items
+         * @param most the largest number of primitives to look at
+         * @return whether there are more primitives
          */
         public function divideSome(most:int):Boolean
         {
-            var items:Vector.<int> = _tree.items;
+            var primitives:Vector.<int> = _tree.primitives;
             var extents:Vector.<Number> = _extents;
             var along:int = 2 * axis;
             var doubledSplit:Number = _doubledSplit;
@@ -142,19 +142,19 @@ package starlogo.hierarchy
             var high:int = _last;
             for (var rest:int = most; rest > 0 && low <= high; rest--)
             {
-                var item:int = items[low];
-                var at:int = 6 * item + along;
+                var primitive:int = primitives[low];
+                var at:int = 6 * primitive + along;
                 if (extents[at] + extents[int(at + 1)] < doubledSplit)
                 {
                     low++;
                     continue;
                 }
-                var other:int = items[high];
+                var other:int = primitives[high];
                 at = 6 * other + along;
                 if (extents[at] + extents[int(at + 1)] < doubledSplit)
                 {
-                    items[low] = other;
-                    items[high] = item;
+                    primitives[low] = other;
+                    primitives[high] = primitive;
                     low++;
                 }
                 high--;
@@ -167,10 +167,10 @@ package starlogo.hierarchy
         }
 
         /**
-         * Divides some items by their number: each stays in its place.
+         * Divides some primitives by their number: each stays in its place.
          *
-         * @param first the slot of the first item
-         * @param end the slot after the last item
+         * @param first the slot of the first primitive
+         * @param end the slot after the last primitive
          * @param axis the axis that counts as that of the division
          */
         public function halve(first:int, end:int, axis:int):void
@@ -183,10 +183,10 @@ package starlogo.hierarchy
             extend(rightExtents, splitSlot, end);
         }
 
-        // Twice the centre of an item's extents along an axis.
-        private function doubledCentreOf(item:int, axis:int):Number
+        // Twice the centre of a primitive's extents along an axis.
+        private function doubledCentreOf(primitive:int, axis:int):Number
         {
-            var at:int = 6 * item + 2 * axis;
+            var at:int = 6 * primitive + 2 * axis;
             return _extents[at] + _extents[int(at + 1)];
         }
 
@@ -199,11 +199,11 @@ package starlogo.hierarchy
             }
         }
 
-        // Makes extents contain the items of some slots.
+        // Makes extents contain the primitives of some slots.
         private function extend(extents:Vector.<Number>, first:int, end:int):void
         {
-            var items:Vector.<int> = _tree.items;
-            var ofItems:Vector.<Number> = _extents;
+            var primitives:Vector.<int> = _tree.primitives;
+            var ofPrimitives:Vector.<Number> = _extents;
             var minX:Number = extents[0];
             var maxX:Number = extents[1];
             var minY:Number = extents[2];
@@ -212,17 +212,17 @@ package starlogo.hierarchy
             var maxZ:Number = extents[5];
             for (var i:int = first; i < end; i++)
             {
-                var at:int = 6 * items[i];
-                var low:Number = ofItems[at];
-                var high:Number = ofItems[int(at + 1)];
+                var at:int = 6 * primitives[i];
+                var low:Number = ofPrimitives[at];
+                var high:Number = ofPrimitives[int(at + 1)];
                 minX = low < minX ? low : minX;
                 maxX = high > maxX ? high : maxX;
-                low = ofItems[int(at + 2)];
-                high = ofItems[int(at + 3)];
+                low = ofPrimitives[int(at + 2)];
+                high = ofPrimitives[int(at + 3)];
                 minY = low < minY ? low : minY;
                 maxY = high > maxY ? high : maxY;
-                low = ofItems[int(at + 4)];
-                high = ofItems[int(at + 5)];
+                low = ofPrimitives[int(at + 4)];
+                high = ofPrimitives[int(at + 5)];
                 minZ = low < minZ ? low : minZ;
                 maxZ = high > maxZ ? high : maxZ;
             }

@@ -19,12 +19,12 @@ package starlogo.hierarchy
         /** @param tree the boxes around the triangles. Its nodes are made */
         public function TriangleMesh(tree:BoxTree)
         {
-            var items:Vector.<int> = tree.items;
+            var primitives:Vector.<int> = tree.primitives;
             var triangles:Vector.<uint> = tree.triangles;
-            var out:Vector.<int> = new Vector.<int>(3 * items.length, true);
-            for (var slot:int = 0; slot < items.length; slot++)
+            var out:Vector.<int> = new Vector.<int>(3 * primitives.length, true);
+            for (var slot:int = 0; slot < primitives.length; slot++)
             {
-                var from:int = 3 * items[slot];
+                var from:int = 3 * primitives[slot];
                 var to:int = 3 * slot;
                 out[to] = 3 * triangles[from];
                 out[int(to + 1)] = 3 * triangles[int(from + 1)];

@@ -1,20 +1,20 @@
 // The package solid says how a model meets another model, a structure or a ray, where the model's tree decides, or in exact tests its triangles.
-// A question goes to one of the classes in the first row. A Search of the package hierarchy then visits nodes of one tree, a Traversal pairs of nodes
-// of two trees. Where the visit ends, boxes decide or triangles. Read ModelTree first, then TreeQuery and TreeTreeQuery, then TrianglePairKernel.
+// A question goes to one of the classes in the first row. A BoxSearch of the package hierarchy then visits nodes of one tree, a Traversal pairs of
+// nodes of two trees. At the leaves of the search boxes decide, or triangles. Read ModelTree first, then TreeQuery and TreeTreeQuery, then TrianglePairKernel.
 // 
 // question              | a tree and a structure   | two trees              | a tree and a ray
-// who is asked          | TreeStructureQuery       | TreeTreeQuery          | TreeRayEntryQuery (the first place), TreeRayCrossingQuery (all)
+// who is asked          | TreeStructureQuery       | TreeTreeQuery          | TreeRayQuery
 // 
 // boxes decide
 // whether they touch    | NodeImpactVisitor        | OverlapTraversal       | -
 // when or where first   | NodeImpactVisitor        | ImpactTraversal        | who is asked
-// the distance          | NodeDistanceVisitor      | DistanceTraversal      | -
+// the distance          | StructureDistanceVisitor | DistanceTraversal      | -
 // the contact           | StructurePairs           | StructurePairs         | -
 // 
 // triangles decide
 // whether they touch    | TriangleImpactVisitor    | TrianglePairKernel     | -
 // when or where first   | TriangleImpactVisitor    | TrianglePairKernel     | who is asked, by a ShearedRay
-// the distance          | TriangleDistanceVisitor  | TrianglePairKernel     | -
+// the distance          | StructureDistanceVisitor | TrianglePairKernel     | -
 // the contact           | TriangleImpactVisitor    | TriangleContactFinder  | -
 // 
 // what is inside        | ModelTree.isInside()     | who is asked           | ModelTree.isInside()

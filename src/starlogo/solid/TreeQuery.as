@@ -46,14 +46,14 @@ package starlogo.solid
         /** @inheritDoc */
         override public final function areTouchingAt(motion:RelativeMotion, time:Number):Boolean
         {
-            pose.setBetweenAt(placementA, placementB, motion, time);
+            pose.setBetween(placementA, placementB, motion, time);
             return areTouchingInPose();
         }
 
         /** @inheritDoc */
         override public final function findImpactOfSurfaces(motion:RelativeMotion, out:ContactPoint):void
         {
-            pose.setBetweenAt(placementA, placementB, motion, 0);
+            pose.setBetween(placementA, placementB, motion, 0);
             RelativePose.writeMotion(placementA, motion, _motion);
             findImpactInPose(_motion, out);
             motion.time = _motion.time;
@@ -81,14 +81,14 @@ package starlogo.solid
         }
 
         /**
-         * It is the contact of two triangles that touch there, or of two nodes that decide. If one model is inside of the other, it is the contact of
+         * It is the contact of two triangles that touch there, or of two leaves. If one model is inside of the other, it is the contact of
          * the boxes of their roots.
          *
          * @inheritDoc
          */
         override public final function findContact(motion:RelativeMotion, out:ContactPoint):void
         {
-            pose.setBetweenAt(placementA, placementB, motion, motion.time);
+            pose.setBetween(placementA, placementB, motion, motion.time);
             RelativePose.writeMotion(placementA, motion, _motion);
             // Only what touches at once counts. The motion turns the contact to a plane that it comes against.
             _motion.latestTime = 0;
@@ -109,7 +109,7 @@ package starlogo.solid
          */
         public final function findClosest(areTouching:Boolean, out:ClosestPoints):void
         {
-            pose.setBetween(placementA, placementB);
+            pose.setBetween(placementA, placementB, RelativeMotion.NONE, 0);
             findClosestOfSurfaces(out);
             out.distance *= placementA.size;
             // a point of both is known already if the measured distance is 0

@@ -9,8 +9,6 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.NodeDistanceVisitor;
-    import starlogo.hierarchy.NodeImpactVisitor;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.intersection.StructurePairs;
     import starlogo.intersection.TriangleKernel;
@@ -32,8 +30,7 @@ package starlogo.solid
 
         private var _nodeImpact:NodeImpactVisitor;
         private var _triangleImpact:TriangleImpactVisitor;
-        private var _nodeDistance:NodeDistanceVisitor;
-        private var _triangleDistance:TriangleDistanceVisitor;
+        private var _distance:StructureDistanceVisitor;
 
         // The motion of a structure that stands; a search overwrites its times.
         private var _still:RelativeMotion = new RelativeMotion();
@@ -49,8 +46,7 @@ package starlogo.solid
         {
             _nodeImpact = new NodeImpactVisitor(counts);
             _triangleImpact = new TriangleImpactVisitor(_kernel, counts);
-            _nodeDistance = new NodeDistanceVisitor(counts);
-            _triangleDistance = new TriangleDistanceVisitor(_kernel, counts);
+            _distance = new StructureDistanceVisitor(_kernel, counts);
         }
 
         /**
@@ -73,9 +69,9 @@ package starlogo.solid
         /** Finds the number of the triangle that is nearest to the structure, as the model counts them; -1 if triangles do not decide. */
         public function findNearestTriangle():int
         {
-            pose.setBetween(placementA, placementB);
-            var slot:int = _depth == BoxTree.EXACT ? _triangleDistance.find(_tree, placed(), _measured) : -1;
-            return slot < 0 ? -1 : _tree.boxTree.items[slot];
+            pose.setBetween(placementA, placementB, RelativeMotion.NONE, 0);
+            var slot:int = _depth == BoxTree.EXACT ? _distance.find(_tree, _depth, placed(), _measured) : -1;
+            return slot < 0 ? -1 : _tree.boxTree.primitives[slot];
         }
 
         /** @inheritDoc */
@@ -96,7 +92,7 @@ package starlogo.solid
             if (_depth == BoxTree.EXACT)
             {
                 _triangleImpact.findContact(found, motion, out);
-                out.triangle = _tree.boxTree.items[found];
+                out.triangle = _tree.boxTree.primitives[found];
             }
             else
             {
@@ -140,14 +136,7 @@ package starlogo.solid
         /** @inheritDoc */
         override internal function findClosestOfSurfaces(out:ClosestPoints):void
         {
-            if (_depth == BoxTree.EXACT)
-            {
-                _triangleDistance.find(_tree, placed(), out);
-            }
-            else
-            {
-                _nodeDistance.find(_tree.boxTree, _depth, placedWidened(), out);
-            }
+            _distance.find(_tree, _depth, _depth == BoxTree.EXACT ? placed() : placedWidened(), out);
         }
 
         /** A structure that does not touch the surface is inside if one point of it is. @inheritDoc */

@@ -7,20 +7,14 @@ package starlogo.solid
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.hierarchy.BestPair;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.DistanceTraversal;
-    import starlogo.hierarchy.ImpactTraversal;
-    import starlogo.hierarchy.NodePairKernel;
-    import starlogo.hierarchy.OverlapTraversal;
     import starlogo.hierarchy.TreeCounts;
-    import starlogo.hierarchy.TreePair;
     import starlogo.intersection.StructurePairs;
 
     use namespace engine;
 
     /**
-     * Two placed trees. A traversal for each question visits pairs of nodes (thesis §4.6). The boxes of nodes decide, or for exact tests their
+     * Two placed trees. A traversal for each question visits pairs of nodes (thesis §4.6). It tests the boxes of leaves, or for exact tests their
      * triangles.
      *
      * @private
@@ -32,7 +26,7 @@ package starlogo.solid
         private var _b:ModelTree = null;
         private var _trees:TreePair = new TreePair();
 
-        // How triangles decide.
+        // Test triangles.
         private var _pairKernel:TrianglePairKernel;
         private var _contactFinder:TriangleContactFinder;
 
@@ -163,14 +157,14 @@ package starlogo.solid
             return false;
         }
 
-        // Whether triangles decide.
+        // Whether triangles are tested.
         private function get isExact():Boolean
         {
             return _trees.depthA == BoxTree.EXACT && _trees.depthB == BoxTree.EXACT;
         }
 
-        // What decides about two nodes: their triangles, or null for their boxes. The motion is that of b.
-        private function kernelFor(motion:RelativeMotion):NodePairKernel
+        // What tests two leaves: their triangles, or null for their boxes. The motion is that of b.
+        private function kernelFor(motion:RelativeMotion):TrianglePairKernel
         {
             return isExact ? _pairKernel.begin(_a.mesh, _b.mesh, _trees, motion) : null;
         }

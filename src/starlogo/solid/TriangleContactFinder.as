@@ -8,10 +8,8 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.placePoints;
-    import starlogo.hierarchy.BestPair;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
-    import starlogo.hierarchy.TreePair;
     import starlogo.intersection.TriangleKernel;
 
     use namespace engine;

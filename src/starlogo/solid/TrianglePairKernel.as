@@ -5,10 +5,7 @@ package starlogo.solid
     import starlogo.convex.TrianglePlane;
     import starlogo.engine;
     import starlogo.geometry.placePoints;
-    import starlogo.hierarchy.BestPair;
-    import starlogo.hierarchy.NodePairKernel;
     import starlogo.hierarchy.TreeCounts;
-    import starlogo.hierarchy.TreePair;
     import starlogo.hierarchy.TriangleMesh;
     import starlogo.intersection.TriangleKernel;
 
@@ -19,7 +16,7 @@ package starlogo.solid
      * triangles of b's node are placed in a's space, and kept as long as the next pairs have the same node. TriangleKernel decides about two triangles,
      * unless a quick test rules them out. TriangleContactFinder finds the contact of the two that touch first.
      */
-    internal final class TrianglePairKernel extends NodePairKernel
+    internal final class TrianglePairKernel
     {
         private var _meshA:TriangleMesh = null;
         private var _meshB:TriangleMesh = null;
@@ -67,7 +64,7 @@ package starlogo.solid
          * @param motion of b in a's space; RelativeMotion.NONE if it stands. <code>findEarlier()</code> overwrites its time and its latest time
          * @return this
          */
-        public function begin(a:TriangleMesh, b:TriangleMesh, trees:TreePair, motion:RelativeMotion):NodePairKernel
+        public function begin(a:TriangleMesh, b:TriangleMesh, trees:TreePair, motion:RelativeMotion):TrianglePairKernel
         {
             _trees = trees;
             _meshA = a;
@@ -80,7 +77,7 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function areTouching(a:int, b:int):Boolean
+        public function areTouching(a:int, b:int):Boolean
         {
             var count:int = placeTriangles(b);
             var end:int = _meshA.tree.endSlot[a];
@@ -103,7 +100,7 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function findEarlier(a:int, b:int, best:BestPair):void
+        public function findEarlier(a:int, b:int, best:BestPair):void
         {
             var first:int = _meshA.tree.firstSlot[a];
             var end:int = _meshA.tree.endSlot[a];
@@ -139,7 +136,7 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function findCloser(a:int, b:int, best:BestPair):void
+        public function findCloser(a:int, b:int, best:BestPair):void
         {
             var points:ClosestPoints = best.points;
             var count:int = placeTriangles(b);

@@ -70,6 +70,36 @@ package starlogo.queries
             assertEquals("a frame", 2, collider.findCollisions(new <Agent>[edge, rod]).length);
         }
 
+        // A body that is thinner than a cast's clearance is above a sheet, and does not touch it.
+        [Test]
+        public function aThinBoxCloseToASheetDoesNotPassIt():void
+        {
+            for each (var half:Number in [1, 50, 500])
+            {
+                var queries:AgentQueries = new AgentQueries(EachCollider.make("triangles", landOf(sheet("sheet", half))));
+                queries.update(new <Agent>[new Agent("sheet")]);
+                for (var thickness:Number = 1e-12; thickness < 1e-7; thickness *= 1.5)
+                {
+                    for (var gap:Number = half * 1e-12; gap < 1e-8; gap *= 2)
+                    {
+                        for each (var side:int in [1, -1])
+                        {
+                            var box:Box = new Box(new Vector3D(0.1, 0.2, side * (gap + thickness / 2)), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0.5, 0.5,
+                                    thickness / 2);
+                            var hit:ShapeHit = queries.castShape(box, 0, 0, -side);
+                            _wrong.addIf(hit == null || hit.time > 1.1 * gap + 1e-15, thickness + " thick, " + side * gap + " above " + 2 * half, String(hit));
+                        }
+                    }
+                }
+            }
+            _wrong.assertNone();
+        }
+
+        private static function sheet(name:String, half:Number):Model
+        {
+            return new Model(name, new <Number>[-half, -half, 0, half, -half, 0, half, half, 0, -half, half, 0], new <uint>[0, 1, 2, 0, 2, 3], Model.AS_GIVEN);
+        }
+
         [Test]
         public function aTriangleWithoutAreaIsMetOnIt():void
         {

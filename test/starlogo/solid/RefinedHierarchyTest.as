@@ -45,8 +45,8 @@ package starlogo.solid
             {
                 var hierarchy:ModelTree = hierarchyOf(model, 4);
                 hierarchy.preparedInterior();
-                var isListed:Vector.<Boolean> = new Vector.<Boolean>(hierarchy.boxTree.items.length, true);
-                for each (var triangle:int in hierarchy.boxTree.items)
+                var isListed:Vector.<Boolean> = new Vector.<Boolean>(hierarchy.boxTree.primitives.length, true);
+                for each (var triangle:int in hierarchy.boxTree.primitives)
                 {
                     assertTrue(!isListed[triangle]);
                     isListed[triangle] = true;
@@ -134,7 +134,7 @@ package starlogo.solid
             var box:Vector.<Number> = tree.boxes.slice(6 * node, 6 * node + 6);
             var extents:Vector.<Number> = new Vector.<Number>(6, true);
             var left:int = tree.left[node];
-            var isLeaf:Boolean = tree.endsUpToDepth[node] >= BoxTree.LEAVES;
+            var isLeaf:Boolean = tree.leafUpToDepth[node] >= BoxTree.LEAVES;
             assertTrue(tree.endSlot[node] > tree.firstSlot[node]);
             for (var i:int = tree.firstSlot[node]; i < tree.endSlot[node]; i++)
             {
@@ -147,7 +147,7 @@ package starlogo.solid
             }
             if (left == 0)
             {
-                assertEquals(int.MAX_VALUE, tree.endsUpToDepth[node]);
+                assertEquals(int.MAX_VALUE, tree.leafUpToDepth[node]);
                 assertTrue("triangles: " + (tree.endSlot[node] - tree.firstSlot[node]), tree.endSlot[node] - tree.firstSlot[node] <= MOST);
                 return 1;
             }
@@ -155,8 +155,8 @@ package starlogo.solid
             assertEquals(tree.endSlot[left], tree.firstSlot[left + 1]);
             assertEquals(tree.endSlot[node], tree.endSlot[left + 1]);
             assertEquals(tree.levelOf(node) + 1, tree.levelOf(left));
-            assertEquals(isLeaf ? BoxTree.LEAVES : tree.levelOf(node), tree.endsUpToDepth[node]);
-            assertTrue("below a leaf are leaves", !isLeaf || tree.endsUpToDepth[left] >= BoxTree.LEAVES && tree.endsUpToDepth[left + 1] >= BoxTree.LEAVES);
+            assertEquals(isLeaf ? BoxTree.LEAVES : tree.levelOf(node), tree.leafUpToDepth[node]);
+            assertTrue("below a leaf are leaves", !isLeaf || tree.leafUpToDepth[left] >= BoxTree.LEAVES && tree.leafUpToDepth[left + 1] >= BoxTree.LEAVES);
             return check(tree, left) + check(tree, left + 1);
         }
 

@@ -11,14 +11,13 @@ package starlogo.solid
     import starlogo.bounding.Sphere;
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ConvexShape;
+    import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.OverlapTraversal;
     import starlogo.hierarchy.HierarchyNode;
-    import starlogo.hierarchy.TreePair;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.intersection.intersects;
@@ -93,7 +92,7 @@ package starlogo.solid
             var pair:TreeStructureQuery = _treeAndStructure;
             var out:ClosestPoints = new ClosestPoints();
             var corners:Vector.<Number> = new Vector.<Number>(9);
-            for (var slot:int = bear.boxTree.itemCount - 1; slot > cube.boxTree.itemCount; slot -= 100)
+            for (var slot:int = bear.boxTree.primitiveCount - 1; slot > cube.boxTree.primitiveCount; slot -= 100)
             {
                 bear.mesh.readTriangle(slot, corners);
                 var sphere:Sphere = new Sphere(new Vector3D(corners[0], corners[1], corners[2]), 1e-6);
@@ -115,7 +114,7 @@ package starlogo.solid
             assertEquals(0, out.a.x);
         }
 
-        /** The traversals find what a loop over all pairs of nodes that decide finds. */
+        /** The traversals find what a loop over all pairs of leaves finds. */
         [Test]
         public function boxesFindWhatStructuresDo():void
         {
@@ -131,7 +130,7 @@ package starlogo.solid
             {
                 var a:ModelTree = random.pick([bear, ball]);
                 var b:ModelTree = random.pick([bear, ball]);
-                pose.setBetween(randomPlacement(random), randomPlacement(random));
+                pose.setBetween(randomPlacement(random), randomPlacement(random), RelativeMotion.NONE, 0);
                 trees.a = a.boxTree;
                 trees.b = b.boxTree;
                 trees.depthA = random.integer(1, 6);

@@ -11,7 +11,7 @@ package starlogo.libraries.cooked
     import starlogo.steps.Steps;
 
     /**
-     * Writes how a tree divides its items into a section of a cooked file, and restores the tree from that in steps. The boxes are not
+     * Writes how a tree divides its primitives into a section of a cooked file, and restores the tree from that in steps. The boxes are not
      * written. They are computed again, in a fraction of the time that dividing takes. So the tree encloses the model, even if the bytes are
      * wrong. If the bytes are right, the tree equals the written one to the last bit.
      *
@@ -19,14 +19,14 @@ package starlogo.libraries.cooked
      */
     public final class CookedTree extends StepSequence
     {
-        private static const ITEMS_PER_STEP:int = 1500;
+        private static const PRIMITIVES_PER_STEP:int = 1500;
         private static const NODES_PER_STEP:int = 300;
 
         // This is added to the axis of a node that is a leaf of the thesis's tree or below one.
         private static const BELOW:int = 3;
         private static const DIVISIONS:int = 2 * BELOW;
 
-        /** Whether the bytes do not divide the items. Then no step is left. */
+        /** Whether the bytes do not divide the primitives. Then no step is left. */
         public var isRefused:Boolean = false;
 
         private var _bytes:ByteArray;
@@ -40,7 +40,7 @@ package starlogo.libraries.cooked
          * Creates the work that restores a tree.
          *
          * @param bytes what <code>write()</code> has written, read from its position on
-         * @param tree without nodes; receives them, and the order of its items. It stays without nodes if the bytes do not divide these items
+         * @param tree without nodes; receives them, and the order of its primitives. It stays without nodes if the bytes do not divide these primitives
          * @param maxDepth a node on this level is a leaf of the thesis
          */
         public function CookedTree(bytes:ByteArray, tree:BoxTree, maxDepth:int)
@@ -52,19 +52,19 @@ package starlogo.libraries.cooked
         }
 
         /**
-         * Writes the order of the items. Each index takes 1, 2 or 4 bytes: see widthFor(). Then it writes the nodes from the root down, left
+         * Writes the order of the primitives. Each index takes 1, 2 or 4 bytes: see widthFor(). Then it writes the nodes from the root down, left
          * before right. A node without children is 0. Any other node is the sum of: 1; its axis; 3 if the node is a leaf of the thesis's tree or
-         * below one; 6 times the number of items on its low side.
+         * below one; 6 times the number of primitives on its low side.
          */
         public static function write(tree:BoxTree):ByteArray
         {
             var out:ByteArray = CookedFile.newBytes();
-            var width:int = widthFor(tree.items.length);
-            for each (var item:int in tree.items)
+            var width:int = widthFor(tree.primitives.length);
+            for each (var primitive:int in tree.primitives)
             {
                 for (var bits:int = 0; bits < 8 * width; bits += 8)
                 {
-                    out.writeByte(item >> bits);
+                    out.writeByte(primitive >> bits);
                 }
             }
             var waiting:Vector.<int> = new <int>[0];
@@ -83,7 +83,7 @@ package starlogo.libraries.cooked
             return out;
         }
 
-        /** The number of bytes for the index of an item. @param count the number of items */
+        /** The number of bytes for the index of a primitive. @param count the number of primitives */
         public static function widthFor(count:int):int
         {
             return count <= 0x100 ? 1 : (count <= 0x10000 ? 2 : 4);
@@ -91,29 +91,29 @@ package starlogo.libraries.cooked
 
         private function addParts():void
         {
-            var count:int = _tree.itemCount;
-            var items:Vector.<int> = new Vector.<int>(count, true);
+            var count:int = _tree.primitiveCount;
+            var primitives:Vector.<int> = new Vector.<int>(count, true);
             var isListed:Vector.<Boolean> = new Vector.<Boolean>(count, true);
             var width:int = widthFor(count);
-            slices(count, ITEMS_PER_STEP, function(first:int, end:int):void
+            slices(count, PRIMITIVES_PER_STEP, function(first:int, end:int):void
                 {
                     for (var i:int = first; i < end && !isRefused; i++)
                     {
-                        var item:int = width == 1 ? _bytes.readUnsignedByte() : (width == 2 ? _bytes.readUnsignedShort() : _bytes.readInt());
-                        // every item must come exactly once
-                        if (item < 0 || item >= count || isListed[item])
+                        var primitive:int = width == 1 ? _bytes.readUnsignedByte() : (width == 2 ? _bytes.readUnsignedShort() : _bytes.readInt());
+                        // every primitive must come exactly once
+                        if (primitive < 0 || primitive >= count || isListed[primitive])
                         {
                             refuse();
                         }
                         else
                         {
-                            isListed[item] = true;
-                            items[i] = item;
+                            isListed[primitive] = true;
+                            primitives[i] = primitive;
                         }
                     }
                 }).call(function():void
                 {
-                    _tree.items = items;
+                    _tree.primitives = primitives;
                     _tree.beginNodes();
                     _waiting.push(0);
                 }).repeat(readNodes).begin(measuring);
@@ -136,7 +136,6 @@ package starlogo.libraries.cooked
         private function refuse():void
         {
             isRefused = true;
-            _tree.removeNodes();
         }
 
         private function readNodes():Boolean
@@ -152,9 +151,9 @@ package starlogo.libraries.cooked
             return _waiting.length > 0;
         }
 
-        // Reads a node. Returns whether its code is right: the children must divide its items between them, and a node without children must be
+        // Reads a node. Returns whether its code is right: the children must divide its primitives between them, and a node without children must be
         // small. Below the thesis's leaves, deep nodes must be divided as a BoxTreeBuilder divides them, so that a file cannot make a tree as deep
-        // as the number of its items.
+        // as the number of its primitives.
         private function readNode(node:int, code:int):Boolean
         {
             if (code <= 0)

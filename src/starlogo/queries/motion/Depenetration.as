@@ -266,9 +266,16 @@ package starlogo.queries.motion
             {
                 return 0;
             }
-            // from the body's place, which a flat body does not touch the row at
-            var beside:Number = out.normalX * (place.x - _tried.x) + out.normalY * (place.y - _tried.y) + out.normalZ * (place.z - _tried.z);
-            return Math.min(out.depth, most) - beside + shrunk.clearance;
+            // how far the body's own place, at which a flat body does not touch the row, is along the normal
+            var shift:Number = out.normalX * (place.x - _tried.x) + out.normalY * (place.y - _tried.y) + out.normalZ * (place.z - _tried.z);
+            if (shift < 0)
+            {
+                // the body is so thin that the shortest way out there leads to the other side of the row: it goes on from the row along the axis
+                out.setNormal(place.x - _tried.x, place.y - _tried.y, place.z - _tried.z);
+                out.normalise();
+                return shrunk.clearance;
+            }
+            return Math.min(out.depth, most) - shift + shrunk.clearance;
         }
 
         // Finds the contact with a row that the body touches at a place. It does not lead back against the last push if another contact does not.

@@ -10,7 +10,7 @@ package starlogo.queries.rays
     import starlogo.queries.SeenAgents;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
-    import starlogo.solid.TreeRayEntryQuery;
+    import starlogo.solid.TreeRayQuery;
 
     use namespace engine;
 
@@ -31,7 +31,7 @@ package starlogo.queries.rays
         private var _seen:SeenAgents;
         private var _rayInModel:Ray = new Ray();
         private var _span:RaySpan = new RaySpan();
-        private var _treeEntries:TreeRayEntryQuery = new TreeRayEntryQuery();
+        private var _treeEntries:TreeRayQuery = new TreeRayQuery();
 
         /** @param seen has the rows */
         public function RowRayTest(seen:SeenAgents)

@@ -9,7 +9,7 @@ package starlogo.queries.rays
     import starlogo.queries.SeenAgents;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
-    import starlogo.solid.TreeRayCrossingQuery;
+    import starlogo.solid.TreeRayQuery;
 
     use namespace engine;
 
@@ -23,7 +23,7 @@ package starlogo.queries.rays
         private var _seen:SeenAgents;
         private var _rayInModel:Ray = new Ray();
         private var _span:RaySpan = new RaySpan();
-        private var _treeCrossings:TreeRayCrossingQuery = new TreeRayCrossingQuery();
+        private var _treeCrossings:TreeRayQuery = new TreeRayQuery();
 
         // All crossings with a row's shape, those that are surfaces, and one of them.
         private var _crossings:RayCrossings = new RayCrossings();

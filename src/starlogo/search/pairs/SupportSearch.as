@@ -136,7 +136,7 @@ package starlogo.search.pairs
                 {
                     continue;
                 }
-                if (tree.endsUpToDepth[node] < depth)
+                if (tree.leafUpToDepth[node] < depth)
                 {
                     var left:int = tree.left[node];
                     var axis:int = tree.axisOf(node);

@@ -128,7 +128,7 @@ package starlogo.search.pairs
         /** The covers are the structures around the trees. @inheritDoc */
         override public function findContactOfCovers(a:Body, b:Body, out:ContactPoint):void
         {
-            _pose.setBetween(a.placement, b.placement);
+            _pose.setBetween(a.placement, b.placement, RelativeMotion.NONE, 0);
             StructurePairs.findContact(_pose.place(b.shape.structure), a.shape.structure, RelativeMotion.NONE, out);
             RelativePose.moveContactToWorld(out, a.placement, RelativeMotion.NONE);
         }

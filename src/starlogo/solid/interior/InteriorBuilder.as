@@ -45,13 +45,13 @@ package starlogo.solid.interior
                 _welding = new Welding(mesh.vertices);
                 add(_welding);
             }
-            begin(findSurface).call(beginComponents).slices(mesh.tree.itemCount, TRIANGLES_PER_STEP, addToComponents).call(beginOverlaps);
+            begin(findSurface).call(beginComponents).slices(mesh.tree.primitiveCount, TRIANGLES_PER_STEP, addToComponents).call(beginOverlaps);
         }
 
         private function findSurface():Steps
         {
             var isKnown:Boolean = _surface != null;
-            _surface ||= new SurfaceTopology(_mesh.tree.itemCount);
+            _surface ||= new SurfaceTopology(_mesh.tree.primitiveCount);
             windingCounter = new WindingCounter(_mesh, _surface, _welding == null || _welding.widestSeam == 0 ? null : _welding.welded);
             if (isKnown)
             {
@@ -78,7 +78,7 @@ package starlogo.solid.interior
         {
             for (var slot:int = first; slot < end; slot++)
             {
-                var triangle:int = _mesh.tree.items[slot];
+                var triangle:int = _mesh.tree.primitives[slot];
                 var shell:int = _surface.shellOf(triangle);
                 if (shell >= 0)
                 {
@@ -104,7 +104,7 @@ package starlogo.solid.interior
         private function findOverlaps(first:int, end:int):void
         {
             var enclosing:Vector.<int> = new Vector.<int>();
-            var most:int = WindingCounter.MAX_CROSSINGS_PER_TRIANGLE * _mesh.tree.itemCount;
+            var most:int = WindingCounter.MAX_CROSSINGS_PER_TRIANGLE * _mesh.tree.primitiveCount;
             for (var component:int = first; component < end && _countedCrossings < most; component++)
             {
                 var at:int = _vertexOfComponent[component];

@@ -206,7 +206,7 @@ package starlogo.solid.interior
             var p:int = mesh.cornerOffsets[int(3 * slot)];
             var q:int = mesh.cornerOffsets[int(3 * slot + 1)];
             var r:int = mesh.cornerOffsets[int(3 * slot + 2)];
-            var triangle:int = mesh.tree.items[slot];
+            var triangle:int = mesh.tree.primitives[slot];
             if (welded != null)
             {
                 var vertices:Vector.<uint> = mesh.tree.triangles;

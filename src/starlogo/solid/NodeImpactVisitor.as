@@ -1,17 +1,19 @@
-package starlogo.hierarchy
+package starlogo.solid
 {
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.convex.RelativeMotion;
+    import starlogo.hierarchy.BoxSearch;
+    import starlogo.hierarchy.BoxTree;
+    import starlogo.hierarchy.NodeVisitor;
+    import starlogo.hierarchy.TreeCounts;
     import starlogo.intersection.StructurePairs;
 
     /**
-     * Decides when a structure first touches the boxes of a tree, and whether it does if it is still (thesis §5.2). The kernel of the two decides
-     * about a node.
-     *
-     * @private
+     * Decides when a structure first touches the boxes of a tree, and whether it does if it is still (thesis §5.2). The kernel of the two tests
+     * a leaf.
      */
-    public final class NodeImpactVisitor extends NodeVisitor
+    internal final class NodeImpactVisitor extends NodeVisitor
     {
         // Finds the nodes near the structure.
         private var _search:BoxSearch;
@@ -31,13 +33,13 @@ package starlogo.hierarchy
         }
 
         /**
-         * Finds when a structure first touches a node that decides, and which one.
+         * Finds when a structure first touches a leaf of the search, and which one.
          *
          * @param depth how many of the tree's levels are visited
          * @param structure in the tree's space, enlarged by the margin of its place
          * @param motion of the structure; receives the time, and its latest time is overwritten. If it is still, the
          *     structure touches at time 0 or never
-         * @return the node, or -1
+         * @return the leaf, or -1
          */
         public function findFirstNode(tree:BoxTree, depth:int, structure:BoundingStructure, motion:RelativeMotion):int
         {

@@ -1,9 +1,11 @@
-package starlogo.hierarchy
+package starlogo.solid
 {
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
-    import starlogo.intersection.boxes.BoxSeparation;
+    import starlogo.hierarchy.BoxTree;
+    import starlogo.hierarchy.TreeCounts;
     import starlogo.intersection.boxes.BoxPair;
+    import starlogo.intersection.boxes.BoxSeparation;
 
     /**
      * Decides whether two standing trees overlap. It is like BestPairTraversal, but without bounds, because each pair overlaps
@@ -14,7 +16,7 @@ package starlogo.hierarchy
      * two nodes overlap, the larger one is divided, or both if the overlap is deep, as in §6.3.4 of the thesis. The child nearer to the other
      * node is visited first.</p>
      *
-     * <p>The axes of the edges are tried only for pairs whose boxes decide. Higher up, the next boxes separate most of what these axes would
+     * <p>The axes of the edges are tried only for pairs of leaves whose boxes are tested. Higher up, the next boxes separate most of what these axes would
      * separate (van den Bergen, "Efficient collision detection of complex deformable models using AABB trees", 1997).</p>
      *
      * @private
@@ -24,10 +26,10 @@ package starlogo.hierarchy
         /** Result of <code>find()</code>: the roots are apart. */
         public static const APART:int = 0;
 
-        /** Result of <code>find()</code>: the roots overlap, but no nodes that decide touch. */
+        /** Result of <code>find()</code>: the roots overlap, but no leaves touch. */
         public static const ONLY_ROOTS:int = 1;
 
-        /** Result of <code>find()</code>: two nodes that decide touch. */
+        /** Result of <code>find()</code>: two leaves touch. */
         public static const OVERLAPPING:int = 2;
 
         // The pairs of nodes still to visit. The next one is last.
@@ -46,17 +48,17 @@ package starlogo.hierarchy
         }
 
         /**
-         * Finds whether two nodes that decide touch: see BoxTree.
+         * Finds whether two leaves touch: see BoxTree.
          *
-         * @param kernel decides about such nodes; null if their boxes decide
+         * @param kernel tests the triangles of two leaves; null if their boxes are tested
          * @return APART, ONLY_ROOTS or OVERLAPPING
          */
-        public function find(trees:TreePair, kernel:NodePairKernel):int
+        public function find(trees:TreePair, kernel:TrianglePairKernel):int
         {
             var pair:BoxPair = _pair;
             var margin:Number = trees.pose.margin;
-            var endsA:Vector.<int> = trees.a.endsUpToDepth;
-            var endsB:Vector.<int> = trees.b.endsUpToDepth;
+            var leafDepthsA:Vector.<int> = trees.a.leafUpToDepth;
+            var leafDepthsB:Vector.<int> = trees.b.leafUpToDepth;
             var depthA:int = trees.depthA;
             var depthB:int = trees.depthB;
             var stack:Vector.<int> = _nodes;
@@ -76,20 +78,20 @@ package starlogo.hierarchy
                 pair.aHalfX += margin;
                 pair.aHalfY += margin;
                 pair.aHalfZ += margin;
-                var aEnds:Boolean = endsA[a] >= depthA;
-                var bEnds:Boolean = endsB[b] >= depthB;
-                var doBoxesDecide:Boolean = aEnds && bEnds && kernel == null;
+                var isLeafA:Boolean = leafDepthsA[a] >= depthA;
+                var isLeafB:Boolean = leafDepthsB[b] >= depthB;
+                var areBoxesTested:Boolean = isLeafA && isLeafB && kernel == null;
                 if (!BoxSeparation.overlapAlongFacesOfA(pair) || !BoxSeparation.overlapAlongFacesOfB(pair)
-                        || doBoxesDecide && !BoxSeparation.overlapAcrossEdges(pair))
+                        || areBoxesTested && !BoxSeparation.overlapAcrossEdges(pair))
                 {
                     continue;
                 }
                 result = ONLY_ROOTS;
-                if (!aEnds || !bEnds)
+                if (!isLeafA || !isLeafB)
                 {
-                    top = pushChildren(trees, pair, a, aEnds, b, bEnds, isDeep(pair), top);
+                    top = pushChildren(trees, a, isLeafA, b, isLeafB, top);
                 }
-                else if (doBoxesDecide || kernel.areTouching(a, b))
+                else if (areBoxesTested || kernel.areTouching(a, b))
                 {
                     result = OVERLAPPING;
                 }
@@ -99,11 +101,13 @@ package starlogo.hierarchy
         }
 
         // Puts the children of one node or of both in place of the pair, so that the nearest pair is visited first. Returns the new top of the stack.
-        private function pushChildren(trees:TreePair, pair:BoxPair, a:int, aEnds:Boolean, b:int, bEnds:Boolean, isDeep:Boolean, top:int):int
+        private function pushChildren(trees:TreePair, a:int, isLeafA:Boolean, b:int, isLeafB:Boolean, top:int):int
         {
+            var pair:BoxPair = _pair;
             var stack:Vector.<int> = _nodes;
-            var dividesA:Boolean = isDeep ? !aEnds : trees.dividesA(a, aEnds, b, bEnds);
-            var dividesB:Boolean = isDeep ? !bEnds : !dividesA;
+            var dividesBoth:Boolean = isDeep(pair);
+            var dividesA:Boolean = dividesBoth ? !isLeafA : trees.dividesA(a, isLeafA, b, isLeafB);
+            var dividesB:Boolean = dividesBoth ? !isLeafB : !dividesA;
             var nearer:int;
             if (dividesA)
             {

@@ -1,18 +1,17 @@
-package starlogo.hierarchy
+package starlogo.solid
 {
     import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Touching;
+    import starlogo.hierarchy.TreeCounts;
     import starlogo.intersection.boxes.BoxPair;
     import starlogo.intersection.boxes.BoxSweep;
 
     /**
      * Finds when two moving trees first touch, as RelativeMotion says. Parents touch no later than their children. The axes of the edges are
-     * tried only for pairs whose boxes decide.
-     *
-     * @private
+     * tried only for pairs of leaves.
      */
-    public final class ImpactTraversal extends BestPairTraversal
+    internal final class ImpactTraversal extends BestPairTraversal
     {
         private var _sweep:BoxSweep = new BoxSweep();
         private var _pair:BoxPair = new BoxPair();
@@ -27,10 +26,10 @@ package starlogo.hierarchy
          * Finds when two trees first touch.
          *
          * @param motion of tree b, from the pose on
-         * @param kernel decides about nodes that decide; null if their boxes do
-         * @return the nodes or items that touch first, and the time; the next search overwrites it
+         * @param kernel tests the triangles of two leaves; null if their boxes are tested
+         * @return the leaves or triangles that touch first, and the time; the next search overwrites it
          */
-        public function findFirstPair(trees:TreePair, motion:RelativeMotion, kernel:NodePairKernel):BestPair
+        public function findFirstPair(trees:TreePair, motion:RelativeMotion, kernel:TrianglePairKernel):BestPair
         {
             var relative:Placement = trees.pose.placement;
             _pair.axes.setAxes(relative);
@@ -56,7 +55,7 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override protected function measure(trees:TreePair, a:int, b:int, kernel:NodePairKernel, out:BestPair):void
+        override protected function measure(trees:TreePair, a:int, b:int, kernel:TrianglePairKernel, out:BestPair):void
         {
             if (kernel != null)
             {

@@ -1,9 +1,11 @@
-package starlogo.hierarchy
+package starlogo.solid
 {
     import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
+    import starlogo.hierarchy.BoxTree;
+    import starlogo.hierarchy.RelativePose;
     import starlogo.intersection.boxes.BoxPair;
 
     /**
@@ -68,15 +70,15 @@ package starlogo.hierarchy
         }
 
         /**
-         * Of two nodes that do not both decide, says which to divide: the one that does not, or else the larger one, by the spheres around their boxes.
+         * Of two nodes that are not both leaves, says which to divide: the one that is none, or else the larger one, by the spheres around their boxes.
          *
          * @return whether it is the node of a
          */
-        public function dividesA(nodeA:int, aEnds:Boolean, nodeB:int, bEnds:Boolean):Boolean
+        public function dividesA(nodeA:int, isLeafA:Boolean, nodeB:int, isLeafB:Boolean):Boolean
         {
-            if (aEnds || bEnds)
+            if (isLeafA || isLeafB)
             {
-                return bEnds;
+                return isLeafB;
             }
             var boxesA:Vector.<Number> = a.boxes;
             var boxesB:Vector.<Number> = b.boxes;

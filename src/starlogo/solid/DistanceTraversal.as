@@ -1,25 +1,24 @@
-package starlogo.hierarchy
+package starlogo.solid
 {
     import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ClosestPoints;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
+    import starlogo.hierarchy.TreeCounts;
     import starlogo.intersection.StructurePairs;
     import starlogo.intersection.boxes.BoxAxes;
     import starlogo.intersection.boxes.BoxPair;
 
     /**
      * Finds the distance of two trees. The distance of two boxes' extents, along the axes of one box or the other, is a lower bound of the
-     * boxes' distance and takes few products. Only pairs that decide are measured exactly.
+     * boxes' distance and takes few products. Only pairs of leaves are measured exactly.
      *
      * <p>The results are nested, to the last bit: a result is never greater than the result for greater depths, or for the nodes'
      * triangles. Nodes are a little larger than the nodes below them (Tolerances.NESTING). That outweighs the rounding of short distances.
      * To outweigh the rounding of long distances, a measured distance is reduced a little. The deeper the nodes are, the less it is
      * reduced.</p>
-     *
-     * @private
      */
-    public final class DistanceTraversal extends BestPairTraversal
+    internal final class DistanceTraversal extends BestPairTraversal
     {
         // An estimate is smaller than the distances below it by this fraction, which is more than the errors of rounding and nesting.
         private static const SLACK:Number = 1e-12;
@@ -41,10 +40,10 @@ package starlogo.hierarchy
         /**
          * Finds the closest points of two trees.
          *
-         * @param kernel decides about nodes that decide; null if their boxes do
+         * @param kernel measures the triangles of two leaves; null if their boxes are measured
          * @param out receives the points and their distance, in a's space
          */
-        public function findClosest(trees:TreePair, kernel:NodePairKernel, out:ClosestPoints):void
+        public function findClosest(trees:TreePair, kernel:TrianglePairKernel, out:ClosestPoints):void
         {
             var relative:Placement = trees.pose.placement;
             _radii = trees.a.radiusAboutOrigin + trees.b.radiusAboutOrigin * relative.size;
@@ -154,7 +153,7 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override protected function measure(trees:TreePair, a:int, b:int, kernel:NodePairKernel, out:BestPair):void
+        override protected function measure(trees:TreePair, a:int, b:int, kernel:TrianglePairKernel, out:BestPair):void
         {
             if (kernel != null)
             {

@@ -1,15 +1,13 @@
-package starlogo.hierarchy
+package starlogo.solid
 {
     import starlogo.convex.ClosestPoints;
 
     /**
-     * The best pair of a BestPairTraversal so far, as a record: for times two nodes or items, for distances two points. a is of the first tree, and b of
-     * the second. It has the time or distance and the bound too, because JavaScript engines allocate an
-     * object for each Number that functions pass.
-     *
-     * @private
+     * The best pair of a BestPairTraversal so far, as a record: for times two leaves or triangles, for distances two points. a is of the first
+     * tree, and b of the second. It has the time or distance and the bound too, because JavaScript engines allocate an object for each Number that functions
+     * pass.
      */
-    public final class BestPair
+    internal final class BestPair
     {
         /** No larger time or distance counts. It is the best one found, or Infinity; a kernel of times may leave room for others at the same time. */
         public var limit:Number = Infinity;
@@ -17,7 +15,7 @@ package starlogo.hierarchy
         /** For times: when two first touch, or Infinity. */
         public var time:Number = Infinity;
 
-        /** For times: the nodes that touch first, or the slots of items if a kernel decides by them. Undefined if none touch. */
+        /** For times: the leaves that touch first, or the slots of triangles if a kernel tests these. Undefined if none touch. */
         public var a:int = 0;
         public var b:int = 0;
 

@@ -25,13 +25,13 @@ package starlogo.solid
     use namespace engine;
 
     /** Rays against models: through edges and corners, and by their hierarchies at every depth. CastTest compares them with loops over all triangles. */
-    public class TreeRayEntryQueryTest
+    public class TreeRayQueryTest
     {
         public static const FIXTURES:Array = ["/assets/bear.obj", "/assets/kelp.obj", "/assets/fortress.obj", "/assets/seagull.dae"];
 
         private static const DEPTHS:Array = [1, 2, 3, 5, 8, 40];
 
-        private var _rays:TreeRayEntryQuery = new TreeRayEntryQuery();
+        private var _rays:TreeRayQuery = new TreeRayQuery();
         private var _entry:RayEntry = new RayEntry();
         private var _random:SeededRandom = new SeededRandom(2211);
         private var _structures:RandomStructures = new RandomStructures(_random);
@@ -73,7 +73,7 @@ package starlogo.solid
                     // some along an axis, towards vertices that have simple numbers
                     origin.setTo(_random.between(-2, 2), _random.between(-2, 2), _random.pick([-1, 2]) * _random.between(1, 2));
                 }
-                mesh.readTriangle(_random.integer(0, mesh.tree.itemCount - 1), corners);
+                mesh.readTriangle(_random.integer(0, mesh.tree.primitiveCount - 1), corners);
                 var share:Number = i % 3 == 0 ? 0 : _random.next();
                 var from:int = 3 * _random.integer(0, 2);
                 var to:int = (from + 3) % 9;

@@ -1,18 +1,18 @@
-package starlogo.hierarchy
+package starlogo.solid
 {
     import flash.errors.IllegalOperationError;
+    import starlogo.hierarchy.BoxTree;
+    import starlogo.hierarchy.TreeCounts;
 
     /**
-     * Finds the best pair of nodes of two trees, by branch and bound, depth-first (thesis §4.6; Larsen, Gottschalk, Lin and Manocha, "Fast
+     * Finds the best pair of leaves of two trees, by branch and bound, depth-first (thesis §4.6; Larsen, Gottschalk, Lin and Manocha, "Fast
      * proximity queries with swept sphere volumes", 1999). A node's box encloses its children's boxes. So a pair is skipped if nothing
-     * below it can be better than the best pair so far. Which nodes decide, says the BoxTree.
+     * below it can be better than the best pair so far.
      *
      * <p>Which pair is best depends on the question, and each question has a subclass: when two moving trees first touch, how far two trees
      * are apart. Whether two standing trees overlap needs no bounds: see OverlapTraversal.</p>
-     *
-     * @private
      */
-    public class BestPairTraversal
+    internal class BestPairTraversal
     {
         private var _best:BestPair = new BestPair();
 
@@ -29,17 +29,17 @@ package starlogo.hierarchy
         }
 
         /**
-         * Finds the best pair of nodes that decide. A subclass calls it when all is set that does not depend on the nodes.
+         * Finds the best pair of leaves: see BoxTree. A subclass calls it when all is set that does not depend on the nodes.
          *
-         * @param kernel decides about such nodes; null if their boxes decide
+         * @param kernel tests the triangles of two leaves; null if their boxes are tested
          * @return the best pair; the next search overwrites it
          */
-        protected final function find(trees:TreePair, kernel:NodePairKernel):BestPair
+        protected final function find(trees:TreePair, kernel:TrianglePairKernel):BestPair
         {
             var treeA:BoxTree = trees.a;
             var treeB:BoxTree = trees.b;
-            var endsA:Vector.<int> = treeA.endsUpToDepth;
-            var endsB:Vector.<int> = treeB.endsUpToDepth;
+            var leafDepthsA:Vector.<int> = treeA.leafUpToDepth;
+            var leafDepthsB:Vector.<int> = treeB.leafUpToDepth;
             var nodes:Vector.<int> = _nodes;
             var bounds:Vector.<Number> = _nodeBounds;
             var out:BestPair = _best;
@@ -61,14 +61,14 @@ package starlogo.hierarchy
                 {
                     continue;
                 }
-                var aEnds:Boolean = endsA[a] >= trees.depthA;
-                var bEnds:Boolean = endsB[b] >= trees.depthB;
-                if (aEnds && bEnds)
+                var isLeafA:Boolean = leafDepthsA[a] >= trees.depthA;
+                var isLeafB:Boolean = leafDepthsB[b] >= trees.depthB;
+                if (isLeafA && isLeafB)
                 {
                     measure(trees, a, b, kernel, out);
                     continue;
                 }
-                var dividesA:Boolean = trees.dividesA(a, aEnds, b, bEnds);
+                var dividesA:Boolean = trees.dividesA(a, isLeafA, b, isLeafB);
                 var leftA:int = dividesA ? treeA.left[a] : a;
                 var leftB:int = dividesA ? b : treeB.left[b];
                 var rightA:int = dividesA ? leftA + 1 : a;
@@ -101,8 +101,8 @@ package starlogo.hierarchy
             throw new IllegalOperationError(this + " does not implement estimate");
         }
 
-        /** Measures two nodes that decide, by the kernel, or by their boxes if it is null. If they are better than the best pair so far, they become it. */
-        protected function measure(trees:TreePair, a:int, b:int, kernel:NodePairKernel, out:BestPair):void
+        /** Measures two leaves, by the kernel, or by their boxes if it is null. If they are better than the best pair so far, they become it. */
+        protected function measure(trees:TreePair, a:int, b:int, kernel:TrianglePairKernel, out:BestPair):void
         {
             throw new IllegalOperationError(this + " does not implement measure");
         }

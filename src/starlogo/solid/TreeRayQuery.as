@@ -1,0 +1,179 @@
+package starlogo.solid
+{
+    import flash.geom.Vector3D;
+    import starlogo.engine;
+    import starlogo.geometry.Tolerances;
+    import starlogo.hierarchy.BoxSearch;
+    import starlogo.hierarchy.BoxTree;
+    import starlogo.hierarchy.NodeVisitor;
+    import starlogo.hierarchy.TriangleMesh;
+    import starlogo.intersection.ray.Ray;
+    import starlogo.intersection.ray.RayCrossings;
+    import starlogo.intersection.ray.RayEntry;
+    import starlogo.intersection.ray.RaySpan;
+    import starlogo.intersection.ray.ShearedRay;
+    import starlogo.intersection.ray.SpanFinder;
+
+    use namespace engine;
+
+    /**
+     * Finds where a ray first meets a model, or all places where it crosses the surface: of the model's tree, visited to a depth, or of its triangles. A ray
+     * that begins inside of a closed surface meets the model at once.
+     *
+     * <p>The first places are nested: no depth finds a hit farther away than a greater depth or the triangles do. The inside is tested at every
+     * depth, because the nodes cover only the surface. Nothing is allocated once the stacks have grown and the model's triangles are
+     * prepared.</p>
+     *
+     * @private
+     */
+    public final class TreeRayQuery extends NodeVisitor
+    {
+        // The factor on a node's half-extents. Nodes are enlarged as it is. A node that is only touched would be entered before a larger node around it.
+        private static const NOT_WIDENED:Number = 1;
+
+        private var _search:BoxSearch = new BoxSearch();
+        private var _ray:Ray = null;
+        private var _start:Vector3D = new Vector3D();
+
+        // Receives all crossings; null if only the first place is asked for.
+        private var _all:RayCrossings = null;
+
+        // The triangle's slot, or the node, that the ray meets first so far, or -1.
+        private var _first:int = -1;
+
+        // If triangles decide: the model's triangles, null otherwise; the ray for them.
+        private var _mesh:TriangleMesh = null;
+        private var _shearedRay:ShearedRay = new ShearedRay();
+        private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
+
+        // If nodes decide: the part of the ray in the current one, and where it enters that.
+        private var _span:RaySpan = new RaySpan();
+        private var _entry:RayEntry = new RayEntry();
+
+        /**
+         * Finds where a ray first meets a model.
+         *
+         * @param model the model
+         * @param depth how many of its levels are visited; BoxTree.EXACT if its triangles decide
+         * @param ray in the model's space
+         * @param out receives the distance, the normal and the triangle
+         * @return whether there is a hit
+         */
+        public function find(model:ModelTree, depth:int, ray:Ray, out:RayEntry):Boolean
+        {
+            out.setToStart(ray);
+            return beginsInside(model, ray) || findOnSurface(model, depth, ray, out);
+        }
+
+        /**
+         * Adds all crossings. The parameters are those of <code>find()</code>.
+         *
+         * @param out the crossings are added to it
+         * @return whether they are those of triangles, otherwise those of nodes
+         */
+        public function findAll(model:ModelTree, depth:int, ray:Ray, out:RayCrossings):Boolean
+        {
+            if (beginsInside(model, ray))
+            {
+                out.addInside(ray);
+            }
+            search(model, depth, ray, out);
+            return _mesh != null;
+        }
+
+        private function beginsInside(model:ModelTree, ray:Ray):Boolean
+        {
+            _start.setTo(ray.x + ray.from * ray.directionX, ray.y + ray.from * ray.directionY, ray.z + ray.from * ray.directionZ);
+            return model.isInside(_start, 0);
+        }
+
+        /** Finds where a ray first meets the surface, wherever it begins. The parameters are those of <code>find()</code>. */
+        internal function findOnSurface(model:ModelTree, depth:int, ray:Ray, out:RayEntry):Boolean
+        {
+            search(model, depth, ray, null);
+            if (_first >= 0 && _mesh != null)
+            {
+                _mesh.readTriangle(_first, _corners);
+                _shearedRay.writeEntry(_corners, _shearedRay.first, model.boxTree.primitives[_first], out);
+                return true;
+            }
+            return _first >= 0 && enters(model.boxTree, _first, out);
+        }
+
+        // Visits what the ray may meet.
+        private function search(model:ModelTree, depth:int, ray:Ray, all:RayCrossings):void
+        {
+            _ray = ray;
+            _all = all;
+            _first = -1;
+            limit = ray.to;
+            _mesh = depth == BoxTree.EXACT ? model.mesh : null;
+            if (_mesh != null)
+            {
+                _shearedRay.setTo(ray, model.boxTree.radiusAboutOrigin);
+            }
+            _search.visitAlong(ray, model.boxTree, depth, this);
+        }
+
+        /** @inheritDoc */
+        override public function visit(tree:BoxTree, node:int):void
+        {
+            if (_all != null)
+            {
+                addCrossings(tree, node);
+            }
+            else if (_mesh != null)
+            {
+                findFirstTriangle(tree.firstSlot[node], tree.endSlot[node]);
+            }
+            else if (enters(tree, node, _entry) && (_entry.distance < limit || _first < 0))
+            {
+                _first = node;
+                limit = _entry.distance;
+                if (!(limit > _ray.from))
+                {
+                    // no node can be met before the ray's beginning
+                    endSearch();
+                }
+            }
+        }
+
+        // Adds all crossings with a node: with its triangles, or its box.
+        private function addCrossings(tree:BoxTree, node:int):void
+        {
+            if (_mesh == null)
+            {
+                if (SpanFinder.findInBox(_ray, tree.boxOf(node), NOT_WIDENED, _span))
+                {
+                    _all.addSpan(_ray, _span, Tolerances.ROUNDING * tree.radiusAboutOrigin);
+                }
+                return;
+            }
+            for (var i:int = tree.firstSlot[node]; i < tree.endSlot[node]; i++)
+            {
+                _mesh.readTriangle(i, _corners);
+                _shearedRay.addCrossing(_corners, tree.primitives[i], _all);
+            }
+        }
+
+        // Finds whether the ray meets one of the triangles in some slots earlier than those before.
+        private function findFirstTriangle(first:int, end:int):void
+        {
+            var corners:Vector.<int> = _mesh.cornerOffsets;
+            for (var i:int = first; i < end; i++)
+            {
+                if (_shearedRay.findEarlier(_mesh.vertices, corners[int(3 * i)], corners[int(3 * i + 1)], corners[int(3 * i + 2)]))
+                {
+                    _first = i;
+                    limit = _shearedRay.first.distance;
+                }
+            }
+        }
+
+        // Finds where the ray enters the box of a node. Returns whether it does.
+        private function enters(tree:BoxTree, node:int, out:RayEntry):Boolean
+        {
+            return SpanFinder.findInBox(_ray, tree.boxOf(node), NOT_WIDENED, _span) && out.enter(_ray, _span);
+        }
+    }
+}

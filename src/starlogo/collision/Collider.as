@@ -27,6 +27,10 @@ package starlogo.collision
      * comes first. The ground and the edges of the world come after all agents. If an agent sweeps, pairs come by time of impact, and pairs of the
      * same time in the order of the list.</p>
      *
+     * <p>A Collision searches with a collider itself. It calls <code>contactOf()</code> of a subclass, but not its
+     * <code>findCollisions()</code>, <code>findCollisionsAmong()</code> and <code>areColliding()</code>. To find other pairs, put a BaseCollider
+     * around the collider, and override the methods there.</p>
+     *
      * <p>While a ModelLoader is loading an agent's model, the agent collides with nothing. The statistics count it. Models may be replaced
      * and removed at any time.</p>
      */

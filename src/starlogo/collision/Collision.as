@@ -243,7 +243,8 @@ package starlogo.collision
          * is called for the breeds that the two had when the touch began.
          *
          * <p>Ends come before all other calls of a frame, in the order in which the touches began. The handlers are called for the same
-         * directions as those for starts. One of the two agents, or both, may have left the list.</p>
+         * directions as those for starts. One of the two agents, or both, may have left the list. If the ground or the edges were exchanged since the
+         * touch began, the handler gets the agent of the former ones. Its place may not be known any more, so do not ask how or whether it touches.</p>
          *
          * @param breed as in onCollision
          * @param otherBreed as in onCollision

@@ -1,5 +1,6 @@
 package starlogo.collision.snapshots
 {
+    import flash.geom.Vector3D;
     import flash.utils.ByteArray;
     import starlogo.agents.Agent;
     import starlogo.agents.PlatformLink;
@@ -22,7 +23,7 @@ package starlogo.collision.snapshots
         private static const SIZE:int = 8 + 8 * (3 + 4 + 9);
         private static const ROTATION:int = 9;
 
-        /** Writes what the agents of a table's list stand on, if it is in the list too. */
+        /** Writes what the agents of a table's list stand on, if it is in the list too. An agent may have been moved away from there, and come back. */
         public static function write(bytes:ByteArray, agents:Vector.<Agent>, table:AgentTable):void
         {
             var countAt:uint = bytes.position;
@@ -31,22 +32,20 @@ package starlogo.collision.snapshots
             for (var i:int = 0; i < agents.length; i++)
             {
                 var link:PlatformLink = agents[i].platformLink;
-                if (link == null || !link.isValid || table.listed.rowOf(link.platform) < ListedAgents.FIRST_LISTED)
+                if (link == null || !link.hasPlatform || table.listed.rowOf(link.platform) < ListedAgents.FIRST_LISTED)
                 {
                     continue;
                 }
                 count++;
                 bytes.writeInt(i);
                 bytes.writeInt(table.listed.listIndices[table.listed.rowOf(link.platform)]);
-                writeNumbers(bytes, link.walkerPlace.x, link.walkerPlace.y, link.walkerPlace.z);
+                var at:Vector3D = link.walkerPlace;
                 var below:Placement = link.platformPlacement;
-                writeNumbers(bytes, below.x, below.y, below.z);
-                bytes.writeDouble(below.size);
-                var rotation:Vector.<Number> = new Vector.<Number>(ROTATION, true);
-                below.readRows(rotation, 0);
-                for (var k:int = 0; k < ROTATION; k++)
+                var numbers:Vector.<Number> = new <Number>[at.x, at.y, at.z, below.x, below.y, below.z, below.size];
+                below.readRows(numbers, numbers.length);
+                for each (var number:Number in numbers)
                 {
-                    bytes.writeDouble(rotation[k]);
+                    bytes.writeDouble(number);
                 }
             }
             bytes.position = countAt;
@@ -54,7 +53,7 @@ package starlogo.collision.snapshots
             bytes.position = bytes.length;
         }
 
-        /** Reads what agents stand on. Returns null if the bytes are not that. @throws EOFError if they are cut off */
+        /** Reads what agents stand on: for each agent its link, or null. Returns null if the bytes are not that. @throws EOFError if they are cut off */
         public static function read(bytes:ByteArray, agents:Vector.<Agent>):Vector.<PlatformLink>
         {
             var left:uint = bytes.readUnsignedInt();
@@ -62,7 +61,7 @@ package starlogo.collision.snapshots
             {
                 return null;
             }
-            var links:Vector.<PlatformLink> = new Vector.<PlatformLink>();
+            var links:Vector.<PlatformLink> = new Vector.<PlatformLink>(agents.length);
             for (; left > 0; left--)
             {
                 var walker:uint = bytes.readUnsignedInt();
@@ -71,38 +70,29 @@ package starlogo.collision.snapshots
                 {
                     return null;
                 }
-                var link:PlatformLink = new PlatformLink(agents[walker]);
+                var link:PlatformLink = new PlatformLink();
                 link.platform = agents[on];
                 link.walkerPlace.setTo(bytes.readDouble(), bytes.readDouble(), bytes.readDouble());
                 if (!isInWorld(link.walkerPlace.x, link.walkerPlace.y, link.walkerPlace.z) || !readPlacement(bytes, link.platformPlacement))
                 {
                     return null;
                 }
-                links.push(link);
+                links[walker] = link;
             }
             return links;
         }
 
-        /** Lets agents stand on what was read, and the others of the list on nothing. */
+        /** Gives each agent what was read for it. */
         public static function restore(links:Vector.<PlatformLink>, agents:Vector.<Agent>):void
         {
             for (var i:int = 0; i < agents.length; i++)
             {
-                agents[i].platformLink = null;
+                agents[i].platformLink = links[i];
+                if (links[i] != null)
+                {
+                    links[i].platformRevision = links[i].platform.revision;
+                }
             }
-            for (i = 0; i < links.length; i++)
-            {
-                var link:PlatformLink = links[i];
-                link.agent.platformLink = link;
-                link.platformRevision = link.platform.revision;
-            }
-        }
-
-        private static function writeNumbers(bytes:ByteArray, x:Number, y:Number, z:Number):void
-        {
-            bytes.writeDouble(x);
-            bytes.writeDouble(y);
-            bytes.writeDouble(z);
         }
 
         // Returns whether an agent can have the placement.
@@ -118,7 +108,7 @@ package starlogo.collision.snapshots
                 rotation[k] = bytes.readDouble();
             }
             out.setRows(rotation, 0);
-            return isInWorld(out.x, out.y, out.z) && out.size >= Agent.SMALLEST_SIZE && out.size <= Agent.LARGEST_SIZE && out.isRotation;
+            return isInWorld(out.x, out.y, out.z) && Agent.isSize(out.size) && out.isRotation;
         }
     }
 }

@@ -39,14 +39,17 @@ package starlogo.collision
         // Steps of a frame. While it searches, it calls findCollisions of the collider, or of a system around it. While its handlers run, contacts stay
         // those of the frame.
 
-        /** @private No frame is under way, or its filter is asked. */
+        /** @private No frame is under way. */
         engine static const IDLE:int = 0;
 
+        /** @private A frame asks its filter. */
+        engine static const FILTERING:int = 1;
+
         /** @private A frame searches for its pairs. */
-        engine static const SEARCHING:int = 1;
+        engine static const SEARCHING:int = 2;
 
         /** @private The handlers of a frame run. */
-        engine static const HANDLING:int = 2;
+        engine static const HANDLING:int = 3;
 
         /** @private The search that the collider makes. */
         engine var search:CollisionSearch;
@@ -74,6 +77,7 @@ package starlogo.collision
         public function Collider(choice:BaseShapeChoice)
         {
             super();
+            innerCollider = samePairsCollider = this;
             search = new CollisionSearch(narrowPhaseFor(choice));
             contactSearch = search;
         }
@@ -177,20 +181,8 @@ package starlogo.collision
             return contact;
         }
 
-        /** @private */
-        override engine function get samePairsCollider():Collider
-        {
-            return this;
-        }
-
-        /** @private */
-        override engine function get innerCollider():Collider
-        {
-            return this;
-        }
-
         /** @private Lets a Collision own the collider. If it did not before, no agent has a motion then. @throws ArgumentError if another owns it */
-        engine function own(owner:Collision):void
+        engine function attachTo(owner:Collision):void
         {
             if (_owner == null)
             {
@@ -205,7 +197,7 @@ package starlogo.collision
         }
 
         /** @private From now on another Collision may own the collider. */
-        engine function release():void
+        engine function detach():void
         {
             _owner = null;
         }

@@ -20,7 +20,6 @@ package starlogo.collision
     import starlogo.ground.HeightGrid;
     import starlogo.handlers.CollisionHandler;
     import starlogo.handlers.HandlerTable;
-    import starlogo.handlers.TouchTracker;
     import starlogo.search.BreedInterests;
     import starlogo.search.FoundPairs;
     import starlogo.search.SearchInput;
@@ -87,7 +86,7 @@ package starlogo.collision
          */
         public var filter:AgentPredicate = null;
 
-        /** @private The step of the frame: Collider.IDLE, SEARCHING or HANDLING. Read only. */
+        /** @private The step of the frame: Collider.IDLE, FILTERING, SEARCHING or HANDLING. Read only. */
         engine var frameStep:int = Collider.IDLE;
 
         /** @private What the frame searches among. Read only. */
@@ -143,20 +142,20 @@ package starlogo.collision
             var next:BaseCollider = BaseCollider.wrap(value);
             if (next.innerCollider != null)
             {
-                next.innerCollider.own(this);
+                next.innerCollider.attachTo(this);
             }
             _givenSystem = value;
             _system = next;
-            releaseUnused(before);
+            detachUnused(before);
         }
 
-        // Releases the collider of a system, unless it is in the collision system or in the one of the frame under way.
-        private function releaseUnused(system:BaseCollider):void
+        // Detaches the collider of a system, unless it is in the collision system or in the one of the frame under way.
+        private function detachUnused(system:BaseCollider):void
         {
             var collider:Collider = system == null ? null : system.innerCollider;
             if (collider != null && collider !== _system.innerCollider && collider !== systemOfFrame.innerCollider)
             {
-                collider.release();
+                collider.detach();
             }
         }
 
@@ -218,7 +217,7 @@ package starlogo.collision
          */
         public function onCollision(breed:String, otherBreed:String, handler:Function):void
         {
-            _handlers.add(breed, otherBreed, handler, CollisionHandler.COLLISION);
+            _handlers.add(breed, otherBreed, handler, CollisionHandler.EVERY_FRAME);
         }
 
         /**
@@ -279,7 +278,6 @@ package starlogo.collision
         public function reset():void
         {
             _handlers.clear();
-            // a handler may call this, and the frame under way goes on with its own
             _lastFrame = new LastFrame();
             forgetMotions(_system);
             forgetMotions(systemOfFrame);
@@ -310,6 +308,7 @@ package starlogo.collision
             var start:Number = getTimer();
             _handlerErrors.length = 0;
             var system:BaseCollider = _frameSystem = _system;
+            frameStep = Collider.FILTERING;
             try
             {
                 runFrame(agents, system);
@@ -319,7 +318,7 @@ package starlogo.collision
                 _calls.endFrame();
                 frameStep = Collider.IDLE;
                 _frameSystem = null;
-                releaseUnused(system);
+                detachUnused(system);
                 if (_heldGround != null)
                 {
                     _heldGround.release();
@@ -396,10 +395,9 @@ package starlogo.collision
         // Finds the pairs of a frame, and calls their handlers. What the filter or a handler exchanges counts from the next frame on.
         private function runFrame(agents:Vector.<Agent>, system:BaseCollider):void
         {
-            var tracker:TouchTracker = _lastFrame.tracker;
             _handlers.begin(agents);
             frameInput.begin(agents, _handlers.interests, ground, edges, filter);
-            // The filter may have called reset(), which forgets the frames before this one. The touches of this frame do not count then
+            // after the filter, which may have called reset(). A handler may call it too, and then the frame goes on with the one before
             var lastFrame:LastFrame = _lastFrame;
             lastFrame.search = null;
             frameStep = Collider.SEARCHING;
@@ -411,14 +409,14 @@ package starlogo.collision
                 _heldGround = frameInput.ground.surface.grid;
                 _heldGround.hold();
             }
-            _statistics.handlerCalls = _calls.callHandlers(pairs, system, tracker, agents, _handlerErrors);
+            _statistics.handlerCalls = _calls.callHandlers(pairs, system, lastFrame.tracker, agents, _handlerErrors);
             var searched:Collider = system.samePairsCollider;
             lastFrame.search = searched == null ? null : searched.search;
         }
 
         private function requireIdle(what:String):void
         {
-            if (_frameSystem != null)
+            if (frameStep != Collider.IDLE)
             {
                 throw new IllegalOperationError(what + " must not be called from a handler, or from the filter");
             }

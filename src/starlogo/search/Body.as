@@ -225,7 +225,7 @@ package starlogo.search
         }
 
         /** The radius of a circle on the ground around the middle that encloses the extents, or the sphere. */
-        engine function get groundRadius():Number
+        engine function get radiusXY():Number
         {
             if (kind == BoundingStructure.SPHERE)
             {

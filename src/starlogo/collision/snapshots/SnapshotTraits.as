@@ -68,14 +68,10 @@ package starlogo.collision.snapshots
                 {
                     throw new RangeError("a trait has a value that is not allowed");
                 }
-                if (model != agent.modelNumber || isHierarchical != agent.isHierarchical || kind != agent.structureKind || depth != agent.depthLimit
-                        || size != at.size)
+                if (x != at.x || y != at.y || z != at.z || size != at.size || model != agent.modelNumber || breed != agent.breedNumber
+                        || isSweeping != agent.isSweeping || isHierarchical != agent.isHierarchical || kind != agent.structureKind || depth != agent.depthLimit)
                 {
                     agent.countBodyChange();
-                }
-                else if (x != at.x || y != at.y || z != at.z || isSweeping != agent.isSweeping || breed != agent.breedNumber)
-                {
-                    agent.revision++;
                 }
                 Breeds.changes += int(breed != agent.breedNumber);
                 Agent.haveSwept ||= isSweeping;

@@ -8,7 +8,7 @@ package starlogo.broadphase
      */
     public final class Extents extends Points
     {
-        /** The radius of a circle on the ground around the extents. */
+        /** The radius of a circle around the extents, as seen from above. */
         public var radiusXY:Vector.<Number> = new Vector.<Number>();
 
         /** Half the length along x. */

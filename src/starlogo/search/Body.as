@@ -224,7 +224,7 @@ package starlogo.search
             return _placed;
         }
 
-        /** The radius of a circle on the ground around the middle that encloses the extents, or the sphere. */
+        /** The radius of a circle around the middle that encloses the extents, or the sphere, as seen from above. */
         engine function get radiusXY():Number
         {
             if (kind == BoundingStructure.SPHERE)

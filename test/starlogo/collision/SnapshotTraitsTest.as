@@ -149,7 +149,7 @@ package starlogo.collision
         }
 
         [Test]
-        public function settersOfAGamesOwnAreNotCalled():void
+        public function methodsOfAGamesOwnAreNotCalled():void
         {
             var tile:Tile = new Tile();
             tile.size = 3;
@@ -166,7 +166,7 @@ package starlogo.collision
             tile.calls = 0;
             collision.restore(bytes, agents);
             assertEquals(0, tile.calls);
-            assertEquals("2.25 0.5 1.5 90", [tile.x, tile.y, tile.size, tile.heading].join(" "));
+            assertEquals("2.25 0.5 3 90", [tile.x, tile.y, tile.size, tile.heading].join(" "));
             assertEquals(hexOf(bytes), hexOf(collision.snapshot(true)));
             assertThrows(ArgumentError, /no snapshot any more/, collision.restore, cutOff(bytes), agents);
             assertEquals(0, tile.calls);
@@ -479,7 +479,7 @@ import starlogo.collision.TightestFitCollider;
 import starlogo.queries.AgentQueries;
 import starlogo.queries.Footing;
 
-/** An agent with setters of its own: it stays on whole places, and halves sizes. */
+/** An agent with methods of its own: it stays on whole places. */
 internal class Tile extends Agent
 {
     public var calls:int = 0;
@@ -493,12 +493,6 @@ internal class Tile extends Agent
     {
         calls++;
         super.moveTo(Math.round(x), Math.round(y), z);
-    }
-
-    override public function set size(value:Number):void
-    {
-        calls++;
-        super.size = value / 2;
     }
 
     override public function setQuaternion(x:Number, y:Number, z:Number, w:Number):void

@@ -19,9 +19,8 @@ package starlogo.collision.snapshots
      */
     internal final class SnapshotPlatforms
     {
-        // Bytes: two indices, the walker's place, and the place, the size and the rotation of the agent below.
-        private static const SIZE:int = 8 + 8 * (3 + 4 + 9);
-        private static const ROTATION:int = 9;
+        // The numbers after the indices of two agents: the walker's place, and the place, the size and the rotation of the agent below.
+        private static const NUMBERS:int = 3 + 4 + 9;
 
         /** Writes what the agents of a table's list stand on, if it is in the list too. An agent may have been moved away from there, and come back. */
         public static function write(bytes:ByteArray, agents:Vector.<Agent>, table:AgentTable):void
@@ -57,7 +56,7 @@ package starlogo.collision.snapshots
         public static function read(bytes:ByteArray, agents:Vector.<Agent>):Vector.<PlatformLink>
         {
             var left:uint = bytes.readUnsignedInt();
-            if (left > agents.length || left * SIZE > bytes.bytesAvailable)
+            if (left > agents.length || left * (8 + 8 * NUMBERS) > bytes.bytesAvailable)
             {
                 return null;
             }
@@ -71,12 +70,23 @@ package starlogo.collision.snapshots
                     return null;
                 }
                 var link:PlatformLink = new PlatformLink();
-                link.platform = agents[on];
-                link.walkerPlace.setTo(bytes.readDouble(), bytes.readDouble(), bytes.readDouble());
-                if (!isInWorld(link.walkerPlace.x, link.walkerPlace.y, link.walkerPlace.z) || !readPlacement(bytes, link.platformPlacement))
+                var numbers:Vector.<Number> = new Vector.<Number>();
+                while (numbers.length < NUMBERS)
+                {
+                    numbers.push(bytes.readDouble());
+                }
+                var below:Placement = link.platformPlacement;
+                below.x = numbers[3];
+                below.y = numbers[4];
+                below.z = numbers[5];
+                below.size = numbers[6];
+                below.setRows(numbers, 7);
+                if (!isInWorld(numbers[0], numbers[1], numbers[2]) || !isInWorld(below.x, below.y, below.z) || !Agent.isSize(below.size) || !below.isRotation)
                 {
                     return null;
                 }
+                link.platform = agents[on];
+                link.walkerPlace.setTo(numbers[0], numbers[1], numbers[2]);
                 links[walker] = link;
             }
             return links;
@@ -93,22 +103,6 @@ package starlogo.collision.snapshots
                     links[i].platformRevision = links[i].platform.revision;
                 }
             }
-        }
-
-        // Returns whether an agent can have the placement.
-        private static function readPlacement(bytes:ByteArray, out:Placement):Boolean
-        {
-            out.x = bytes.readDouble();
-            out.y = bytes.readDouble();
-            out.z = bytes.readDouble();
-            out.size = bytes.readDouble();
-            var rotation:Vector.<Number> = new Vector.<Number>(ROTATION, true);
-            for (var k:int = 0; k < ROTATION; k++)
-            {
-                rotation[k] = bytes.readDouble();
-            }
-            out.setRows(rotation, 0);
-            return isInWorld(out.x, out.y, out.z) && Agent.isSize(out.size) && out.isRotation;
         }
     }
 }

@@ -57,7 +57,7 @@ package starlogo.collision
         /** @private The search whose contacts contactOf gives. */
         engine var contactSearch:CollisionSearch;
 
-        // The Collision that owns the collider, or null. It keeps its motions and contacts in the collider.
+        // The last Collision to which the collider was attached, or null. It owns the collider while it uses it, and keeps its motions and contacts there.
         private var _owner:Collision = null;
 
         // The search for the game's own calls of findCollisions while a Collision owns the collider, or null.
@@ -121,7 +121,7 @@ package starlogo.collision
             requireGiven("agents", agents);
             var inSearch:CollisionSearch = search;
             var step:int = stepOfOwner;
-            if (_owner != null && step != SEARCHING)
+            if (isOwned && step != SEARCHING)
             {
                 // The next frame's motions begin where the last frame saw the agents, so a game's own call must not change that. While a Collision
                 // searches it is no call of the game's: a BaseCollider around this collider makes it
@@ -181,10 +181,14 @@ package starlogo.collision
             return contact;
         }
 
-        /** @private Lets a Collision own the collider. If it did not before, no agent has a motion then. @throws ArgumentError if another owns it */
+        /**
+         * @private Lets a Collision own the collider, as long as it uses it. If it did not use it before, no agent has a motion then.
+         *
+         * @throws ArgumentError if another owns it
+         */
         engine function attachTo(owner:Collision):void
         {
-            if (_owner == null)
+            if (!isOwned)
             {
                 forgetMotions();
             }
@@ -194,12 +198,6 @@ package starlogo.collision
                         + "a collider of its own, or first exchange the collisionSystem of the other");
             }
             _owner = owner;
-        }
-
-        /** @private From now on another Collision may own the collider. */
-        engine function detach():void
-        {
-            _owner = null;
         }
 
         /** @private Lets no agent have a motion in the next frame. */
@@ -214,6 +212,12 @@ package starlogo.collision
             var pairs:FoundPairs = find(search, input);
             counts.copyFrom(_statistics);
             return pairs;
+        }
+
+        // Whether a Collision uses the collider.
+        private function get isOwned():Boolean
+        {
+            return _owner != null && _owner.uses(this);
         }
 
         // The step of the owner's frame, if this collider finds its pairs.

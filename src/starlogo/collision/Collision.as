@@ -138,7 +138,6 @@ package starlogo.collision
         public function set collisionSystem(value:CollisionSystem):void
         {
             requireGiven("collisionSystem", value);
-            var before:BaseCollider = _system;
             var next:BaseCollider = BaseCollider.wrap(value);
             if (next.innerCollider != null)
             {
@@ -146,17 +145,12 @@ package starlogo.collision
             }
             _givenSystem = value;
             _system = next;
-            detachUnused(before);
         }
 
-        // Detaches the collider of a system, unless it is in the collision system or in the one of the frame under way.
-        private function detachUnused(system:BaseCollider):void
+        /** @private Whether a collider is in the collision system, or in the one of the frame under way. */
+        engine function uses(collider:Collider):Boolean
         {
-            var collider:Collider = system == null ? null : system.innerCollider;
-            if (collider != null && collider !== _system.innerCollider && collider !== systemOfFrame.innerCollider)
-            {
-                collider.detach();
-            }
+            return collider === _system.innerCollider || collider === systemOfFrame.innerCollider;
         }
 
         /** Counts and times of the last frame. The next frame overwrites them. */
@@ -318,7 +312,6 @@ package starlogo.collision
                 _calls.endFrame();
                 frameStep = Collider.IDLE;
                 _frameSystem = null;
-                detachUnused(system);
                 if (_heldGround != null)
                 {
                     _heldGround.release();

@@ -42,9 +42,9 @@ package starlogo.collision.snapshots
                 var below:Placement = link.platformPlacement;
                 var numbers:Vector.<Number> = new <Number>[at.x, at.y, at.z, below.x, below.y, below.z, below.size];
                 below.readRows(numbers, numbers.length);
-                for each (var number:Number in numbers)
+                for (var k:int = 0; k < NUMBERS; k++)
                 {
-                    bytes.writeDouble(number);
+                    bytes.writeDouble(numbers[k]);
                 }
             }
             bytes.position = countAt;

@@ -243,7 +243,8 @@ package starlogo.collision.snapshots
             }
             if (isGroundThere != ((contents & HAS_GROUND) != 0))
             {
-                throw new ArgumentError("bytes are no snapshot of a Collision " + (isGroundThere ? "with" : "without") + " ground");
+                var which:String = isGroundThere ? "with" : "without";
+                throw new ArgumentError("bytes are no snapshot of a Collision " + which + " ground");
             }
             return contents;
         }

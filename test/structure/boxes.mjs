@@ -43,7 +43,6 @@ const COLD = {
 export const ALLOWED = {
 	'starlogo.agents.Agent.collideAs': { count: 2, why: 'the text of an error' },
 	'starlogo.collision.Collision.update': { count: 1, why: 'what a finally throws again' },
-	'starlogo.handlers.hintOfBreed': { count: 4, why: 'runs when handlers change' },
 	'starlogo.handlers.requireParameters': { count: 2, why: 'the text of an error' },
 	'starlogo.handlers.warnOfMissingBreeds': { count: 1, why: 'runs when handlers change' },
 	'starlogo.queries.Footing.toString': { count: 4, why: 'the text of a trace' },

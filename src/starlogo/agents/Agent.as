@@ -100,6 +100,9 @@ package starlogo.agents
         /** @private The value of <code>sweeps</code>, without a call. */
         engine var isSweeping:Boolean = false;
 
+        /** @private The value of <code>hierarchical</code>, without a call. */
+        engine var isHierarchical:Boolean = false;
+
         /** @private The kind of structure for the agent; ANY_KIND for the tightest. */
         engine var structureKind:int = ANY_KIND;
 
@@ -120,7 +123,6 @@ package starlogo.agents
         /** The agent's colour, with the client's colour numbers. It has no effect on collisions. */
         public var color:Number = 0;
 
-        private var _hierarchical:Boolean = false;
         private var _turn:Turn = null;
 
         /**
@@ -143,6 +145,12 @@ package starlogo.agents
         engine static function takeId():int
         {
             return ++createdCount;
+        }
+
+        /** @private Whether an agent may have a size. */
+        engine static function isSize(value:Number):Boolean
+        {
+            return value >= SMALLEST_SIZE && value <= LARGEST_SIZE;
         }
 
         /** @private The id of a new agent. */
@@ -352,11 +360,7 @@ package starlogo.agents
          */
         public function setQuaternion(x:Number, y:Number, z:Number, w:Number):void
         {
-            TraitChecks.requireQuaternion(this, x, y, z, w);
-            if (turn.setQuaternion(x, y, z, w))
-            {
-                countBodyChange();
-            }
+            turnBy(x, y, z, w);
         }
 
         /**
@@ -423,14 +427,14 @@ package starlogo.agents
          */
         public function get hierarchical():Boolean
         {
-            return _hierarchical;
+            return isHierarchical;
         }
 
         public function set hierarchical(value:Boolean):void
         {
-            if (value != _hierarchical)
+            if (value != isHierarchical)
             {
-                _hierarchical = value;
+                isHierarchical = value;
                 countBodyChange();
             }
         }
@@ -559,8 +563,18 @@ package starlogo.agents
             }
         }
 
-        // Call it after a change that bodyRevision counts.
-        private function countBodyChange():void
+        /** @private As setQuaternion(), which a game's subclass may override. */
+        engine function turnBy(x:Number, y:Number, z:Number, w:Number):void
+        {
+            TraitChecks.requireQuaternion(this, x, y, z, w);
+            if (turn.setQuaternion(x, y, z, w))
+            {
+                countBodyChange();
+            }
+        }
+
+        /** @private Call it after a change that bodyRevision counts. */
+        engine function countBodyChange():void
         {
             bodyRevision++;
             revision++;

@@ -15,10 +15,7 @@ package starlogo.agents
      */
     public final class PlatformLink
     {
-        /** The agent that has walked. */
-        public var agent:Agent;
-
-        /** The agent that it stands on. It is null if the agent stands on nothing, or on the ground. */
+        /** The agent that the walker stands on. It is null if the walker stands on nothing, or on the ground. */
         public var platform:Agent = null;
 
         /** Where the platform was. */
@@ -30,37 +27,36 @@ package starlogo.agents
         /** The revision that the platform had. */
         public var platformRevision:int = 0;
 
-        /** Where the agent itself was. */
+        /** Where the walker was. */
         public var walkerPlace:Vector3D = new Vector3D();
 
-        /** @param agent the agent that walks */
-        public function PlatformLink(agent:Agent)
-        {
-            this.agent = agent;
-        }
-
-        /** Notes what the agent stands on. */
-        public function setTo(platform:Agent, platformPlacement:Placement, ignoresRotation:Boolean, platformRevision:int):void
+        /** Notes what a walker stands on. */
+        public function setTo(walker:Agent, platform:Agent, platformPlacement:Placement, ignoresRotation:Boolean, platformRevision:int):void
         {
             this.platform = platform;
             this.platformPlacement.copyFrom(platformPlacement);
             this.ignoresRotation = ignoresRotation;
             this.platformRevision = platformRevision;
-            walkerPlace.setTo(agent.placement.x, agent.placement.y, agent.placement.z);
+            walkerPlace.setTo(walker.placement.x, walker.placement.y, walker.placement.z);
         }
 
-        /** Whether the agent is still where it was, and the platform has not jumped. */
-        public function get isValid():Boolean
+        /** Whether the platform may carry the walker, if that is where it was: there is one, and it has not jumped since. */
+        public function get hasPlatform():Boolean
         {
-            var place:Placement = agent.placement;
-            return platform != null && platform.jumpRevision <= platformRevision
-                && isSame(place.x, walkerPlace.x) && isSame(place.y, walkerPlace.y) && isSame(place.z, walkerPlace.z);
+            return platform != null && platform.jumpRevision <= platformRevision;
         }
 
-        // Whether two coordinates of the agent are the same, up to the rounding of a game that keeps them from another point of the agent.
-        private function isSame(a:Number, b:Number):Boolean
+        /** Whether the platform carries the walker: the walker is still where it was. */
+        public function carries(walker:Agent):Boolean
         {
-            return Math.abs(a - b) <= Tolerances.UNIT_ROUNDING * (Math.abs(b) + agent.size);
+            var at:Placement = walker.placement;
+            return hasPlatform && isSame(at.x, walkerPlace.x, at.size) && isSame(at.y, walkerPlace.y, at.size) && isSame(at.z, walkerPlace.z, at.size);
+        }
+
+        // Whether two coordinates of the walker are the same, up to the rounding of a game that keeps them from another point of the walker.
+        private static function isSame(a:Number, b:Number, size:Number):Boolean
+        {
+            return Math.abs(a - b) <= Tolerances.UNIT_ROUNDING * (Math.abs(b) + size);
         }
     }
 }

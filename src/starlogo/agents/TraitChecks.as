@@ -61,7 +61,7 @@ package starlogo.agents
         /** Throws a RangeError if a size is not from SMALLEST_SIZE to LARGEST_SIZE. */
         public static function requireSize(agent:Agent, value:Number):void
         {
-            if (!(value >= Agent.SMALLEST_SIZE && value <= Agent.LARGEST_SIZE))
+            if (!Agent.isSize(value))
             {
                 var range:String = value > 0 && value < Infinity ? "between " + Agent.SMALLEST_SIZE + " and " + Agent.LARGEST_SIZE : "a positive, finite number";
                 throw new RangeError(agent + ": size must be " + range + ", not " + value);

@@ -184,7 +184,7 @@ package starlogo.agents
             }
             if (by != BY_ANGLES)
             {
-                agent.setQuaternion(bytes.readDouble(), bytes.readDouble(), bytes.readDouble(), bytes.readDouble());
+                agent.turnBy(bytes.readDouble(), bytes.readDouble(), bytes.readDouble(), bytes.readDouble());
             }
             if (by == BY_QUATERNION && _turnedBy != BY_QUATERNION)
             {

@@ -82,10 +82,12 @@ package starlogo.broadphase
         // Puts the members into the order of their cells, by a counting sort.
         private function sortIntoCells(extents:Extents, members:IntList):void
         {
-            makeLevels(extents);
             countMembers(extents, members);
             var bucketCount:int = layOutBuckets();
-            makeRoom(bucketCount, members.count);
+            if (members.count > _buckets.length)
+            {
+                _buckets.length = members.count;
+            }
             fillBuckets(extents, members);
             var slots:int = findStarts(bucketCount);
             if (slots > _rows.length)
@@ -97,22 +99,17 @@ package starlogo.broadphase
             copyCircles(extents, slots);
         }
 
-        // Makes the levels that the extents have needed so far.
-        private function makeLevels(extents:Extents):void
-        {
-            while (levels.length < extents.levelWidths.length)
-            {
-                levels.push(new BinLevel(extents.levelWidths[levels.length]));
-            }
-        }
-
-        // Counts the members of each level.
+        // Counts the members of each level. Makes the levels that the extents have needed so far.
         private function countMembers(extents:Extents, members:IntList):void
         {
             var rows:Vector.<int> = members.values;
             var end:int = members.count;
             var indices:Vector.<int> = extents.levelIndices;
             var all:Vector.<BinLevel> = levels;
+            while (all.length < extents.levelWidths.length)
+            {
+                all.push(new BinLevel(extents.levelWidths[all.length]));
+            }
             for (var i:int = 1; i < all.length; i++)
             {
                 all[i].count = 0;
@@ -125,7 +122,7 @@ package starlogo.broadphase
             }
         }
 
-        // Gives each level its buckets. Returns the number of all buckets, with the copies of first ones.
+        // Gives each level its buckets, and makes room for them. Returns the number of all buckets, with the copies of first ones.
         private function layOutBuckets():int
         {
             var bucketCount:int = 0;
@@ -133,20 +130,12 @@ package starlogo.broadphase
             {
                 bucketCount = levels[i].layOutBuckets(bucketCount);
             }
-            return bucketCount;
-        }
-
-        private function makeRoom(bucketCount:int, memberCount:int):void
-        {
             if (bucketCount > _counts.length)
             {
                 _counts.length = bucketCount;
                 _starts.length = bucketCount + 1;
             }
-            if (memberCount > _buckets.length)
-            {
-                _buckets.length = memberCount;
-            }
+            return bucketCount;
         }
 
         // Finds each member's bucket. Counts the members of the buckets.
@@ -233,7 +222,7 @@ package starlogo.broadphase
         {
             var fromX:Vector.<Number> = extents.x;
             var fromY:Vector.<Number> = extents.y;
-            var fromRadius:Vector.<Number> = extents.groundRadius;
+            var fromRadius:Vector.<Number> = extents.radiusXY;
             var bySlot:Vector.<int> = _rows;
             var toX:Vector.<Number> = _xs;
             var toY:Vector.<Number> = _ys;

@@ -230,7 +230,7 @@ package starlogo.broadphase
         {
             var xs:Vector.<Number> = _extents.x;
             var ys:Vector.<Number> = _extents.y;
-            var radii:Vector.<Number> = _extents.groundRadius;
+            var radii:Vector.<Number> = _extents.radiusXY;
             var x:Number = xs[row];
             var y:Number = ys[row];
             var ownRadius:Number = radii[row] + slack;

@@ -8,8 +8,8 @@ package starlogo.broadphase
      */
     public final class Extents extends Points
     {
-        /** The radius of a circle on the ground around the extents. */
-        public var groundRadius:Vector.<Number> = new Vector.<Number>();
+        /** The radius of a circle around the extents, as seen from above. */
+        public var radiusXY:Vector.<Number> = new Vector.<Number>();
 
         /** Half the length along x. */
         public var halfX:Vector.<Number> = new Vector.<Number>();
@@ -33,7 +33,7 @@ package starlogo.broadphase
         override public function grow(length:int):void
         {
             super.grow(length);
-            groundRadius.length = halfX.length = halfY.length = halfZ.length = distanceFromPlace.length = levelIndices.length = length;
+            radiusXY.length = halfX.length = halfY.length = halfZ.length = distanceFromPlace.length = levelIndices.length = length;
         }
 
         /**

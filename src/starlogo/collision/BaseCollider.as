@@ -1,6 +1,3 @@
-// A Collision asks a collision system for two colliders. Its innerCollider is the engine's collider in it, which the Collision owns, because it keeps
-// motions and contacts. Its samePairsCollider is the one that finds the same pairs, as a CollisionRecorder's does: snapshots and questions need it. Both are
-// null for a system of the game's own; one around a collider has an innerCollider alone.
 package starlogo.collision
 {
     import flash.errors.IllegalOperationError;
@@ -24,6 +21,15 @@ package starlogo.collision
      */
     public class BaseCollider extends QuerySource implements CollisionSystem
     {
+        /** @private The engine's collider that this one is or contains, which one Collision at most owns; null if there is none. Read only. */
+        engine var innerCollider:Collider = null;
+
+        /**
+         * @private The same if it finds the same pairs as this one, so that snapshots and questions can use it; or else null, as for a system of the
+         * game's own around a collider. Read only.
+         */
+        engine var samePairsCollider:Collider = null;
+
         private var _collisionSystem:CollisionSystem;
         private var _foundAgents:Vector.<Agent> = new Vector.<Agent>();
 
@@ -36,6 +42,10 @@ package starlogo.collision
         public function BaseCollider(collisionSystem:CollisionSystem = null)
         {
             _collisionSystem = collisionSystem;
+            if (innerSystem != null)
+            {
+                innerCollider = innerSystem.innerCollider;
+            }
         }
 
         /** @private Returns the system itself if it is a BaseCollider, otherwise a BaseCollider around it. */
@@ -104,27 +114,14 @@ package starlogo.collision
             return contact;
         }
 
-        /** @private The engine's collider that this one is or contains, which one Collision at most owns; null if there is none. */
-        engine function get innerCollider():Collider
-        {
-            return innerSystem == null ? null : innerSystem.innerCollider;
-        }
-
         /** @private */
         override engine function findNarrowPhase():NarrowPhase
         {
-            var collider:Collider = samePairsCollider;
-            if (collider != null)
+            if (samePairsCollider != null)
             {
-                return collider.narrowPhase;
+                return samePairsCollider.narrowPhase;
             }
             throw errorAbout(systemForErrors);
-        }
-
-        /** @private The engine's collider that finds the same pairs as this one, or null. Snapshots and questions use it. */
-        engine function get samePairsCollider():Collider
-        {
-            return null;
         }
 
         /**

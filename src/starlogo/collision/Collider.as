@@ -27,6 +27,10 @@ package starlogo.collision
      * comes first. The ground and the edges of the world come after all agents. If an agent sweeps, pairs come by time of impact, and pairs of the
      * same time in the order of the list.</p>
      *
+     * <p>A Collision searches with a collider itself. It calls <code>contactOf()</code> of a subclass, but not its
+     * <code>findCollisions()</code>, <code>findCollisionsAmong()</code> and <code>areColliding()</code>. To find other pairs, put a BaseCollider
+     * around the collider, and override the methods there.</p>
+     *
      * <p>While a ModelLoader is loading an agent's model, the agent collides with nothing. The statistics count it. Models may be replaced
      * and removed at any time.</p>
      */
@@ -35,14 +39,17 @@ package starlogo.collision
         // Steps of a frame. While it searches, it calls findCollisions of the collider, or of a system around it. While its handlers run, contacts stay
         // those of the frame.
 
-        /** @private No frame is under way, or its filter is asked. */
+        /** @private No frame is under way. */
         engine static const IDLE:int = 0;
 
+        /** @private A frame asks its filter. */
+        engine static const FILTERING:int = 1;
+
         /** @private A frame searches for its pairs. */
-        engine static const SEARCHING:int = 1;
+        engine static const SEARCHING:int = 2;
 
         /** @private The handlers of a frame run. */
-        engine static const HANDLING:int = 2;
+        engine static const HANDLING:int = 3;
 
         /** @private The search that the collider makes. */
         engine var search:CollisionSearch;
@@ -50,7 +57,7 @@ package starlogo.collision
         /** @private The search whose contacts contactOf gives. */
         engine var contactSearch:CollisionSearch;
 
-        // The Collision that owns the collider, or null. It keeps its motions and contacts in the collider.
+        // The last Collision to which the collider was attached, or null. It owns the collider while it uses it, and keeps its motions and contacts there.
         private var _owner:Collision = null;
 
         // The search for the game's own calls of findCollisions while a Collision owns the collider, or null.
@@ -70,6 +77,7 @@ package starlogo.collision
         public function Collider(choice:BaseShapeChoice)
         {
             super();
+            innerCollider = samePairsCollider = this;
             search = new CollisionSearch(narrowPhaseFor(choice));
             contactSearch = search;
         }
@@ -113,7 +121,7 @@ package starlogo.collision
             requireGiven("agents", agents);
             var inSearch:CollisionSearch = search;
             var step:int = stepOfOwner;
-            if (_owner != null && step != SEARCHING)
+            if (isOwned && step != SEARCHING)
             {
                 // The next frame's motions begin where the last frame saw the agents, so a game's own call must not change that. While a Collision
                 // searches it is no call of the game's: a BaseCollider around this collider makes it
@@ -173,22 +181,14 @@ package starlogo.collision
             return contact;
         }
 
-        /** @private */
-        override engine function get samePairsCollider():Collider
+        /**
+         * @private Lets a Collision own the collider, as long as it uses it. If it did not use it before, no agent has a motion then.
+         *
+         * @throws ArgumentError if another owns it
+         */
+        engine function attachTo(owner:Collision):void
         {
-            return this;
-        }
-
-        /** @private */
-        override engine function get innerCollider():Collider
-        {
-            return this;
-        }
-
-        /** @private Lets a Collision own the collider. If it did not before, no agent has a motion then. @throws ArgumentError if another owns it */
-        engine function own(owner:Collision):void
-        {
-            if (_owner == null)
+            if (!isOwned)
             {
                 forgetMotions();
             }
@@ -198,12 +198,6 @@ package starlogo.collision
                         + "a collider of its own, or first exchange the collisionSystem of the other");
             }
             _owner = owner;
-        }
-
-        /** @private From now on another Collision may own the collider. */
-        engine function release():void
-        {
-            _owner = null;
         }
 
         /** @private Lets no agent have a motion in the next frame. */
@@ -218,6 +212,12 @@ package starlogo.collision
             var pairs:FoundPairs = find(search, input);
             counts.copyFrom(_statistics);
             return pairs;
+        }
+
+        // Whether a Collision uses the collider.
+        private function get isOwned():Boolean
+        {
+            return _owner != null && _owner.uses(this);
         }
 
         // The step of the owner's frame, if this collider finds its pairs.

@@ -20,7 +20,6 @@ package starlogo.collision
     import starlogo.ground.HeightGrid;
     import starlogo.handlers.CollisionHandler;
     import starlogo.handlers.HandlerTable;
-    import starlogo.handlers.TouchTracker;
     import starlogo.search.BreedInterests;
     import starlogo.search.FoundPairs;
     import starlogo.search.SearchInput;
@@ -87,7 +86,7 @@ package starlogo.collision
          */
         public var filter:AgentPredicate = null;
 
-        /** @private The step of the frame: Collider.IDLE, SEARCHING or HANDLING. Read only. */
+        /** @private The step of the frame: Collider.IDLE, FILTERING, SEARCHING or HANDLING. Read only. */
         engine var frameStep:int = Collider.IDLE;
 
         /** @private What the frame searches among. Read only. */
@@ -139,25 +138,19 @@ package starlogo.collision
         public function set collisionSystem(value:CollisionSystem):void
         {
             requireGiven("collisionSystem", value);
-            var before:BaseCollider = _system;
             var next:BaseCollider = BaseCollider.wrap(value);
             if (next.innerCollider != null)
             {
-                next.innerCollider.own(this);
+                next.innerCollider.attachTo(this);
             }
             _givenSystem = value;
             _system = next;
-            releaseUnused(before);
         }
 
-        // Releases the collider of a system, unless it is in the collision system or in the one of the frame under way.
-        private function releaseUnused(system:BaseCollider):void
+        /** @private Whether a collider is in the collision system, or in the one of the frame under way. */
+        engine function uses(collider:Collider):Boolean
         {
-            var collider:Collider = system == null ? null : system.innerCollider;
-            if (collider != null && collider !== _system.innerCollider && collider !== systemOfFrame.innerCollider)
-            {
-                collider.release();
-            }
+            return collider === _system.innerCollider || collider === systemOfFrame.innerCollider;
         }
 
         /** Counts and times of the last frame. The next frame overwrites them. */
@@ -218,7 +211,7 @@ package starlogo.collision
          */
         public function onCollision(breed:String, otherBreed:String, handler:Function):void
         {
-            _handlers.add(breed, otherBreed, handler, CollisionHandler.COLLISION);
+            _handlers.add(breed, otherBreed, handler, CollisionHandler.EVERY_FRAME);
         }
 
         /**
@@ -243,7 +236,8 @@ package starlogo.collision
          * is called for the breeds that the two had when the touch began.
          *
          * <p>Ends come before all other calls of a frame, in the order in which the touches began. The handlers are called for the same
-         * directions as those for starts. One of the two agents, or both, may have left the list.</p>
+         * directions as those for starts. One of the two agents, or both, may have left the list. If the ground or the edges were exchanged since the
+         * touch began, the handler gets the agent of the former ones. Its place may not be known any more, so do not ask how or whether it touches.</p>
          *
          * @param breed as in onCollision
          * @param otherBreed as in onCollision
@@ -278,7 +272,6 @@ package starlogo.collision
         public function reset():void
         {
             _handlers.clear();
-            // a handler may call this, and the frame under way goes on with its own
             _lastFrame = new LastFrame();
             forgetMotions(_system);
             forgetMotions(systemOfFrame);
@@ -309,6 +302,7 @@ package starlogo.collision
             var start:Number = getTimer();
             _handlerErrors.length = 0;
             var system:BaseCollider = _frameSystem = _system;
+            frameStep = Collider.FILTERING;
             try
             {
                 runFrame(agents, system);
@@ -318,7 +312,6 @@ package starlogo.collision
                 _calls.endFrame();
                 frameStep = Collider.IDLE;
                 _frameSystem = null;
-                releaseUnused(system);
                 if (_heldGround != null)
                 {
                     _heldGround.release();
@@ -395,10 +388,9 @@ package starlogo.collision
         // Finds the pairs of a frame, and calls their handlers. What the filter or a handler exchanges counts from the next frame on.
         private function runFrame(agents:Vector.<Agent>, system:BaseCollider):void
         {
-            var tracker:TouchTracker = _lastFrame.tracker;
             _handlers.begin(agents);
             frameInput.begin(agents, _handlers.interests, ground, edges, filter);
-            // The filter may have called reset(), which forgets the frames before this one. The touches of this frame do not count then
+            // after the filter, which may have called reset(). A handler may call it too, and then the frame goes on with the one before
             var lastFrame:LastFrame = _lastFrame;
             lastFrame.search = null;
             frameStep = Collider.SEARCHING;
@@ -410,14 +402,14 @@ package starlogo.collision
                 _heldGround = frameInput.ground.surface.grid;
                 _heldGround.hold();
             }
-            _statistics.handlerCalls = _calls.callHandlers(pairs, system, tracker, agents, _handlerErrors);
+            _statistics.handlerCalls = _calls.callHandlers(pairs, system, lastFrame.tracker, agents, _handlerErrors);
             var searched:Collider = system.samePairsCollider;
             lastFrame.search = searched == null ? null : searched.search;
         }
 
         private function requireIdle(what:String):void
         {
-            if (_frameSystem != null)
+            if (frameStep != Collider.IDLE)
             {
                 throw new IllegalOperationError(what + " must not be called from a handler, or from the filter");
             }

@@ -9,23 +9,24 @@ package starlogo.collision
     {
         private var _agents:Vector.<Agent> = null;
 
-        // By row: the last known index, or -1 once the agent was missing. They are those of the frame's list until an agent has another one, and then
-        // a copy.
-        private var _indices:Vector.<int> = null;
-        private var _copy:Vector.<int> = new Vector.<int>();
+        // By row: the last known index, or -1 once the agent was missing.
+        private var _indices:Vector.<int> = new Vector.<int>();
 
         /** Begins a frame with its list. @param listed the agents as the frame has found them in the list */
         public function begin(agents:Vector.<Agent>, listed:ListedAgents):void
         {
             _agents = agents;
-            _indices = listed.listIndices;
+            var indices:Vector.<int> = listed.listIndices;
+            for (var row:int = 0; row < indices.length; row++)
+            {
+                _indices[row] = indices[row];
+            }
         }
 
         /** Ends a frame. */
         public function end():void
         {
             _agents = null;
-            _indices = null;
         }
 
         /** Whether both agents of a pair are in the list. The ground and the edges of the world always are; they come second in a pair. */
@@ -44,14 +45,6 @@ package starlogo.collision
             var index:int = _indices[row];
             if (index >= 0 && (index >= _agents.length || _agents[index] !== agent))
             {
-                if (_indices !== _copy)
-                {
-                    for (var other:int = 0; other < _indices.length; other++)
-                    {
-                        _copy[other] = _indices[other];
-                    }
-                    _indices = _copy;
-                }
                 index = _agents.lastIndexOf(agent, index);
                 if (index < 0)
                 {

@@ -66,14 +66,14 @@ package starlogo.collision
             _callCount = 0;
             _tracker = tracker;
             var starting:IntList = tracker.beginFrame(pairs, _table);
-            if (_table.contactPhases != 0)
+            if (_table.all.contactPhases != 0)
             {
                 // before touches end, because a game's own contactOf may throw. Then the next frame ends them
                 _contacts.begin();
                 findContacts(starting);
             }
             tracker.endNotContinued();
-            callAll((_table.phases & CollisionHandler.COLLISION) == 0 ? starting : null, errors);
+            callAll((_table.all.phases & CollisionHandler.EVERY_FRAME) == 0 ? starting : null, errors);
             return _callCount;
         }
 
@@ -93,13 +93,13 @@ package starlogo.collision
         // Computes the contacts that handlers take, before a handler moves an agent. Handlers for starts take none of a touch that goes on.
         private function findContacts(starting:IntList):void
         {
-            var chosen:IntList = (_table.contactPhases & CollisionHandler.COLLISION) == 0 ? starting : null;
+            var chosen:IntList = (_table.all.contactPhases & CollisionHandler.EVERY_FRAME) == 0 ? starting : null;
             var end:int = chosen == null ? _pairs.count : chosen.count;
             for (var i:int = 0; i < end; i++)
             {
                 var pair:int = chosen == null ? i : chosen.values[i];
                 var phases:int = _table.handlersOfPair(_pairs, pair).contactPhases;
-                if ((phases & CollisionHandler.COLLISION) != 0 || phases != 0 && _tracker.touchAt(pair) == null)
+                if ((phases & CollisionHandler.EVERY_FRAME) != 0 || phases != 0 && _tracker.touchAt(pair) == null)
                 {
                     _contacts.compute(pair, _pairs, _system);
                 }
@@ -176,7 +176,7 @@ package starlogo.collision
             var end:int = _handlersOfPair.handlers.length;
             if (!_handlersOfPair.tracksTouches)
             {
-                callRest(pair, first, second, CollisionHandler.COLLISION, end);
+                callRest(pair, first, second, CollisionHandler.EVERY_FRAME, end);
                 return;
             }
             var touch:Touch = _tracker.touchAt(pair);
@@ -190,7 +190,7 @@ package starlogo.collision
             }
             // a touch that was not complete has ended
             var isStarting:Boolean = !touch.isComplete;
-            callRest(pair, first, second, isStarting ? CollisionHandler.COLLISION | CollisionHandler.START : CollisionHandler.COLLISION, end);
+            callRest(pair, first, second, isStarting ? CollisionHandler.EVERY_FRAME | CollisionHandler.START : CollisionHandler.EVERY_FRAME, end);
             if (isStarting)
             {
                 touch.isComplete = _nextHandler > _handlersOfPair.firstCount || _nextHandler == end;

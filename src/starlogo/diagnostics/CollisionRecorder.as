@@ -3,7 +3,6 @@ package starlogo.diagnostics
     import flash.utils.getTimer;
     import starlogo.agents.Agent;
     import starlogo.collision.BaseCollider;
-    import starlogo.collision.Collider;
     import starlogo.collision.CollisionStatistics;
     import starlogo.collision.CollisionSystem;
     import starlogo.data.IntPairMap;
@@ -58,6 +57,7 @@ package starlogo.diagnostics
             super(collisionSystem);
             requireGiven("collisionSystem", collisionSystem);
             _system = BaseCollider.wrap(collisionSystem);
+            samePairsCollider = _system.samePairsCollider;
         }
 
         /** The number of recorded frames. */
@@ -102,12 +102,6 @@ package starlogo.diagnostics
             }
             endFrame(out.length >> 1);
             return out;
-        }
-
-        /** @private */
-        override engine function get samePairsCollider():Collider
-        {
-            return _system.samePairsCollider;
         }
 
         /** @private */

@@ -16,7 +16,7 @@ package starlogo.handlers
         public static const START:int = 1;
 
         /** When handlers are called: in every frame of a touch; in its first frame, after the handlers for starts. */
-        public static const COLLISION:int = 2;
+        public static const EVERY_FRAME:int = 2;
 
         /** When handlers are called: in the first frame after a touch. */
         public static const END:int = 4;
@@ -24,7 +24,7 @@ package starlogo.handlers
         // The names of the phases, as games give them: in the order of the bits.
         private static const PHASE_NAMES:Array = ["start", "collision", "end"];
 
-        /** When it is called: START, COLLISION or END. */
+        /** When it is called: START, EVERY_FRAME or END. */
         public var phase:int;
 
         /** The number of the collider's breed; Breeds.ANY_NUMBER for any breed. */
@@ -63,13 +63,7 @@ package starlogo.handlers
             {
                 throw new ArgumentError("kind must be \"collision\", \"start\", \"end\" or null, not \"" + name + "\"");
             }
-            return name == null ? START | COLLISION | END : 1 << index;
-        }
-
-        /** Whether its calls need a contact. At the end of a touch there is none. */
-        public function get needsContact():Boolean
-        {
-            return takesContact && phase != END;
+            return name == null ? START | EVERY_FRAME | END : 1 << index;
         }
     }
 }

@@ -24,11 +24,10 @@ package starlogo.handlers
         /** The pairs of breeds that have handlers. Each frame after a change of the handlers has another object. */
         public var interests:BreedInterests = new BreedInterests();
 
-        /** The phases of the handlers: a sum of CollisionHandler.START and so on. */
-        public var phases:int = 0;
+        /** All handlers of the frame, with their phases. None counts as that of a second agent. */
+        public var all:PairHandlers = new PairHandlers(NONE, NONE);
 
-        /** The phases of the handlers that take the contact of a touch. */
-        public var contactPhases:int = 0;
+        private static const NONE:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
 
         // What the game has added: a list for each two breeds.
         private var _lists:Vector.<HandlerList> = new Vector.<HandlerList>();
@@ -47,12 +46,6 @@ package starlogo.handlers
 
         // The revision at which the frame began. It calls the handlers that were there before.
         private var _frameRevision:int = 0;
-
-        /** Whether a handler is for starts or ends, so that touches have to be tracked. */
-        public function get tracksTouches():Boolean
-        {
-            return (phases & ~CollisionHandler.COLLISION) != 0;
-        }
 
         /**
          * Adds a handler for a phase.
@@ -90,7 +83,7 @@ package starlogo.handlers
                 list.clear();
             }
             interests = new BreedInterests();
-            phases = contactPhases = 0;
+            all = new PairHandlers(NONE, NONE);
             _revision++;
         }
 
@@ -105,28 +98,26 @@ package starlogo.handlers
             {
                 return;
             }
-            var all:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
+            var handlers:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
             for each (var list:HandlerList in _lists)
             {
-                list.appendTo(all, _revision);
+                list.appendTo(handlers, _revision);
             }
             _lists.length = _pairs.length = 0;
             _listIndices.clear();
             _pairIndices.clear();
             interests = new BreedInterests();
-            phases = contactPhases = 0;
             var newNames:Vector.<String> = new Vector.<String>();
-            for each (var handler:CollisionHandler in all)
+            for each (var handler:CollisionHandler in handlers)
             {
                 addToList(handler);
                 interests.addNumbers(handler.colliderBreed, handler.collideeBreed);
-                phases |= handler.phase;
-                contactPhases |= handler.needsContact ? handler.phase : 0;
                 if (handler.addedAt >= _frameRevision)
                 {
                     newNames.push(Breeds.NAMES.nameOf(handler.colliderBreed), Breeds.NAMES.nameOf(handler.collideeBreed));
                 }
             }
+            all = new PairHandlers(handlers, NONE);
             warnOfMissingBreeds(newNames, agents, interests);
             _frameRevision = _revision;
         }

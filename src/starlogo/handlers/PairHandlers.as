@@ -1,7 +1,7 @@
 package starlogo.handlers
 {
     /**
-     * What a frame calls for a pair of breeds. First come the handlers whose collider is the first agent, then those whose collider is the second
+     * What a frame calls for a pair of breeds, or all handlers of a frame. First come the handlers whose collider is the first agent, then those whose collider is the second
      * agent. In each half, handlers for starts come first, and handlers for ends come last.
      *
      * @private
@@ -14,11 +14,11 @@ package starlogo.handlers
         /** The number of handlers whose collider is the first agent. */
         public var firstCount:int;
 
-        /** The phases of the handlers that take the contact of a touch: a sum of CollisionHandler.START and COLLISION. */
+        /** The phases of the handlers that take the contact of a touch: a sum of CollisionHandler.START and EVERY_FRAME. */
         public var contactPhases:int = 0;
 
-        /** Whether any handler is for starts or ends of touches. */
-        public var tracksTouches:Boolean = false;
+        /** The phases of the handlers: a sum of CollisionHandler.START and so on. */
+        public var phases:int = 0;
 
         /**
          * @param ofFirst the handlers whose collider is the first agent, in any order
@@ -30,9 +30,15 @@ package starlogo.handlers
             firstCount = ofFirst.length;
             for each (var handler:CollisionHandler in handlers)
             {
-                contactPhases |= handler.needsContact ? handler.phase : 0;
-                tracksTouches ||= handler.phase != CollisionHandler.COLLISION;
+                phases |= handler.phase;
+                contactPhases |= handler.takesContact ? handler.phase & ~CollisionHandler.END : 0;
             }
+        }
+
+        /** Whether a handler is for starts or ends, so that touches have to be tracked. */
+        public function get tracksTouches():Boolean
+        {
+            return (phases & ~CollisionHandler.EVERY_FRAME) != 0;
         }
 
         // By phase, and then by the order in which they were added.

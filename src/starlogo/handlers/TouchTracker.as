@@ -72,7 +72,7 @@ package starlogo.handlers
         public function beginFrame(pairs:FoundPairs, table:HandlerTable):IntList
         {
             _starting.count = 0;
-            if (count == 0 && !table.tracksTouches)
+            if (count == 0 && !table.all.tracksTouches)
             {
                 return _starting;
             }

@@ -7,7 +7,7 @@ package starlogo.handlers
      * because it may have a rest parameter. If it has none, Adobe's player cannot call it, so a line is traced. In JavaScript a function takes
      * any number of arguments. The ES module has its own version, which warns.
      *
-     * @param phase CollisionHandler.COLLISION, START or END
+     * @param phase CollisionHandler.EVERY_FRAME, START or END
      * @throws ArgumentError if the function has one parameter, or more than three
      *
      * @private

@@ -2,6 +2,7 @@ package starlogo.handlers
 {
     import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
+    import starlogo.data.isProbablyMisspelt;
     import starlogo.data.warn;
     import starlogo.engine;
     import starlogo.search.BreedInterests;
@@ -42,9 +43,29 @@ package starlogo.handlers
         {
             isThere[number] = isThere[number] && (Breeds.isEnvironment(number) || !interests.isNamed(number));
         }
+        // what may be meant by a breed: one of a similar name, or the shape of that name; null if there is neither
+        var hintFor:Function = function(name:String):String
+        {
+            for (var number:int = 0; number < isThere.length; number++)
+            {
+                var breed:String = Breeds.NAMES.nameOf(number);
+                if (isThere[number] && isProbablyMisspelt(name, breed))
+                {
+                    return "; is " + (breed == Breeds.TERRAIN ? "Collision.TERRAIN" : breed == Breeds.EDGE ? "Collision.EDGE" : "\"" + breed + "\"") + " meant?";
+                }
+            }
+            for each (var agent:Agent in agents)
+            {
+                if (agent != null && agent.shape == name)
+                {
+                    return ", which is the shape of " + agent + ": new Agent(\"" + name + "\", \"BREED\") gives it a breed";
+                }
+            }
+            return null;
+        };
         for each (var name:String in missing)
         {
-            var hint:String = hintOfBreed(name, isThere, agents);
+            var hint:String = hintFor(name);
             if (hint != null)
             {
                 warn("no agent is of the breed \"" + name + "\"" + hint);

@@ -134,12 +134,12 @@ package starlogo.queries
             // before the footing is written, because an agent that would leave the world throws an error
             _seen.moveAgent(agent, walk.place, walk.carryTurn);
             var footing:Footing = writeFooting(walk, out || new Footing());
-            var link:PlatformLink = agent.platformLink ||= new PlatformLink(agent);
+            var link:PlatformLink = agent.platformLink ||= new PlatformLink();
             link.platform = null;
             if (footing.stands && walk.floorRow >= ListedAgents.FIRST_LISTED)
             {
                 var platform:Body = _seen.table.bodyOf(walk.floorRow);
-                link.setTo(footing.on, platform.placement, platform.shape.ignoresRotation, _seen.table.revisions[walk.floorRow]);
+                link.setTo(agent, footing.on, platform.placement, platform.shape.ignoresRotation, _seen.table.revisions[walk.floorRow]);
             }
             return footing;
         }

@@ -224,8 +224,8 @@ package starlogo.search
             return _placed;
         }
 
-        /** The radius of a circle on the ground around the middle that encloses the extents, or the sphere. */
-        engine function get groundRadius():Number
+        /** The radius of a circle around the middle that encloses the extents, or the sphere, as seen from above. */
+        engine function get radiusXY():Number
         {
             if (kind == BoundingStructure.SPHERE)
             {

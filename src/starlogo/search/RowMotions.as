@@ -127,7 +127,7 @@ package starlogo.search
                 swept.halfX[row] = halfX;
                 swept.halfY[row] = halfY;
                 swept.halfZ[row] = standing.halfZ[row] + Math.abs(motionZ) / 2;
-                swept.groundRadius[row] = Math.sqrt(halfX * halfX + halfY * halfY);
+                swept.radiusXY[row] = Math.sqrt(halfX * halfX + halfY * halfY);
                 swept.distanceFromPlace[row] = standing.distanceFromPlace[row];
                 swept.assignLevel(row);
             }

@@ -158,7 +158,7 @@ package starlogo.broadphase
             _extents.y[row] = y;
             _extents.halfX[row] = halfX;
             _extents.halfY[row] = halfY;
-            _extents.groundRadius[row] = Math.sqrt(halfX * halfX + halfY * halfY);
+            _extents.radiusXY[row] = Math.sqrt(halfX * halfX + halfY * halfY);
             _rows.push(row);
         }
 
@@ -196,7 +196,7 @@ package starlogo.broadphase
                     var y:Number = _extents.y[a] - _extents.y[b];
                     var gapX:Number = Math.abs(x) - _extents.halfX[a] - _extents.halfX[b];
                     var gapY:Number = Math.abs(y) - _extents.halfY[a] - _extents.halfY[b];
-                    var gap:Number = Math.sqrt(x * x + y * y) - _extents.groundRadius[a] - _extents.groundRadius[b];
+                    var gap:Number = Math.sqrt(x * x + y * y) - _extents.radiusXY[a] - _extents.radiusXY[b];
                     var found:int = _sink.count(a, b);
                     if (gapX <= 0 && gapY <= 0)
                     {

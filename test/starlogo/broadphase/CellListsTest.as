@@ -34,7 +34,7 @@ package starlogo.broadphase
             (isAlongX ? extents.x : extents.y)[1] = second;
             for (var row:int = 0; row < 2; row++)
             {
-                extents.halfX[row] = extents.halfY[row] = extents.groundRadius[row] = width / 2;
+                extents.halfX[row] = extents.halfY[row] = extents.radiusXY[row] = width / 2;
                 extents.assignLevel(row);
                 members.add(row);
             }

@@ -127,6 +127,59 @@ package starlogo.collision
             }
         }
 
+        // A handler or a shaking camera may move a walker, and put it back before the next walk.
+        [Test]
+        public function whatCarriesAWalkerThatIsElsewhereForAMomentComesBack():void
+        {
+            var logs:Array = [];
+            for each (var goesBack:Boolean in [false, true])
+            {
+                var game:PlatformGame = new PlatformGame(_greatLand);
+                game.run(5);
+                game.agents[0].x += 0.25;
+                var bytes:ByteArray = game.collision.snapshot(true);
+                if (goesBack)
+                {
+                    game.collision.restore(bytes, game.agents);
+                }
+                game.agents[0].x -= 0.25;
+                logs.push(game.run(6));
+            }
+            assertEquals(logs[0], logs[1]);
+        }
+
+        [Test]
+        public function methodsOfAGamesOwnAreNotCalled():void
+        {
+            var tile:Tile = new Tile();
+            tile.size = 3;
+            tile.hierarchical = tile.sweeps = true;
+            tile.setQuaternion(0, 0, 1, 1);
+            tile.place(2.25, 0.5, 0);
+            var agents:Vector.<Agent> = new <Agent>[tile];
+            var collision:Collision = new Collision(new TightestFitCollider(_greatLand));
+            collision.update(agents);
+            var bytes:ByteArray = collision.snapshot(true);
+            tile.place(9, 9, 9);
+            tile.size = 0.5;
+            tile.setQuaternion(1, 0, 0, 0);
+            tile.calls = 0;
+            collision.restore(bytes, agents);
+            assertEquals(0, tile.calls);
+            assertEquals("2.25 0.5 3 90", [tile.x, tile.y, tile.size, tile.heading].join(" "));
+            assertEquals(hexOf(bytes), hexOf(collision.snapshot(true)));
+            assertThrows(ArgumentError, /no snapshot any more/, collision.restore, cutOff(bytes), agents);
+            assertEquals(0, tile.calls);
+            assertEquals(hexOf(bytes), hexOf(collision.snapshot(true)));
+        }
+
+        private static function cutOff(bytes:ByteArray):ByteArray
+        {
+            var short:ByteArray = new ByteArray();
+            short.writeBytes(bytes, 0, bytes.length - 1);
+            return short;
+        }
+
         [Test]
         public function theGroundIsThereIfItIsAskedFor():void
         {
@@ -425,6 +478,35 @@ import starlogo.collision.Collision;
 import starlogo.collision.TightestFitCollider;
 import starlogo.queries.AgentQueries;
 import starlogo.queries.Footing;
+
+/** An agent with methods of its own: it stays on whole places. */
+internal class Tile extends Agent
+{
+    public var calls:int = 0;
+
+    public function Tile()
+    {
+        super("cube", "tiles");
+    }
+
+    override public function moveTo(x:Number, y:Number, z:Number):void
+    {
+        calls++;
+        super.moveTo(Math.round(x), Math.round(y), z);
+    }
+
+    override public function setQuaternion(x:Number, y:Number, z:Number, w:Number):void
+    {
+        calls++;
+        super.setQuaternion(x, y, z, w);
+    }
+
+    /** Puts it anywhere. */
+    public function place(x:Number, y:Number, z:Number):void
+    {
+        super.moveTo(x, y, z);
+    }
+}
 
 /** A ball on a platform that moves and turns, and one on the floor. */
 internal class PlatformGame

@@ -7,8 +7,8 @@ package starlogo.handlers
     /** The handlers of a pair of breeds that come and go. */
     public class HandlerListTest
     {
-        private static const PHASES:Array = [CollisionHandler.START, CollisionHandler.COLLISION, CollisionHandler.END];
-        private static const ANY_PHASE:int = CollisionHandler.START | CollisionHandler.COLLISION | CollisionHandler.END;
+        private static const PHASES:Array = [CollisionHandler.START, CollisionHandler.EVERY_FRAME, CollisionHandler.END];
+        private static const ANY_PHASE:int = CollisionHandler.START | CollisionHandler.EVERY_FRAME | CollisionHandler.END;
         private static const ALL:int = 1000;
 
         private var _handlers:HandlerList = new HandlerList();

@@ -1,5 +1,6 @@
 package starlogo.collision.snapshots
 {
+    import flash.geom.Vector3D;
     import flash.utils.ByteArray;
     import starlogo.agents.Agent;
     import starlogo.agents.PlatformLink;
@@ -18,11 +19,10 @@ package starlogo.collision.snapshots
      */
     internal final class SnapshotPlatforms
     {
-        // Bytes: two indices, the walker's place, and the place, the size and the rotation of the agent below.
-        private static const SIZE:int = 8 + 8 * (3 + 4 + 9);
-        private static const ROTATION:int = 9;
+        // The numbers after the indices of two agents: the walker's place, and the place, the size and the rotation of the agent below.
+        private static const NUMBERS:int = 3 + 4 + 9;
 
-        /** Writes what the agents of a table's list stand on, if it is in the list too. */
+        /** Writes what the agents of a table's list stand on, if it is in the list too. An agent may have been moved away from there, and come back. */
         public static function write(bytes:ByteArray, agents:Vector.<Agent>, table:AgentTable):void
         {
             var countAt:uint = bytes.position;
@@ -31,22 +31,20 @@ package starlogo.collision.snapshots
             for (var i:int = 0; i < agents.length; i++)
             {
                 var link:PlatformLink = agents[i].platformLink;
-                if (link == null || !link.isValid || table.listed.rowOf(link.platform) < ListedAgents.FIRST_LISTED)
+                if (link == null || !link.hasPlatform || table.listed.rowOf(link.platform) < ListedAgents.FIRST_LISTED)
                 {
                     continue;
                 }
                 count++;
                 bytes.writeInt(i);
                 bytes.writeInt(table.listed.listIndices[table.listed.rowOf(link.platform)]);
-                writeNumbers(bytes, link.walkerPlace.x, link.walkerPlace.y, link.walkerPlace.z);
+                var at:Vector3D = link.walkerPlace;
                 var below:Placement = link.platformPlacement;
-                writeNumbers(bytes, below.x, below.y, below.z);
-                bytes.writeDouble(below.size);
-                var rotation:Vector.<Number> = new Vector.<Number>(ROTATION, true);
-                below.readRows(rotation, 0);
-                for (var k:int = 0; k < ROTATION; k++)
+                var numbers:Vector.<Number> = new <Number>[at.x, at.y, at.z, below.x, below.y, below.z, below.size];
+                below.readRows(numbers, numbers.length);
+                for (var k:int = 0; k < NUMBERS; k++)
                 {
-                    bytes.writeDouble(rotation[k]);
+                    bytes.writeDouble(numbers[k]);
                 }
             }
             bytes.position = countAt;
@@ -54,15 +52,15 @@ package starlogo.collision.snapshots
             bytes.position = bytes.length;
         }
 
-        /** Reads what agents stand on. Returns null if the bytes are not that. @throws EOFError if they are cut off */
+        /** Reads what agents stand on: for each agent its link, or null. Returns null if the bytes are not that. @throws EOFError if they are cut off */
         public static function read(bytes:ByteArray, agents:Vector.<Agent>):Vector.<PlatformLink>
         {
             var left:uint = bytes.readUnsignedInt();
-            if (left > agents.length || left * SIZE > bytes.bytesAvailable)
+            if (left > agents.length || left * (8 + 8 * NUMBERS) > bytes.bytesAvailable)
             {
                 return null;
             }
-            var links:Vector.<PlatformLink> = new Vector.<PlatformLink>();
+            var links:Vector.<PlatformLink> = new Vector.<PlatformLink>(agents.length);
             for (; left > 0; left--)
             {
                 var walker:uint = bytes.readUnsignedInt();
@@ -71,54 +69,40 @@ package starlogo.collision.snapshots
                 {
                     return null;
                 }
-                var link:PlatformLink = new PlatformLink(agents[walker]);
-                link.platform = agents[on];
-                link.walkerPlace.setTo(bytes.readDouble(), bytes.readDouble(), bytes.readDouble());
-                if (!isInWorld(link.walkerPlace.x, link.walkerPlace.y, link.walkerPlace.z) || !readPlacement(bytes, link.platformPlacement))
+                var link:PlatformLink = new PlatformLink();
+                var numbers:Vector.<Number> = new Vector.<Number>();
+                while (numbers.length < NUMBERS)
+                {
+                    numbers.push(bytes.readDouble());
+                }
+                var below:Placement = link.platformPlacement;
+                below.x = numbers[3];
+                below.y = numbers[4];
+                below.z = numbers[5];
+                below.size = numbers[6];
+                below.setRows(numbers, 7);
+                if (!isInWorld(numbers[0], numbers[1], numbers[2]) || !isInWorld(below.x, below.y, below.z) || !Agent.isSize(below.size) || !below.isRotation)
                 {
                     return null;
                 }
-                links.push(link);
+                link.platform = agents[on];
+                link.walkerPlace.setTo(numbers[0], numbers[1], numbers[2]);
+                links[walker] = link;
             }
             return links;
         }
 
-        /** Lets agents stand on what was read, and the others of the list on nothing. */
+        /** Gives each agent what was read for it. */
         public static function restore(links:Vector.<PlatformLink>, agents:Vector.<Agent>):void
         {
             for (var i:int = 0; i < agents.length; i++)
             {
-                agents[i].platformLink = null;
+                agents[i].platformLink = links[i];
+                if (links[i] != null)
+                {
+                    links[i].platformRevision = links[i].platform.revision;
+                }
             }
-            for (i = 0; i < links.length; i++)
-            {
-                var link:PlatformLink = links[i];
-                link.agent.platformLink = link;
-                link.platformRevision = link.platform.revision;
-            }
-        }
-
-        private static function writeNumbers(bytes:ByteArray, x:Number, y:Number, z:Number):void
-        {
-            bytes.writeDouble(x);
-            bytes.writeDouble(y);
-            bytes.writeDouble(z);
-        }
-
-        // Returns whether an agent can have the placement.
-        private static function readPlacement(bytes:ByteArray, out:Placement):Boolean
-        {
-            out.x = bytes.readDouble();
-            out.y = bytes.readDouble();
-            out.z = bytes.readDouble();
-            out.size = bytes.readDouble();
-            var rotation:Vector.<Number> = new Vector.<Number>(ROTATION, true);
-            for (var k:int = 0; k < ROTATION; k++)
-            {
-                rotation[k] = bytes.readDouble();
-            }
-            out.setRows(rotation, 0);
-            return isInWorld(out.x, out.y, out.z) && out.size >= Agent.SMALLEST_SIZE && out.size <= Agent.LARGEST_SIZE && out.isRotation;
         }
     }
 }

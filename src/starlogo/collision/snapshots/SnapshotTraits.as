@@ -2,12 +2,15 @@ package starlogo.collision.snapshots
 {
     import flash.utils.ByteArray;
     import starlogo.agents.Agent;
+    import starlogo.agents.Breeds;
     import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.geometry.isInWorld;
 
     use namespace engine;
 
     /**
-     * Writes and reads the traits of agents, to the last bit.
+     * Writes and reads the traits of agents, to the last bit. It calls no getter, setter or method that a game's subclass of Agent may override.
      *
      * @private
      */
@@ -25,14 +28,14 @@ package starlogo.collision.snapshots
                 var agent:Agent = agents[i];
                 bytes.writeInt(names.ofModel(agent.modelNumber));
                 bytes.writeInt(names.ofBreed(agent.breedNumber));
-                bytes.writeByte(int(agent.sweeps) * SWEEPS + int(agent.hierarchical) * HIERARCHICAL + int(agent.isOneWay) * ONE_WAY);
+                bytes.writeByte(int(agent.isSweeping) * SWEEPS + int(agent.isHierarchical) * HIERARCHICAL + int(agent.isOneWay) * ONE_WAY);
                 // ANY_KIND is -1
                 bytes.writeByte(agent.structureKind + 1);
-                bytes.writeInt(agent.traversalDepth);
-                bytes.writeDouble(agent.x);
-                bytes.writeDouble(agent.y);
-                bytes.writeDouble(agent.z);
-                bytes.writeDouble(agent.size);
+                bytes.writeInt(agent.depthLimit);
+                bytes.writeDouble(agent.placement.x);
+                bytes.writeDouble(agent.placement.y);
+                bytes.writeDouble(agent.placement.z);
+                bytes.writeDouble(agent.placement.size);
                 bytes.writeDouble(agent.color);
                 agent.turn.write(bytes);
             }
@@ -48,21 +51,41 @@ package starlogo.collision.snapshots
             for (var i:int = 0; i < agents.length; i++)
             {
                 var agent:Agent = agents[i];
-                agent.shape = names.nameAt(bytes.readUnsignedInt());
-                agent.breed = names.nameAt(bytes.readUnsignedInt());
+                var at:Placement = agent.placement;
+                var model:int = Agent.MODEL_NAMES.numberOf(names.nameAt(bytes.readUnsignedInt()));
+                var breed:int = Breeds.NAMES.numberOf(names.nameAt(bytes.readUnsignedInt()));
                 var flags:int = bytes.readUnsignedByte();
-                var kind:int = bytes.readUnsignedByte();
-                if (flags > (SWEEPS | HIERARCHICAL | ONE_WAY) || kind > Agent.STRUCTURE_NAMES.length)
+                var isSweeping:Boolean = (flags & SWEEPS) != 0;
+                var isHierarchical:Boolean = (flags & HIERARCHICAL) != 0;
+                var kind:int = bytes.readUnsignedByte() - 1;
+                var depth:int = bytes.readInt();
+                var x:Number = bytes.readDouble();
+                var y:Number = bytes.readDouble();
+                var z:Number = bytes.readDouble();
+                var size:Number = bytes.readDouble();
+                if (breed <= Breeds.ANY_NUMBER || flags > (SWEEPS | HIERARCHICAL | ONE_WAY) || kind >= Agent.STRUCTURE_NAMES.length || depth < 0
+                        || !isInWorld(x, y, z) || !Agent.isSize(size))
                 {
-                    throw new RangeError("a flag of " + agent + " is unknown");
+                    throw new RangeError("a trait has a value that is not allowed");
                 }
-                agent.sweeps = (flags & SWEEPS) != 0;
-                agent.hierarchical = (flags & HIERARCHICAL) != 0;
+                if (x != at.x || y != at.y || z != at.z || size != at.size || model != agent.modelNumber || breed != agent.breedNumber
+                        || isSweeping != agent.isSweeping || isHierarchical != agent.isHierarchical || kind != agent.structureKind || depth != agent.depthLimit)
+                {
+                    agent.countBodyChange();
+                }
+                Breeds.changes += int(breed != agent.breedNumber);
+                Agent.haveSwept ||= isSweeping;
+                agent.modelNumber = model;
+                agent.breedNumber = breed;
+                agent.isSweeping = isSweeping;
+                agent.isHierarchical = isHierarchical;
                 agent.isOneWay = (flags & ONE_WAY) != 0;
-                agent.collideAs = kind == 0 ? Agent.TIGHTEST : Agent.STRUCTURE_NAMES[kind - 1];
-                agent.traversalDepth = bytes.readInt();
-                agent.moveTo(bytes.readDouble(), bytes.readDouble(), bytes.readDouble());
-                agent.size = bytes.readDouble();
+                agent.structureKind = kind;
+                agent.depthLimit = depth;
+                at.x = x;
+                at.y = y;
+                at.z = z;
+                at.size = size;
                 agent.color = bytes.readDouble();
                 agent.turn.read(bytes, agent);
             }

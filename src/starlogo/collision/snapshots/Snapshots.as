@@ -1,6 +1,5 @@
 // This folder takes a Collision back to earlier frames. Snapshots writes and reads the bytes: SnapshotPlaces, SnapshotPlatforms, SnapshotTraits and
-// SnapshotNames each a part of them. SnapshotParts has what was read. SnapshotRegister knows whose agents the last snapshots are of. Read this file
-// first, then SnapshotPlaces.
+// SnapshotNames each a part of them. SnapshotRegister knows whose agents the last snapshots are of. Read this file first, then SnapshotPlaces.
 package starlogo.collision.snapshots
 {
     import flash.errors.EOFError;
@@ -8,10 +7,12 @@ package starlogo.collision.snapshots
     import flash.utils.ByteArray;
     import flash.utils.Endian;
     import starlogo.agents.Agent;
-    import starlogo.agents.copyAgents;
     import starlogo.agents.Breeds;
+    import starlogo.agents.PlatformLink;
+    import starlogo.agents.copyAgents;
     import starlogo.collision.LastFrame;
     import starlogo.engine;
+    import starlogo.ground.HeightGrid;
     import starlogo.handlers.Touch;
     import starlogo.handlers.TouchTracker;
     import starlogo.search.CollisionSearch;
@@ -49,6 +50,8 @@ package starlogo.collision.snapshots
         // The names of the collision systems, by BaseShapeChoice.systemNumber.
         private static const SYSTEMS:Array = ["a collider of the game's own", "a BinCollider", "a TightestFitCollider", "a HierarchicalCollider", "a CombinationCollider",
                 "a LevelCollider"];
+
+        private static const DAMAGED:String = "bytes are no snapshot any more: they begin as one, but something in them was changed or cut off";
 
         private var _register:SnapshotRegister = new SnapshotRegister();
 
@@ -121,47 +124,57 @@ package starlogo.collision.snapshots
             {
                 throw new ArgumentError("bytes are no snapshot: they do not begin as one");
             }
-            var parts:SnapshotParts = new SnapshotParts();
+            var names:SnapshotNames = new SnapshotNames();
             try
             {
-                readParts(copy, agents, search.narrowPhase.choice.systemNumber, ground, edges, parts);
+                var contents:int = readContents(copy, search.narrowPhase.choice.systemNumber, ground != null);
+                var count:uint = copy.readUnsignedInt();
+                requireIntact(count <= copy.bytesAvailable / SnapshotPlaces.SIZE);
+                var formerEnvironment:Vector.<Agent> = _register.recallFormerEnvironment(copy, count, agents) || _unknownEnvironment;
+                names.read(copy);
+                var places:SnapshotPlaces = SnapshotPlaces.read(copy, count);
+                requireIntact(places != null);
+                var touches:TouchTracker = readTouches(copy, agents, new <Agent>[ground, edges].concat(formerEnvironment), names);
+                var links:Vector.<PlatformLink> = SnapshotPlatforms.read(copy, agents);
+                requireIntact(links != null);
+                var heights:HeightGrid = (contents & HAS_HEIGHTS) != 0 ? ground.surface.grid.readFrom(copy) : null;
+                var hasTraits:Boolean = (contents & HAS_TRAITS) != 0;
+                requireIntact(hasTraits || copy.position == copy.length);
             }
             catch (error:Error)
             {
-                // damaged bytes end too early, or have a name or a height that is not allowed
-                requireIntact(!(error is EOFError || error is RangeError));
-                throw error;
+                throw refusalOf(error);
             }
-            restoreAgents(copy, agents, search, parts);
-            SnapshotPlatforms.restore(parts.platforms, agents);
-            if (parts.ground != null)
+            restoreAgents(copy, agents, search, places, hasTraits ? names : null);
+            SnapshotPlatforms.restore(links, agents);
+            if (heights != null)
             {
-                ground.restoreGrid(parts.ground);
+                ground.restoreGrid(heights);
             }
-            frame.tracker = parts.touches;
+            frame.tracker = touches;
             frame.agents = copyAgents(agents, frame.agents);
             frame.search = search;
         }
 
-        // Puts the agents back: their traits, which the bytes have next if they are in the snapshot, and their places in the last frame. If that
-        // fails, the agents have the traits that they had before.
-        private function restoreAgents(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch, parts:SnapshotParts):void
+        // Puts the agents back: their traits, which the bytes have next if there are names for them, and their places in the last frame. If that fails,
+        // the agents have the traits that they had before.
+        private function restoreAgents(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch, places:SnapshotPlaces, names:SnapshotNames):void
         {
             var namesBefore:SnapshotNames = new SnapshotNames();
             var before:ByteArray = newBytes();
             try
             {
-                if (parts.hasTraits)
+                if (names != null)
                 {
                     SnapshotTraits.write(before, agents, namesBefore);
-                    readTraits(bytes, agents, parts.names);
+                    readTraits(bytes, agents, names);
                 }
-                parts.places.restore(agents, search.table);
+                places.restore(agents, search.table);
                 search.searchAllNext();
             }
             catch (error:Error)
             {
-                if (before.length > 0)
+                if (names != null)
                 {
                     before.position = 0;
                     SnapshotTraits.restore(before, agents, namesBefore);
@@ -175,14 +188,12 @@ package starlogo.collision.snapshots
             try
             {
                 SnapshotTraits.restore(bytes, agents, names);
+                requireIntact(bytes.position == bytes.length);
             }
             catch (error:Error)
             {
-                // an ArgumentError is that of a trait
-                requireIntact(!(error is EOFError || error is RangeError || error is ArgumentError));
-                throw error;
+                throw refusalOf(error);
             }
-            requireIntact(bytes.position == bytes.length);
         }
 
         // Returns the ground and the edges of touches that were exchanged, for restore(); null if none were.
@@ -220,8 +231,8 @@ package starlogo.collision.snapshots
             return formerEnvironment;
         }
 
-        // Reads and checks all parts but the traits. If there are traits, they are next.
-        private function readParts(bytes:ByteArray, agents:Vector.<Agent>, systemNumber:int, ground:EnvironmentAgent, edges:EnvironmentAgent, parts:SnapshotParts):void
+        // Reads what is in a snapshot. It has to be of the same kind of collision system, and with ground or without, as the Collision is.
+        private static function readContents(bytes:ByteArray, systemNumber:int, isGroundThere:Boolean):int
         {
             var contents:int = bytes.readUnsignedByte();
             var writtenBy:int = contents / SYSTEM_FACTOR;
@@ -230,27 +241,12 @@ package starlogo.collision.snapshots
             {
                 throw new ArgumentError("bytes are no snapshot of a Collision with " + SYSTEMS[systemNumber] + ": that one had " + SYSTEMS[writtenBy]);
             }
-            var count:uint = bytes.readUnsignedInt();
-            requireIntact(count <= bytes.bytesAvailable / SnapshotPlaces.SIZE);
-            var formerEnvironment:Vector.<Agent> = _register.recallFormerEnvironment(bytes, count, agents) || _unknownEnvironment;
-            parts.names.read(bytes);
-            parts.places = SnapshotPlaces.read(bytes, count);
-            requireIntact(parts.places != null);
-            parts.touches = readTouches(bytes, agents, new <Agent>[ground, edges].concat(formerEnvironment), parts.names);
-            parts.platforms = SnapshotPlatforms.read(bytes, agents);
-            requireIntact(parts.platforms != null);
-            var hasGround:Boolean = (contents & HAS_GROUND) != 0;
-            if (hasGround != (ground != null))
+            if (isGroundThere != ((contents & HAS_GROUND) != 0))
             {
-                var which:String = hasGround ? "without" : "with";
+                var which:String = isGroundThere ? "with" : "without";
                 throw new ArgumentError("bytes are no snapshot of a Collision " + which + " ground");
             }
-            if ((contents & HAS_HEIGHTS) != 0)
-            {
-                parts.ground = ground.surface.grid.readFrom(bytes);
-            }
-            parts.hasTraits = (contents & HAS_TRAITS) != 0;
-            requireIntact(parts.hasTraits || bytes.position == bytes.length);
+            return contents;
         }
 
         // @param environment the ground and the edges, or null, and those that were exchanged
@@ -286,8 +282,14 @@ package starlogo.collision.snapshots
         {
             if (!isSnapshot)
             {
-                throw new ArgumentError("bytes are no snapshot any more: they begin as one, but something in them was changed or cut off");
+                throw new ArgumentError(DAMAGED);
             }
+        }
+
+        // The error for a caller. Damaged bytes end too early, or have a name, a height or a trait that is not allowed.
+        private static function refusalOf(error:Error):Error
+        {
+            return error is EOFError || error is RangeError ? new ArgumentError(DAMAGED) : error;
         }
 
         private static function newBytes():ByteArray

@@ -58,7 +58,7 @@ package starlogo.queries.motion
         public function find(agent:Agent, walk:WalkState):int
         {
             var link:PlatformLink = agent.platformLink;
-            var row:int = link != null && walk.options.carried && link.isValid ? _seen.rowOf(link.platform) : -1;
+            var row:int = link != null && walk.options.carried && link.carries(agent) ? _seen.rowOf(link.platform) : -1;
             if (row >= 0 && _seen.table.shapes[row] != null)
             {
                 walk.carryTurn = findMotion(link, _seen.table.bodyOf(row), walk.carry);

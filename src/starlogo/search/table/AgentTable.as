@@ -409,7 +409,7 @@ package starlogo.search.table
             extents.halfX[row] = body.halfX;
             extents.halfY[row] = body.halfY;
             extents.halfZ[row] = body.halfZ;
-            extents.groundRadius[row] = body.groundRadius;
+            extents.radiusXY[row] = body.radiusXY;
             extents.distanceFromPlace[row] = body.distanceFromPlace;
             moveExtents(row);
             extents.assignLevel(row);

@@ -159,7 +159,7 @@ class Installation {
 		const methods = {
 			add: (agent) => this.#add(agent),
 			remove: (agent) => this.#remove(agent),
-			update: (agent) => this.#update(agent),
+			update: (agent) => this.#add(agent),
 			getCollisions: () => this.#getCollisions(),
 			empty: (breedId) => this.#isEmpty(breedId),
 			reset: () => this.#reset(),
@@ -211,7 +211,7 @@ class Installation {
 		}
 	}
 
-	/** Adds an agent. */
+	/** Adds an agent, or reads the place and size of one that was added. */
 	#add(agent) {
 		let record = this.#recordOf(agent);
 		if (record === null) {
@@ -221,7 +221,8 @@ class Installation {
 			agent.jbins = [record];
 			this.#traits.inherit(agent);
 		}
-		this.#place(record);
+		record.setBin(this.#half, ++this.#sequence);
+		this.#neighbours.cells.insert(record);
 	}
 
 	/** Removes an agent. */
@@ -233,13 +234,6 @@ class Installation {
 			this.#neighbours.cells.remove(record);
 		}
 		agent.jbins = [];
-	}
-
-	/** Call it when an agent has moved or changed its size. */
-	#update(agent) {
-		const record = this.#recordOf(agent);
-		if (record === null) this.#add(agent);
-		else this.#place(record);
 	}
 
 	/** Removes all agents. */
@@ -302,11 +296,6 @@ class Installation {
 	#recordOf(agent) {
 		const record = agent.jbins?.[0];
 		return record instanceof AgentRecord && record.clientAgent === agent && record.owner === this ? record : null;
-	}
-
-	#place(record) {
-		record.setBin(this.#half, ++this.#sequence);
-		this.#neighbours.cells.insert(record);
 	}
 
 	/** Lists the engine's Agents for all agents that take part, and moves them there. */

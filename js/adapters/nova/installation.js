@@ -3,7 +3,7 @@ import { Blocks } from "./blocks.js";
 import { Neighbours } from "./neighbours.js";
 import { Overlay, viewClassOf } from "./overlay.js";
 import { Overrides } from "./overrides.js";
-import { AgentRecord, Meeting } from "./record.js";
+import { AgentRecord, FoundPair } from "./record.js";
 import { SPHERE, Shapes } from "./shapes.js";
 import { Traits, checkedBreeds, checkedTraits } from "./traits.js";
 
@@ -60,7 +60,7 @@ class Installation {
 	#blocks;
 	#engineAgents = [];
 	#drawAgent = new Agent(SPHERE);
-	#meetings = [];
+	#found = [];
 	#traits = new Traits();
 
 	/** If an option is refused, nothing has changed. */
@@ -195,7 +195,7 @@ class Installation {
 	 */
 	#forEachShown(fraction, call) {
 		const { data, numAgents } = this.#window.Execution.AgentController;
-		const hit = new Set(this.#meetings.flatMap(({ finder, other }) => [finder, other]));
+		const hit = new Set(this.#found.flatMap(({ finder, other }) => [finder, other]));
 		const drawAgent = this.#drawAgent;
 		this.#blocks.followState(this.#collision);
 		for (let i = 1; i < numAgents; i++) {
@@ -242,7 +242,7 @@ class Installation {
 		this.#records.clear();
 		this.#neighbours.clear();
 		this.#engineAgents.length = 0;
-		this.#meetings = [];
+		this.#found = [];
 	}
 
 	/** Whether a breed has no agents. */
@@ -255,10 +255,10 @@ class Installation {
 	#getCollisions() {
 		this.#blocks.followState(this.#collision);
 		this.#listParticipants();
-		this.#meetings = [];
+		this.#found = [];
 		this.#collision.update(this.#engineAgents);
-		if (!this.#engineAgents.some(({ sweeps }) => sweeps)) this.#meetings.sort(Meeting.compare);
-		const pairs = this.#meetings.map(({ pair }) => pair);
+		if (!this.#engineAgents.some(({ sweeps }) => sweeps)) this.#found.sort(FoundPair.compare);
+		const pairs = this.#found.map(({ pair }) => pair);
 		this.#neighbours.blocksRunFor(pairs);
 		return pairs;
 	}
@@ -363,7 +363,7 @@ class Installation {
 		if (this.#isBins && !isSwept(a) && !isSwept(b) && !doSpheresMeet(first.state, second.state)) return;
 		const rank = isSameBreed && first.id > second.id ? -1 : this.#blocks.rank(first.breed.id, second.breed.id);
 		const otherRank = isSameBreed && second.id > first.id ? -1 : this.#blocks.rank(second.breed.id, first.breed.id);
-		this.#meetings.push(rank >= 0 && (otherRank < 0 || a.index < b.index) ? new Meeting(a, b, rank) : new Meeting(b, a, otherRank));
+		this.#found.push(rank >= 0 && (otherRank < 0 || a.index < b.index) ? new FoundPair(a, b, rank) : new FoundPair(b, a, otherRank));
 	}
 }
 

@@ -50,7 +50,7 @@ function lowestBin(coordinate) {
 }
 
 /** A pair of records that collide, at the first place where the client would find it. */
-export class Meeting {
+export class FoundPair {
 	/** Creates one. The client would find `other` in the bins of `finder`, for the breed of this rank in the finder's block. */
 	constructor(finder, other, rank) {
 		this.finder = finder;

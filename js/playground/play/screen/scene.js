@@ -4,7 +4,7 @@ import { LINES, VERDICTS } from "../../shared/drawing/colours.js";
 import { button, h, short } from "../../shared/dom.js";
 import { fixed, plain, texts } from "../../shared/language.js";
 import { heightOf } from "../../shared/files/models.js";
-import { pairsOf } from "../../shared/scattered.js";
+import { judge, pairsOf, verdictsOf } from "../../shared/pairs.js";
 import { said as asSaid } from "../game/actions.js";
 import { Being } from "../game/being.js";
 import { Hiding, isMoving } from "./hiding.js";
@@ -269,14 +269,7 @@ export class Scene {
 		const { agents, collisions } = world;
 		const truth = pairsOf(collisions.systemNamed(CollisionBlocks.EXACT), agents);
 		const found = pairsOf(this.#blocks.systemNamed(collisions.systemName), agents);
-		const verdicts = new Map();
-		const mark = (pairs, isOne, verdict) => {
-			for (const [key, pair] of pairs) if (isOne(key)) for (const agent of pair) verdicts.set(agent, verdict);
-		};
-		mark(truth, (key) => found.has(key), "hit");
-		mark(found, (key) => !truth.has(key), "wrong");
-		mark(truth, (key) => !found.has(key), "missed");
-		return verdicts;
+		return verdictsOf(judge(found, truth));
 	}
 
 	/** Separate systems, because motions begin where the game's own systems have last seen the agents. */

@@ -12,7 +12,7 @@ import { LessonCard } from "./lessoncard.js";
 import { menu, menuButton } from "./menu.js";
 import { create, program as programOf, size, start } from "../builtin/notation.js";
 import { isProgram, isWork, modelsOf } from "../../shared/files/packing.js";
-import { meaning, toLink } from "./programtext.js";
+import { freeName, meaning, toLink } from "./programtext.js";
 import { Progress } from "./progress.js";
 import { Shelf } from "./shelf.js";
 
@@ -281,9 +281,7 @@ export class Programs {
 	/** A name that none of the user's programs has. */
 	#freeName(title) {
 		const names = new Set(this.shelf.all.map(({ name }) => name));
-		let name = title;
-		for (let number = 2; names.has(name); number++) name = words.another(title, number);
-		return name;
+		return freeName(title, (name) => names.has(name));
 	}
 
 	/** Keeps the program as a new one of the user's: under a title, or as a copy. If another one has the title, it gets a number. */

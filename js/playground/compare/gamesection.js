@@ -2,7 +2,7 @@
 import { CollisionBlocks } from "starlogo-collision";
 import { grid } from "../shared/drawing/backdrop.js";
 import { VERDICTS } from "../shared/drawing/colours.js";
-import { button, choice, field, h, short } from "../shared/dom.js";
+import { button, choice, field, h, short, table } from "../shared/dom.js";
 import { Lab } from "../shared/drawing/lab.js";
 import { texts } from "../shared/language.js";
 import { verdictsOf } from "../shared/pairs.js";
@@ -95,8 +95,8 @@ export class GameSection {
 		this.legend.replaceChildren(...Object.entries({ hit: right, wrong, missed, none }).map(([name, text]) => h("li", { class: name }, text)));
 		this.note.textContent = (isExact ? words.gameNote : words.differenceNote)(COUNT, truth.size, titles[this.reference]);
 		const heads = [words.system, words.found, ...(isExact ? [words.falseCount, words.missedCount] : [words.onlyIt, words.onlyOther]), words.precision, words.recall, words.ms];
-		this.table.replaceChildren(h("table", {}, h("thead", {}, h("tr", {}, ...heads.map((text) => h("th", { scope: "col" }, text)))),
-			h("tbody", {}, ...Object.entries(systems).map(([name, pairs]) => {
+		this.table.replaceChildren(table(heads,
+			Object.entries(systems).map(([name, pairs]) => {
 				const found = pairs.hit.length + pairs.wrong.length;
 				const pick = h("input", { type: "radio", name: "coloured", value: name, checked: name === this.system, onchange: () => {
 					this.system = name;
@@ -105,7 +105,7 @@ export class GameSection {
 				} });
 				return h("tr", { "data-system": name }, h("th", { scope: "row" }, h("label.tick", {}, pick, titles[name])),
 					...[found, pairs.wrong.length, pairs.missed.length, percent(pairs.hit.length, found), percent(pairs.hit.length, truth.size), "…"].map((text) => h("td", {}, String(text))));
-			})),
+			}),
 			h("tfoot", {}, h("tr", { "data-reference": this.reference }, h("th", { scope: "row" }, titles[this.reference]), ...[truth.size, "", "", "", "", "…"].map((text) => h("td", {}, String(text)))))),
 		h("p.note", {}, words.msNote));
 		this.#colour();

@@ -58,7 +58,7 @@ export class Beside {
 	/** Does a frame, before the first game does its own. */
 	step() {
 		if (this.world.ended) return;
-		this.world.input.take(this.view.world.input, this.world.agents);
+		this.world.input.copyFrom(this.view.world.input, this.world.agents);
 		this.world.step();
 	}
 
@@ -97,9 +97,9 @@ export class Beside {
 		stage.lookAs(view.stage);
 		scene.camera = "all";
 		scene.isEngineShown = view.scene.isEngineShown;
-		scene.draw(null);
+		scene.draw();
 		this.#isFollowing = false;
-		for (const game of [view, this]) game.scene.caption.textContent = words.reports(systemOf(game), game.world.pairs.size, game.world.meetings);
+		for (const game of [view, this]) game.scene.caption.textContent = words.reports(systemOf(game), game.world.pairs.size, game.world.meetingCount);
 		const { length } = this.#frames;
 		this.count.textContent = length === 0 ? words.noDifference : words.differences(length);
 		const first = length === 0 ? "" : this.#first;

@@ -91,7 +91,7 @@ export const STATEMENTS = {
 	starlogo_become: (block, world) => () => {
 		for (const agent of world.subjects(whom(block, world))) world.become(agent, block.fields.BREED);
 	},
-	starlogo_say: withValue("TEXT", (agent, text, fields, world) => world.say(agent, said(text)), ""),
+	starlogo_say: withValue("TEXT", (agent, text, fields, world) => world.say(agent, textOf(text)), ""),
 	starlogo_score_set: withNumbers(["SCORE"], ([score], block, world) => {
 		world.score = score;
 	}),
@@ -175,7 +175,7 @@ export const STATEMENTS = {
 const FAR = 1000000;
 
 /** The text that an agent says. Numbers have few decimals. */
-export function said(value) {
+export function textOf(value) {
 	if (typeof value === "number") return plain(value);
 	return typeof value === "boolean" ? texts.blocks.truths[String(value).toUpperCase()] : String(value ?? "").slice(0, 80);
 }

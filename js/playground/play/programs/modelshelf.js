@@ -27,17 +27,17 @@ export class ModelShelf {
 	}
 
 	/** Loads the models of earlier visits. */
-	async takeKept() {
+	async loadKept() {
 		for (const { name, bytes } of await cabinet.all()) {
 			try {
-				await this.#take(name, bytes);
+				await this.#register(name, bytes);
 			} catch {
 				// another release may be able to read it
 			}
 		}
 	}
 
-	async #take(name, bytes) {
+	async #register(name, bytes) {
 		const { world, models } = this.view;
 		const model = await parseModel(name, bytes);
 		world.greatLand.addModel(model);
@@ -57,7 +57,7 @@ export class ModelShelf {
 		try {
 			const bytes = await read();
 			const name = this.#nameOf(bytes) ?? freeName(title, (name) => this.view.models.has(name));
-			if (!this.#known.has(name)) await this.#take(name, bytes);
+			if (!this.#known.has(name)) await this.#register(name, bytes);
 			await this.#keep(name, bytes);
 			return name;
 		} catch (error) {

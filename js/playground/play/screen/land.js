@@ -27,7 +27,7 @@ export class Land {
 		this.width = width;
 	}
 
-	/** Sets the kind of ground: a name in GROUNDS. Returns whether it is another one: then dress builds it. */
+	/** Sets the kind of ground: a name in GROUNDS. Returns whether it is another one: then applyTheme builds it. */
 	setGround(name) {
 		const isOther = this.#name !== name;
 		this.#name = name;
@@ -35,8 +35,8 @@ export class Land {
 	}
 
 	/** Builds it again for light or dark. Returns the brightness of the lights and the colour of the agents' outlines. */
-	dress(mode) {
-		const theme = GROUNDS[this.#name][mode];
+	applyTheme(name) {
+		const theme = GROUNDS[this.#name][name];
 		const { zenith, horizon, field, around, edge, stars = 0 } = theme;
 		this.dispose();
 		this.group = new Group();

@@ -217,7 +217,6 @@ class Installation {
 		if (record === null) {
 			record = new AgentRecord(agent, SPHERE);
 			this.#records.add(record);
-			record.owner = this;
 			agent.jbins = [record];
 			this.#traits.inherit(agent);
 		}
@@ -230,7 +229,6 @@ class Installation {
 		const record = this.#recordOf(agent);
 		if (record !== null) {
 			this.#records.delete(record);
-			record.owner = null;
 			this.#neighbours.cells.remove(record);
 		}
 		agent.jbins = [];
@@ -238,7 +236,6 @@ class Installation {
 
 	/** Removes all agents. */
 	#reset() {
-		for (const record of this.#records) record.owner = null;
 		this.#records.clear();
 		this.#neighbours.clear();
 		this.#engineAgents.length = 0;
@@ -295,7 +292,7 @@ class Installation {
 
 	#recordOf(agent) {
 		const record = agent.jbins?.[0];
-		return record instanceof AgentRecord && record.clientAgent === agent && record.owner === this ? record : null;
+		return this.#records.has(record) && record.clientAgent === agent ? record : null;
 	}
 
 	/** Lists the engine's Agents for all agents that take part, and moves them there. */

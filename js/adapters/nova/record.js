@@ -26,9 +26,8 @@ export class AgentRecord {
 	// its place in the client's list
 	index = -1;
 
-	// the breed whose traits the engine's Agent has; the Installation that contains the record
+	// the breed whose traits the engine's Agent has
 	breedOfTraits = null;
-	owner = null;
 
 	/** Creates a record of an agent. `shape` is a model that always exists. */
 	constructor(clientAgent, shape) {

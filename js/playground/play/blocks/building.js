@@ -3,7 +3,7 @@
  * for walls and for the ground.
  */
 import * as Blockly from "blockly/core";
-import { create, folded, go, heading, number, size, solid, start } from "../builtin/notation.js";
+import { folded, number, solid, start, wall } from "../builtin/notation.js";
 import { inGroup } from "./undo.js";
 
 /** Blocks that move or turn an agent. What an agent does last decides its place and its heading. */
@@ -94,7 +94,7 @@ export class Building {
 			const script = [...makers, ...this.workspace.getTopBlocks(true)].find(({ type }) => type === "starlogo_start") ?? this.#add({ type: "starlogo_start" });
 			const isSolid = this.workspace.getBlocksByType("starlogo_solid").some((block) => block.getFieldValue("BREED") === "walls");
 			if (!isSolid) this.#append(script, solid("walls"));
-			for (const [x, y, angle, length] of pieces) this.#append(script, create(1, "walls", "wall", size(length), heading(angle), go(x, y, 0)));
+			for (const [x, y, angle, length] of pieces) this.#append(script, wall(x, y, length, angle));
 		});
 	}
 

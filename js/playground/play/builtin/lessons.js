@@ -5,7 +5,7 @@
 import { CollisionBlocks } from "starlogo-collision";
 import { textOf } from "../game/actions.js";
 import {
-	change, collision, colour, compare, create, each, folded, get, go, ground, heading, many, move, numbers, paint, program, remove, repeat, scatter, set, size, start, step, touch, trait, turn, up, walk, when,
+	change, collision, colour, compare, create, each, folded, get, go, ground, heading, many, move, numbers, paint, program, remove, repeat, scatter, set, size, start, step, touch, trait, turn, up, walk, wall, when,
 } from "./notation.js";
 
 const touching = (world) => world.collisions.collision.statistics.collisions;
@@ -14,7 +14,6 @@ const total = (world, a, b) => world.totals.get([a, b].sort().join("\n")) ?? 0;
 /** The way of an agent in this frame. */
 const stepOf = ({ x, y, before }) => Math.hypot(x - before[0], y - before[1]);
 const use = (SYSTEM) => ({ type: "starlogo_system", fields: { SYSTEM } });
-const wall = (x, y, large, turned = 0) => create(1, "walls", "wall", size(large), heading(turned), go(x, y, 0));
 const ball = (large, ...blocks) => create(1, "paintballs", "sphere", size(large), paint("me", colour("yellow")), ...blocks);
 const touchEnd = (BREED, OTHER, block) => ({ type: "starlogo_touch_end", fields: { BREED, OTHER }, inputs: { DO: { block } } });
 

@@ -46,16 +46,15 @@ export function fail(message, block) {
 	throw new ProgramError(message, block.id);
 }
 
+/** The other agent of a collision block. */
+const touched = (block, world) => world.collidee ?? fail(texts.play.noCollidee(wordsOf(block.type)), block);
+
 /** The subject of a block: me, the collidee, or a breed's name. */
 function whom(block, world) {
 	const who = block.fields.WHO;
 	if (who === "me") return me(block, world);
-	if (who === "collidee") return world.collidee ?? fail(texts.play.noCollidee(wordsOf(block.type)), block);
-	return who;
+	return who === "collidee" ? touched(block, world) : who;
 }
-
-/** The other agent of a collision block. */
-const touched = (block, world) => world.collidee ?? fail(texts.play.noCollidee(wordsOf(block.type)), block);
 
 /** Makes the function of a block that has inputs: of their contents, the block and the world. */
 const withInputs = (read, names, use, missing) => (block, world) => {

@@ -49,7 +49,7 @@ export class Scene {
 	#bestNote = "";
 	#mainBreed = null;
 	#explained = null;
-	#said = new Map();
+	#bubbles = new Map();
 	#levels = new Map();
 	#pictures = new Map();
 	#isPictured = false;
@@ -319,14 +319,14 @@ export class Scene {
 		const { agents, frame, shownVariables } = this.world;
 		const wordsOf = ({ said, own }) => [...(said.text !== "" && said.until > frame ? [said.text] : []), ...shownVariables.filter((name) => name in own).map((name) => `${name} ${textOf(own[name])}`)].join("\n");
 		const talking = agents.filter((agent) => wordsOf(agent) !== "").slice(0, MOST_SAID);
-		for (const [agent, bubble] of this.#said) {
+		for (const [agent, bubble] of this.#bubbles) {
 			if (talking.includes(agent)) continue;
 			bubble.remove();
-			this.#said.delete(agent);
+			this.#bubbles.delete(agent);
 		}
 		for (const agent of talking) {
-			if (!this.#said.has(agent)) this.#said.set(agent, this.bubbles.appendChild(h("p.bubble")));
-			const bubble = this.#said.get(agent);
+			if (!this.#bubbles.has(agent)) this.#bubbles.set(agent, this.bubbles.appendChild(h("p.bubble")));
+			const bubble = this.#bubbles.get(agent);
 			const height = this.#height(agent);
 			const { x, y } = this.stage.pixelOf(agent.x, agent.y, agent.z + height + 0.2);
 			bubble.hidden = !this.stage.pixelOf(agent.x, agent.y, agent.z + height / 2).isSeen;

@@ -5,11 +5,10 @@ import { BoxGeometry, Color, CylinderGeometry, Group, InstancedMesh, Matrix4, Me
 export class Instances {
 	mesh = null;
 	count = 0;
-	/** The drawing order: later ones are drawn over earlier ones. */
-	order = 5;
 
-	constructor(parent, geometry, material) {
-		Object.assign(this, { parent, geometry, material });
+	/** `order` is the drawing order: later ones are drawn over earlier ones. */
+	constructor(parent, geometry, material, order = 5) {
+		Object.assign(this, { parent, geometry, material, order });
 	}
 
 	add(matrix, color) {

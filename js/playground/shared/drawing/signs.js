@@ -13,7 +13,7 @@ export class Signs {
 	constructor(scene) {
 		const material = new MeshBasicMaterial({ depthTest: false, transparent: true });
 		const upright = Math.PI / 2;
-		const make = (geometry, order) => Object.assign(new Instances(scene, geometry, material), { order });
+		const make = (geometry, order) => new Instances(scene, geometry, material, order);
 		this.grounds = { hit: make(new CircleGeometry(BORDER, 20), 6), wrong: make(new CircleGeometry(1.25 * BORDER, 3, upright), 6), missed: make(new CircleGeometry(BORDER, 20), 6) };
 		this.faces = { hit: make(new CircleGeometry(1, 20), 7), wrong: make(new CircleGeometry(1.1, 3, upright), 7), missed: make(new RingGeometry(0.55, 1, 20), 7) };
 	}

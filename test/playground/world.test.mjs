@@ -35,6 +35,13 @@ test('the same program plays the same game', () => {
 	assert.equal(places(), places());
 });
 
+test('no field of a game\'s agents hides one of the engine\'s', () => {
+	const [agent] = played(parts.GAMES.paintball, 1).agents;
+	const engine = Object.getOwnPropertyNames(parts.Agent.prototype);
+	assert.deepEqual(Object.keys(agent).filter((name) => engine.includes(name)), []);
+	assert.equal(agent.color, parts.OWN_COLOURS);
+});
+
 test('another seed plays another game, and frames that are rewound have the same numbers again', () => {
 	const places = ({ agents }) => agents.map(({ x, y, heading }) => `${x} ${y} ${heading}`).join();
 	const from = (seed) => {

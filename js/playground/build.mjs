@@ -16,7 +16,7 @@ import { writeDocs } from "./docs.mjs";
 import { leanThree } from "./leanthree.mjs";
 import { engineInParts } from "./parts.mjs";
 import { writeSingle } from "./single.mjs";
-import { NPM, fewMessages, tameBlockly, tameRapier } from "./patches.mjs";
+import { NPM, fewMessages, tameBlockly, tameRapier } from "./packages.mjs";
 
 const here = fileURLToPath(new URL(".", import.meta.url));
 const [engine, out, api] = process.argv.slice(2).map((folder) => path.resolve(folder));

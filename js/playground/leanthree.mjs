@@ -1,6 +1,6 @@
 /** Leaves out of three.js what the page does not use and no bundler leaves out. */
 import { readFileSync } from "node:fs";
-import { replaced } from "./patches.mjs";
+import { replaced } from "./packages.mjs";
 
 /** Shaders for materials, lights and effects that the page does not use, by their names in three.js. Some are only the beginnings of names. */
 const UNUSED_SHADERS = ["background", "cube_", "distanceRGBA", "equirect", "linedashed", "meshmatcap", "meshnormal", "meshphong", "meshphysical", "meshtoon", "shadow_", "sprite", "depth_vert", "depth_frag",

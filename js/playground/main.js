@@ -2,10 +2,10 @@
  * Loads the page's words in one language, and shows the view in the address: #play, #inspect, #compare, #measure, #level or #teach. Each view
  * loads only the files that it needs.
  */
-import { lendColours } from "./shared/drawing/colours.js";
+import { setColourProperties } from "./shared/drawing/colours.js";
 import { button, choice, h } from "./shared/dom.js";
-import { chiefOf } from "./shared/files/files.js";
-import { failure, further, learn, speak, texts } from "./shared/language.js";
+import { mainFileOf } from "./shared/files/files.js";
+import { addWords, failure, furtherWords, loadWords, texts } from "./shared/language.js";
 import { recall, remember } from "./shared/files/memory.js";
 import { DOCS } from "./shared/files/served.js";
 
@@ -24,11 +24,11 @@ const LANGUAGE_KEY = "starlogo-playground.language";
 
 const VIEWS = {
 	play: () => import("./play/view.js"),
-	inspect: () => learn("lab").then(() => import("./inspect/view.js")),
-	compare: () => learn("lab").then(() => import("./compare/view.js")),
-	measure: () => learn("lab").then(() => import("./measure/view.js")),
-	level: () => learn("lab").then(() => import("./level/view.js")),
-	teach: () => Promise.all([learn("class"), learn("game")]).then(() => import("./teach/view.js")),
+	inspect: () => loadWords("lab").then(() => import("./inspect/view.js")),
+	compare: () => loadWords("lab").then(() => import("./compare/view.js")),
+	measure: () => loadWords("lab").then(() => import("./measure/view.js")),
+	level: () => loadWords("lab").then(() => import("./level/view.js")),
+	teach: () => Promise.all([loadWords("class"), loadWords("game")]).then(() => import("./teach/view.js")),
 };
 
 const links = new Map(Object.keys(VIEWS).map((name) => [name, h("a", { href: `#${name}` })]));
@@ -64,10 +64,10 @@ function changeLanguage(code) {
 
 /** Builds the page's frame in its language. */
 async function begin() {
-	lendColours(document.documentElement);
+	setColourProperties(document.documentElement);
 	const code = languageOf();
-	speak((await LANGUAGES[code].load()).texts);
-	for (const [name, load] of Object.entries(LANGUAGES[code].further)) further[name] = { load };
+	addWords((await LANGUAGES[code].load()).texts);
+	for (const [name, load] of Object.entries(LANGUAGES[code].further)) furtherWords[name] = { load };
 	document.documentElement.lang = code;
 	document.querySelector("h1 span").textContent = texts.page.name;
 	const views = document.getElementById("views");
@@ -143,7 +143,7 @@ onFile("dragleave", ({ relatedTarget }) => main.classList.toggle("dropping", rel
 onFile("drop", ({ dataTransfer }) => {
 	main.classList.remove("dropping");
 	const files = [...dataTransfer.files];
-	const file = chiefOf(files);
+	const file = mainFileOf(files);
 	if (shown?.view.openFile && shown.view.takes?.(file) !== false) shown.view.openFile(file, files);
 	else say(/\.json$/i.test(file.name) ? texts.dropProgram(file.name) : texts.dropElsewhere(file.name));
 });

@@ -90,6 +90,15 @@ test("options that cannot be are refused, and what is installed stays", () => {
 	for (const trait of ["hierarchical", "sweeps"]) {
 		for (const value of ["false", 1, null]) assert.throws(() => installation.setTraits("Fish", { [trait]: value }), /RangeError.*must be true or false/);
 	}
+	// whatever the system is, and also what the next could not use
+	for (const depth of [-1, 0, 2.5, "3", null]) {
+		assert.throws(() => installInto(window, { depth }), /maxDepth must be/);
+		assert.throws(() => installation.exchange({ depth }), /maxDepth must be/);
+	}
+	for (const breeds of [5, [], "Fish", { Fish: true }]) assert.throws(() => installation.exchange({ breeds }), /RangeError.*must be an object, not/);
+	// what is read at installation alone cannot change, but may be named again
+	for (const options of [{ shapes: { Cube: null } }, { manifest: "manifest.json" }]) assert.throws(() => installation.exchange(options), /RangeError.*once/);
+	installation.exchange(installation.options);
 	installation.setTraits("Fish", { hierarchical: undefined, depth: 2 });
 	installation.exchange({ system: undefined, exact: undefined });
 	assert.deepEqual(installation.options.breeds, { Fish: { depth: 2 } });
@@ -126,6 +135,16 @@ test("bins: spheres about their places, a size of 0 is a point, touching is not 
 	assert.equal(two({}, { x: NaN }, { x: 0 }, { size: Infinity }, { x: 0.5 }).pairs(), 1);
 	assert.equal(two({ system: "tightest" }, { size: 0 }, { size: 1 }).pairs(), 0);
 	assert.equal(two({ system: "tightest" }, { x: 0 }, { x: 1 }).pairs(), 1);
+});
+
+test("bins with sweeps: who stands collides by the client's rule, who moves along its way", () => {
+	const game = two({ sweeps: true }, { x: 0 }, { x: 1 });
+	const { installation, agents: [first, second] } = game;
+	for (let i = 0; i < 3; i++) assert.deepEqual([game.pairs(), installation.areColliding(first, second)], [0, false]);
+	second.state.x = second.prevState.x = 0.99;
+	assert.equal(game.pairs(), 1);
+	second.state.x = -5;
+	assert.deepEqual([game.pairs(), installation.areColliding(first, second)], [1, false]);
 });
 
 test("agents without blocks collide where they are now", () => {

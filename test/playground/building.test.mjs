@@ -93,7 +93,7 @@ test('the ground is raised and lowered, and a maze is built, by mouse: as blocks
 	await drag(page, [-5, 5], [-5, 1]);
 	const walls = (await agentsOf(page)).filter(([breed]) => breed === 'walls');
 	assert.deepEqual(walls.map(([, x, y,, heading]) => [x, y, heading]), [[-3.5, 5, 90], [0, 5, 90], [3.5, 5, 90], [-5, 3, 0]]);
-	assert.deepEqual([await blocks('starlogo_solid'), await page.evaluate(() => globalThis.playground.world.walker.solidBreeds)], [1, ['walls']], 'nobody goes through them');
+	assert.deepEqual([await blocks('starlogo_solid'), await page.evaluate(() => globalThis.playground.world.walking.solidBreeds)], [1, ['walls']], 'nobody goes through them');
 	// each stroke is one step
 	const states = [4, 3, 0, 0, 0];
 	for (let i = 1; i <= 4; i++) {

@@ -116,7 +116,7 @@ test('after the game has gone back, a tone is played only in a frame in which a 
 	await listen(page);
 	await openProgram(page, 'apart', program(start(create(1, 'bears', 'bear', place(-3, 0, 0)), create(1, 'walls', 'wall')), each('bears', heading(0), move(0.5))));
 	for (let i = 0; i < 16; i++) await press(page, 'Step');
-	const touched = await page.evaluate(() => globalThis.playground.world.events.at(-1)?.frame);
+	const touched = await page.evaluate(() => globalThis.playground.world.meetings.at(-1)?.frame);
 	assert.ok(touched > 1 && touched < 14, `they touch in frame ${touched}`);
 	const tones = () => page.evaluate(() => globalThis.tones.length);
 	const before = await tones();

@@ -22,7 +22,7 @@ mkdirSync(folder, { recursive: true });
 const { exports } = JSON.parse(readFileSync(path.join(root, 'bin/module/package.json'), 'utf8'));
 const from = (file) => JSON.stringify(path.join(root, 'js/playground', file));
 // words come before what is made of them
-const english = write('english.mjs', `import { texts } from ${from('languages/en.js')};\nimport { texts as further } from ${from('languages/game/en.js')};\nimport { speak } from ${from('shared/language.js')};\nspeak(texts);\nspeak(further);\n`);
+const english = write('english.mjs', `import { texts } from ${from('languages/en.js')};\nimport { texts as further } from ${from('languages/game/en.js')};\nimport { addWords } from ${from('shared/language.js')};\naddWords(texts);\naddWords(further);\n`);
 const { outputFiles: [{ text }] } = buildSync({
 	stdin: { contents: [`import ${JSON.stringify(english)};`, ...MODULES.map((file) => `export * from "./${file}";`), 'import "./play/game/lateengine.js";', 'export * as notation from "./play/builtin/notation.js";', 'export * from "starlogo-collision";'].join('\n'), resolveDir: path.join(root, 'js/playground') },
 	bundle: true, format: 'esm', write: false, logLevel: 'warning', nodePaths: [path.join(root, 'js/playground/node_modules')],

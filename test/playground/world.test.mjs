@@ -35,6 +35,13 @@ test('the same program plays the same game', () => {
 	assert.equal(places(), places());
 });
 
+test('no field of a game\'s agents hides one of the engine\'s', () => {
+	const [agent] = played(parts.GAMES.paintball, 1).agents;
+	const engine = Object.getOwnPropertyNames(parts.Agent.prototype);
+	assert.deepEqual(Object.keys(agent).filter((name) => engine.includes(name)), []);
+	assert.equal(agent.color, parts.OWN_COLOURS);
+});
+
 test('another seed plays another game, and frames that are rewound have the same numbers again', () => {
 	const places = ({ agents }) => agents.map(({ x, y, heading }) => `${x} ${y} ${heading}`).join();
 	const from = (seed) => {
@@ -272,8 +279,8 @@ test('all that touch are counted and listed, whoever has scripts', () => {
 	}
 	assert.ok(touching > 5, `${touching}`);
 	assert.deepEqual([...world.totals], [['turtles\nwalls', 1]]);
-	assert.equal(world.events.length, 1);
-	const [{ frame, point, a, b }] = world.events;
+	assert.equal(world.meetings.length, 1);
+	const [{ frame, point, a, b }] = world.meetings;
 	assert.ok(frame > 5 && frame < 30 && Math.abs(point.x) < 0.5, `${frame} ${point.x}`);
 	assert.deepEqual([a.breed, b.breed].sort(), ['turtles', 'walls']);
 });
@@ -390,6 +397,14 @@ test('every object\'s names are no names of programs; a game of a link leaves no
 		shelf.putCamera(id, 'eyes');
 	}
 	assert.deepEqual(['maze', 'link'].map((id) => [shelf.recordOf(id), shelf.cameraOf(id)]), [[3, 'eyes'], [null, null]]);
+	// a full storage may take the name of the last program, but not the programs
+	globalThis.localStorage.setItem = (key, text) => {
+		if (text.length > 40) throw new Error('full');
+		kept.set(key, text);
+	};
+	shelf.put({ id: 'own-a-b', name: 'Mine', program: program(start(create(1, 'bears', 'bear'))), changed: 1 });
+	shelf.last = 'own-a-b';
+	assert.deepEqual([shelf.isKept, shelf.find('own-a-b').name, shelf.last], [false, 'Mine', 'own-a-b']);
 	delete globalThis.localStorage;
 });
 
@@ -465,7 +480,7 @@ test('one game hears the keys of another: under the same system it is the same, 
 				first.input.press('space');
 				first.input.release('space');
 			}
-			second.input.take(first.input, second.agents);
+			second.input.copyFrom(first.input, second.agents);
 			second.step();
 			first.step();
 			differences += [...first.pairs.keys()].join() === [...second.pairs.keys()].join() ? 0 : 1;
@@ -838,7 +853,7 @@ test('agents fall onto solid breeds, jump, are carried and turn at the edge; set
 	for (let i = 0; i < 60; i++) world.step();
 	near(hero.z, 0);
 	world.history.show(60);
-	assert.deepEqual(world.walker.solidBreeds, ['platforms']);
+	assert.deepEqual(world.walking.solidBreeds, ['platforms']);
 
 	const ways = Object.fromEntries(['stopAt', 'bounceOff', 'wrapAt'].map((HOW) => {
 		const [turtle] = played(program(start(create(1, 'turtles', 'cube', go(11, 0, 0))), each('turtles', forward(0.1), { type: 'starlogo_edge', fields: { HOW } }, if_(value('starlogo_at_edge', { EDGE: 'east' }), { type: 'starlogo_colour', fields: { WHO: 'me' }, inputs: { COLOUR: value('starlogo_pick', { COLOUR: 'red' }) } }))), 20).agents;

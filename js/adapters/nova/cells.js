@@ -2,6 +2,9 @@
 const SIDE = 12;
 const LAST = SIDE - 1;
 
+/** For each column or row, all of them, the nearest first. */
+const OUTWARD = Array.from({ length: SIDE }, (_, from) => Array.from({ length: SIDE }, (_, to) => to).sort((a, b) => Math.abs(a - from) - Math.abs(b - from)));
+
 /**
  * Finds near agents of the client. It keeps each agent in a square cell of the ground, by its last known place. A question reads the
  * present places of its candidates. So it can miss only an agent that has moved to another cell and was not inserted again. Height, breed and traits
@@ -88,34 +91,27 @@ export class Cells {
 	 */
 	nearest(asker, breed, radius, accepts) {
 		const { x, y, z } = asker.state;
-		const column = this.#index(x);
-		const row = this.#index(y);
+		const rows = OUTWARD[this.#index(y)];
 		let best = null;
 		let least = radius * radius;
-		for (let ring = 0; ring < SIDE; ring++) {
-			const outside = ring === 0 ? 0 : this.#distanceOutside(x, y, column, row, ring - 1);
-			if (outside > 0 && outside * outside > least) break;
-			const lowY = Math.max(0, row - ring);
-			const highY = Math.min(LAST, row + ring);
-			for (let i = Math.max(0, column - ring); i <= Math.min(LAST, column + ring); i++) {
-				// between the ring's first and last column, only the column's ends belong to the ring
-				const step = Math.abs(i - column) === ring || ring === 0 ? 1 : 2 * ring;
-				for (let j = step === 1 ? lowY : row - ring; j <= highY; j += step) {
-					if (j < 0) continue;
-					const list = this.#cells[i * SIDE + j];
-					for (let k = 0; k < list.length; k++) {
-						const other = list[k].clientAgent;
-						if ((breed !== null && other.breed !== breed) || other.isDead || other === asker) continue;
-						const state = other.state;
-						const dx = x - state.x;
-						const dy = y - state.y;
-						const dz = z - state.z;
-						const squared = dx * dx + dy * dy + dz * dz;
-						if (squared < least || (squared === least && (best === null || other.id < best.id))) {
-							if (accepts !== null && !accepts(other)) continue;
-							best = other;
-							least = squared;
-						}
+		for (const column of OUTWARD[this.#index(x)]) {
+			const columnDistance = this.#leastDistance(x, column) ** 2;
+			if (columnDistance > least) continue;
+			for (const row of rows) {
+				if (columnDistance + this.#leastDistance(y, row) ** 2 > least) continue;
+				const list = this.#cells[column * SIDE + row];
+				for (let i = 0; i < list.length; i++) {
+					const other = list[i].clientAgent;
+					if ((breed !== null && other.breed !== breed) || other.isDead || other === asker) continue;
+					const state = other.state;
+					const dx = x - state.x;
+					const dy = y - state.y;
+					const dz = z - state.z;
+					const squared = dx * dx + dy * dy + dz * dz;
+					if (squared < least || (squared === least && (best === null || other.id < best.id))) {
+						if (accepts !== null && !accepts(other)) continue;
+						best = other;
+						least = squared;
 					}
 				}
 			}
@@ -134,17 +130,5 @@ export class Cells {
 		const low = index === 0 ? -Infinity : (index - 1) * this.#width - this.#half;
 		const high = index === LAST ? Infinity : index * this.#width - this.#half;
 		return Math.max(low - coordinate, coordinate - high, 1e-9) - 1e-9;
-	}
-
-	/** Everything outside this many rings of cells is at least this far away. */
-	#distanceOutside(x, y, column, row, rings) {
-		return Math.min(this.#distanceToRing(x, column, rings), this.#distanceToRing(y, row, rings)) - 1e-9;
-	}
-
-	#distanceToRing(coordinate, index, rings) {
-		const [low, high] = [index - rings, index + rings];
-		const below = low <= 0 ? Infinity : coordinate - ((low - 1) * this.#width - this.#half);
-		const above = high >= LAST ? Infinity : high * this.#width - this.#half - coordinate;
-		return Math.min(below, above);
 	}
 }

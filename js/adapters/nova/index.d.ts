@@ -26,13 +26,16 @@ export interface NovaOptions {
     exact?: boolean;
     /** For "hierarchical" and "combination": the number of levels of a tree that are tested. The default is 5. */
     depth?: number;
-    /** Whether agents sweep, unless their traits say otherwise. */
+    /**
+     * Whether agents sweep, unless their traits say otherwise. With "bins", an agent that has moved also collides if its way ends where it just
+     * touches another.
+     */
     sweeps?: boolean;
     /** Traits by the name of a breed. */
     breeds?: Record<string, NovaTraits>;
     /**
      * Models to use instead of the client's, by the shape of an agent: a model, an address, null for the sphere, or undefined for the
-     * client's own. Read once, at installation.
+     * client's own. Read once, at installation: exchange() refuses others.
      */
     shapes?: Record<string, Model | string | null> | ((shape: string) => Model | string | null | undefined);
     /**
@@ -41,7 +44,7 @@ export interface NovaOptions {
      * two ticks.
      */
     overlay?: boolean;
-    /** The address of the list that `starlogo-cook --scaling volume --transforms` has made. Read once, at installation. */
+    /** The address of the list that `starlogo-cook --scaling volume --transforms` has made. Read once, at installation: exchange() refuses another. */
     manifest?: string | null;
 }
 

@@ -2,10 +2,10 @@ import { Agent, BinCollider, Collision, CombinationCollider, GreatLand, Hierarch
 import { Blocks } from "./blocks.js";
 import { Neighbours } from "./neighbours.js";
 import { Overlay, viewClassOf } from "./overlay.js";
-import { Patches } from "./patches.js";
-import { AgentRecord, firstSharedBin } from "./record.js";
+import { Overrides } from "./overrides.js";
+import { AgentRecord, FoundPair } from "./record.js";
 import { SPHERE, Shapes } from "./shapes.js";
-import { Traits, checkTraits } from "./traits.js";
+import { Traits, checkedBreeds, checkedTraits } from "./traits.js";
 
 /** The engine's own check of options. */
 const { checkedOptions } = Model.$internals;
@@ -29,12 +29,6 @@ const MARGIN = 1e-9;
 /** Agents beyond this coordinate take no part. Half a size farther away, an Agent can still exist. */
 const FARTHEST = Agent.LARGEST_COORDINATE - Agent.LARGEST_SIZE;
 
-/** The lower part of a key is the turn. No game has so many updates. */
-const TURN_RADIX = 2 ** 36;
-
-/** A key has room for this many breeds of a block. No game has so many. */
-const RANK_RADIX = 1024;
-
 /** The installation in the client of a window, or null. */
 export function installedIn(window) {
 	return window.Execution?.Collisions?.[INSTALLED] ?? null;
@@ -52,12 +46,12 @@ export function installInto(window, options = {}) {
 class Installation {
 	#window;
 	#client;
-	#patches = new Patches();
+	#overrides = new Overrides();
 	#overlay;
 	#half;
 	#options;
 	#records = new Set();
-	#turn = 0;
+	#sequence = 0;
 	#greatLand = new GreatLand();
 	#shapes;
 	#collider;
@@ -67,7 +61,6 @@ class Installation {
 	#engineAgents = [];
 	#drawAgent = new Agent(SPHERE);
 	#found = [];
-	#isSwept = false;
 	#traits = new Traits();
 
 	/** If an option is refused, nothing has changed. */
@@ -80,17 +73,17 @@ class Installation {
 		this.#shapes = new Shapes(this.#greatLand, window, { own: shapes, manifest });
 		this.#neighbours = new Neighbours(window, this.#half, this.#records);
 		this.#blocks = new Blocks(window.Common.State, (a, b) => this.#onPair(a.record, b.record));
-		this.#overlay = new Overlay(window, this.#greatLand, (part, call) => this.#forEachShown(part, call));
+		this.#overlay = new Overlay(window, this.#greatLand, (fraction, call) => this.#forEachShown(fraction, call));
 		installedIn(window)?.uninstall();
 		this.#client.reset();
-		this.#patch();
+		this.#override();
 		this.#addAll();
 		this.#overlay.show(Boolean(this.#options.overlay));
 	}
 
 	/** Whether it is still installed. */
 	get isInstalled() {
-		return this.#patches.any;
+		return this.#overrides.any;
 	}
 
 	/** The options in use. */
@@ -126,7 +119,7 @@ class Installation {
 
 	/** Sets the traits of a breed, by its name, or of an agent. They replace all traits set before; null removes them. */
 	setTraits(whose, traits) {
-		const checked = checkTraits(traits ?? {});
+		const checked = checkedTraits(traits);
 		if (typeof whose === "string") this.exchange({ breeds: { ...this.#options.breeds, [whose]: checked } });
 		else this.#giveTraits(whose, checked);
 	}
@@ -134,14 +127,14 @@ class Installation {
 	/** Sets some of an agent's traits, as its blocks do. The others stay. */
 	changeTraits(agent, traits) {
 		// a block may say the same in each tick
-		if (!this.#traits.hasAll(agent, traits)) this.#giveTraits(agent, { ...this.#traits.ofAgents.get(agent), ...checkTraits(traits) });
+		if (!this.#traits.hasAll(agent, traits)) this.#giveTraits(agent, { ...this.#traits.ofAgents.get(agent), ...checkedTraits(traits) });
 	}
 
 	/** Whether two agents touch now. */
 	areColliding(a, b) {
 		const [first, second] = [this.#currentRecordOf(a), this.#currentRecordOf(b)];
 		if (first === null || second === null || first === second) return false;
-		if (!this.#poseIfInWorld(first.engineAgent, a.state) || !this.#poseIfInWorld(second.engineAgent, b.state)) return false;
+		if (!this.#copyStateIfInWorld(first.engineAgent, a.state) || !this.#copyStateIfInWorld(second.engineAgent, b.state)) return false;
 		return this.#collider.areColliding(first.engineAgent, second.engineAgent) && (!this.#isBins || doSpheresMeet(a.state, b.state));
 	}
 
@@ -149,7 +142,7 @@ class Installation {
 	uninstall() {
 		if (!this.isInstalled) return;
 		this.#overlay.show(false);
-		this.#patches.restore();
+		this.#overrides.restore();
 		this.#shapes.stop();
 		this.#reset();
 		this.#client.reset();
@@ -161,24 +154,24 @@ class Installation {
 	}
 
 	/** Puts methods in the place of the client's own. */
-	#patch() {
+	#override() {
 		const neighbours = this.#neighbours;
 		const methods = {
 			add: (agent) => this.#add(agent),
 			remove: (agent) => this.#remove(agent),
-			update: (agent) => this.#update(agent),
+			update: (agent) => this.#add(agent),
 			getCollisions: () => this.#getCollisions(),
 			empty: (breedId) => this.#isEmpty(breedId),
 			reset: () => this.#reset(),
 			count: (...question) => neighbours.count(...question),
 			nearest: (...question) => neighbours.nearest(...question),
 		};
-		for (const [name, method] of Object.entries(methods)) this.#patches.apply(this.#client, name, () => method);
-		this.#patches.apply(this.#client, INSTALLED, () => this);
+		for (const [name, method] of Object.entries(methods)) this.#overrides.apply(this.#client, name, () => method);
+		this.#overrides.apply(this.#client, INSTALLED, () => this);
 		// it moves all agents without an update
 		const { AgentController } = this.#window.Execution;
 		if (typeof AgentController.scatterAllAgents === "function") {
-			this.#patches.apply(AgentController, "scatterAllAgents", (scatter) => function (...args) {
+			this.#overrides.apply(AgentController, "scatterAllAgents", (scatter) => function (...args) {
 				neighbours.forgetPlaces();
 				return scatter.apply(this, args);
 			});
@@ -198,37 +191,37 @@ class Installation {
 	/**
 	 * Calls a function for each agent that takes part:
 	 * with an Agent of the engine, the collider, and whether the last getCollisions found it in a pair.
-	 * `part` is the part of the way from the place in the last tick to the present place.
+	 * `fraction` says where on its way it is: 0 at its place in the last tick, 1 at its present place.
 	 */
-	#forEachShown(part, call) {
+	#forEachShown(fraction, call) {
 		const { data, numAgents } = this.#window.Execution.AgentController;
-		const hit = new Set(this.#found.flatMap(({ a, b }) => [a, b]));
+		const hit = new Set(this.#found.flatMap(({ finder, other }) => [finder, other]));
 		const drawAgent = this.#drawAgent;
 		this.#blocks.followState(this.#collision);
 		for (let i = 1; i < numAgents; i++) {
 			const record = this.#participant(data[i]);
 			if (record === null) continue;
 			const { clientAgent, engineAgent } = record;
-			const state = part < 1 && clientAgent.prevState ? between(clientAgent.prevState, clientAgent.state, part) : clientAgent.state;
-			if (!this.#poseIfInWorld(drawAgent, state)) continue;
+			const state = fraction < 1 && clientAgent.prevState ? between(clientAgent.prevState, clientAgent.state, fraction) : clientAgent.state;
+			if (!this.#copyStateIfInWorld(drawAgent, state)) continue;
 			drawAgent.hierarchical = engineAgent.hierarchical;
 			drawAgent.traversalDepth = engineAgent.traversalDepth;
 			drawAgent.collideAs = engineAgent.collideAs;
-			call(drawAgent, this.#collider, hit.has(clientAgent));
+			call(drawAgent, this.#collider, hit.has(record));
 		}
 	}
 
-	/** Adds an agent. */
+	/** Adds an agent, or reads the place and size of one that was added. */
 	#add(agent) {
 		let record = this.#recordOf(agent);
 		if (record === null) {
 			record = new AgentRecord(agent, SPHERE);
 			this.#records.add(record);
-			record.owner = this;
 			agent.jbins = [record];
 			this.#traits.inherit(agent);
 		}
-		this.#place(record);
+		record.setBin(this.#half, ++this.#sequence);
+		this.#neighbours.cells.insert(record);
 	}
 
 	/** Removes an agent. */
@@ -236,22 +229,13 @@ class Installation {
 		const record = this.#recordOf(agent);
 		if (record !== null) {
 			this.#records.delete(record);
-			record.owner = null;
 			this.#neighbours.cells.remove(record);
 		}
 		agent.jbins = [];
 	}
 
-	/** Call it when an agent has moved or changed its size. */
-	#update(agent) {
-		const record = this.#recordOf(agent);
-		if (record === null) this.#add(agent);
-		else this.#place(record);
-	}
-
 	/** Removes all agents. */
 	#reset() {
-		for (const record of this.#records) record.owner = null;
 		this.#records.clear();
 		this.#neighbours.clear();
 		this.#engineAgents.length = 0;
@@ -267,25 +251,31 @@ class Installation {
 	/** All colliding pairs that have a block, each once. They come in the client's order; with sweeps, in the order of time. */
 	#getCollisions() {
 		this.#blocks.followState(this.#collision);
-		this.#poseParticipants();
+		this.#listParticipants();
 		this.#found = [];
 		this.#collision.update(this.#engineAgents);
-		if (!this.#isSwept) this.#listFoundPairs();
-		this.#neighbours.collided(this.#found);
-		return this.#found;
+		if (!this.#engineAgents.some(({ sweeps }) => sweeps)) this.#found.sort(FoundPair.compare);
+		const pairs = this.#found.map(({ pair }) => pair);
+		this.#neighbours.blocksRunFor(pairs);
+		return pairs;
 	}
 
 	/** Changes options. Those that are not named, or undefined, are as before. */
 	#applyOptions(given, before) {
 		const options = checkedOptions(null, "options", given, { ...before }, 'a literal such as { system: "tightest" }');
 		const { system, exact, depth, overlay } = options;
+		for (const name of ["shapes", "manifest"]) {
+			if (before !== DEFAULTS && options[name] !== before[name]) throw new RangeError(`${name} is read once, at installation`);
+		}
 		if (!Object.hasOwn(SYSTEMS, system)) throw new RangeError(`the system must be one of ${Object.keys(SYSTEMS).join(", ")}, not ${system}`);
 		if (exact && (system === "bins" || system === "tightest")) throw new RangeError(`exact is for hierarchical and combination, not for ${system}`);
-		checkTraits({ sweeps: options.sweeps });
-		options.breeds = Object.freeze(Object.fromEntries(Object.entries(options.breeds ?? {}).map(([name, traits]) => [name, checkTraits(traits ?? {})])));
+		checkedTraits({ sweeps: options.sweeps });
+		options.breeds = checkedBreeds(options.breeds);
 		const collider = new SYSTEMS[system](this.#greatLand);
-		if (exact) collider.exact = exact;
-		if (depth !== undefined && "maxDepth" in collider) collider.maxDepth = depth;
+		// bins and tightest fits have no trees. A depth is checked all the same, because a later system may use it
+		const withTrees = "maxDepth" in collider ? collider : new HierarchicalCollider(this.#greatLand);
+		withTrees.exact = exact;
+		if (depth !== undefined) withTrees.maxDepth = depth;
 		if (overlay) viewClassOf(this.#window); // throws if there is none
 		this.#collider = collider;
 		this.#collision = new Collision(collider);
@@ -302,43 +292,23 @@ class Installation {
 
 	#recordOf(agent) {
 		const record = agent.jbins?.[0];
-		return record instanceof AgentRecord && record.clientAgent === agent && record.owner === this ? record : null;
-	}
-
-	#place(record) {
-		record.setBin(this.#half, ++this.#turn);
-		this.#neighbours.cells.insert(record);
+		return this.#records.has(record) && record.clientAgent === agent ? record : null;
 	}
 
 	/** Lists the engine's Agents for all agents that take part, and moves them there. */
-	#poseParticipants() {
+	#listParticipants() {
 		const { data, numAgents } = this.#window.Execution.AgentController;
 		const engineAgents = this.#engineAgents;
 		let count = 0;
-		let isSwept = false;
 		for (let i = 1; i < numAgents; i++) {
 			const record = this.#participant(data[i]);
-			if (record === null || !this.#poseIfInWorld(record.engineAgent, data[i].state)) continue;
+			if (record === null || !this.#copyStateIfInWorld(record.engineAgent, data[i].state)) continue;
 			const { engineAgent } = record;
-			if (engineAgent.sweeps && wasSet(data[i])) engineAgent.jumpTo(engineAgent.x, engineAgent.y, engineAgent.z);
+			if (engineAgent.sweeps && !hasMoved(data[i])) engineAgent.jumpTo(engineAgent.x, engineAgent.y, engineAgent.z);
 			record.index = i;
-			// setting a length takes time
-			if (record.keys.length > 0) record.keys.length = record.others.length = 0;
-			if (engineAgent.sweeps) isSwept = true;
 			engineAgents[count++] = engineAgent;
 		}
 		engineAgents.length = count;
-		this.#isSwept = isSwept;
-	}
-
-	/**
-	 * Lists the pairs in the order in which the client would find them: by its list of agents, then by bins, by breeds of blocks, and by turns
-	 * in a bin.
-	 */
-	#listFoundPairs() {
-		for (const { record } of this.#engineAgents) {
-			for (let i = 0; i < record.others.length; i++) this.#found.push(pairOf(record.clientAgent, record.others[i].clientAgent));
-		}
 	}
 
 	/** The record of an agent that has a block; otherwise null. */
@@ -354,7 +324,7 @@ class Installation {
 	}
 
 	/** Gives an Agent the place, size and shape of a state, if an agent with this state can take part. Returns whether it can. */
-	#poseIfInWorld(engineAgent, { x, y, z, size, heading, shape }) {
+	#copyStateIfInWorld(engineAgent, { x, y, z, size, heading, shape }) {
 		if (!(Math.max(Math.abs(x), Math.abs(y), Math.abs(z)) <= FARTHEST && size >= 0 && size < Agent.LARGEST_SIZE)) return false;
 		if (this.#isBins) {
 			engineAgent.shape = SPHERE;
@@ -387,33 +357,23 @@ class Installation {
 		const isSameBreed = first.breed.id === second.breed.id;
 		// a breed's handler for the breed itself is called from both sides
 		if (isSameBreed && a.index > b.index) return;
-		if (this.#isBins && !a.engineAgent.sweeps && !b.engineAgent.sweeps && !doSpheresMeet(first.state, second.state)) return;
-		if (this.#isSwept) {
-			this.#found.push(pairOf(first, second));
-			return;
-		}
+		if (this.#isBins && !isSwept(a) && !isSwept(b) && !doSpheresMeet(first.state, second.state)) return;
 		const rank = isSameBreed && first.id > second.id ? -1 : this.#blocks.rank(first.breed.id, second.breed.id);
 		const otherRank = isSameBreed && second.id > first.id ? -1 : this.#blocks.rank(second.breed.id, first.breed.id);
-		if (rank >= 0 && (otherRank < 0 || a.index < b.index)) a.insertSorted(b, orderKey(a, b, rank));
-		else b.insertSorted(a, orderKey(b, a, otherRank));
+		this.#found.push(rank >= 0 && (otherRank < 0 || a.index < b.index) ? new FoundPair(a, b, rank) : new FoundPair(b, a, otherRank));
 	}
 }
 
-/** A number for when the client, at one agent, would find another: by bins, by breeds of blocks, and by turns in a bin. */
-function orderKey(record, other, rank) {
-	return (firstSharedBin(record, other) * RANK_RADIX + rank) * TURN_RADIX + other.turn;
-}
-
 /** The state on the way between two states, as the client draws it. */
-function between(before, now, part) {
+function between(before, now, fraction) {
 	const turn = ((now.heading - before.heading) % 360 + 540) % 360 - 180;
 	return {
 		...now,
-		x: before.x + part * (now.x - before.x),
-		y: before.y + part * (now.y - before.y),
-		z: before.z + part * (now.z - before.z),
-		size: before.size + part * (now.size - before.size),
-		heading: before.heading + part * turn,
+		x: before.x + fraction * (now.x - before.x),
+		y: before.y + fraction * (now.y - before.y),
+		z: before.z + fraction * (now.z - before.z),
+		size: before.size + fraction * (now.size - before.size),
+		heading: before.heading + fraction * turn,
 	};
 }
 
@@ -426,11 +386,12 @@ function doSpheresMeet(a, b) {
 	return dx * dx + dy * dy + dz * dz < reach * reach / 4;
 }
 
-/** Whether an agent was set where it is, instead of moved: its last place is then the new one too. */
-function wasSet({ state, prevState: before }) {
-	return before && before.x === state.x && before.y === state.y && before.z === state.z;
+/** Whether an agent collides along a way in this tick. */
+function isSwept({ engineAgent, clientAgent }) {
+	return engineAgent.sweeps && hasMoved(clientAgent);
 }
 
-function pairOf(a, b) {
-	return a.id < b.id ? { a, b } : { a: b, b: a };
+/** Whether an agent has moved to its place. If it was set there, its last place is the same. */
+function hasMoved({ state, prevState: before }) {
+	return !before || before.x !== state.x || before.y !== state.y || before.z !== state.z;
 }

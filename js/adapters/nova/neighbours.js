@@ -19,9 +19,9 @@ export class Neighbours {
 
 	/** The tick in which all places were last read. */
 	#tick = NaN;
-	/** The pairs that collided last, whose blocks may move them, and the tick in which they did. */
-	#collided = [];
-	#collidedIn = NaN;
+	/** The pairs that collided last, whose blocks may move them, and the tick in which these run. */
+	#pairsWithBlocks = [];
+	#blocksRunIn = NaN;
 
 	/**
 	 * @param window the client's
@@ -57,7 +57,7 @@ export class Neighbours {
 	/** Removes all records. */
 	clear() {
 		this.cells.clear();
-		this.#collided = [];
+		this.#pairsWithBlocks = [];
 	}
 
 	/** Makes the next question read all places again. */
@@ -65,10 +65,13 @@ export class Neighbours {
 		this.#tick = NaN;
 	}
 
-	/** Call it with the pairs when collisions are found. The first question after this, and the first in the next tick, read all places. */
-	collided(pairs) {
-		this.#collided = pairs;
-		this.#collidedIn = this.#state.clock;
+	/**
+	 * Call it with the pairs that were found, before the client runs their blocks. The first question after this, and the first in the next tick, read
+	 * all places.
+	 */
+	blocksRunFor(pairs) {
+		this.#pairsWithBlocks = pairs;
+		this.#blocksRunIn = this.#state.clock;
 		this.forgetPlaces();
 	}
 
@@ -77,8 +80,8 @@ export class Neighbours {
 		if (this.#state.clock !== this.#tick) {
 			this.#tick = this.#state.clock;
 			for (const record of this.#records) this.cells.insert(record);
-		} else if (this.#collidedIn === this.#tick) {
-			for (const { a, b } of this.#collided) {
+		} else if (this.#blocksRunIn === this.#tick) {
+			for (const { a, b } of this.#pairsWithBlocks) {
 				this.#reinsert(a);
 				this.#reinsert(b);
 			}

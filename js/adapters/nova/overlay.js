@@ -1,5 +1,5 @@
 import { CollisionLines } from "starlogo-collision";
-import { Patches } from "./patches.js";
+import { Overrides } from "./overrides.js";
 
 /** The line colours of agents that collide, and of agents that do not. */
 const COLORS = [0xff2020, 0xffcc00];
@@ -14,8 +14,8 @@ export class Overlay {
 	/**
 	 * @param window the client's
 	 * @param greatLand has the models
-	 * @param forEachShown calls a function for each agent at a part of its way since the last tick: with an Agent of the engine, the collider, and whether
-	 * it collides
+	 * @param forEachShown calls a function for each agent at a fraction of its way since the last tick: with an Agent of the engine, the collider, and
+	 * whether it collides
 	 */
 	constructor(window, greatLand, forEachShown) {
 		this.#window = window;
@@ -25,7 +25,7 @@ export class Overlay {
 
 	/** Shows or hides it. */
 	show(isOn) {
-		if (isOn && this.#view === null) this.#view = new (viewClassOf(this.#window))(this.#window, (part) => this.#draw(part));
+		if (isOn && this.#view === null) this.#view = new (viewClassOf(this.#window))(this.#window, (fraction) => this.#draw(fraction));
 		if (!isOn && this.#view !== null) {
 			this.#view.remove();
 			this.#view = null;
@@ -34,10 +34,10 @@ export class Overlay {
 		if (this.#window.viewport) this.#window.viewport.needsUpdate = true;
 	}
 
-	/** Draws the lines of each colour. `part` is the part of the agents' way since the last tick. */
-	#draw(part) {
+	/** Draws the lines of each colour. `fraction` says where on their way since the last tick the agents are shown. */
+	#draw(fraction) {
 		const lists = COLORS.map(() => []);
-		this.#forEachShown(part, (agent, collider, isHit) => this.#lines.linesOf(agent, collider, lists[isHit ? 0 : 1]));
+		this.#forEachShown(fraction, (agent, collider, isHit) => this.#lines.linesOf(agent, collider, lists[isHit ? 0 : 1]));
 		return lists;
 	}
 }
@@ -51,7 +51,7 @@ export function viewClassOf({ viewport, THREE }) {
 
 /** Draws into the three.js view. */
 class SolidView {
-	#patches = new Patches();
+	#overrides = new Overrides();
 	#scene;
 	#three;
 	#objects;
@@ -66,14 +66,14 @@ class SolidView {
 			this.#scene.add(object);
 			return object;
 		});
-		this.#patches.apply(viewport, "render", (render) => (part, ...others) => {
-			if (viewport.needsUpdate || viewport.terrain?.needsUpdate) draw(part ?? 1).forEach((lines, i) => this.#write(this.#objects[i], lines));
-			return render.call(viewport, part, ...others);
+		this.#overrides.apply(viewport, "render", (render) => (fraction, ...others) => {
+			if (viewport.needsUpdate || viewport.terrain?.needsUpdate) draw(fraction ?? 1).forEach((lines, i) => this.#write(this.#objects[i], lines));
+			return render.call(viewport, fraction, ...others);
 		});
 	}
 
 	remove() {
-		this.#patches.restore();
+		this.#overrides.restore();
 		for (const object of this.#objects) {
 			this.#scene.remove(object);
 			object.geometry.dispose();
@@ -103,10 +103,10 @@ function geometryOf({ BufferGeometry, BufferAttribute }, length) {
 
 /** Draws into the two-dimensional view, which shows agents at their last places. */
 class FlatView {
-	#patches = new Patches();
+	#overrides = new Overrides();
 
 	constructor({ viewport }, draw) {
-		this.#patches.apply(viewport, "drawScene", (drawScene) => (...given) => {
+		this.#overrides.apply(viewport, "drawScene", (drawScene) => (...given) => {
 			const result = drawScene.apply(viewport, given);
 			draw(1).forEach((lines, i) => strokeLines(viewport, lines, COLORS[i]));
 			return result;
@@ -114,7 +114,7 @@ class FlatView {
 	}
 
 	remove() {
-		this.#patches.restore();
+		this.#overrides.restore();
 	}
 }
 

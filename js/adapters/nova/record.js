@@ -18,19 +18,16 @@ export class AgentRecord {
 	cell = -1;
 	slot = -1;
 
-	// where the client would look for it first: its lowest bin, and its turn in that bin
+	// where the client would look for it first: its lowest bin, and the number of its last update, because a bin has its agents in that order
 	binX = 0;
 	binY = 0;
-	turn = 0;
+	sequence = 0;
 
-	// its place in the client's list; then the results of getCollisions for it
+	// its place in the client's list
 	index = -1;
-	keys = [];
-	others = [];
 
-	// the breed whose traits the engine's Agent has; the Installation that contains the record
+	// the breed whose traits the engine's Agent has
 	breedOfTraits = null;
-	owner = null;
 
 	/** Creates a record of an agent. `shape` is a model that always exists. */
 	constructor(clientAgent, shape) {
@@ -38,21 +35,12 @@ export class AgentRecord {
 		this.engineAgent = new EngineAgent(this, shape);
 	}
 
-	/** Stores the bin and the turn that the client would give the agent. */
-	setBin(half, turn) {
+	/** Stores the bin that the client would give the agent, and the number of this update. */
+	setBin(half, sequence) {
 		const { x, y, size } = this.clientAgent.state;
 		this.binX = lowestBin(x - size / 2 + half);
 		this.binY = lowestBin(y - size / 2 + half);
-		this.turn = turn;
-	}
-
-	/** Adds another record with which it was found, in the order of the keys. */
-	insertSorted(other, key) {
-		const { keys, others } = this;
-		let place = keys.length;
-		while (place > 0 && keys[place - 1] > key) place--;
-		keys.splice(place, 0, key);
-		others.splice(place, 0, other);
+		this.sequence = sequence;
 	}
 }
 
@@ -60,7 +48,25 @@ function lowestBin(coordinate) {
 	return Math.min(LAST_BIN, Math.max(0, Math.floor(coordinate / BIN_WIDTH)));
 }
 
-/** A number for the first bin that two records share. The client visits bins with smaller numbers first. */
-export function firstSharedBin(a, b) {
-	return Math.max(a.binX, b.binX) * (LAST_BIN + 1) + Math.max(a.binY, b.binY);
+/** A pair of records that collide, at the first place where the client would find it. */
+export class FoundPair {
+	/** Creates one. The client would find `other` in the bins of `finder`, for the breed of this rank in the finder's block. */
+	constructor(finder, other, rank) {
+		this.finder = finder;
+		this.other = other;
+		this.rank = rank;
+		// the client visits bins with smaller numbers first
+		this.bin = Math.max(finder.binX, other.binX) * (LAST_BIN + 1) + Math.max(finder.binY, other.binY);
+	}
+
+	/** The pair as the client has it. */
+	get pair() {
+		const [a, b] = [this.finder.clientAgent, this.other.clientAgent];
+		return a.id < b.id ? { a, b } : { a: b, b: a };
+	}
+
+	/** Compares two by the client's order: by its list of agents, then by bins, by breeds of blocks, and by updates. */
+	static compare(a, b) {
+		return a.finder.index - b.finder.index || a.bin - b.bin || a.rank - b.rank || a.other.sequence - b.other.sequence;
+	}
 }

@@ -39,12 +39,23 @@ export class Traits {
 	}
 }
 
+/** A copy of the traits of breeds, by their names, that does not change. Throws a RangeError if one of them is wrong. */
+export function checkedBreeds(breeds) {
+	return Object.freeze(Object.fromEntries(entriesOf(breeds, "breeds").map(([name, traits]) => [name, checkedTraits(traits)])));
+}
+
 /** A copy of traits that does not change. Undefined ones count as left out. Throws a RangeError if one of them is wrong. */
-export function checkTraits(traits) {
-	const given = Object.entries(traits).filter(([name, value]) => {
+export function checkedTraits(traits) {
+	const given = entriesOf(traits, "traits").filter(([name, value]) => {
 		if (!Object.hasOwn(TRAITS, name)) throw new RangeError(`the traits are ${Object.keys(TRAITS).join(", ")}, not ${name}`);
 		if (value !== undefined && !TRAITS[name].isValid(value)) throw new RangeError(`${name} must be ${TRAITS[name].kind}, not ${String(value)}`);
 		return value !== undefined;
 	});
 	return Object.freeze(Object.fromEntries(given));
+}
+
+function entriesOf(given, name) {
+	given ??= {};
+	if (typeof given !== "object" || Array.isArray(given)) throw new RangeError(`${name} must be an object, not ${String(given)}`);
+	return Object.entries(given);
 }

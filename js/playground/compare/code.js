@@ -1,7 +1,6 @@
 /** Writes a program for the npm package with two agents and a collision system. */
-import { BUILT_IN, fileOf } from "../shared/files/assets.js";
 import { CollisionBlocks } from "starlogo-collision";
-import { INSTALL } from "../shared/names.js";
+import { BUILT_IN, INSTALL, fileOf } from "../shared/names.js";
 import { HULLS } from "./systems.js";
 
 /** The traits of a new agent. The code sets only traits that differ. */

@@ -2,9 +2,10 @@
 import { CollisionBlocks } from "starlogo-collision";
 import { grid } from "../shared/drawing/backdrop.js";
 import { VERDICTS } from "../shared/drawing/colours.js";
-import { button, choice, field, h, short } from "../shared/dom.js";
+import { button, choice, field, h, short, table } from "../shared/dom.js";
 import { Lab } from "../shared/drawing/lab.js";
 import { texts } from "../shared/language.js";
+import { verdictsOf } from "../shared/pairs.js";
 import { ScatteredGame } from "../shared/scattered.js";
 import { gameTo } from "./link.js";
 import { compare, timesOf } from "./results.js";
@@ -12,8 +13,6 @@ import { SYSTEMS, finderOf, titles } from "./systems.js";
 
 const words = texts.compare;
 const COUNT = 150;
-/** The kinds of pairs, with their colours' names. */
-const KINDS = { right: "hit", wrong: "wrong", missed: "missed" };
 
 export class GameSection {
 	/** The system whose pairs are drawn, and the one that is taken as right. */
@@ -96,17 +95,17 @@ export class GameSection {
 		this.legend.replaceChildren(...Object.entries({ hit: right, wrong, missed, none }).map(([name, text]) => h("li", { class: name }, text)));
 		this.note.textContent = (isExact ? words.gameNote : words.differenceNote)(COUNT, truth.size, titles[this.reference]);
 		const heads = [words.system, words.found, ...(isExact ? [words.falseCount, words.missedCount] : [words.onlyIt, words.onlyOther]), words.precision, words.recall, words.ms];
-		this.table.replaceChildren(h("table", {}, h("thead", {}, h("tr", {}, ...heads.map((text) => h("th", { scope: "col" }, text)))),
-			h("tbody", {}, ...Object.entries(systems).map(([name, pairs]) => {
-				const found = pairs.right.length + pairs.wrong.length;
+		this.table.replaceChildren(table(heads,
+			Object.entries(systems).map(([name, pairs]) => {
+				const found = pairs.hit.length + pairs.wrong.length;
 				const pick = h("input", { type: "radio", name: "coloured", value: name, checked: name === this.system, onchange: () => {
 					this.system = name;
 					this.#colour();
 					this.onChange();
 				} });
 				return h("tr", { "data-system": name }, h("th", { scope: "row" }, h("label.tick", {}, pick, titles[name])),
-					...[found, pairs.wrong.length, pairs.missed.length, percent(pairs.right.length, found), percent(pairs.right.length, truth.size), "…"].map((text) => h("td", {}, String(text))));
-			})),
+					...[found, pairs.wrong.length, pairs.missed.length, percent(pairs.hit.length, found), percent(pairs.hit.length, truth.size), "…"].map((text) => h("td", {}, String(text))));
+			}),
 			h("tfoot", {}, h("tr", { "data-reference": this.reference }, h("th", { scope: "row" }, titles[this.reference]), ...[truth.size, "", "", "", "", "…"].map((text) => h("td", {}, String(text)))))),
 		h("p.note", {}, words.msNote));
 		this.#colour();
@@ -123,13 +122,13 @@ export class GameSection {
 
 	/** Draws each pair as a line between its agents. An agent has the colour of its worst pair. */
 	#colour() {
-		const pairs = this.judged.systems[this.system];
-		for (const agent of this.game.agents) agent.color = VERDICTS.none;
+		const judged = this.judged.systems[this.system];
+		const verdicts = verdictsOf(judged);
+		for (const agent of this.game.agents) agent.color = VERDICTS[verdicts.get(agent) ?? "none"];
 		const signs = [];
-		for (const [outcome, kind] of Object.entries(KINDS)) {
-			for (const agent of pairs[outcome].flat()) agent.color = VERDICTS[kind];
-			const places = pairs[outcome].map((pair) => pair.map(({ x, y, z, size }) => [x, y, z + size / 2]));
-			this.stage.wireframe(outcome, { color: VERDICTS[kind], isOnTop: true }).showLines(places.flat(2));
+		for (const [kind, pairs] of Object.entries(judged)) {
+			const places = pairs.map((pair) => pair.map(({ x, y, z, size }) => [x, y, z + size / 2]));
+			this.stage.wireframe(kind, { color: VERDICTS[kind], isOnTop: true }).showLines(places.flat(2));
 			signs.push(...places.map(([a, b]) => ({ kind, x: (a[0] + b[0]) / 2, y: (a[1] + b[1]) / 2, z: (a[2] + b[2]) / 2 })));
 		}
 		this.stage.showSigns(signs);

@@ -1,6 +1,7 @@
 /** The times that the collision systems take in a scattered game, and which of the pairs that they find are right. Nothing here draws. */
 import { CollisionBlocks } from "starlogo-collision";
-import { ScatteredGame, pairsOf } from "../shared/scattered.js";
+import { judge, pairsOf } from "../shared/pairs.js";
+import { ScatteredGame } from "../shared/scattered.js";
 import { shortestTimes } from "../shared/timing.js";
 import { SYSTEMS, finderOf } from "./systems.js";
 
@@ -43,15 +44,10 @@ export async function timesOf(greatLand, count, isWanted) {
  * @param {(name: string) => object} systemNamed gives the system with a name
  * @param {object[]} agents
  * @param {string} reference the reference system's name
- * @returns {{truth: Map, systems: Record<string, {right: object[][], wrong: object[][], missed: object[][]}>}} pairs of agents
+ * @returns {{truth: Map, systems: Record<string, {hit: object[][], wrong: object[][], missed: object[][]}>}} pairs of agents
  */
 export function compare(systemNamed, agents, reference) {
 	const truth = pairsOf(systemNamed(reference), agents);
-	const systems = {};
-	for (const name of SYSTEMS.filter((each) => each !== reference)) {
-		const found = pairsOf(systemNamed(name), agents);
-		const pick = (pairs, isWanted) => [...pairs].filter(([key]) => isWanted(key)).map(([, pair]) => pair);
-		systems[name] = { right: pick(found, (key) => truth.has(key)), wrong: pick(found, (key) => !truth.has(key)), missed: pick(truth, (key) => !found.has(key)) };
-	}
-	return { truth, systems };
+	const judged = SYSTEMS.filter((name) => name !== reference).map((name) => [name, judge(pairsOf(systemNamed(name), agents), truth)]);
+	return { truth, systems: Object.fromEntries(judged) };
 }

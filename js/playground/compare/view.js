@@ -24,7 +24,7 @@ const COLOURS = [AGENTS.first, AGENTS.other];
 const BEGINNING = [{ shape: "dragon", size: 2 }, { shape: "sphere", x: 0.2, y: 0.6, z: 0.1, size: 0.2 }];
 
 /** The address follows the scene this many milliseconds after its last change. */
-const LATE = 300;
+const ADDRESS_DELAY = 300;
 
 export async function createView(main, link) {
 	const [{ models, greatLand }, own] = await Promise.all([loadLand(SHAPES), ownModels()]);
@@ -133,7 +133,7 @@ class CompareView {
 	#keep() {
 		clearTimeout(this.#timer);
 		// browsers refuse many changes of the address in a short time
-		this.#timer = setTimeout(() => history.replaceState(null, "", `#compare/${this.#link}`), LATE);
+		this.#timer = setTimeout(() => history.replaceState(null, "", `#compare/${this.#link}`), ADDRESS_DELAY);
 	}
 
 	async #share() {

@@ -1,10 +1,11 @@
 /** Questions about the space around a model, asked with the pointer and answered in the picture. */
 import { Agent, AgentQueries, CollisionBlocks, RayHit, Vector3D } from "starlogo-collision";
 import { AGENTS, LINES, VERDICTS } from "../shared/drawing/colours.js";
-import { choice, field, h, short, slider, tick } from "../shared/dom.js";
-import { dragAgents } from "../shared/drawing/dragging.js";
+import { checkBox, choice, field, h, short, slider } from "../shared/dom.js";
+import { STILL, dragAgents } from "../shared/drawing/dragging.js";
 import { loadModel } from "../shared/files/models.js";
 import { SHAPES } from "../shared/names.js";
+import { Requests } from "../shared/requests.js";
 import { Sight, placeText } from "../shared/drawing/sight.js";
 import { TraitSliders, moveWithin } from "../shared/traits.js";
 import { texts } from "../shared/language.js";
@@ -19,7 +20,6 @@ const REACH = 8;
 const SIZE = 0.6;
 /** The first of the others stands to the left of the model, so that the gap between the two is in sight. */
 const FIRST_ANGLE = (7 * Math.PI) / 6;
-const STILL = 5;
 
 export class Questions {
 	sight = null;
@@ -31,13 +31,13 @@ export class Questions {
 	#count = 3;
 	#system = CollisionBlocks.EXACT;
 	#isTestedShown = false;
-	#turn = 0;
+	#requests = new Requests();
 
 	/** @param {object} stage its pointer asks */
 	constructor(stage) {
 		this.stage = stage;
 		this.answers = Object.fromEntries(Object.keys(words.answers).map((name) => [name, h("dd", {}, words.ask)]));
-		this.who = h("select", { onchange: () => this.isOpen && this.#take(this.sight.agents[Number(this.who.value)]) });
+		this.who = h("select", { onchange: () => this.isOpen && this.#choose(this.sight.agents[Number(this.who.value)]) });
 		this.traits = h("div", {});
 		this.element = h("div.sheets", { hidden: true },
 			h("div.card", {}, h("h2", {}, words.title), h("p.note", {}, words.how),
@@ -48,7 +48,7 @@ export class Questions {
 					this.sight?.use(name);
 					this.#update();
 				})),
-				tick(words.tested, false, (isOn) => {
+				checkBox(words.tested, false, (isOn) => {
 					this.#isTestedShown = isOn;
 					this.#update();
 				}),
@@ -63,7 +63,7 @@ export class Questions {
 				field(words.who, this.who), this.traits));
 		dragAgents(stage, {
 			mayDrag: () => this.isOpen,
-			onTake: (agent) => this.#take(agent),
+			onTake: (agent) => this.#choose(agent),
 			onMove: (agent, x, y) => {
 				moveWithin(agent, x, y);
 				this.#update();
@@ -86,7 +86,7 @@ export class Questions {
 
 	/** Removes everything that it drew. */
 	close() {
-		this.#turn++;
+		this.#requests.begin();
 		this.sight = null;
 		this.stage.showDepth(null);
 		this.stage.tell("");
@@ -95,10 +95,10 @@ export class Questions {
 
 	async #populate() {
 		if (!this.model) return;
-		const turn = ++this.#turn;
+		const isNewest = this.#requests.begin();
 		const { model, greatLand } = this;
 		const other = await loadModel(this.#shape);
-		if (turn !== this.#turn) return;
+		if (!isNewest()) return;
 		// a user's file may have the name of a model of the game
 		if (!greatLand.hasModel(other.name)) greatLand.addModel(other);
 		const agents = [new Agent(model.name)];
@@ -112,7 +112,7 @@ export class Questions {
 		this.sight = new Sight(this.stage, greatLand, new Map([[other.name, other], [model.name, model]]), agents, this.#system, AgentQueries);
 		this.who.replaceChildren(...agents.map((agent, i) => h("option", { value: i }, this.#nameOf(agent))));
 		this.#isKept = false;
-		this.#take(agents[1]);
+		this.#choose(agents[1]);
 	}
 
 	/** The name of an agent: the model's name, or the other models' names with a number. */
@@ -121,7 +121,7 @@ export class Questions {
 		return i === 0 ? texts.shapes[agent.shape] ?? agent.shape : words.other(texts.shapes[agent.shape], i);
 	}
 
-	#take(agent) {
+	#choose(agent) {
 		this.chosen = agent;
 		this.who.value = this.sight.agents.indexOf(agent);
 		this.sliders = new TraitSliders(agent, () => this.#update());
@@ -159,7 +159,7 @@ export class Questions {
 			if (this.isOpen && event.buttons === 0 && !this.#isKept) this.#ask(this.stage.rayAt(event));
 		});
 		canvas.addEventListener("pointerup", (event) => {
-			if (!this.isOpen || !down || Math.hypot(event.clientX - down.clientX, event.clientY - down.clientY) > STILL) return;
+			if (!this.isOpen || !down || Math.hypot(event.clientX - down.clientX, event.clientY - down.clientY) >= STILL) return;
 			this.#isKept = !this.#isKept;
 			this.#ask(this.stage.rayAt(event));
 		});

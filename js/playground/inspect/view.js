@@ -2,12 +2,13 @@
 import { Agent, Model } from "starlogo-collision";
 import { grid } from "../shared/drawing/backdrop.js";
 import { AGENTS, LINES, OWN_COLOURS } from "../shared/drawing/colours.js";
-import { button, choice, field, fileButton, h, modes, short, slider, tick } from "../shared/dom.js";
+import { button, checkBox, choice, field, fileButton, h, modes, short, slider, table } from "../shared/dom.js";
 import { Lab, orbitByKeys } from "../shared/drawing/lab.js";
 import { heightOf, loadModel } from "../shared/files/models.js";
 import { openModel, ownModels } from "../shared/files/ownmodels.js";
 import { MODELS } from "../shared/names.js";
 import { texts } from "../shared/language.js";
+import { Requests } from "../shared/requests.js";
 import { depthOf, measure, nodesAt } from "./fits.js";
 
 const words = texts.inspect;
@@ -22,8 +23,10 @@ export async function createView(main) {
 
 class InspectView {
 	settings = { increment: 10, minVertices: 5, byMean: false };
-	#asked = 0;
-	#measured = 0;
+	#loads = new Requests();
+	#measurements = new Requests();
+	/** Whether the shown model is still the last one that was asked for. */
+	#isWanted = () => true;
 	#chosen = "";
 	#files = new Map();
 	#shown = null;
@@ -79,7 +82,7 @@ class InspectView {
 		} }, h("h2", {}, words.settings),
 		field(words.increment, input("increment", { min: 1, max: 90, step: "any" }), words.incrementNote),
 		field(words.minVertices, input("minVertices", { min: 1, max: 10000, step: 1 })),
-		tick(words.byMean, false, (on) => {
+		checkBox(words.byMean, false, (on) => {
 			this.settings.byMean = on;
 		}),
 		h("button.primary", { type: "submit" }, words.apply));
@@ -97,13 +100,13 @@ class InspectView {
 	/** Shows a model of the game, or of a file that was opened before. */
 	async choose(name) {
 		const file = this.#files.get(name);
-		await this.#take(name, texts.shapes[name] ?? name.replace(/^file /, ""), () => file ?? loadModel(name));
+		await this.#load(name, texts.shapes[name] ?? name.replace(/^file /, ""), () => file ?? loadModel(name));
 	}
 
 	async openFile(file, files = [file]) {
 		if (/\.json$/i.test(file.name) && await this.#refusedAsProgram(file)) return;
 		const name = `file ${file.name}`;
-		await this.#take(name, file.name, async () => {
+		await this.#load(name, file.name, async () => {
 			const model = await openModel(file, files);
 			this.offer([[file.name, model]]);
 			return model;
@@ -127,12 +130,12 @@ class InspectView {
 		}
 	}
 
-	async #take(name, title, read, hint = "") {
-		const asked = ++this.#asked;
+	async #load(name, title, read, hint = "") {
+		const isWanted = this.#isWanted = this.#loads.begin();
 		this.#say(words.working(title));
 		try {
 			const loaded = await read();
-			if (asked !== this.#asked) return;
+			if (!isWanted()) return;
 			Object.assign(this, { loaded, title });
 			this.#chosen = name;
 			this.up.value = "z";
@@ -140,7 +143,7 @@ class InspectView {
 			this.upHint.hidden = !this.#files.has(name);
 			await this.#show();
 		} catch (error) {
-			if (asked === this.#asked) this.#say(`${texts.brokenModel(title, error.message)} ${hint}`, true);
+			if (isWanted()) this.#say(`${texts.brokenModel(title, error.message)} ${hint}`, true);
 		}
 		this.models.value = this.#chosen;
 	}
@@ -171,23 +174,23 @@ class InspectView {
 	async #measure() {
 		const { model, title } = this;
 		if (!model) return;
-		const asked = this.#asked;
-		const turn = ++this.#measured;
-		const say = (...what) => asked === this.#asked && this.#say(...what);
+		const isLoaded = this.#isWanted;
+		const isWanted = this.#measurements.begin();
+		const say = (...what) => isLoaded() && this.#say(...what);
 		say(words.working(title));
 		this.results.setAttribute("aria-busy", "true");
 		try {
-			const found = await measure(model, this.settings, () => turn === this.#measured);
-			if (turn !== this.#measured) return;
+			const found = await measure(model, this.settings, isWanted);
+			if (!isWanted()) return;
 			this.found = found;
 			this.#shown ??= found.chosen;
 			this.#tell();
 			if (this.structures.hidden) this.#showModel();
 			say(words.vertices(title, model.vertices.length / 3, (model.triangles?.length ?? 0) / 3));
 		} catch (error) {
-			if (turn === this.#measured) say(words.wrongSetting + error.message, true);
+			if (isWanted()) say(words.wrongSetting + error.message, true);
 		}
-		if (turn === this.#measured) this.results.removeAttribute("aria-busy");
+		if (isWanted()) this.results.removeAttribute("aria-busy");
 	}
 
 	#tell() {
@@ -204,12 +207,10 @@ class InspectView {
 		const level = slider(words.level, { min: 1, max: levels, step: 1, value: start }, tellLevel);
 		this.results.replaceChildren(
 			h("div.card", {}, h("h2", {}, words.structures),
-				h("div.table", {}, h("table", {},
-					h("thead", {}, h("tr", {}, ...[words.show, words.volume, words.emptier, words.time].map((text) => h("th", { scope: "col" }, text)))),
-					h("tbody", {}, ...rows.map((row) => this.#row(row, least, volume))))),
+				h("div.table", {}, table([words.show, words.volume, words.emptier, words.time], rows.map((row) => this.#row(row, least, volume)))),
 				h("p.note", {}, Number.isNaN(volume) ? words.openNote : words.emptierNote(short(volume)), " ", words.timeNote(short(hullMs)), " ", words.chosen(words.fitters[chosen]))),
 			h("div.card", {}, h("h2", {}, words.hierarchy),
-				tick(words.showLevel, this.#levelShown, (on) => {
+				checkBox(words.showLevel, this.#levelShown, (on) => {
 					this.#levelShown = on;
 					this.#drawLines();
 				}), level.element, note));
@@ -240,8 +241,8 @@ class InspectView {
 	}
 
 	close() {
-		this.#asked++;
-		this.#measured++;
+		this.#loads.begin();
+		this.#measurements.begin();
 		this.stage.close();
 	}
 }

@@ -7,7 +7,9 @@ import source from "../../../examples/level/game.js" with { type: "text" };
 import { outdoors } from "../shared/drawing/backdrop.js";
 import { listing } from "../shared/copying.js";
 import { button, h, short } from "../shared/dom.js";
-import { Figures, median } from "../shared/figures.js";
+import { Figures } from "../shared/figures.js";
+import { median } from "../shared/timing.js";
+import { Input } from "../shared/input.js";
 import { texts } from "../shared/language.js";
 import { Loop } from "../shared/loop.js";
 import { padKey } from "../shared/pad.js";
@@ -54,9 +56,7 @@ function drawnPerson() {
 class LevelView {
 	#loop = new Loop((now) => this.#frames(now));
 	#shown = 0;
-	#held = new Set();
-	/** Whether F was pressed since the last shot. */
-	#shoots = false;
+	#input = new Input();
 	#times = [];
 
 	constructor(main, greatLand, land, models, triangles) {
@@ -70,7 +70,7 @@ class LevelView {
 		main.replaceChildren(
 			h("section.seen", { "aria-label": words.title },
 				h("div.tools", {}, this.runButton, button(words.again, () => this.begin()), button(words.save, () => this.save()), this.loadButton = button(words.load, () => this.load())),
-				h("div.screen", {}, this.host), h("div.pad", {}, ...Object.entries(KEYS).map(([code, name]) => padKey(name, words.keys[name], () => this.#press(code), () => this.#held.delete(code))))),
+				h("div.screen", {}, this.host), h("div.pad", {}, ...Object.entries(KEYS).map(([code, name]) => padKey(name, words.keys[name], () => this.#press(code), () => this.#input.release(code))))),
 			h("div.side", {}, h("h2", {}, words.title), h("p", {}, words.how), this.figures.element,
 				h("p.note", {}, words.what(triangles)), h("p.note", {}, words.timed),
 				code));
@@ -126,19 +126,20 @@ class LevelView {
 	stop() {
 		this.#loop.stop();
 		this.runButton.textContent = words.run;
-		this.#held.clear();
+		this.#input.releaseAll();
 		this.#show();
 	}
 
 	/** Does a frame, or goes back by some if that key is held. */
 	step() {
 		const { game, past } = this;
-		if (this.#held.has("KeyR")) {
+		if (this.#input.isDown("KeyR")) {
 			if (past.length > 0 && ++this.frame % 3 === 0) game.goBackTo(past.pop());
 			return;
 		}
 		if (++this.frame % KEPT_EVERY === 0) past.splice(0, Math.max(0, past.push(game.save()) - MOST_KEPT));
 		const wish = this.#wish();
+		this.#input.endFrame();
 		const start = performance.now();
 		game.step(wish);
 		// timed too: a game asks for it in each frame
@@ -148,12 +149,10 @@ class LevelView {
 	}
 
 	#wish() {
-		const held = this.#held;
+		const input = this.#input;
 		if (!this.isLed) return wander(this.frame);
-		const between = (less, more) => (held.has(more) ? 1 : 0) - (held.has(less) ? 1 : 0);
-		const shoots = this.#shoots;
-		this.#shoots = false;
-		return { turn: between("ArrowLeft", "ArrowRight"), walk: between("ArrowDown", "ArrowUp"), jumps: held.has("Space"), shoots };
+		const between = (less, more) => Number(input.isDown(more)) - Number(input.isDown(less));
+		return { turn: between("ArrowLeft", "ArrowRight"), walk: between("ArrowDown", "ArrowUp"), jumps: input.isDown("Space"), shoots: input.wasPressed("KeyF") };
 	}
 
 	save() {
@@ -192,8 +191,7 @@ class LevelView {
 	#press(code) {
 		// a key leads the player; going back does not
 		this.isLed ||= code !== "KeyR";
-		this.#held.add(code);
-		this.#shoots ||= code === "KeyF";
+		this.#input.press(code);
 		if (!this.#loop.isRunning) this.run();
 	}
 
@@ -205,13 +203,13 @@ class LevelView {
 			if (!event.repeat) this.#press(key);
 			event.preventDefault();
 		});
-		host.addEventListener("keyup", ({ code }) => this.#held.delete(keyOf(code)));
-		host.addEventListener("blur", () => this.#held.clear());
+		host.addEventListener("keyup", ({ code }) => this.#input.release(keyOf(code)));
+		host.addEventListener("blur", () => this.#input.releaseAll());
 		host.addEventListener("pointerdown", () => {
 			if (this.#loop.isRunning) this.#press("KeyF");
 			else if (host.classList.contains("unplayed")) this.run();
 		});
-		host.addEventListener("pointerup", () => this.#held.delete("KeyF"));
+		host.addEventListener("pointerup", () => this.#input.release("KeyF"));
 	}
 
 	close() {

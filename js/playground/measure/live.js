@@ -3,7 +3,7 @@ import KDBush from "kdbush";
 import { Collision, CollisionBlocks } from "starlogo-collision";
 import { CAST, HALF_WIDTH, ScatteredGame } from "../shared/scattered.js";
 import { VERDICTS } from "../shared/drawing/colours.js";
-import { button, choice, field, h, short, slider, tick } from "../shared/dom.js";
+import { button, checkBox, choice, field, h, short, slider } from "../shared/dom.js";
 import { Figures } from "../shared/figures.js";
 import { failure, texts } from "../shared/language.js";
 import { Loop } from "../shared/loop.js";
@@ -71,17 +71,17 @@ export class Live {
 		});
 		this.element = h("div.live", {},
 			h("div.tools", {}, this.runButton, count.element, field(words.system, systems), field(words.models, this.models),
-				tick(words.drawn, true, (isOn) => {
+				checkBox(words.drawn, true, (isOn) => {
 					this.#isDrawn = isOn;
 					this.host.parentElement.hidden = !isOn;
 					this.scene.classList.toggle("alone", !isOn);
 					this.parts.draw();
-				}), tick(words.beside, false, (isOn) => {
+				}), checkBox(words.beside, false, (isOn) => {
 					this.#isBeside = isOn;
 					delete this.#found.near;
 					this.parts.clear();
 					if (!this.#loop.isRunning) this.#show();
-				}), loadRapier ? tick(words.besideRapier, false, (isOn) => this.#putRapier(isOn)) : null, this.said),
+				}), loadRapier ? checkBox(words.besideRapier, false, (isOn) => this.#putRapier(isOn)) : null, this.said),
 			this.scene = h("div.scene", {}, h("div.screen", {}, this.host),
 				h("div.times", {}, this.figures.element,
 					this.canvas, this.busy = h("p.busy", { role: "status", hidden: true }, texts.measure.busy),

@@ -1,7 +1,7 @@
 /** The graph of the parts of the last frames: moving, the engine and drawing one above the other, and other libraries as lines. */
 
 import { short } from "../shared/dom.js";
-import { isUneven } from "../shared/figures.js";
+import { isUneven } from "../shared/timing.js";
 
 /** The frames in the graph. */
 const FRAMES = 180;

@@ -1,7 +1,7 @@
 /** Measures how long the frames of a game take, for each collision system and number of agents. Nothing here draws. */
 import { Collision, CollisionBlocks } from "starlogo-collision";
 import { HALF_WIDTH, ScatteredGame } from "../shared/scattered.js";
-import { isUneven } from "../shared/figures.js";
+import { isUneven } from "../shared/timing.js";
 
 /** The numbers of agents that are measured, in turn. */
 export const COUNTS = [25, 50, 100, 200, 400, 800, 1600];

@@ -3,13 +3,14 @@
  */
 import { CollisionBlocks } from "starlogo-collision";
 import { CAST } from "../shared/scattered.js";
-import { button, choice, field, fileButton, h, modes, short } from "../shared/dom.js";
+import { button, choice, field, fileButton, h, modes, short, table } from "../shared/dom.js";
 import { download } from "../shared/files/download.js";
 import { texts } from "../shared/language.js";
 import { recallList, rememberValue } from "../shared/files/memory.js";
 import { MODEL_FILE } from "../shared/files/files.js";
 import { loadLand } from "../shared/files/models.js";
 import { ownModels } from "../shared/files/ownmodels.js";
+import { Requests } from "../shared/requests.js";
 import { chart, fileOf } from "./chart.js";
 import { Live } from "./live.js";
 import { COUNTS, isMeasured, measureAll } from "./times.js";
@@ -38,7 +39,7 @@ class MeasureView {
 	other = null;
 	/** The measurement of the file that was opened last. */
 	#file = null;
-	#turn = 0;
+	#requests = new Requests();
 	#isRunning = false;
 	#most = FIRST_MOST;
 	#unkept = null;
@@ -82,7 +83,7 @@ class MeasureView {
 
 	/** Measures from the beginning. */
 	async run() {
-		const turn = ++this.#turn;
+		const isWanted = this.#requests.begin();
 		const points = Object.fromEntries(CollisionBlocks.systemNames.map((name) => [name, []]));
 		this.result = { machine: this.name.value.trim() || words.thisMachine, date: new Date().toISOString(), processors: navigator.hardwareConcurrency ?? 0, browser: navigator.userAgent, points };
 		this.#isRunning = true;
@@ -97,14 +98,14 @@ class MeasureView {
 			// the browser's clock is coarse: a time below its step is not 0
 			points[system].push([count, Math.max(ms, 0.001)]);
 			this.#show();
-		}, () => turn === this.#turn);
-		if (turn !== this.#turn) return;
+		}, isWanted);
+		if (!isWanted()) return;
 		this.#stop(words.done);
 		this.busy.hidden = busy <= BUSY * all;
 	}
 
 	#stop(text) {
-		this.#turn++;
+		this.#requests.begin();
 		this.#isRunning = false;
 		this.startButton.textContent = words.start;
 		this.status.textContent = text;
@@ -117,11 +118,11 @@ class MeasureView {
 		for (const each of this.keepers) each.disabled = this.#isRunning || this.result === null;
 		const at = (result, name, count) => result?.points[name]?.find(([each]) => each === count)?.[1];
 		const cell = (name, count) => [this.result, this.other].map((result) => at(result, name, count)).map((ms) => (ms === undefined ? "–" : short(ms)));
-		this.table.replaceChildren(h("table", {}, h("thead", {}, h("tr", {}, h("th", { scope: "col" }, words.agents), ...CollisionBlocks.systemNames.map((name) => h("th", { scope: "col" }, texts.systems[name])))),
-			h("tbody", {}, ...COUNTS.map((count) => h("tr", {}, h("th", { scope: "row" }, String(count)), ...CollisionBlocks.systemNames.map((name) => {
+		this.table.replaceChildren(table([words.agents, ...CollisionBlocks.systemNames.map((name) => texts.systems[name])],
+			COUNTS.map((count) => h("tr", {}, h("th", { scope: "row" }, String(count)), ...CollisionBlocks.systemNames.map((name) => {
 				const [mine, its] = cell(name, count);
 				return h("td", {}, mine, this.other ? h("small", {}, ` / ${its}`) : null);
-			}))))));
+			})))));
 	}
 
 	get #all() {
@@ -163,7 +164,7 @@ class MeasureView {
 	}
 
 	close() {
-		this.#turn++;
+		this.#requests.begin();
 		this.forgetSize();
 		this.live.close();
 	}

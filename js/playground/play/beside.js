@@ -1,6 +1,7 @@
 /** Plays the same game a second time with another collision system, beside the first one. It has the same start and the same keys. */
 import { h } from "../shared/dom.js";
 import { fixed, texts } from "../shared/language.js";
+import { judge, verdictsOf } from "../shared/pairs.js";
 import { LandStage } from "./screen/landstage.js";
 import { nameOf } from "./screen/panel.js";
 import { Scene } from "./screen/scene.js";
@@ -57,7 +58,7 @@ export class Beside {
 	/** Does a frame, before the first game does its own. */
 	step() {
 		if (this.world.ended) return;
-		this.world.input.take(this.view.world.input, this.world.agents);
+		this.world.input.copyFrom(this.view.world.input, this.world.agents);
 		this.world.step();
 	}
 
@@ -73,17 +74,18 @@ export class Beside {
 		const games = [this.view, this];
 		// a game that has ended stands still
 		const [mine, its] = games.map(({ world }) => (this.world.frame === this.view.world.frame ? world.pairs : new Map()));
-		const only = [[...mine.keys()].filter((key) => !its.has(key)), [...its.keys()].filter((key) => !mine.has(key))];
+		const { wrong, missed } = judge(mine, its);
+		const only = [wrong, missed];
 		games.forEach(({ world, scene }, i) => {
-			const numbered = new Map(world.agents.map((agent) => [String(agent.number), agent]));
-			const marks = [["missed", only[1 - i]], ["wrong", only[i]]].flatMap(([verdict, keys]) => keys.flatMap((key) => key.split(" ").map((number) => [numbered.get(number), verdict])));
-			scene.differing = new Map(marks.filter(([agent]) => agent));
+			const numbered = new Map(world.agents.map((agent) => [agent.number, agent]));
+			const here = (pairs) => pairs.flat().map(({ number }) => numbered.get(number)).filter(Boolean);
+			scene.differing = verdictsOf({ missed: here(only[1 - i]), wrong: here(only[i]) });
 		});
 		const { frame } = this.view.world;
 		const at = only[0].length > 0 ? 0 : 1;
 		if (only[at].length === 0 || this.#frames.at(-1) >= frame) return;
 		if (this.#frames.length === 0) {
-			const [a, b] = games[at].world.pairs.get(only[at][0]);
+			const [[a, b]] = only[at];
 			this.#first = words.firstDifference(fixed(frame / FRAMES_A_SECOND, 1), systemOf(games[at]), nameOf(a), nameOf(b));
 		}
 		this.#frames.push(frame);
@@ -95,9 +97,9 @@ export class Beside {
 		stage.lookAs(view.stage);
 		scene.camera = "all";
 		scene.isEngineShown = view.scene.isEngineShown;
-		scene.draw(null);
+		scene.draw();
 		this.#isFollowing = false;
-		for (const game of [view, this]) game.scene.caption.textContent = words.reports(systemOf(game), game.world.pairs.size, game.world.meetings);
+		for (const game of [view, this]) game.scene.caption.textContent = words.reports(systemOf(game), game.world.pairs.size, game.world.meetingCount);
 		const { length } = this.#frames;
 		this.count.textContent = length === 0 ? words.noDifference : words.differences(length);
 		const first = length === 0 ? "" : this.#first;

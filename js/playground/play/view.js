@@ -6,6 +6,7 @@ import { loadLand } from "../shared/files/models.js";
 import { SHAPES } from "../shared/names.js";
 import { texts } from "../shared/language.js";
 import { Loop } from "../shared/loop.js";
+import { Requests } from "../shared/requests.js";
 import { BuildBar } from "./screen/buildbar.js";
 import { Keys } from "./screen/keys.js";
 import { ModelShelf } from "./programs/modelshelf.js";
@@ -35,8 +36,8 @@ export async function createView(main, link) {
 	const { finder } = view.programs;
 	view.preview((await finder.first(link)).program);
 	if (finder.isHome(link)) await view.programs.openHome();
-	const [{ Editor }] = await Promise.all([messages.then(() => import("./blocks/editor.js")), view.modelShelf.takeKept()]);
-	view.takeEditor(Editor);
+	const [{ Editor }] = await Promise.all([messages.then(() => import("./blocks/editor.js")), view.modelShelf.loadKept()]);
+	view.setEditor(Editor);
 	await opening;
 	return view;
 }
@@ -59,9 +60,9 @@ class PlayView {
 	#seed = SEED;
 	/** Whether the game has started by itself, because a system was chosen. */
 	#isSelfStarted = false;
-	/** The game beside this one, or null; and the last one that was requested. */
+	/** The game beside this one, or null. */
 	#beside = null;
-	#asked = "";
+	#besides = new Requests();
 
 	constructor(main, models, world) {
 		this.models = models;
@@ -74,8 +75,8 @@ class PlayView {
 		this.buildBar = new BuildBar(this);
 		this.layout = this.#makeLayout(main);
 		this.stage = new LandStage(this.layout.worldHost, words.world);
-		this.scene = new Scene(this.stage, world, models, this.layout.screen);
-		this.layout.placeCorner([this.scene.legend, this.keys.pad], [this.buildBar.tick, this.sound.button]);
+		this.scene = new Scene(this.stage, world, models, this.layout.screen, () => this.#restart());
+		this.layout.placeCorner([this.scene.legend, this.keys.pad], [this.buildBar.checkBox, this.sound.button]);
 		this.layout.worldHost.addEventListener("pointerdown", () => this.editor?.closeMenus());
 		this.keys.listen(this.stage, (agent) => {
 			world.input.clicked = agent;
@@ -206,7 +207,7 @@ class PlayView {
 	}
 
 	/** Takes the editor, which the page loads last. */
-	takeEditor(Editor) {
+	setEditor(Editor) {
 		this.editor = new Editor(this.layout.blocksHost, this.layout.editBar, {
 			onChange: (deleted) => this.#programChanged(deleted), pictureOf: (shape) => this.scene.pictureOf(shape), say: (text) => this.say(text),
 		});
@@ -223,7 +224,7 @@ class PlayView {
 		// a game that stands still shows the new system's results
 		if (!this.isRunning && this.world.frame > 0 && this.world.history.back === 0) {
 			this.#collideAgain();
-			this.#take();
+			this.#afterFrame();
 		}
 		// the lesson is about the system: its game shows at once what the system does
 		const { lessonCard } = this.programs;
@@ -239,9 +240,9 @@ class PlayView {
 
 	/** Plays the same game with another system beside this one, from the start and with the same keys; "" removes it. */
 	async putBeside(name) {
-		this.#asked = name;
+		const isWanted = this.#besides.begin();
 		const { Beside } = name === "" ? {} : await import("./beside.js");
-		if (this.#asked !== name) return;
+		if (!isWanted()) return;
 		const { isRunning } = this;
 		this.#beside?.close();
 		this.#beside = name === "" ? null : new Beside(this, name);
@@ -389,23 +390,23 @@ class PlayView {
 		if (this.isRunning) this.stop();
 		if (this.isBroken || this.world.ended || this.isStale) this.reset();
 		if (this.isBroken) return;
-		this.#tick();
+		this.#stepGames();
 		if (!this.isBroken) this.say(words.frame(this.world.frame));
 		this.draw();
 	}
 
-	#tick() {
+	#stepGames() {
 		this.#attempt(() => {
 			this.#beside?.step();
 			this.world.step();
 			this.#beside?.compare();
 		});
-		this.#take();
+		this.#afterFrame();
 		if (this.world.ended) this.#end();
 	}
 
 	/** Called after a frame. */
-	#take() {
+	#afterFrame() {
 		this.panel.count();
 		this.sound.hear(this.world);
 		if (this.isBroken) return;
@@ -450,7 +451,7 @@ class PlayView {
 	}
 
 	#frames(now) {
-		for (let due = this.#loop.due(now, FRAMES_A_SECOND * this.#speed, MOST_AT_ONCE); due > 0 && this.isRunning; due--) this.#tick();
+		for (let due = this.#loop.due(now, FRAMES_A_SECOND * this.#speed, MOST_AT_ONCE); due > 0 && this.isRunning; due--) this.#stepGames();
 		this.draw();
 	}
 
@@ -474,7 +475,7 @@ class PlayView {
 
 	draw() {
 		const { world } = this;
-		this.scene.draw(() => this.#restart());
+		this.scene.draw();
 		this.buildBar.show();
 		this.#beside?.draw();
 		this.panel.show(this.isRunning ? performance.now() : 0);
@@ -483,7 +484,7 @@ class PlayView {
 
 	close() {
 		this.#halt();
-		this.#asked = null;
+		this.#besides.begin();
 		this.#beside?.close();
 		this.layout.close();
 		this.sound.close();

@@ -1,5 +1,5 @@
 /** Makes elements with few words. Styles are classes, because the page's policy allows no style attributes. */
-import { chiefOf } from "./files/files.js";
+import { mainFileOf } from "./files/files.js";
 import { fixed } from "./language.js";
 
 /**
@@ -43,7 +43,7 @@ export const modes = (words, chosen, onPick) => h("div.modes", { role: "radiogro
 	h("input", { type: "radio", name: "mode", value: name, checked: name === chosen, onchange: () => onPick(name) }), text)));
 
 /** A check box with its label. */
-export function tick(label, checked, onChange) {
+export function checkBox(label, checked, onChange) {
 	const box = h("input", { type: "checkbox", checked, onchange: () => onChange(box.checked) });
 	return h("label.tick", {}, box, label);
 }
@@ -70,6 +70,9 @@ export function slider(label, { min, max, step, value, format = String }, onInpu
 	};
 }
 
+/** A table: the contents of its heads, and its rows. */
+export const table = (heads, rows, ...more) => h("table", {}, h("thead", {}, h("tr", {}, ...heads.map((head) => h("th", { scope: "col" }, head)))), h("tbody", {}, ...rows), ...more);
+
 export function button(text, onclick, properties = {}) {
 	return h("button", { type: "button", onclick, ...properties }, text);
 }
@@ -86,7 +89,7 @@ export function openDialog(tag, label, ...content) {
 export function fileButton(text, accept, onFile) {
 	const input = h("input.visually-hidden", { type: "file", accept, multiple: true, tabindex: "-1", "aria-hidden": "true", onchange: () => {
 		const files = [...input.files];
-		if (files.length > 0) onFile(chiefOf(files), files);
+		if (files.length > 0) onFile(mainFileOf(files), files);
 		input.value = "";
 	} });
 	return h("span", {}, button(text, () => input.click()), input);

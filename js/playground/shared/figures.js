@@ -19,9 +19,3 @@ export class Figures {
 		}
 	}
 }
-
-/** Whether times of the same work differ so much that something else has taken time. */
-export const isUneven = (times) => times.length >= 4 && median(times) > 1.5 * Math.min(...times);
-
-/** The middle one of some numbers; NaN if there is none. */
-export const median = (values) => [...values].sort((a, b) => a - b)[values.length >> 1] ?? NaN;

@@ -2,7 +2,7 @@
 export const texts = {};
 
 /** Adds the words of a file of languages/. */
-export function speak(words) {
+export function addWords(words) {
 	for (const [key, value] of Object.entries(words)) {
 		if (typeof texts[key] === "object") Object.assign(texts[key], value);
 		else texts[key] = value;
@@ -10,16 +10,16 @@ export function speak(words) {
 }
 
 /**
- * Load the words that only some views need: "class" for the teacher's pages and handing in, "game" for
+ * What loads the words that only some views need: "class" for the teacher's pages and handing in, "game" for
  * blocks, lessons and games, "lab" for the others. The first script fills it in.
  */
-export const further = {};
+export const furtherWords = {};
 
-/** Waits until these words are there. */
-export async function learn(name) {
-	const { load } = further[name];
-	further[name].loaded ??= load().then((words) => speak(words.texts));
-	await further[name].loaded;
+/** Loads these words, if they are not there yet. */
+export async function loadWords(name) {
+	const { load } = furtherWords[name];
+	furtherWords[name].loaded ??= load().then((words) => addWords(words.texts));
+	await furtherWords[name].loaded;
 }
 
 /** A file could not be loaded. Its message is in the page's language. */

@@ -4,6 +4,13 @@ export const MODELS = ["sphere", "cube", "cylinder", "bear", "dragon", "seagull"
 /** The models, and the playground's own. */
 export const SHAPES = [...MODELS, "turtle", "wall", "platform", "coin", "key", "rock", "house", "car"];
 
+/** Models that the engine makes itself. */
+export const BUILT_IN = ["sphere", "cube", "cylinder"];
+const COLLADA = ["dragon", "seagull", "fireman", "person"];
+
+/** A model's file in the project's folder assets; null if it has no file there. */
+export const fileOf = (name) => (MODELS.includes(name) && !BUILT_IN.includes(name) ? `${name}.${COLLADA.includes(name) ? "dae" : "obj"}` : null);
+
 /** The beginning of an address's argument for a program that a pupil has handed in. */
 export const HANDED = "handed-";
 export const isHanded = (address) => address.startsWith(HANDED);

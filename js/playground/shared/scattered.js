@@ -1,4 +1,4 @@
-/** The engine's own scattered scene (ScatteredScene.as), and the pairs that a collision system finds in a scene. Nothing here draws. */
+/** The engine's own scattered scene (ScatteredScene.as). Nothing here draws. */
 import { Agent } from "starlogo-collision";
 
 /** Half the width of the ground. */
@@ -50,15 +50,4 @@ export class ScatteredGame {
 		this.#random = (Math.imul(this.#random, 1664525) + 1013904223) >>> 0;
 		return low + ((high - low) * this.#random) / 4294967296;
 	}
-}
-
-/** The pairs that a system finds, as a map from a key to the two agents. */
-export function pairsOf(system, agents) {
-	const found = system.findCollisions(agents);
-	const pairs = new Map();
-	for (let i = 0; i < found.length; i += 2) {
-		const [a, b] = found[i].id < found[i + 1].id ? [found[i], found[i + 1]] : [found[i + 1], found[i]];
-		pairs.set(`${a.id} ${b.id}`, [a, b]);
-	}
-	return pairs;
 }

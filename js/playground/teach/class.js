@@ -3,6 +3,7 @@ import { CARD, button, drawAll, fileButton, h } from "../shared/dom.js";
 import { download } from "../shared/files/download.js";
 import { handed } from "../shared/files/submissions.js";
 import { failure, texts } from "../shared/language.js";
+import { Requests } from "../shared/requests.js";
 
 const words = texts.handing;
 const LESSONS = texts.lessons.list;
@@ -17,7 +18,7 @@ const dateOf = ({ when }) => new Intl.DateTimeFormat(document.documentElement.la
 const solved = new WeakMap();
 
 export class ClassPage {
-	#turn = 0;
+	#requests = new Requests();
 
 	/** @param {HTMLElement} main shows the page */
 	constructor(main) {
@@ -98,8 +99,8 @@ export class ClassPage {
 			h("p.note", {}, words.signs),
 			...pupils.map((works) => this.#pupil(...works)));
 		this.#mark();
-		const turn = ++this.#turn;
-		const isWanted = () => this.#turn === turn && this.list.isConnected;
+		const isNewest = this.#requests.begin();
+		const isWanted = () => isNewest() && this.list.isConnected;
 		Promise.all([this.#draw(), this.#check(isWanted)]).catch((error) => isWanted() && this.#fail(error));
 	}
 

@@ -1,5 +1,5 @@
 /** For teachers: each lesson's aim, time and solution, with a link to it and one page to print. */
-import { button, h, tick } from "../shared/dom.js";
+import { button, checkBox, h, table } from "../shared/dom.js";
 import { texts } from "../shared/language.js";
 import { LESSON_NAMES } from "../play/builtin/names.js";
 
@@ -64,18 +64,16 @@ class TeachView {
 			h("h2", {}, words.title), h("p", {}, words.intro(total)),
 			h("ol.steps", {}, ...[["in-class", texts.inClass.title, texts.inClass.note], ["sheets", words.allSheets, words.sheetsNote], ["class", texts.handing.classTitle, words.classNote]]
 				.map(([page, name, note]) => h("li", {}, h("a", { href: `#teach/${page}` }, name), h("small", {}, note)))),
-			h("div.table", {}, h("table", {},
-				h("thead", {}, h("tr", {}, ...[words.lesson, words.minutes, words.inPlay].map((text) => h("th", { scope: "col" }, text)))),
-				h("tbody", {}, ...LESSON_NAMES.map((name, i) => h("tr", {},
-					h("th", { scope: "row" }, h("a", { href: `#teach/${name}` }, words.numbered(i + 1, texts.lessons.list[name].title)), h("small", {}, words.list[name].aim)),
-					h("td", {}, String(MINUTES[i])), h("td", {}, h("a", { href: `#play/lesson-${name}`, "aria-label": words.openOf(i + 1) }, words.open)))))))));
+			h("div.table", {}, table([words.lesson, words.minutes, words.inPlay], LESSON_NAMES.map((name, i) => h("tr", {},
+				h("th", { scope: "row" }, h("a", { href: `#teach/${name}` }, words.numbered(i + 1, texts.lessons.list[name].title)), h("small", {}, words.list[name].aim)),
+				h("td", {}, String(MINUTES[i])), h("td", {}, h("a", { href: `#play/lesson-${name}`, "aria-label": words.openOf(i + 1) }, words.open))))))));
 	}
 
 	/** Shows the sheets of lessons, one after the other, to print. */
 	#showSheets(names) {
 		const sheets = names.map((name) => this.#sheetsOf(name));
 		const solutions = sheets.map(({ solved }) => solved);
-		sheets[0].given.prepend(h("div.tools.no-print", {}, h("a", { href: "#teach" }, words.all), button(words.print, () => print(), { class: "primary" }), tick(words.withSolution, true, (isOn) => {
+		sheets[0].given.prepend(h("div.tools.no-print", {}, h("a", { href: "#teach" }, words.all), button(words.print, () => print(), { class: "primary" }), checkBox(words.withSolution, true, (isOn) => {
 			for (const sheet of solutions) sheet.hidden = !isOn;
 		})));
 		this.main.replaceChildren(...sheets.flatMap(({ given, solved }) => [given, solved]));

@@ -1,7 +1,7 @@
 /** Shows blocks as pictures, for sheets of paper. */
 import * as Blockly from "blockly/core";
 import { MEDIA } from "../../shared/files/served.js";
-import { meetAll } from "./blocks.js";
+import { addToMenus } from "./blocks.js";
 import { MARGIN, SCALE, adoptStyles, themes } from "./setup.js";
 
 /**
@@ -13,7 +13,7 @@ import { MARGIN, SCALE, adoptStyles, themes } from "./setup.js";
  * @param {number} smallest the smallest scale; with it the picture may be higher
  */
 export function showBlocks(host, program, highest, smallest = 0) {
-	meetAll(program);
+	addToMenus(program);
 	const workspace = adoptStyles(() => Blockly.inject(host, { theme: themes.light, renderer: "zelos", media: MEDIA, sounds: false, readOnly: true, trashcan: false, zoom: { minScale: 0.1 }, move: { scrollbars: false, drag: false, wheel: false } }));
 	Blockly.serialization.workspaces.load(program, workspace);
 	const blocks = workspace.getTopBlocks(true);

@@ -2,6 +2,7 @@
 import { Collision } from "starlogo-collision";
 import { texts } from "../../shared/language.js";
 import { SHAPES } from "../../shared/names.js";
+import { number } from "../builtin/notation.js";
 
 const words = texts.blocks;
 const options = (table) => Object.entries(table).map(([value, text]) => [text, value]);
@@ -37,16 +38,16 @@ export const MENUS = {
  * @param {string} field BREED, OTHER, WHO or SHAPE
  * @param {string} value
  */
-export function meet(field, value) {
+export function addToMenu(field, value) {
 	const list = field === "SHAPE" ? shapes : breeds;
 	const isThere = (kind) => MENUS[kind]().some(([, each]) => each === value);
 	if (field in MENUS && typeof value === "string" && value !== NEW_BREED && !isThere(field) && !isThere("OTHER")) list.push(value);
 }
 
 /** Adds everything that a program names to the menus. */
-export function meetAll(program) {
+export function addToMenus(program) {
 	JSON.stringify(program, (key, value) => {
-		meet(key, value);
+		addToMenu(key, value);
 		return value;
 	});
 }
@@ -60,7 +61,6 @@ const ONE = dropdown("WHO", [[words.me, "me"], [words.collidee, "collidee"]]);
 const ON = dropdown("ON", options(words.onOff));
 const AS = dropdown("AS", options(words.structures));
 const KEY = dropdown("KEY", options(words.keys));
-const breed = (name, kind = name) => menu(name, kind);
 const anyone = menu("BREED", "ANYONE");
 const text = (value, name = "TEXT") => ({ type: "field_input", name, text: value });
 const MESSAGE = text(words.someMessage, "MESSAGE");
@@ -70,10 +70,8 @@ const AGENT = { type: "input_value", name: "AGENT", check: "Agent" };
 const COLOUR = { type: "input_value", name: "COLOUR", check: ["Colour", "Number"] };
 const input = (name) => ({ type: "input_value", name, check: "Number" });
 
-const STYLES = { event: "event_blocks", collision: "collision_blocks", movement: "movement_blocks", agent: "agent_blocks", look: "look_blocks", sense: "sense_blocks", game: "game_blocks", logic: "logic_blocks", math: "math_blocks", text: "text_blocks", variable: "variable_blocks" };
-
 /** A block: its style, its arguments, and its shape. */
-const define = (type, style, args, shape) => ({ type, style: STYLES[style], message0: words[type], args0: args, inputsInline: true, ...shape });
+const define = (type, style, args, shape) => ({ type, style: `${style}_blocks`, message0: words[type], args0: args, inputsInline: true, ...shape });
 const STATEMENT = { previousStatement: null, nextStatement: null };
 const NUMBER = { output: "Number" };
 const TRUTH = { output: "Boolean" };
@@ -88,9 +86,9 @@ const then = (first, second) => ({
 
 export const DEFINITIONS = [
 	define("starlogo_start", "event", [], HAT),
-	define("starlogo_each", "event", [breed("BREED")], HAT),
-	define("starlogo_key", "event", [KEY, dropdown("MODE", options(words.modes)), breed("BREED")], HAT),
-	define("starlogo_timer", "event", [input("SECONDS"), breed("BREED")], HAT),
+	define("starlogo_each", "event", [menu("BREED")], HAT),
+	define("starlogo_key", "event", [KEY, dropdown("MODE", options(words.modes)), menu("BREED")], HAT),
+	define("starlogo_timer", "event", [input("SECONDS"), menu("BREED")], HAT),
 	define("starlogo_click", "event", [anyone], HAT),
 	define("starlogo_receive", "event", [MESSAGE, anyone], HAT),
 	define("starlogo_broadcast", "event", [MESSAGE], STATEMENT),
@@ -98,9 +96,9 @@ export const DEFINITIONS = [
 	define("starlogo_own_change", "variable", [OWN, input("DELTA")], STATEMENT),
 	define("starlogo_own", "variable", [OWN], { output: null }),
 	define("starlogo_own_show", "variable", [OWN, ON], STATEMENT),
-	define("starlogo_collision", "collision", [breed("BREED"), breed("OTHER")], HAT),
-	define("starlogo_touch_start", "collision", [breed("BREED"), breed("OTHER")], HAT),
-	define("starlogo_touch_end", "collision", [breed("BREED"), breed("OTHER")], HAT),
+	define("starlogo_collision", "collision", [menu("BREED"), menu("OTHER")], HAT),
+	define("starlogo_touch_start", "collision", [menu("BREED"), menu("OTHER")], HAT),
+	define("starlogo_touch_end", "collision", [menu("BREED"), menu("OTHER")], HAT),
 	define("starlogo_system", "collision", [SYSTEM], STATEMENT),
 	define("starlogo_hierarchical", "collision", [WHO, ON], STATEMENT),
 	define("starlogo_depth", "collision", [WHO, input("DEPTH")], STATEMENT),
@@ -114,7 +112,7 @@ export const DEFINITIONS = [
 	define("starlogo_back", "movement", [], STATEMENT),
 	define("starlogo_heading", "movement", [input("HEADING")], STATEMENT),
 	define("starlogo_stand", "movement", [], STATEMENT),
-	define("starlogo_solid", "collision", [breed("BREED"), ON], STATEMENT),
+	define("starlogo_solid", "collision", [menu("BREED"), ON], STATEMENT),
 	define("starlogo_push", "collision", [], STATEMENT),
 	define("starlogo_side", "collision", [ONE, SIDE], TRUTH),
 	define("starlogo_touch", "collision", [dropdown("TOUCH", options(words.touch))], NUMBER),
@@ -133,12 +131,12 @@ export const DEFINITIONS = [
 	define("starlogo_flat", "game", [], STATEMENT),
 	define("starlogo_ground_height", "sense", [], NUMBER),
 	define("starlogo_on_ground", "sense", [], TRUTH),
-	define("starlogo_create", "agent", [input("COUNT"), breed("BREED"), SHAPE], { ...STATEMENT, ...BODY }),
-	define("starlogo_hatch", "agent", [breed("BREED"), SHAPE], { ...STATEMENT, ...BODY }),
+	define("starlogo_create", "agent", [input("COUNT"), menu("BREED"), SHAPE], { ...STATEMENT, ...BODY }),
+	define("starlogo_hatch", "agent", [menu("BREED"), SHAPE], { ...STATEMENT, ...BODY }),
 	define("starlogo_delete", "agent", [WHO], STATEMENT),
 	define("starlogo_trait", "agent", [dropdown("TRAIT", options(words.traits))], NUMBER),
 	define("starlogo_ask", "agent", [AGENT], { ...STATEMENT, ...BODY }),
-	define("starlogo_become", "agent", [WHO, breed("BREED")], STATEMENT),
+	define("starlogo_become", "agent", [WHO, menu("BREED")], STATEMENT),
 	define("starlogo_agent", "agent", [ONE], { output: "Agent" }),
 	define("starlogo_size", "look", [input("SIZE")], STATEMENT),
 	define("starlogo_colour", "look", [WHO, COLOUR], STATEMENT),
@@ -188,12 +186,18 @@ export const DEFINITIONS = [
 	define("math_change", "variable", [VARIABLE, input("DELTA")], STATEMENT),
 ];
 
-const number = (value) => ({ shadow: { type: "math_number", fields: { NUM: value } } });
-const shadow = (value) => (typeof value === "number" ? number(value) : value === true ? { shadow: { type: "logic_boolean", fields: { BOOL: "TRUE" } } } : value.startsWith("starlogo") ? { block: { type: value, ...(value === "starlogo_nearest" && { inputs: { DISTANCE: number(10) } }) } } : { shadow: { type: "text", fields: { TEXT: value } } });
-/** What a drawer has for variables, as Blockly makes it, with a number in “set”. */
-export const withNumbers = (items) => [...items.map((item) => (item.type === "variables_set" ? { ...item, inputs: { VALUE: number(0) } } : item)), ...OWN_BLOCKS()];
+/** The content of an input in the toolbox: a number, “true”, a text, or a block by its type. */
+function contentOf(value) {
+	if (typeof value === "number") return number(value);
+	if (value === true) return { shadow: { type: "logic_boolean", fields: { BOOL: "TRUE" } } };
+	if (value === NEAREST) return { block: { type: value, inputs: { DISTANCE: number(10) } } };
+	return value.startsWith("starlogo") ? { block: { type: value } } : { shadow: { type: "text", fields: { TEXT: value } } };
+}
 
-const block = (type, inputs, fields) => ({ kind: "block", type, ...(fields && { fields }), ...(inputs && { inputs: Object.fromEntries(Object.entries(inputs).map(([name, value]) => [name, shadow(value)])) }) });
+/** What a drawer has for variables, as Blockly makes it, with a number in “set”. */
+export const variableDrawer = (items) => [...items.map((item) => (item.type === "variables_set" ? { ...item, inputs: { VALUE: number(0) } } : item)), ...OWN_BLOCKS()];
+
+const block = (type, inputs, fields) => ({ kind: "block", type, ...(fields && { fields }), ...(inputs && { inputs: Object.fromEntries(Object.entries(inputs).map(([name, value]) => [name, contentOf(value)])) }) });
 const category = (name, ...contents) => ({ kind: "category", name: words.categories[name], categorystyle: `${STYLE_OF[name] ?? name}_category`, cssconfig: { icon: `icon icon-${name}` }, contents });
 /** The blocks about variables of an agent. */
 const OWN_BLOCKS = () => [block("starlogo_own_set", { VALUE: 3 }), block("starlogo_own_change", { DELTA: -1 }), block("starlogo_own"), block("starlogo_own_show")];

@@ -3,6 +3,8 @@
  * for walls and for the ground.
  */
 import * as Blockly from "blockly/core";
+import { folded, number, solid, start, wall } from "../builtin/notation.js";
+import { inGroup } from "./undo.js";
 
 /** Blocks that move or turn an agent. What an agent does last decides its place and its heading. */
 const MOVING = new Set(["starlogo_go", "starlogo_forward", "starlogo_up", "starlogo_scatter", "starlogo_walk", "starlogo_until", "starlogo_stand", "starlogo_edge", "starlogo_back"]);
@@ -10,10 +12,9 @@ const TURNING = new Set(["starlogo_heading", "starlogo_turn", "starlogo_scatter"
 
 const isNumber = (input) => input.connection.targetBlock()?.type === "math_number";
 const numberOf = (block, name) => block.getInputTargetBlock(name).getFieldValue("NUM");
-const shadow = (NUM) => ({ shadow: { type: "math_number", fields: { NUM } } });
 
-/** The blocks of a chain. */
-function* chain(first) {
+/** A block and those below it. */
+function* blocksFrom(first) {
 	for (let block = first; block; block = block.getNextBlock()) yield block;
 }
 
@@ -49,7 +50,7 @@ export class Building {
 	/** Puts a copy of a block below it, whose agent begins at another place. Returns its id, or null. */
 	copy(id, x, y, z) {
 		return this.#change(id, (block) => {
-			const copy = Blockly.serialization.blocks.append(Blockly.serialization.blocks.save(block, { addNextBlocks: false, doFullSerialization: false }), this.workspace, { recordUndo: true });
+			const copy = this.#add(Blockly.serialization.blocks.save(block, { addNextBlocks: false, doFullSerialization: false }));
 			const next = block.getNextBlock();
 			block.nextConnection.connect(copy.previousConnection);
 			if (next && !next.getPreviousBlock()) copy.nextConnection.connect(next.previousConnection);
@@ -69,14 +70,14 @@ export class Building {
 	 * @param {string|boolean} group of changes that are undone together; true for a new one
 	 */
 	raise(x, y, by, group) {
-		this.#grouped(group, () => {
+		inGroup(group, () => {
 			const raising = this.workspace.getBlocksByType("starlogo_raise", true).filter((block) => block.getRootBlock().type === "starlogo_start" && ["X", "Y", "HEIGHT"].every((name) => isNumber(block.getInput(name))));
 			const here = raising.find((block) => numberOf(block, "X") === x && numberOf(block, "Y") === y);
 			if (!here) {
-				const block = { type: "starlogo_raise", inputs: { HEIGHT: shadow(by), X: shadow(x), Y: shadow(y) } };
+				const block = { type: "starlogo_raise", inputs: { HEIGHT: number(by), X: number(x), Y: number(y) } };
 				if (raising.length > 0) this.#append(raising[0].getRootBlock(), block);
 				// its first line names the block in it: a later change of that would be a step of its own for Undo
-				else this.#add({ type: "starlogo_start", collapsed: true, inputs: { DO: { block } } });
+				else this.#add(folded(start(block)));
 				return;
 			}
 			const height = numberOf(here, "HEIGHT") + by;
@@ -88,14 +89,12 @@ export class Building {
 
 	/** Builds walls, each from a place to another one: [x, y, heading, size]. Nobody goes through them. */
 	wall(pieces) {
-		this.#grouped(true, () => {
-			const start = this.workspace.getBlocksByType("starlogo_create", true).map((block) => block.getRootBlock()).find(({ type }) => type === "starlogo_start") ?? this.workspace.getTopBlocks(true).find(({ type }) => type === "starlogo_start") ?? this.#add({ type: "starlogo_start" });
+		inGroup(true, () => {
+			const makers = this.workspace.getBlocksByType("starlogo_create", true).map((block) => block.getRootBlock());
+			const script = [...makers, ...this.workspace.getTopBlocks(true)].find(({ type }) => type === "starlogo_start") ?? this.#add({ type: "starlogo_start" });
 			const isSolid = this.workspace.getBlocksByType("starlogo_solid").some((block) => block.getFieldValue("BREED") === "walls");
-			if (!isSolid) this.#append(start, { type: "starlogo_solid", fields: { BREED: "walls", ON: "on" } });
-			for (const [x, y, heading, size] of pieces) {
-				const set = { type: "starlogo_size", inputs: { SIZE: shadow(size) }, next: { block: { type: "starlogo_heading", inputs: { HEADING: shadow(heading) }, next: { block: { type: "starlogo_go", inputs: { X: shadow(x), Y: shadow(y), Z: shadow(0) } } } } } };
-				this.#append(start, { type: "starlogo_create", fields: { BREED: "walls", SHAPE: "wall" }, inputs: { COUNT: shadow(1), DO: { block: set } } });
-			}
+			if (!isSolid) this.#append(script, solid("walls"));
+			for (const [x, y, angle, length] of pieces) this.#append(script, wall(x, y, length, angle));
 		});
 	}
 
@@ -104,43 +103,26 @@ export class Building {
 		return Blockly.serialization.blocks.append(state, this.workspace, { recordUndo: true });
 	}
 
-	/** Puts a block at the end of a script. */
-	#append(start, state) {
+	/** Puts a block at the end of a script, or of the blocks in another one. */
+	#append(parent, state) {
 		const added = this.#add(state);
-		let last = null;
-		for (const each of chain(start.getInputTargetBlock("DO"))) last = each;
-		(last ? last.nextConnection : start.getInput("DO").connection).connect(added.previousConnection);
+		const last = [...blocksFrom(parent.getInputTargetBlock("DO"))].at(-1);
+		(last ? last.nextConnection : parent.getInput("DO").connection).connect(added.previousConnection);
 	}
 
 	/** Does something with a block, as one step that is undone at once. */
 	#change(id, action) {
 		const block = this.#blockOf(id);
-		return block ? this.#grouped(true, () => action(block)) : null;
-	}
-
-	#grouped(group, action) {
-		Blockly.Events.setGroup(group);
-		try {
-			return action() ?? null;
-		} finally {
-			Blockly.Events.setGroup(false);
-		}
+		return block ? inGroup(true, () => action(block)) : null;
 	}
 
 	/** Sets the numbers of the last block of a kind in a block's content. If it is of another type, or has other blocks in it, a new one follows. */
 	#set(block, type, kind, numbers) {
-		let last = null;
-		let end = null;
-		for (const each of chain(block.getInputTargetBlock("DO"))) {
-			end = each;
-			if (kind.has(each.type)) last = each;
-		}
+		const last = [...blocksFrom(block.getInputTargetBlock("DO"))].findLast((each) => kind.has(each.type));
 		if (last?.type === type && Object.keys(numbers).every((name) => isNumber(last.getInput(name)))) {
-			for (const [name, number] of Object.entries(numbers)) last.getInputTargetBlock(name).setFieldValue(number, "NUM");
+			for (const [name, value] of Object.entries(numbers)) last.getInputTargetBlock(name).setFieldValue(value, "NUM");
 			return;
 		}
-		const inputs = Object.fromEntries(Object.entries(numbers).map(([name, number]) => [name, shadow(number)]));
-		const added = Blockly.serialization.blocks.append({ type, inputs }, this.workspace, { recordUndo: true });
-		(end ? end.nextConnection : block.getInput("DO").connection).connect(added.previousConnection);
+		this.#append(block, { type, inputs: Object.fromEntries(Object.entries(numbers).map(([name, value]) => [name, number(value)])) });
 	}
 }

@@ -5,7 +5,7 @@ import { KeyboardNavigation } from "@blockly/keyboard-navigation";
 import { button, h, onThemeChange } from "../../shared/dom.js";
 import { texts } from "../../shared/language.js";
 import { MEDIA } from "../../shared/files/served.js";
-import { TOOLBOX, drawerFor, meetAll, withNumbers } from "./blocks.js";
+import { TOOLBOX, drawerFor, addToMenus, variableDrawer } from "./blocks.js";
 import { Building } from "./building.js";
 import { Placing } from "./placing.js";
 import { readAloud } from "./reading.js";
@@ -69,7 +69,7 @@ export class Editor {
 				toolbox: TOOLBOX, theme: theme(), renderer: "zelos", media: MEDIA, sounds: false, trashcan: false, horizontalLayout: narrow,
 				zoom: { controls: false, wheel: false, pinch: true, startScale: SCALE, scaleSpeed: ZOOM, minScale: SMALLEST, maxScale: LARGEST }, move: { scrollbars: true, drag: true, wheel: true },
 			});
-			workspace.registerToolboxCategoryCallback("VARIABLE", (each) => withNumbers(Blockly.Variables.flyoutCategory(each, false)));
+			workspace.registerToolboxCategoryCallback("VARIABLE", (each) => variableDrawer(Blockly.Variables.flyoutCategory(each, false)));
 			this.keyboard = new KeyboardNavigation(workspace);
 			// Blockly leaves them out if the drawer is above
 			if (narrow) workspace.getToolbox().getToolboxItems().forEach((item, i) => item.getDiv().querySelector("[role=presentation]").classList.add(...TOOLBOX.contents[i].cssconfig.icon.split(" ")));
@@ -175,7 +175,7 @@ export class Editor {
 	}
 
 	#load(program, inOrder) {
-		meetAll(program);
+		addToMenus(program);
 		Blockly.Events.disable();
 		try {
 			Blockly.serialization.workspaces.load(program, this.workspace);

@@ -1,5 +1,5 @@
 /** Blockly's own words in the page's language. They are loaded before Blockly. */
-import { learn, texts } from "../../shared/language.js";
+import { loadWords, texts } from "../../shared/language.js";
 
 const LANGUAGES = { en: () => import("blockly/msg/en"), de: () => import("blockly/msg/de") };
 
@@ -7,6 +7,6 @@ const LANGUAGES = { en: () => import("blockly/msg/en"), de: () => import("blockl
 export let messages = {};
 
 export async function loadMessages() {
-	await learn("game");
+	await loadWords("game");
 	messages = { ...(await LANGUAGES[texts.code]()).default, ...texts.blockly };
 }

@@ -5,6 +5,7 @@
  * Blockly would push these away. Here no block is pushed.
  */
 import * as Blockly from "blockly/core";
+import { inGroup } from "./undo.js";
 
 /** The distance between scripts, and between the drawer and a script. */
 const GAP = 24;
@@ -95,7 +96,7 @@ export class Placing {
 		const { previousConnection } = this.workspace.getBlockById(blockId) ?? {};
 		if (!previousConnection || previousConnection.isConnected()) return;
 		const { connection } = previousConnection.closest(SNAP, new Blockly.utils.Coordinate(0, 0));
-		if (connection) within(group, () => connection.connect(previousConnection));
+		if (connection) inGroup(group, () => connection.connect(previousConnection));
 	}
 
 	/** Moves a block that another one has replaced to the right of all scripts that it would lie on. */
@@ -106,7 +107,7 @@ export class Placing {
 		const place = block.getBoundingRectangle();
 		const by = moveBeyond(place, workspace.getTopBlocks(false).filter((each) => each !== block).map((each) => each.getBoundingRectangle()), "left", "right");
 		if (by === 0) return;
-		within(group, () => block.moveBy(by, 0));
+		inGroup(group, () => block.moveBy(by, 0));
 		workspace.scrollBoundsIntoView(place);
 	}
 
@@ -115,7 +116,7 @@ export class Placing {
 		const block = this.workspace.getBlockById(blockId);
 		const { outputConnection: output } = block ?? {};
 		if (!output || output.isConnected() || output.neighbours(GAP).length === 0) return;
-		within(group, () => block.moveBy(GAP, GAP));
+		inGroup(group, () => block.moveBy(GAP, GAP));
 	}
 
 	/**
@@ -129,7 +130,7 @@ export class Placing {
 		if (isFirst) Blockly.renderManagement.finishQueuedRenders().then(() => {
 			const { moved, group: last } = this.#wanted;
 			this.#wanted = null;
-			if (!this.workspace.isDragging() && this.workspace.rendered) within(last, () => this.#spread(moved));
+			if (!this.workspace.isDragging() && this.workspace.rendered) inGroup(last, () => this.#spread(moved));
 		});
 	}
 
@@ -163,15 +164,4 @@ function moveBeyond(place, others, begin, end) {
 		place[end] += by;
 	}
 	return place[begin] - before;
-}
-
-/** Changes blocks as a part of an earlier change, so that they are undone together. */
-function within(group, action) {
-	const before = Blockly.Events.getGroup();
-	Blockly.Events.setGroup(group);
-	try {
-		action();
-	} finally {
-		Blockly.Events.setGroup(before);
-	}
 }

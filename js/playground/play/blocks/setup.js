@@ -5,7 +5,7 @@ import { KeyboardNavigation } from "@blockly/keyboard-navigation";
 import { h, isDark } from "../../shared/dom.js";
 import { texts } from "../../shared/language.js";
 import { ICON } from "../../shared/files/served.js";
-import { BLOCK_STYLES, CATEGORY_STYLES, DEFINITIONS, MENUS, NEW_BREED, SHAPE_OF, meet } from "./blocks.js";
+import { BLOCK_STYLES, CATEGORY_STYLES, DEFINITIONS, MENUS, NEW_BREED, SHAPE_OF, addToMenu } from "./blocks.js";
 
 const PARTS = {
 	light: { workspaceBackgroundColour: "#ffffff", toolboxBackgroundColour: "#f4f6fa", toolboxForegroundColour: "#1c2430", flyoutBackgroundColour: "#e9edf4", flyoutForegroundColour: "#1c2430", flyoutOpacity: 1, scrollbarColour: "#9aa6b6" },
@@ -53,7 +53,7 @@ Blockly.Extensions.register("new_breed", function askForBreeds() {
 			Blockly.dialog.prompt(texts.blocks.askBreed, "", (answer) => {
 				const breed = answer?.trim();
 				if (!breed) return;
-				meet(name, breed);
+				addToMenu(name, breed);
 				// otherwise the old options would count
 				field.getOptions(false);
 				field.setValue(breed);

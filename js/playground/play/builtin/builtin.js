@@ -1,5 +1,5 @@
 /** The programs that the page brings along, by their names: games, examples, and those of lessons. They load when one is first wanted. */
-import { learn, texts } from "../../shared/language.js";
+import { loadWords, texts } from "../../shared/language.js";
 import { LESSON_NAMES } from "./names.js";
 
 /** The name of a lesson's program begins with this. */
@@ -16,7 +16,7 @@ export const isBuiltIn = (name) => Object.hasOwn(texts.play.games, name) || Obje
 
 /** A program of the page. */
 export async function builtInProgram(name) {
-	await learn("game");
+	await loadWords("game");
 	const { BUILT_IN_PROGRAMS } = await import("./library.js");
 	return BUILT_IN_PROGRAMS[name];
 }

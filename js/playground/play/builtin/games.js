@@ -3,7 +3,7 @@ import { Collision } from "starlogo-collision";
 import { texts } from "../../shared/language.js";
 import {
 	aim, along, alongside, bounce, change, collision, colour, compare, count, create, each, either, end, fall, field, folded, get, go, goal, ground, hatch, heading, jump, key, limit, many, math, mound, move, nearest, number, numbers, paint,
-	program, remove, repeat, say, scatter, score, set, side, size, solid, sound, stand, standing, start, step, sweep, timer, touch, trait, turn, up, walk, when,
+	program, remove, repeat, say, scatter, score, set, side, size, solid, sound, stand, standing, start, step, sweep, timer, touch, trait, turn, up, walk, wall, when,
 } from "./notation.js";
 import { wallsBetween } from "../game/walls.js";
 
@@ -64,7 +64,6 @@ const chase = program(
 	...walks("people", 0.1, "trees"),
 );
 
-const wall = (x, y, large, turned = 0) => create(1, "walls", "wall", size(large), heading(turned), go(x, y, 0));
 const EDGE = 11.5;
 const maze = many(["place"],
 	touch("people", "fortresses", end("won", words.maze.won)),

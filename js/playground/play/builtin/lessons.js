@@ -3,9 +3,9 @@
  * each game: isDone says whether the task is done, and wrong names what is wrong with a solution, or gives null. The words are in languages/.
  */
 import { CollisionBlocks } from "starlogo-collision";
-import { said } from "../game/actions.js";
+import { textOf } from "../game/actions.js";
 import {
-	change, collision, colour, compare, create, each, folded, get, go, ground, heading, many, move, numbers, paint, program, remove, repeat, scatter, set, size, start, step, touch, trait, turn, up, walk, when,
+	change, collision, colour, compare, create, each, folded, get, go, ground, heading, many, move, numbers, paint, program, remove, repeat, scatter, set, size, start, step, touch, trait, turn, up, walk, wall, when,
 } from "./notation.js";
 
 const touching = (world) => world.collisions.collision.statistics.collisions;
@@ -14,7 +14,6 @@ const total = (world, a, b) => world.totals.get([a, b].sort().join("\n")) ?? 0;
 /** The way of an agent in this frame. */
 const stepOf = ({ x, y, before }) => Math.hypot(x - before[0], y - before[1]);
 const use = (SYSTEM) => ({ type: "starlogo_system", fields: { SYSTEM } });
-const wall = (x, y, large, turned = 0) => create(1, "walls", "wall", size(large), heading(turned), go(x, y, 0));
 const ball = (large, ...blocks) => create(1, "paintballs", "sphere", size(large), paint("me", colour("yellow")), ...blocks);
 const touchEnd = (BREED, OTHER, block) => ({ type: "starlogo_touch_end", fields: { BREED, OTHER }, inputs: { DO: { block } } });
 
@@ -65,10 +64,10 @@ export const LESSONS = {
 			each("paintballs", up(-0.04), when(compare("LT", trait("z"), { shadow: { type: "math_number", fields: { NUM: 0 } } }), go(0, 0, HIGH))),
 			touch("paintballs", "firemen", go(0, 0, HIGH), change(1)),
 			start(create(1, "firemen", "fireman", size(3)), ball(0.6, go(0, 0, HIGH)))), system: CollisionBlocks.UNIT_SPHERES },
-		isDone: (world) => isAlone(world, "firemen", 3) && isAlone(world, "paintballs", 0.6) && world.events.some(({ point, names }) => point.z > HELMET && names.includes("firemen")),
+		isDone: (world) => isAlone(world, "firemen", 3) && isAlone(world, "paintballs", 0.6) && world.meetings.some(({ point, names }) => point.z > HELMET && names.includes("firemen")),
 		wrong: (world) => {
 			if (!isAlone(world, "firemen", 3) || !isAlone(world, "paintballs", 0.6)) return "changed";
-			return world.events.some(({ point }) => point.z < HELMET) || all(world, "paintballs")[0].z < 3 ? "through" : null;
+			return world.meetings.some(({ point }) => point.z < HELMET) || all(world, "paintballs")[0].z < 3 ? "through" : null;
 		},
 	},
 	wing: {
@@ -92,7 +91,7 @@ export const LESSONS = {
 			touch("dragons", "paintballs", paint("collidee", colour("red")))),
 		isDone: (world, memory) => {
 			const [dragon] = all(world, "dragons");
-			memory.touched ||= world.meetings > 0;
+			memory.touched ||= world.meetingCount > 0;
 			memory.isHonest ??= isAlone(world, "dragons", DRAGON) && dragon.x < -7 && all(world, "paintballs").filter((each) => each.size === BALL && each.z === 0.4 && Math.abs(each.y) === 2.6).length === 2;
 			return memory.isHonest && !memory.touched && dragon?.hierarchical && dragon.x > 8.4 && !isBallPrecise(world) && world.collisions.systemName === CollisionBlocks.COMBINATION;
 		},
@@ -100,7 +99,7 @@ export const LESSONS = {
 			if (world.collisions.systemName !== CollisionBlocks.COMBINATION) return "system";
 			if (isBallPrecise(world)) return "balls";
 			if (!isHonest) return "changed";
-			return world.meetings > 0 ? "box" : null;
+			return world.meetingCount > 0 ? "box" : null;
 		},
 	},
 	fast: {
@@ -109,7 +108,7 @@ export const LESSONS = {
 			start(wall(0, 0, 4), ball(0.5, go(-10, 0, 0.5))),
 			each("paintballs", move(4)),
 			touch("paintballs", "walls", paint("collidee", colour("yellow")), remove("me"))),
-		isDone: (world) => world.events.some(({ a, b }) => [a, b].some((one) => one.breed === "paintballs" && one.sweeps) && [a, b].some((one) => one.breed === "walls")),
+		isDone: (world) => world.meetings.some(({ a, b }) => [a, b].some((one) => one.breed === "paintballs" && one.sweeps) && [a, b].some((one) => one.breed === "walls")),
 		wrong: (world, memory) => {
 			const [thrown] = all(world, "paintballs");
 			if (thrown && stepOf(thrown) > 0 && stepOf(thrown) < 3) return "slow";
@@ -162,7 +161,7 @@ export const LESSONS = {
 			const [bear] = all(world, "bears");
 			const near = bear ? all(world, "turtles").filter(({ x, y, z }) => Math.hypot(x - bear.x, y - bear.y, z - bear.z) <= 5).length : 0;
 			memory.counts ??= new Set();
-			if (near > 0 && bear.said.text === said(near)) memory.counts.add(near);
+			if (near > 0 && bear.said.text === textOf(near)) memory.counts.add(near);
 			return memory.counts.size >= 2;
 		},
 		wrong: (world, memory) => wrongWords(world, memory, memory.counts.size === 0),
@@ -175,7 +174,7 @@ export const LESSONS = {
 			const [[bear], [turtle]] = [all(world, "bears"), all(world, "turtles")];
 			memory.said ??= new Set();
 			const isSeen = bear && turtle && world.frame > 1 ? world.senses.canSee(bear, turtle) : null;
-			if (isSeen !== null && bear.said.text === said(isSeen)) memory.said.add(isSeen);
+			if (isSeen !== null && bear.said.text === textOf(isSeen)) memory.said.add(isSeen);
 			return memory.said.has(true) && memory.said.has(false);
 		},
 		wrong: (world, memory) => wrongWords(world, memory, world.frame > LONG),

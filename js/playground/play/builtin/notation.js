@@ -72,6 +72,9 @@ export const get = (name) => field("variables_get", { VAR: { id: name } });
 export const set = (name, value) => ({ type: "variables_set", fields: { VAR: { id: name } }, inputs: { VALUE: number(value) } });
 export const step = (name, by) => ({ type: "math_change", fields: { VAR: { id: name } }, inputs: { DELTA: number(by) } });
 
+/** A wall along y, or turned. */
+export const wall = (x, y, length, turned = 0) => create(1, "walls", "wall", size(length), heading(turned), go(x, y, 0));
+
 /** An agent that stands still, and a ball beside it. Agents that touch turn red. */
 export function nearMiss(breed, shape, scale, x, y, z, ball) {
 	return program(

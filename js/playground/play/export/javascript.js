@@ -3,8 +3,7 @@
  * same places.
  */
 import { Collision, CollisionBlocks } from "starlogo-collision";
-import { BUILT_IN } from "../../shared/files/assets.js";
-import { INSTALL } from "../../shared/names.js";
+import { BUILT_IN, INSTALL } from "../../shared/names.js";
 import { COLOURS } from "../game/colours.js";
 import { BEING, ENGINE, HELPERS, INSIDE_EDGES, hex } from "./javascriptparts.js";
 import { HALF_WIDTH } from "../game/moves.js";

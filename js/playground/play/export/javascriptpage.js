@@ -1,7 +1,6 @@
 /** Writes a program of blocks as a page that plays it and draws it with three.js: the program's module, and what draws its agents. */
-import { BUILT_IN } from "../../shared/files/assets.js";
 import { texts } from "../../shared/language.js";
-import { PACKAGE } from "../../shared/names.js";
+import { BUILT_IN, PACKAGE } from "../../shared/names.js";
 import { javascriptOf, shapesOf } from "./javascript.js";
 
 const THREE = "0.180.0";

@@ -46,16 +46,15 @@ export function fail(message, block) {
 	throw new ProgramError(message, block.id);
 }
 
+/** The other agent of a collision block. */
+const touched = (block, world) => world.collidee ?? fail(texts.play.noCollidee(wordsOf(block.type)), block);
+
 /** The subject of a block: me, the collidee, or a breed's name. */
 function whom(block, world) {
 	const who = block.fields.WHO;
 	if (who === "me") return me(block, world);
-	if (who === "collidee") return world.collidee ?? fail(texts.play.noCollidee(wordsOf(block.type)), block);
-	return who;
+	return who === "collidee" ? touched(block, world) : who;
 }
-
-/** The other agent of a collision block. */
-const touched = (block, world) => world.collidee ?? fail(texts.play.noCollidee(wordsOf(block.type)), block);
 
 /** Makes the function of a block that has inputs: of their contents, the block and the world. */
 const withInputs = (read, names, use, missing) => (block, world) => {
@@ -91,7 +90,7 @@ export const STATEMENTS = {
 	starlogo_become: (block, world) => () => {
 		for (const agent of world.subjects(whom(block, world))) world.become(agent, block.fields.BREED);
 	},
-	starlogo_say: withValue("TEXT", (agent, text, fields, world) => world.say(agent, said(text)), ""),
+	starlogo_say: withValue("TEXT", (agent, text, fields, world) => world.say(agent, textOf(text)), ""),
 	starlogo_score_set: withNumbers(["SCORE"], ([score], block, world) => {
 		world.score = score;
 	}),
@@ -175,7 +174,7 @@ export const STATEMENTS = {
 const FAR = 1000000;
 
 /** The text that an agent says. Numbers have few decimals. */
-export function said(value) {
+export function textOf(value) {
 	if (typeof value === "number") return plain(value);
 	return typeof value === "boolean" ? texts.blocks.truths[String(value).toUpperCase()] : String(value ?? "").slice(0, 80);
 }

@@ -21,5 +21,10 @@ export class Being extends Agent {
 	rise = 0;
 	/** Its variables. Changed, it is another object, so that frames that are kept keep theirs. */
 	own = {};
-	color = OWN_COLOURS;
+
+	constructor(shape, breed) {
+		super(shape, breed);
+		// a field of this name would hide the engine's
+		this.color = OWN_COLOURS;
+	}
 }

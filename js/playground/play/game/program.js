@@ -18,7 +18,7 @@ export class Rounds {
 		this.#left = MOST_ROUNDS;
 	}
 
-	take(block) {
+	count(block) {
 		if (--this.#left < 0) throw new ProgramError(texts.play.endless[block.fields?.MODE ?? "TIMES"] ?? texts.play.endless.TIMES, block.id);
 	}
 }
@@ -205,7 +205,7 @@ const CONTROL = {
 		const begin = code.end;
 		const jump = { to: 0 };
 		code.add(block, (thread) => {
-			if (Boolean(holds()) === goal) world.rounds.take(block);
+			if (Boolean(holds()) === goal) world.rounds.count(block);
 			else thread.at = jump.to;
 		});
 		code.addBody(block, "DO", world, begin);
@@ -230,7 +230,7 @@ function addRounds(block, world, code, times, who = null) {
 			return;
 		}
 		stack[last]--;
-		world.rounds.take(block);
+		world.rounds.count(block);
 		if (who) world.me = who();
 	});
 	code.addBody(block, "DO", world, begin);

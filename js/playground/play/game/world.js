@@ -1,10 +1,10 @@
 /** The game that a program plays: agents, keys, time, collisions. Nothing here draws. */
 import { Collision, CollisionBlocks, StructureBlocks, TraitBlocks } from "starlogo-collision";
+import { Input } from "../../shared/input.js";
 import { texts } from "../../shared/language.js";
 import { ProgramError, breedOf } from "./actions.js";
 import { Being } from "./being.js";
 import { History, beginning } from "./history.js";
-import { Input } from "./input.js";
 import { lateEngine } from "./late.js";
 import { HALF_WIDTH, Moves } from "./moves.js";
 import { Rounds, Thread, compile } from "./program.js";
@@ -14,7 +14,7 @@ export const FRAMES_A_SECOND = 60;
 export const SEED = 20150601;
 const MOST_AGENTS = 2000;
 /** The number of meetings in the list. */
-const MOST_EVENTS = 60;
+const MOST_MEETINGS = 60;
 /** The seconds for which an agent's words are shown. */
 const SECONDS_SAID = 2;
 
@@ -92,7 +92,7 @@ export class World {
 			if (this.isWatched && a.number < b.number) this.pairs.set(`${a.number} ${b.number}`, [a, b]);
 		}));
 		this.collisions.whenTouchingStarts(Collision.ANY_BREED, Collision.ANY_BREED, (a, b, { point }) => this.#timed(() => {
-			if (a.id < b.id) this.#recordTouch(a, b, point);
+			if (a.id < b.id) this.#recordMeeting(a, b, point);
 		}));
 		for (const { event, fields, code } of this.#scripts) this.#listen(event, fields, code);
 		this.rounds.begin();
@@ -125,14 +125,14 @@ export class World {
 		if (!thread.run(this)) this.threads.push(thread);
 	}
 
-	#recordTouch(a, b, { x, y, z }) {
+	#recordMeeting(a, b, { x, y, z }) {
 		// agents that touch from the beginning have not hit each other
 		if (this.frame > 1) a.hit = b.hit = this.frame;
 		const names = [a.breed, b.breed].sort().join("\n");
 		this.totals.set(names, (this.totals.get(names) ?? 0) + 1);
-		this.meetings++;
-		this.events.unshift({ frame: this.frame, a, b, names: [a.breed, b.breed], point: { x, y, z } });
-		this.events.length = Math.min(this.events.length, MOST_EVENTS);
+		this.meetingCount++;
+		this.meetings.unshift({ frame: this.frame, a, b, names: [a.breed, b.breed], point: { x, y, z } });
+		this.meetings.length = Math.min(this.meetings.length, MOST_MEETINGS);
 	}
 
 	/** Does one frame: scripts, then collisions. */
@@ -266,7 +266,7 @@ export class World {
 		for (const [block, breed, value] of this.breedTraits.values()) this.traits[block](breed, value);
 		this.structures.showNone();
 		for (const [whom, isOn] of this.shownStructures) this.structures.show(whom, isOn);
-		if (this.#lateBlocks || this.solid.length > 0) this.walker.solidBreeds = this.solid;
+		if (this.#lateBlocks || this.solid.length > 0) this.lateBlocks.walker.solidBreeds = this.solid;
 		this.#areSensesOld = true;
 	}
 
@@ -278,8 +278,9 @@ export class World {
 
 	/** Makes a breed solid, or not. */
 	setSolid(breed, isOn) {
-		this.walker.setSolid(breed, isOn);
-		this.solid = this.walker.solidBreeds;
+		const { walker } = this.lateBlocks;
+		walker.setSolid(breed, isOn);
+		this.solid = walker.solidBreeds;
 	}
 
 	/** The blocks for contacts. */
@@ -292,14 +293,10 @@ export class World {
 		return this.lateBlocks.edges;
 	}
 
-	/** The blocks that walk, and know which breeds are solid. */
-	get walker() {
-		return this.lateBlocks.walker;
-	}
-
 	/** Walks, falls and jumps over the ground and solid agents, which are where they were when the frame began. */
 	get walking() {
-		return this.senses && this.walker;
+		this.#updateSenses();
+		return this.lateBlocks.walker;
 	}
 
 	/** The ground that agents stand on; null if the program has no block about it. */
@@ -353,11 +350,14 @@ export class World {
 
 	/** The queries of the agents. They see the others as they were when the frame began, or when an agent was last created or deleted. */
 	get senses() {
-		if (this.#areSensesOld) {
-			this.lateBlocks.detection.update();
-			this.#areSensesOld = false;
-		}
+		this.#updateSenses();
 		return this.lateBlocks.detection;
+	}
+
+	#updateSenses() {
+		if (!this.#areSensesOld) return;
+		this.lateBlocks.detection.update();
+		this.#areSensesOld = false;
 	}
 
 	/** The number of the frame that is this many seconds away, at least the next one. */

@@ -3,6 +3,7 @@ import { MODEL_FILE, contentOf, toBytes, toText } from "../../shared/files/files
 import { parseModel } from "../../shared/files/models.js";
 import { cabinet } from "../../shared/files/ownmodels.js";
 import { texts } from "../../shared/language.js";
+import { freeName } from "./programtext.js";
 
 const words = texts.play;
 
@@ -26,23 +27,23 @@ export class ModelShelf {
 	}
 
 	/** Loads the models of earlier visits. */
-	async takeKept() {
+	async loadKept() {
 		for (const { name, bytes } of await cabinet.all()) {
 			try {
-				await this.#take(name, bytes);
+				await this.#register(name, bytes);
 			} catch {
 				// another release may be able to read it
 			}
 		}
 	}
 
-	async #take(name, bytes) {
+	async #register(name, bytes) {
 		const { world, models } = this.view;
 		const model = await parseModel(name, bytes);
 		world.greatLand.addModel(model);
 		models.set(name, model);
-		const { meet } = await import("../blocks/blocks.js");
-		meet("SHAPE", name);
+		const { addToMenu } = await import("../blocks/blocks.js");
+		addToMenu("SHAPE", name);
 		this.#known.set(name, bytes);
 	}
 
@@ -55,8 +56,8 @@ export class ModelShelf {
 	async #addAs(title, fileName, read) {
 		try {
 			const bytes = await read();
-			const name = this.#nameOf(bytes) ?? this.#freeName(title);
-			if (!this.#known.has(name)) await this.#take(name, bytes);
+			const name = this.#nameOf(bytes) ?? freeName(title, (name) => this.view.models.has(name));
+			if (!this.#known.has(name)) await this.#register(name, bytes);
 			await this.#keep(name, bytes);
 			return name;
 		} catch (error) {
@@ -86,13 +87,6 @@ export class ModelShelf {
 		const names = new Map();
 		for (const [name, text] of Object.entries(models)) names.set(name, await this.#addAs(name, name, () => toBytes(text)) ?? name);
 		return JSON.parse(JSON.stringify(program, (key, value) => (key === "SHAPE" ? names.get(value) ?? value : value)));
-	}
-
-	/** A name that no shape has. */
-	#freeName(title) {
-		let name = title;
-		for (let number = 2; this.view.models.has(name); number++) name = words.another(title, number);
-		return name;
 	}
 
 	/** The name of a file that was added before, or null. */

@@ -2,7 +2,7 @@
 import { CollisionBlocks } from "starlogo-collision";
 import { button, fileButton, h } from "../../shared/dom.js";
 import { MODEL_FILE } from "../../shared/files/files.js";
-import { fixed, learn, texts } from "../../shared/language.js";
+import { fixed, loadWords, texts } from "../../shared/language.js";
 import { builtInProgram, isBuiltIn, programOfLesson } from "../builtin/builtin.js";
 import { LESSON_NAMES } from "../builtin/names.js";
 import { AddressError, FIRST, Finder } from "./finder.js";
@@ -12,7 +12,8 @@ import { LessonCard } from "./lessoncard.js";
 import { menu, menuButton } from "./menu.js";
 import { create, program as programOf, size, start } from "../builtin/notation.js";
 import { isProgram, isWork, modelsOf } from "../../shared/files/packing.js";
-import { meaning, toLink } from "./programtext.js";
+import { Requests } from "../../shared/requests.js";
+import { freeName, meaning, toLink } from "./programtext.js";
 import { Progress } from "./progress.js";
 import { Shelf } from "./shelf.js";
 
@@ -23,13 +24,14 @@ const homeButton = (onclick) => h("button.homeward", { type: "button", "aria-lab
 
 export class Programs {
 	/**
-	 * The program that is shown, or null: {name, title, system, lesson, isTaken, isStopgap}. Its name is the name of one of the page's, the id of
-	 * one of the user's, or "link". The system is null if it is the default one, and so is the lesson if none is open. It is taken if another tab has
-	 * changed it, and a stopgap if it is only there because something has to be: the user has not chosen it.
+	 * The program that is shown, or null: {name, title, system, lesson, isChangedElsewhere, isStopgap}. Its name is the name of one of the page's, the id of
+	 * one of the user's, or "link". The system is null if it is the default one, and so is the lesson if none is open. It is changed elsewhere if another
+	 * tab has done so, and a stopgap if it is only there because something has to be: the user has not chosen it.
 	 */
 	#open = null;
-	/** Counts the programs that were requested and shown. A request counts until the next one. */
-	#turn = 0;
+	#requests = new Requests();
+	/** Tells whether no program has been requested yet. */
+	#isUnasked = this.#requests.begin();
 	#home = null;
 
 	/** @param {object} view shows the programs */
@@ -42,7 +44,7 @@ export class Programs {
 		this.lessonCard = new LessonCard(this.progress, (name, isNew) => (name === null ? this.#leaveLesson() : this.choose(programOfLesson(name), true, isNew)), {
 			games: () => this.openHome(), change: () => this.choose(FIRST), own: () => this.openNew(),
 		});
-		this.title = h("input.title", { type: "text", maxlength: 60, "aria-label": words.title, onchange: () => this.#takeTitle() });
+		this.title = h("input.title", { type: "text", maxlength: 60, "aria-label": words.title, onchange: () => this.#renameByField() });
 		this.kept = h("span.keeping");
 		this.keepButton = button(words.keep, () => this.#keep(), { title: words.keepNote });
 		this.menu = menu(button(words.new, () => this.openNew()), this.keepButton, button(words.save, () => downloadProgram(this)),
@@ -67,7 +69,7 @@ export class Programs {
 		} else if (address !== "" && address !== "all") await this.choose(address);
 		else {
 			const isHome = this.#open !== null || this.finder.isHome(address);
-			if (this.#open === null) await this.#openLast(0);
+			if (this.#open === null) await this.#openLast(this.#isUnasked);
 			if (isHome && !this.#home?.element.isConnected) await this.openHome();
 		}
 	}
@@ -80,29 +82,29 @@ export class Programs {
 	 * @param {boolean} isNew whether a lesson is opened as it was in the beginning, and not as the user has changed it
 	 */
 	async choose(address, isRead = false, isNew = false) {
-		const turn = ++this.#turn;
+		const isNewest = this.#requests.begin();
 		await this.view.editing;
 		try {
 			const name = isNew ? address : this.finder.ownOf(address);
 			const found = await this.finder.find(name);
-			if (found.models && turn === this.#turn) found.program = await this.view.modelShelf.bring(found.program, found.models);
-			if (turn !== this.#turn) return;
+			if (found.models && isNewest()) found.program = await this.view.modelShelf.bring(found.program, found.models);
+			if (!isNewest()) return;
 			this.#show(found.pupil ? { ...found, title: words.handedBy(found.title, found.pupil) } : found);
 			if (found.name === name) this.#remember(name, true);
 			if (isRead) this.lessonCard.focus();
 		} catch (error) {
 			if (!(error instanceof AddressError)) throw error;
-			if (turn !== this.#turn) return;
-			if (this.#open === null) await this.#openLast(turn);
+			if (!isNewest()) return;
+			if (this.#open === null) await this.#openLast(isNewest);
 			this.view.say(error.message, true);
 			await this.openHome(error.message);
 		}
 	}
 
-	/** Opens the last program, unless another one has been requested since that turn. */
-	async #openLast(turn) {
+	/** Opens the last program, unless another one has been requested meanwhile. */
+	async #openLast(isNewest) {
 		const found = await this.finder.last();
-		if (turn !== this.#turn) return;
+		if (!isNewest()) return;
 		try {
 			this.#show(found, true);
 		} catch {
@@ -126,10 +128,10 @@ export class Programs {
 		} catch {
 			throw new AddressError(name === "link" ? words.brokenLink : words.brokenProgram);
 		}
-		this.#turn++;
+		this.#requests.begin();
 		if (!isLast) this.#home?.leave();
 		this.#open = {
-			name, title, isTaken: false, isStopgap: isLast && !this.finder.hasLast,
+			name, title, isChangedElsewhere: false, isStopgap: isLast && !this.finder.hasLast,
 			system: CollisionBlocks.systemNames.includes(program.system) ? program.system : null,
 			// a program made from a lesson's program still belongs to the lesson
 			lesson: LESSON_NAMES.includes(lesson) ? lesson : null,
@@ -160,7 +162,7 @@ export class Programs {
 	}
 
 	/** Renames the open program, and keeps it under the new name. */
-	#takeTitle() {
+	#renameByField() {
 		const title = this.title.value.trim();
 		if (title === "" || title === this.#open.title) this.title.value = this.#open.title;
 		else if (this.#isOwn) this.rename(this.#open.name, title);
@@ -191,7 +193,7 @@ export class Programs {
 	/** Opens the first screen: all programs and lessons, with pictures. It may say why it is shown. */
 	async openHome(note = "") {
 		if (this.view.isRunning) this.view.stop();
-		const [{ Home }] = await Promise.all([import("./home.js"), learn("game")]);
+		const [{ Home }] = await Promise.all([import("./home.js"), loadWords("game")]);
 		this.#home?.leave();
 		this.#home = new Home(this, this.view.layout.main, note);
 	}
@@ -260,7 +262,7 @@ export class Programs {
 			return;
 		}
 		this.#open.system = name === CollisionBlocks.TIGHTEST_FITS ? null : name;
-		if (this.#isOwn && !this.#open.isTaken) this.#put();
+		if (this.#isOwn && !this.#open.isChangedElsewhere) this.#put();
 	}
 
 	#put() {
@@ -273,7 +275,7 @@ export class Programs {
 	 * @returns {boolean} whether the browser keeps it
 	 */
 	keepChange() {
-		if (this.#isOwn && !this.#open.isTaken) this.#put();
+		if (this.#isOwn && !this.#open.isChangedElsewhere) this.#put();
 		else this.#putNew();
 		return this.shelf.isKept;
 	}
@@ -281,9 +283,7 @@ export class Programs {
 	/** A name that none of the user's programs has. */
 	#freeName(title) {
 		const names = new Set(this.shelf.all.map(({ name }) => name));
-		let name = title;
-		for (let number = 2; names.has(name); number++) name = words.another(title, number);
-		return name;
+		return freeName(title, (name) => names.has(name));
 	}
 
 	/** Keeps the program as a new one of the user's: under a title, or as a copy. If another one has the title, it gets a number. */
@@ -293,7 +293,7 @@ export class Programs {
 		const id = `own-${Date.now().toString(36)}-${Math.floor(Math.random() * 1e6).toString(36)}`;
 		this.shelf.put({ id, name, program: this.program, lesson, changed: Date.now() });
 		this.shelf.putCamera(id, this.shelf.cameraOf(before));
-		Object.assign(this.#open, { name: id, isTaken: false });
+		Object.assign(this.#open, { name: id, isChangedElsewhere: false });
 		this.lessonCard.isOwn = true;
 		this.#showTitle(name);
 		// the kept program counts from now on, not the link
@@ -302,11 +302,11 @@ export class Programs {
 
 	#hearOtherTab() {
 		if (this.#open === null) return;
-		const { name, title, isTaken } = this.#open;
-		if (isTaken || name === "link" || isBuiltIn(name)) return;
+		const { name, title, isChangedElsewhere } = this.#open;
+		if (isChangedElsewhere || name === "link" || isBuiltIn(name)) return;
 		const entry = this.shelf.find(name);
 		if (entry && JSON.stringify(entry.program) === JSON.stringify(this.program)) return;
-		this.#open.isTaken = true;
+		this.#open.isChangedElsewhere = true;
 		this.view.say(words.elsewhere(entry?.name ?? title));
 	}
 

@@ -1,7 +1,7 @@
 /** Gives the open program away: as a file, a link, a module, a page to print; or all of the user's work to a teacher. */
 import { copyLink } from "../../shared/copying.js";
 import { download } from "../../shared/files/download.js";
-import { learn, texts } from "../../shared/language.js";
+import { loadWords, texts } from "../../shared/language.js";
 import { fileName, toLink } from "./programtext.js";
 
 const words = texts.play;
@@ -33,7 +33,7 @@ export async function print(programs) {
 	location.hash = `teach/${await programs.address()}`;
 }
 
-const dialogs = () => learn("class").then(() => import("./handin.js"));
+const dialogs = () => loadWords("class").then(() => import("./handin.js"));
 
 /** Opens the dialog that hands in all of the user's work. */
 export const handIn = async (programs) => (await dialogs()).handIn(programs);

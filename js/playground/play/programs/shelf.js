@@ -11,10 +11,13 @@ const OLD_KEY = "starlogo-playground.program";
  * before each change.
  */
 export class Shelf {
-	/** Whether the last change is stored. */
-	isKept = true;
 	/** The programs, if the browser refuses to store them. */
 	#unkept = null;
+
+	/** Whether the browser stores the programs. */
+	get isKept() {
+		return this.#unkept === null;
+	}
 
 	get all() {
 		return this.#unkept ?? recallValue(KEY) ?? this.#taken();
@@ -46,38 +49,36 @@ export class Shelf {
 	/** Removes all programs, the memory of the last one, the best times, the cameras and the solutions. */
 	forget() {
 		this.#write([]);
-		this.#keep(`${KEY}.records`, {});
-		this.#keep(`${KEY}.cameras`, {});
-		this.#keep(`${KEY}.solutions`, {});
+		for (const part of ["records", "cameras", "solutions"]) rememberValue(`${KEY}.${part}`, {});
 		this.last = null;
 	}
 
 	/** The seconds of the best victory in a game, or null. */
 	recordOf(id) {
-		return recallValue(`${KEY}.records`)?.[id] ?? null;
+		return this.#read("records")[id] ?? null;
 	}
 
 	/** Keeps a best time. A program from a link has none, because the next link is another one. */
 	putRecord(id, seconds) {
-		if (id !== "link") this.#keep(`${KEY}.records`, { ...recallValue(`${KEY}.records`), [id]: seconds });
+		if (id !== "link") this.#add("records", id, seconds);
 	}
 
 	/** The camera that was chosen for a program, or null. A program from a link has none, because the next link is another one. */
 	cameraOf(id) {
-		return recallValue(`${KEY}.cameras`)?.[id] ?? null;
+		return this.#read("cameras")[id] ?? null;
 	}
 
 	putCamera(id, camera) {
-		if (id !== "link") rememberValue(`${KEY}.cameras`, { ...recallValue(`${KEY}.cameras`), [id]: camera });
+		if (id !== "link") this.#add("cameras", id, camera);
 	}
 
 	/** The programs that did lessons, by the lessons' names. If the lesson's own program did it, only its collision system is kept. */
 	get solutions() {
-		return recallValue(`${KEY}.solutions`) ?? {};
+		return this.#read("solutions");
 	}
 
 	putSolution(lesson, program) {
-		this.#keep(`${KEY}.solutions`, { ...this.solutions, [lesson]: program });
+		this.#add("solutions", lesson, program);
 	}
 
 	/** The id of the program that was open last. */
@@ -86,16 +87,20 @@ export class Shelf {
 	}
 
 	set last(id) {
-		this.#keep(`${KEY}.last`, id);
+		rememberValue(`${KEY}.last`, id);
+	}
+
+	/** What is kept beside the programs, by ids or names. */
+	#read(part) {
+		return recallValue(`${KEY}.${part}`) ?? {};
+	}
+
+	#add(part, id, value) {
+		rememberValue(`${KEY}.${part}`, { ...this.#read(part), [id]: value });
 	}
 
 	#write(all) {
-		this.#keep(KEY, all);
-		this.#unkept = this.isKept ? null : all;
-	}
-
-	#keep(key, value) {
-		this.isKept = rememberValue(key, value);
+		this.#unkept = rememberValue(KEY, all) ? null : all;
 	}
 
 	/** Calls the listener for changes by other tabs, until the returned function is called. */

@@ -1,5 +1,5 @@
 /** The switch “Build”, its brushes, and buttons that change the agent that was clicked. With all of them the program changes. */
-import { button, h, tick } from "../../shared/dom.js";
+import { button, checkBox, h } from "../../shared/dom.js";
 import { paintGround } from "./painting.js";
 import { texts } from "../../shared/language.js";
 
@@ -22,15 +22,15 @@ export class BuildBar {
 	 */
 	constructor(view) {
 		this.view = view;
-		this.tick = tick(words.build, false, (on) => {
+		this.checkBox = checkBox(words.build, false, (on) => {
 			this.isOn = on;
 			if (on && (view.isRunning || view.world.frame > 0)) view.reset();
 			this.element.hidden = !on;
-			this.#take("agents");
+			this.#useBrush("agents");
 		});
 		/** What the pointer does in the world: it moves agents, raises or lowers the ground, or builds walls. */
 		this.brushes = h("div.brushes", { role: "group", "aria-label": words.brush },
-			...Object.entries(words.brushes).map(([name, text]) => button(text, () => this.#take(name), { "data-brush": name })));
+			...Object.entries(words.brushes).map(([name, text]) => button(text, () => this.#useBrush(name), { "data-brush": name })));
 		const tool = (name, action) => button(words[name], () => this.#with(action), { "data-tool": name });
 		/** What changes the agent that was clicked. Its place is kept free, so that the world stays as high when one is clicked. */
 		this.changes = h("div.build-bar", { role: "group", "aria-label": words.build },
@@ -48,7 +48,7 @@ export class BuildBar {
 	}
 
 	/** Takes a brush. All but the one for agents need the whole ground in sight, and a camera that stays. */
-	#take(brush) {
+	#useBrush(brush) {
 		const { view } = this;
 		this.brush = brush;
 		for (const each of this.brushes.children) each.setAttribute("aria-pressed", String(each.dataset.brush === brush));

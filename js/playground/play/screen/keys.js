@@ -1,16 +1,15 @@
 /** The controls of a game: keys, the key pad below the world with labels, and the pointer. */
 import { h } from "../../shared/dom.js";
+import { STILL } from "../../shared/drawing/dragging.js";
 import { padKey } from "../../shared/pad.js";
 import { keysOf } from "../game/program.js";
 
 const KEYS = { ArrowUp: "up", ArrowDown: "down", ArrowLeft: "left", ArrowRight: "right", " ": "space", w: "w", a: "a", s: "s", d: "d", W: "w", A: "a", S: "s", D: "d" };
-/** The farthest that a pointer may move during a click. */
-const STILL = 6;
 
 export class Keys {
 	#known = new Set();
 
-	/** @param {import("../game/input.js").Input} input gets the keys */
+	/** @param {import("../../shared/input.js").Input} input gets the keys */
 	constructor(input) {
 		this.input = input;
 		this.pad = h("div.pad.keys");

@@ -1,10 +1,11 @@
 /** The surroundings of agents: chequered ground, sky, and soft shadows on the ground. */
 import {
-	CanvasTexture, CircleGeometry, Color, DoubleSide, Fog, Group, InstancedMesh, LinearMipmapLinearFilter, Mesh, MeshBasicMaterial, NearestFilter, PlaneGeometry, Points, PointsMaterial, RepeatWrapping,
+	CanvasTexture, CircleGeometry, Color, DoubleSide, Fog, Group, LinearMipmapLinearFilter, Matrix4, Mesh, MeshBasicMaterial, NearestFilter, PlaneGeometry, Points, PointsMaterial, RepeatWrapping,
 	RingGeometry, SphereGeometry, BackSide, BufferAttribute, BufferGeometry, SRGBColorSpace,
 } from "three";
 import { TerrainSurface } from "starlogo-collision";
 import { GROUNDS } from "../../shared/drawing/colours.js";
+import { Instances } from "../../shared/drawing/marks.js";
 
 const FAR = 360;
 /** The upward part of the normal down to which a slope is as green as the plain, and that from which it is all earth; and what earth makes of red, green and blue. */
@@ -15,7 +16,6 @@ const CELL = 1;
 
 export class Land {
 	#name = "meadow";
-	#shadows = null;
 	#footprints = new Map();
 
 	/**
@@ -25,9 +25,10 @@ export class Land {
 	constructor(scene, width) {
 		this.scene = scene;
 		this.width = width;
+		this.shadows = new Instances(scene, new CircleGeometry(1, 24), shadowMaterial(), 0);
 	}
 
-	/** Sets the kind of ground: a name in GROUNDS. Returns whether it is another one: then dress builds it. */
+	/** Sets the kind of ground: a name in GROUNDS. Returns whether it is another one: then applyTheme builds it. */
 	setGround(name) {
 		const isOther = this.#name !== name;
 		this.#name = name;
@@ -35,8 +36,8 @@ export class Land {
 	}
 
 	/** Builds it again for light or dark. Returns the brightness of the lights and the colour of the agents' outlines. */
-	dress(mode) {
-		const theme = GROUNDS[this.#name][mode];
+	applyTheme(name) {
+		const theme = GROUNDS[this.#name][name];
 		const { zenith, horizon, field, around, edge, stars = 0 } = theme;
 		this.dispose();
 		this.group = new Group();
@@ -129,36 +130,16 @@ export class Land {
 
 	/** Draws a soft shadow below each agent, as wide as its model. The higher the agent, the smaller the shadow. */
 	showShadows(agents, models) {
-		if (!this.#shadows || this.#shadows.instanceMatrix.count < agents.length) this.#makeShadows(2 * agents.length + 16);
-		const { array } = this.#shadows.instanceMatrix;
-		let count = 0;
 		for (const agent of agents) {
 			const { x, y, halfX, halfY } = this.#footprint(models.get(agent.shape));
 			const angle = (agent.heading * Math.PI) / 180;
 			const [cos, sin] = [Math.cos(angle) * agent.size, Math.sin(angle) * agent.size];
 			const ground = this.terrain?.heightAt(agent.x, agent.y) || 0;
 			const spread = 1.35 * Math.max(0.3, 1 - (agent.z - ground) / 14);
-			array.set([cos * halfX * spread, sin * halfX * spread, 0, 0, -sin * halfY * spread, cos * halfY * spread, 0, 0, 0, 0, 1, 0,
-				agent.x + cos * x - sin * y, agent.y + sin * x + cos * y, ground + 0.008, 1], 16 * count++);
+			const place = [agent.x + cos * x - sin * y, agent.y + sin * x + cos * y, ground + 0.008];
+			this.shadows.add(matrix.fromArray([cos * halfX * spread, sin * halfX * spread, 0, 0, -sin * halfY * spread, cos * halfY * spread, 0, 0, 0, 0, 1, 0, ...place, 1]), 0xffffff);
 		}
-		this.#shadows.count = count;
-		this.#shadows.instanceMatrix.needsUpdate = true;
-	}
-
-	#makeShadows(capacity) {
-		this.#shadows?.dispose();
-		this.#shadows?.removeFromParent();
-		const canvas = document.createElement("canvas");
-		canvas.width = canvas.height = 64;
-		const pen = canvas.getContext("2d");
-		const fade = pen.createRadialGradient(32, 32, 4, 32, 32, 32);
-		for (const [at, alpha] of [[0, 0.55], [0.5, 0.4], [0.8, 0.12], [1, 0]]) fade.addColorStop(at, `rgb(10 25 30 / ${alpha})`);
-		pen.fillStyle = fade;
-		pen.fillRect(0, 0, 64, 64);
-		const material = new MeshBasicMaterial({ map: new CanvasTexture(canvas), transparent: true, depthWrite: false, side: DoubleSide });
-		this.#shadows = new InstancedMesh(new CircleGeometry(1, 24), material, capacity);
-		this.#shadows.frustumCulled = false;
-		this.scene.add(this.#shadows);
+		this.shadows.finish();
 	}
 
 	/** The middle and half the width of a model in x and y. */
@@ -184,6 +165,20 @@ export class Land {
 			material?.dispose();
 		});
 	}
+}
+
+const matrix = new Matrix4();
+
+/** A dark spot that fades to its border. */
+function shadowMaterial() {
+	const canvas = document.createElement("canvas");
+	canvas.width = canvas.height = 64;
+	const pen = canvas.getContext("2d");
+	const fade = pen.createRadialGradient(32, 32, 4, 32, 32, 32);
+	for (const [at, alpha] of [[0, 0.55], [0.5, 0.4], [0.8, 0.12], [1, 0]]) fade.addColorStop(at, `rgb(10 25 30 / ${alpha})`);
+	pen.fillStyle = fade;
+	pen.fillRect(0, 0, 64, 64);
+	return new MeshBasicMaterial({ map: new CanvasTexture(canvas), transparent: true, depthWrite: false, side: DoubleSide });
 }
 
 /** Darkens slopes that do not face the light. What is flat keeps its colour. */

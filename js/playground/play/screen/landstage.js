@@ -65,7 +65,7 @@ export class LandStage extends Stage {
 
 	/** Sets the ground: a name in GROUNDS. */
 	setGround(name) {
-		if (this.land?.setGround(name)) this.dress();
+		if (this.land?.setGround(name)) this.applyTheme();
 	}
 
 	/** Shows the heights of the ground; null for a flat one. */
@@ -99,12 +99,12 @@ export class LandStage extends Stage {
 		const corners = [[x, y, z], [endX, y, z], [endX, endY, endZ], [x, endY, endZ]];
 		if (part) corners.push([x, y, endZ], [endX, y, endZ]);
 		const distance = fit(this.camera, from, target, corners, this.controls.maxDistance);
-		this.#lookFrom(from.setLength(distance), target);
+		this.#placeCamera(from.setLength(distance), target);
 		this.controls.update();
 		this.redraw();
 	}
 
-	#lookFrom(offset, target) {
+	#placeCamera(offset, target) {
 		this.controls.target.copy(target);
 		look(this.camera, offset, target);
 	}
@@ -158,7 +158,7 @@ export class LandStage extends Stage {
 		this.isTouched = isTouched;
 		this.#part = shown;
 		this.resize(this.host.clientWidth, this.host.clientHeight);
-		this.#lookFrom(position.sub(target), target);
+		this.#placeCamera(position.sub(target), target);
 		return canvas.toDataURL("image/jpeg", 0.75);
 	}
 }

@@ -1,6 +1,6 @@
 /** How Play looks: the controls of a game, its world, and the blocks beside it. What the controls do, the view says. */
 import { CollisionBlocks } from "starlogo-collision";
-import { button, choice, field, h, slider, tick } from "../../shared/dom.js";
+import { button, checkBox, choice, field, h, slider } from "../../shared/dom.js";
 import { recall, remember } from "../../shared/files/memory.js";
 import { fixed, texts } from "../../shared/language.js";
 import { LOW, splitter } from "./splitter.js";
@@ -100,7 +100,7 @@ export class Layout {
 		this.speed.input.addEventListener("pointerup", () => on.playOn());
 		this.rewind = slider(words.rewind, { min: 0, max: 0, step: 1, value: 0, format: (at) => (at < 0 ? words.rewindBack(fixed(-at / FRAMES_A_SECOND, 1)) : words.rewindNow) }, (at) => on.goBack(-at));
 		const system = field(words.system, this.system);
-		const sees = tick(words.sees, false, (isOn) => on.showSeen(isOn));
+		const sees = checkBox(words.sees, false, (isOn) => on.showSeen(isOn));
 		const besides = choice([["", words.alone], ...systems], "", (name) => on.putBeside(name));
 		const tools = h("div.tools", {}, field(words.beside, besides), field(words.camera, this.camera));
 		this.#placeSystem = (host) => {

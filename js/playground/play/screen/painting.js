@@ -1,6 +1,6 @@
 /** Raises and lowers the ground, and builds walls, where the pointer goes. */
 import { HALF_WIDTH } from "../game/moves.js";
-import { wallsBetween } from "../game/walls.js";
+import { endOfWall, wallsBetween } from "../game/walls.js";
 
 /** The patches by which a brush raises the ground. */
 const HEIGHTS = { raise: 1, lower: -1 };
@@ -46,11 +46,14 @@ export function paintGround(stage, brushNow, buildingNow) {
 		if (!stroke) return;
 		event.stopImmediatePropagation();
 		if (!patch) return;
-		if (stroke.brush !== "wall") paint(patch);
 		stroke.to = patch;
-		const { from, to } = stroke;
-		const isAlongX = Math.abs(to.x - from.x) >= Math.abs(to.y - from.y);
-		if (stroke.brush === "wall") stage.wireframe("wall", LINE).showLines([from.x, from.y, ABOVE, isAlongX ? to.x : from.x, isAlongX ? from.y : to.y, ABOVE]);
+		if (stroke.brush !== "wall") {
+			paint(patch);
+			return;
+		}
+		const { from } = stroke;
+		const to = endOfWall(from, patch);
+		stage.wireframe("wall", LINE).showLines([from.x, from.y, ABOVE, to.x, to.y, ABOVE]);
 	}, true);
 	const end = (event) => {
 		if (!stroke) return;

@@ -55,7 +55,7 @@ export class Panel {
 		this.#counts.pictures++;
 		const { since, ms, scriptMs, frames, pictures, most } = this.#counts;
 		if (now > 0 && now - since < 500) return;
-		const { agents, frame, meetings, touching } = this.world;
+		const { agents, frame, meetingCount: meetings, touching } = this.world;
 		// while the game stands still, the last figures stay
 		const counted = frames > 0 || frame === 0 ? { ms: short(ms / frames), scripts: short(scriptMs / frames), ...most } : {};
 		const fps = now > 0 ? Math.round((pictures * 1000) / (now - since)) : "–";
@@ -88,11 +88,11 @@ export class Panel {
 	}
 
 	#list() {
-		const { events, totals, meetings, frame: now } = this.world;
-		const shown = `${meetings} ${now < (events[0]?.frame ?? 0)} ${events[0]?.frame}`;
+		const { meetings, totals, meetingCount, frame: now } = this.world;
+		const shown = `${meetingCount} ${now < (meetings[0]?.frame ?? 0)} ${meetings[0]?.frame}`;
 		if (shown === this.#shown) return;
 		this.#shown = shown;
-		this.list.replaceChildren(...(events.length === 0 ? [h("li", {}, words.noEvents)] : events.slice(0, LISTED).map(({ frame, a, b, names }) => h("li", {},
+		this.list.replaceChildren(...(meetings.length === 0 ? [h("li", {}, words.noEvents)] : meetings.slice(0, LISTED).map(({ frame, a, b, names }) => h("li", {},
 			h("time", {}, words.after(fixed(frame / FRAMES_A_SECOND, 1))), ` ${words.met(nameOf({ breed: names[0], number: a.number }), nameOf({ breed: names[1], number: b.number }))}`))));
 		this.totals.replaceChildren(...[...totals].sort(([, a], [, b]) => b - a).slice(0, 8).map(([names, count]) => h("li", {}, `${names.split("\n").map(breedName).join(" × ")} `, h("b", {}, String(count)))));
 	}

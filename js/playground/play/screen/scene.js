@@ -4,10 +4,10 @@ import { LINES, VERDICTS } from "../../shared/drawing/colours.js";
 import { button, h, short } from "../../shared/dom.js";
 import { fixed, plain, texts } from "../../shared/language.js";
 import { heightOf } from "../../shared/files/models.js";
-import { pairsOf } from "../../shared/scattered.js";
-import { said as asSaid } from "../game/actions.js";
+import { judge, pairsOf, verdictsOf } from "../../shared/pairs.js";
+import { textOf } from "../game/actions.js";
 import { Being } from "../game/being.js";
-import { Hiding, isMoving } from "./hiding.js";
+import { Occluders, isMoving } from "./occluders.js";
 import { lateEngine } from "../game/late.js";
 import { nameOf } from "./panel.js";
 import { breedsThatKeysTurn } from "../game/program.js";
@@ -21,7 +21,7 @@ const CHOSEN = { color: LINES.chosen };
 const [FLASH, MARK, BRIGHT] = [9, 45, 0.2];
 const MOST_SAID = 40;
 /** The last seconds of a game with a limit of time. */
-const LATE = 10;
+const LAST_SECONDS = 10;
 /** The frames for which all moving agents may be out of sight, and those of their way ahead that the camera shows then. */
 const [LOST, AHEAD] = [20, 120];
 /** The height of signs above heads. */
@@ -49,7 +49,7 @@ export class Scene {
 	#bestNote = "";
 	#mainBreed = null;
 	#explained = null;
-	#said = new Map();
+	#bubbles = new Map();
 	#levels = new Map();
 	#pictures = new Map();
 	#isPictured = false;
@@ -62,9 +62,10 @@ export class Scene {
 	 * @param {import("../game/world.js").World} world
 	 * @param {Map} models by their names
 	 * @param {HTMLElement} screen lies over the stage
+	 * @param {(() => void)|null} onAgain begins another game after the end; null if this scene cannot
 	 */
-	constructor(stage, world, models, screen) {
-		Object.assign(this, { stage, world, models });
+	constructor(stage, world, models, screen, onAgain = null) {
+		Object.assign(this, { stage, world, models, onAgain });
 		this.goal = h("p.goal", { hidden: true });
 		this.clock = h("p.score.clock", { hidden: true });
 		this.score = h("p.score", { hidden: true, "aria-live": "polite" });
@@ -156,8 +157,8 @@ export class Scene {
 		return width > 0 && width < 1.5 * HALF_WIDTH ? [...low, ...high] : null;
 	}
 
-	/** Draws the present game. `again` begins another one; null if this scene cannot. */
-	draw(again) {
+	/** Draws the present game. */
+	draw() {
 		const { stage, world } = this;
 		const { frame } = world;
 		if (this.chosen && !this.chosen.isAlive) this.chosen = null;
@@ -173,9 +174,9 @@ export class Scene {
 		stage.wireframe("chosen", CHOSEN).showLines(this.chosen ? world.structures.linesOf(this.chosen) : []);
 		const verdicts = this.isEngineShown ? this.#verdicts() : this.differing;
 		const solids = (this.isEngineShown ? world.agents : [...verdicts.keys()]).map((agent) => ({ ...this.#structuresOf(agent), color: VERDICTS[verdicts.get(agent) ?? "none"] }));
-		stage.showMarks(world.events.filter((each) => frame - each.frame < MARK).map((each) => ({ point: each.point, age: (frame - each.frame) / MARK, color: VERDICTS.hit })), solids);
+		stage.showMarks(world.meetings.filter((each) => frame - each.frame < MARK).map((each) => ({ point: each.point, age: (frame - each.frame) / MARK, color: VERDICTS.hit })), solids);
 		stage.showSigns([...verdicts].map(([agent, kind]) => ({ kind, x: agent.x, y: agent.y, z: agent.z + this.#height(agent) + ABOVE })));
-		this.#show(again);
+		this.#show();
 		this.#inspect();
 		stage.draw();
 	}
@@ -211,8 +212,8 @@ export class Scene {
 	#notHiding(main, world) {
 		const { agents } = world;
 		if (!main || !this.stage.renderer || !lateEngine) return agents;
-		this.hiding ??= new Hiding(this.world.greatLand);
-		const hiding = this.hiding.of(world, main, this.#height(main), this.stage.camera.position);
+		this.occluders ??= new Occluders(this.world.greatLand);
+		const hiding = this.occluders.of(world, main, this.#height(main), this.stage.camera.position);
 		return hiding.size > 0 ? agents.filter((agent) => !hiding.has(agent)) : agents;
 	}
 
@@ -224,7 +225,7 @@ export class Scene {
 			// after the last picture, the game is shown again
 			if (!this.#isPictured) queueMicrotask(() => {
 				this.#isPictured = false;
-				this.draw(null);
+				this.draw();
 			});
 			this.#isPictured = true;
 		}
@@ -235,11 +236,11 @@ export class Scene {
 		return agent.size * heightOf(this.models.get(agent.shape));
 	}
 
-	#show(again) {
+	#show() {
 		const { goal, score, ended, seconds, secondsLeft } = this.world;
 		this.clock.hidden = secondsLeft === null;
 		if (secondsLeft !== null) {
-			this.clock.classList.toggle("late", secondsLeft <= LATE);
+			this.clock.classList.toggle("late", secondsLeft <= LAST_SECONDS);
 			this.clock.textContent = `${words.clock(Math.ceil(secondsLeft))}${this.record === null ? "" : ` · ${words.bestShort(fixed(this.record, 1))}`}`;
 		}
 		this.goal.hidden = !goal;
@@ -250,7 +251,7 @@ export class Scene {
 		if (this.end.hidden === Boolean(ended) || (ended && this.bestNote !== this.#bestNote)) {
 			this.#bestNote = this.bestNote;
 			this.end.hidden = !ended;
-			this.end.replaceChildren(...(ended ? [h("strong", {}, words[ended.how]), h("p", {}, `${ended.text} ${words.took(fixed(seconds, 1))}`), this.bestNote && h("p.best", {}, this.bestNote), again && button(words.again, again, { class: "primary" })].filter(Boolean) : []));
+			this.end.replaceChildren(...(ended ? [h("strong", {}, words[ended.how]), h("p", {}, `${ended.text} ${words.took(fixed(seconds, 1))}`), this.bestNote && h("p.best", {}, this.bestNote), this.onAgain && button(words.again, this.onAgain, { class: "primary" })].filter(Boolean) : []));
 			if (ended) this.end.querySelector("button")?.focus({ preventScroll: true });
 		}
 	}
@@ -269,14 +270,7 @@ export class Scene {
 		const { agents, collisions } = world;
 		const truth = pairsOf(collisions.systemNamed(CollisionBlocks.EXACT), agents);
 		const found = pairsOf(this.#blocks.systemNamed(collisions.systemName), agents);
-		const verdicts = new Map();
-		const mark = (pairs, isOne, verdict) => {
-			for (const [key, pair] of pairs) if (isOne(key)) for (const agent of pair) verdicts.set(agent, verdict);
-		};
-		mark(truth, (key) => found.has(key), "hit");
-		mark(found, (key) => !truth.has(key), "wrong");
-		mark(truth, (key) => !found.has(key), "missed");
-		return verdicts;
+		return verdictsOf(judge(found, truth));
 	}
 
 	/** Separate systems, because motions begin where the game's own systems have last seen the agents. */
@@ -323,16 +317,16 @@ export class Scene {
 	/** Shows the agents' words over their heads. */
 	#placeBubbles() {
 		const { agents, frame, shownVariables } = this.world;
-		const wordsOf = ({ said, own }) => [...(said.text !== "" && said.until > frame ? [said.text] : []), ...shownVariables.filter((name) => name in own).map((name) => `${name} ${asSaid(own[name])}`)].join("\n");
+		const wordsOf = ({ said, own }) => [...(said.text !== "" && said.until > frame ? [said.text] : []), ...shownVariables.filter((name) => name in own).map((name) => `${name} ${textOf(own[name])}`)].join("\n");
 		const talking = agents.filter((agent) => wordsOf(agent) !== "").slice(0, MOST_SAID);
-		for (const [agent, bubble] of this.#said) {
+		for (const [agent, bubble] of this.#bubbles) {
 			if (talking.includes(agent)) continue;
 			bubble.remove();
-			this.#said.delete(agent);
+			this.#bubbles.delete(agent);
 		}
 		for (const agent of talking) {
-			if (!this.#said.has(agent)) this.#said.set(agent, this.bubbles.appendChild(h("p.bubble")));
-			const bubble = this.#said.get(agent);
+			if (!this.#bubbles.has(agent)) this.#bubbles.set(agent, this.bubbles.appendChild(h("p.bubble")));
+			const bubble = this.#bubbles.get(agent);
 			const height = this.#height(agent);
 			const { x, y } = this.stage.pixelOf(agent.x, agent.y, agent.z + height + 0.2);
 			bubble.hidden = !this.stage.pixelOf(agent.x, agent.y, agent.z + height / 2).isSeen;

@@ -47,16 +47,16 @@ export class Sound {
 	}
 
 	/** Listens to a frame of a game. Plays a tone if a touch has begun in it. */
-	hear({ frame, events: [event], sounds }) {
+	hear({ frame, meetings: [meeting], sounds }) {
 		for (const each of sounds.slice(0, MOST_SOUNDS)) {
 			if (typeof each === "number") this.#play([A_HERTZ * 2 ** ((Math.min(127, Math.max(0, each)) - A) / 12)], NOTE);
 			else if (each in SOUNDS) this.#play(SOUNDS[each][1], SOUNDS[each][2], SOUNDS[each][0]);
 		}
 		// before the last tone, if the game has begun again or gone back
 		const since = frame - this.#last;
-		if (event?.frame !== frame || (since >= 0 && since < BETWEEN)) return;
+		if (meeting?.frame !== frame || (since >= 0 && since < BETWEEN)) return;
 		this.#last = frame;
-		this.#play([TOUCHES[(event.a.number + event.b.number) % TOUCHES.length]], 0.08);
+		this.#play([TOUCHES[(meeting.a.number + meeting.b.number) % TOUCHES.length]], 0.08);
 	}
 
 	done() {

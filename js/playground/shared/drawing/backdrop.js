@@ -21,15 +21,15 @@ class Backdrop {
 	}
 
 	/** Builds it again for light or dark. Returns the brightness of the lights and the colour of the agents' outlines. */
-	dress(mode) {
+	applyTheme(name) {
 		this.dispose();
-		this.scene.background = new Color(this.sky[mode]);
+		this.scene.background = new Color(this.sky[name]);
 		if (this.width > 0) {
-			this.#grid = new GridHelper(this.width, this.width / this.cell, GRID[mode].middle, GRID[mode].line);
+			this.#grid = new GridHelper(this.width, this.width / this.cell, GRID[name].middle, GRID[name].line);
 			this.#grid.rotation.x = Math.PI / 2;
 			this.scene.add(this.#grid);
 		}
-		return LIGHTS[mode];
+		return LIGHTS[name];
 	}
 
 	dispose() {

@@ -22,7 +22,7 @@ export const TOUCHING = [0xb81f49, 0xe9708f];
 const css = (colour) => `#${colour.toString(16).padStart(6, "0")}`;
 
 /** Makes the colours available to style sheets: --hit, --wrong and so on, --tested, --tested-dark and so on. */
-export function lendColours({ style }) {
+export function setColourProperties({ style }) {
 	for (const [name, colour] of Object.entries(VERDICTS)) style.setProperty(`--${name}`, css(colour));
 	for (const [name, { light, dark }] of Object.entries(LINES)) {
 		style.setProperty(`--${name}-light`, css(light));

@@ -1,7 +1,7 @@
 /** Moves agents with the pointer. Elsewhere the pointer turns the world. */
 
 /** A pointer that has moved this many pixels drags. */
-const STILL = 6;
+export const STILL = 6;
 
 /**
  * Lets the pointer drag a stage's agents on the level on which they stand.

@@ -2,14 +2,13 @@
 import { BoxGeometry, Color, CylinderGeometry, Group, InstancedMesh, Matrix4, MeshBasicMaterial, Quaternion, RingGeometry, SphereGeometry, Vector3 } from "three";
 
 /** One geometry at many places, in many colours. */
-export class Crowd {
+export class Instances {
 	mesh = null;
 	count = 0;
-	/** The drawing order: later crowds are drawn over earlier ones. */
-	order = 5;
 
-	constructor(parent, geometry, material) {
-		Object.assign(this, { parent, geometry, material });
+	/** `order` is the drawing order: later ones are drawn over earlier ones. */
+	constructor(parent, geometry, material, order = 5) {
+		Object.assign(this, { parent, geometry, material, order });
 	}
 
 	add(matrix, color) {
@@ -69,12 +68,12 @@ export class Marks {
 		const glass = new MeshBasicMaterial({ transparent: true, opacity: 0.14, depthWrite: false });
 		glass.onBeforeCompile = hatch;
 		const ink = new MeshBasicMaterial({ depthTest: false, transparent: true });
-		this.rings = new Crowd(this.group, new RingGeometry(0.72, 1, 28), ink);
-		this.dots = new Crowd(this.group, new SphereGeometry(1, 10, 8), ink);
-		this.boxes = new Crowd(this.group, new BoxGeometry(2, 2, 2), glass);
-		this.balls = new Crowd(this.group, new SphereGeometry(1, 20, 14), glass);
+		this.rings = new Instances(this.group, new RingGeometry(0.72, 1, 28), ink);
+		this.dots = new Instances(this.group, new SphereGeometry(1, 10, 8), ink);
+		this.boxes = new Instances(this.group, new BoxGeometry(2, 2, 2), glass);
+		this.balls = new Instances(this.group, new SphereGeometry(1, 20, 14), glass);
 		// from 0 to 1 along z
-		this.tubes = new Crowd(this.group, new CylinderGeometry(1, 1, 1, 20, 1, true).rotateX(Math.PI / 2).translate(0, 0, 0.5), glass);
+		this.tubes = new Instances(this.group, new CylinderGeometry(1, 1, 1, 20, 1, true).rotateX(Math.PI / 2).translate(0, 0, 0.5), glass);
 	}
 
 	/** A dot and a growing ring. Age is from 0 to 1. */
@@ -104,14 +103,14 @@ export class Marks {
 	}
 
 	finish() {
-		for (const crowd of this.#crowds) crowd.finish();
+		for (const each of this.#all) each.finish();
 	}
 
-	get #crowds() {
+	get #all() {
 		return [this.rings, this.dots, this.boxes, this.balls, this.tubes];
 	}
 
 	dispose() {
-		for (const crowd of this.#crowds) crowd.dispose();
+		for (const each of this.#all) each.dispose();
 	}
 }

@@ -1,7 +1,7 @@
 /** Signs over agents and pairs, for people who do not see the colours: a dot for "hit", a triangle for "wrong", a ring for "missed". */
 import { CircleGeometry, MeshBasicMaterial, RingGeometry, Vector3 } from "three";
 import { INK, VERDICTS } from "./colours.js";
-import { Crowd } from "./marks.js";
+import { Instances } from "./marks.js";
 
 /** The radius of a sign, in pixels. */
 const RADIUS = 6;
@@ -13,7 +13,7 @@ export class Signs {
 	constructor(scene) {
 		const material = new MeshBasicMaterial({ depthTest: false, transparent: true });
 		const upright = Math.PI / 2;
-		const make = (geometry, order) => Object.assign(new Crowd(scene, geometry, material), { order });
+		const make = (geometry, order) => new Instances(scene, geometry, material, order);
 		this.grounds = { hit: make(new CircleGeometry(BORDER, 20), 6), wrong: make(new CircleGeometry(1.25 * BORDER, 3, upright), 6), missed: make(new CircleGeometry(BORDER, 20), 6) };
 		this.faces = { hit: make(new CircleGeometry(1, 20), 7), wrong: make(new CircleGeometry(1.1, 3, upright), 7), missed: make(new RingGeometry(0.55, 1, 20), 7) };
 	}
@@ -37,7 +37,7 @@ export class Signs {
 			this.grounds[kind].addAt(place, camera.quaternion, size, INK);
 			this.faces[kind].addAt(place, camera.quaternion, size, VERDICTS[kind]);
 		}
-		for (const crowd of this.#crowds) crowd.finish();
+		for (const each of this.#all) each.finish();
 	}
 
 	/** The number of signs of a kind. */
@@ -45,12 +45,12 @@ export class Signs {
 		return this.#shown.filter((sign) => sign.kind === kind).length;
 	}
 
-	get #crowds() {
+	get #all() {
 		return [...Object.values(this.grounds), ...Object.values(this.faces)];
 	}
 
 	dispose() {
-		for (const crowd of this.#crowds) crowd.dispose();
+		for (const each of this.#all) each.dispose();
 	}
 }
 

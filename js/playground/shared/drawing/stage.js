@@ -63,18 +63,18 @@ export class Stage {
 		this.signs = new Signs(this.scene);
 		this.backdrop = backdrop(this.scene);
 		this.controls.update();
-		this.dress();
+		this.applyTheme();
 		this.resize(host.clientWidth || 1, host.clientHeight || 1);
 		// an observer calls once at the beginning too
 		this.observer = new ResizeObserver(() => this.#fit());
 		this.observer.observe(host);
-		this.forgetTheme = onThemeChange(() => this.dress());
+		this.forgetTheme = onThemeChange(() => this.applyTheme());
 	}
 
 	/** Gives everything its colours for light or dark. */
-	dress() {
+	applyTheme() {
 		for (const wireframe of this.#wireframes.values()) this.#tint(wireframe);
-		const { ambient, sun, ink } = this.backdrop.dress(modeOfPage());
+		const { ambient, sun, ink } = this.backdrop.applyTheme(themeOfPage());
 		this.ambient.intensity = ambient;
 		this.sun.intensity = sun;
 		this.agents.outline(ink);
@@ -184,7 +184,7 @@ export class Stage {
 
 	#tint(wireframe) {
 		const colour = this.#colours.get(wireframe);
-		wireframe.material.color.set(typeof colour === "number" ? colour : colour[modeOfPage()]);
+		wireframe.material.color.set(typeof colour === "number" ? colour : colour[themeOfPage()]);
 	}
 
 	/** Empties the wireframes with these names. */
@@ -241,7 +241,7 @@ function sayIfLost(stage) {
 }
 
 const placement = new Matrix4();
-const modeOfPage = () => (isDark() ? "dark" : "light");
+const themeOfPage = () => (isDark() ? "dark" : "light");
 let slowness = null;
 
 /** Whether the processor draws. Smooth edges are then twice the work. */

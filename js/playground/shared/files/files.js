@@ -13,7 +13,7 @@ export function toText(bytes) {
 export const toBytes = (text) => Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
 
 /** The main file among some files. */
-export function chiefOf(files) {
+export function mainFileOf(files) {
 	return files.find(({ name }) => MODEL_FILE.test(name)) ?? files.find(({ name }) => /\.json$/i.test(name)) ?? files[0];
 }
 

@@ -35,7 +35,7 @@ export class Input {
 	}
 
 	/** Takes the input of another game, which has not done its next step yet. The same agent is clicked in this game. */
-	take(other, agents) {
+	copyFrom(other, agents) {
 		this.mouse = other.mouse;
 		this.#held = other.#held;
 		this.#pressed = new Set(other.#pressed);

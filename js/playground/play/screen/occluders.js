@@ -5,7 +5,7 @@ import { lateEngine } from "../game/late.js";
 /** The two points of an agent that must be visible, feet and head, as shares of its height. */
 const PLACES = [0.15, 0.9];
 
-export class Hiding {
+export class Occluders {
 	#still = [];
 	#hits = [];
 	#found = new Set();

@@ -1,5 +1,5 @@
 /** Replaces members of the client's objects, and restores them later. */
-export class Patches {
+export class Overrides {
 	#restores = [];
 
 	/** Whether any member is replaced. */

@@ -100,13 +100,8 @@ package starlogo.models.polygons
 
         private function isInWay(node:int, before:int, tip:int, after:int):Boolean
         {
-            var isAtEnd:Boolean = isAt(node, before) || isAt(node, after);
-            return !isAtEnd && (isAt(node, tip) ? _rings.goesInto(node, before, tip, after) : _rings.isInside(node, before, tip, after));
-        }
-
-        private function isAt(node:int, other:int):Boolean
-        {
-            return _rings.x[node] == _rings.x[other] && _rings.y[node] == _rings.y[other];
+            var isAtEnd:Boolean = _rings.areAtOnePlace(node, before) || _rings.areAtOnePlace(node, after);
+            return !isAtEnd && (_rings.areAtOnePlace(node, tip) ? _rings.goesInto(node, before, tip, after) : _rings.isInside(node, before, tip, after));
         }
     }
 }

@@ -6,8 +6,8 @@ package starlogo.models.polygons
     /**
      * A polygon's outline and holes as rings of corners in a plane. The polygon is projected along the coordinate axis nearest to the
      * outline's normal (by M. E. Newell's method), so that the outline is counter-clockwise. Small bends out of the plane do no harm.
-     * Coordinates begin at the outline's first corner, and are rounded to a grid, on which the directions of turns are exact. So a corner that is
-     * on a line up to rounding is on the same side of it in each test.
+     * Coordinates begin at the outline's first corner, are scaled by a power of two, and are rounded to a grid, on which the directions of turns are
+     * exact. So a corner that is on a line stays there, and one that is beside it by rounding is on the same side in each test.
      *
      * <p>A corner may be in a ring more than once. So rings are made of nodes, and an index stands for a node.</p>
      */
@@ -22,7 +22,7 @@ package starlogo.models.polygons
         // The part of two products by which their computed difference may be wrong.
         private static const PRODUCTS_ROUNDING:Number = 4e-16;
 
-        /** The projected coordinate of each node, scaled so that the outline has a size of about 1. */
+        /** The projected coordinate of each node. The outline has a size of about 1: see unitScaleOf(). */
         internal var x:Vector.<Number> = new Vector.<Number>();
         internal var y:Vector.<Number> = new Vector.<Number>();
 
@@ -64,11 +64,7 @@ package starlogo.models.polygons
 
         private function chooseAxis(outline:Vector.<uint>):void
         {
-            _scale = 1 / extentOf(outline);
-            if (!(_scale > 0 && _scale < Number.POSITIVE_INFINITY))
-            {
-                return;
-            }
+            _scale = unitScaleOf(_vertices, outline);
             var largest:Number = 0;
             for (var axis:int = 0; axis < 3; axis++)
             {
@@ -102,7 +98,8 @@ package starlogo.models.polygons
             var count:int = loop.length;
             for (var i:int = 0; i < count; i++)
             {
-                addNode(loop[isReversed ? count - 1 - i : i], first + (i + 1) % count, first + (i + count - 1) % count);
+                var corner:uint = loop[isReversed ? count - 1 - i : i];
+                addNode(corner, coordinateOf(corner, _axisX), coordinateOf(corner, _axisY), first + (i + 1) % count, first + (i + count - 1) % count);
             }
             return first;
         }
@@ -110,27 +107,27 @@ package starlogo.models.polygons
         /** Opens a ring at a corner. It then goes to a node of another ring, around that, and back. */
         internal function bridge(corner:int, other:int):void
         {
-            var cornerAgain:int = addNode(vertex[corner], next[corner], corner);
-            previous[next[corner]] = cornerAgain;
-            next[corner] = cornerAgain;
-            insert(corner, other);
+            var cornerAgain:int = addCopy(corner, corner);
+            var otherEnd:int = addCopy(other, previous[other]);
+            next[corner] = other;
+            previous[other] = corner;
+            next[otherEnd] = cornerAgain;
+            previous[cornerAgain] = otherEnd;
         }
 
-        /** Opens a ring at the edge that begins at a node. It then goes around another ring, from a node on, and back to the edge's end. */
-        internal function insert(edge:int, other:int):void
+        /** Adds a copy of a node after a node, in the ring of that one. Returns its index. */
+        internal function addCopy(node:int, before:int):int
         {
-            var otherEnd:int = addNode(vertex[other], next[edge], previous[other]);
-            next[previous[other]] = otherEnd;
-            previous[next[edge]] = otherEnd;
-            next[edge] = other;
-            previous[other] = edge;
+            var copy:int = addNode(vertex[node], x[node], y[node], next[before], before);
+            previous[next[before]] = copy;
+            next[before] = copy;
+            return copy;
         }
 
-        // Adds a node for a vertex and returns its index.
-        private function addNode(ofVertex:uint, nextNode:int, previousNode:int):int
+        private function addNode(ofVertex:uint, atX:Number, atY:Number, nextNode:int, previousNode:int):int
         {
-            x.push(coordinateOf(ofVertex, _axisX));
-            y.push(coordinateOf(ofVertex, _axisY));
+            x.push(atX);
+            y.push(atY);
             vertex.push(ofVertex);
             next.push(nextNode);
             previous.push(previousNode);
@@ -150,6 +147,12 @@ package starlogo.models.polygons
             var after:int = next[node];
             next[before] = after;
             previous[after] = before;
+        }
+
+        /** Whether two nodes have the same coordinates. */
+        internal function areAtOnePlace(node:int, other:int):Boolean
+        {
+            return x[node] == x[other] && y[node] == y[other];
         }
 
         /** The number of nodes in the ring of a node. */
@@ -228,20 +231,6 @@ package starlogo.models.polygons
         private function isBeyond(node:int, from:int, to:int):Boolean
         {
             return orient2d(from, to, previous[node]) <= 0 && orient2d(from, to, next[node]) <= 0;
-        }
-
-        private function extentOf(loop:Vector.<uint>):Number
-        {
-            var origin:int = 3 * loop[0];
-            var extent:Number = 0;
-            for each (var corner:uint in loop)
-            {
-                for (var i:int = 0; i < 3; i++)
-                {
-                    extent = Math.max(extent, Math.abs(_vertices[3 * corner + i] - _vertices[origin + i]));
-                }
-            }
-            return extent;
         }
 
         // Twice the area of a loop in the plane of two axes; positive if it is counter-clockwise. Its coordinates are scaled.

@@ -13,20 +13,17 @@ package starlogo.models.polygons
         private static const TOUCH_DISTANCE:Number = 1e-6;
 
         private var _rings:PolygonRings;
-        private var _outline:int;
 
         // the rightmost node of each hole; the last one is joined next
         private var _nodes:Array = [];
 
         /**
          * @param rings contains the rings
-         * @param outline a node of the outline's ring
-         * @param holes a node of each hole's ring; these rings are clockwise
+         * @param holes a node of each hole's ring
          */
-        public function HoleBridges(rings:PolygonRings, outline:int, holes:Vector.<int>)
+        public function HoleBridges(rings:PolygonRings, holes:Vector.<int>)
         {
             _rings = rings;
-            _outline = outline;
             for each (var hole:int in holes)
             {
                 _nodes.push(rightmost(hole));
@@ -106,8 +103,8 @@ package starlogo.models.polygons
             }
             while (corner != hole);
             // the search for a bridge goes around the outline three times
-            var tests:int = 3 * _rings.countFrom(_outline);
-            var node:int = _outline;
+            var tests:int = 3 * _rings.countFrom(0);
+            var node:int = 0;
             do
             {
                 tests++;
@@ -125,7 +122,7 @@ package starlogo.models.polygons
                 }
                 node = _rings.next[node];
             }
-            while (node != _outline);
+            while (node != 0);
             _rings.budget.spendCornerTests(tests);
         }
 
@@ -161,7 +158,7 @@ package starlogo.models.polygons
             var nearest:Number = Number.POSITIVE_INFINITY;
             var x:Number = xs[hole];
             var y:Number = ys[hole];
-            var node:int = _outline;
+            var node:int = 0;
             do
             {
                 if (_rings.areAtOnePlace(node, hole))
@@ -182,7 +179,7 @@ package starlogo.models.polygons
                 }
                 node = end;
             }
-            while (node != _outline);
+            while (node != 0);
             return edge;
         }
 
@@ -197,7 +194,7 @@ package starlogo.models.polygons
             var result:int = corner;
             // of a corner below the ray, all is as in a mirror
             var side:int = corner == end ? 1 : -1;
-            var node:int = _outline;
+            var node:int = 0;
             do
             {
                 var isInTriangle:Boolean = side * (ys[node] - ys[hole]) >= 0 && _rings.orient2d(edge, end, node) >= 0
@@ -212,7 +209,7 @@ package starlogo.models.polygons
                 }
                 node = _rings.next[node];
             }
-            while (node != _outline);
+            while (node != 0);
             return result;
         }
 

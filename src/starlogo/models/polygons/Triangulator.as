@@ -9,7 +9,7 @@ package starlogo.models.polygons
      *
      * <p>A triangle stays as it is, and a quad is cut along the diagonal inside it; triangles that name a corner twice are left out. Other polygons
      * become rings in a plane (PolygonRings). If their first corner sees all others, as in a convex polygon without corners in a straight line,
-     * they are cut from there. Otherwise their holes are joined to the outline (HoleBridges), and ears are cut off (EarClipper). Outlines may cross
+     * they are cut from there. Otherwise their holes are joined to the outline (HoleBridges), and ears are cut off. Outlines may cross
      * or cover themselves, and holes may touch them. Every triangle that is cut from a ring has an area in the plane. A ring without area has no
      * triangles.</p>
      *
@@ -87,7 +87,6 @@ package starlogo.models.polygons
             {
                 return null;
             }
-            var start:int = rings.addLoop(outline, true);
             if (!hasHoles && isFan(rings))
             {
                 for (var i:int = 2; i < outline.length; i++)
@@ -101,11 +100,14 @@ package starlogo.models.polygons
             {
                 if (hole.length > 2)
                 {
-                    nodes.push(rings.addLoop(hole, false));
+                    nodes.push(rings.addHole(hole));
                 }
             }
-            var clipper:EarClipper = new EarClipper(rings, start, triangles);
-            var rest:Steps = nodes.length == 0 ? clipper : new StepSequence().add(new HoleBridges(rings, start, nodes)).add(clipper);
+            var rest:StepSequence = nodes.length == 0 ? new StepSequence() : new StepSequence().add(new HoleBridges(rings, nodes));
+            rest.repeat(function():Boolean
+                {
+                    return rings.cutEars(triangles);
+                });
             return rest.step() ? rest : null;
         }
 

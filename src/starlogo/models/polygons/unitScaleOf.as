@@ -14,12 +14,11 @@ package starlogo.models.polygons
         const LARGEST:Number = 8e307;
         var origin:int = 3 * corners[0];
         var extent:Number = 0;
-        for each (var corner:uint in corners)
+        for (var i:int = 1; i < corners.length; i++)
         {
-            for (var i:int = 0; i < 3; i++)
-            {
-                extent = Math.max(extent, Math.abs(vertices[3 * corner + i] - vertices[origin + i]));
-            }
+            var at:int = 3 * corners[i];
+            extent = Math.max(extent, Math.abs(vertices[at] - vertices[origin]), Math.abs(vertices[at + 1] - vertices[origin + 1]),
+                    Math.abs(vertices[at + 2] - vertices[origin + 2]));
         }
         var scale:Number = 1;
         while (scale * extent > 1)

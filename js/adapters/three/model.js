@@ -55,7 +55,7 @@ function requireName(call, name) {
 
 function modelOf(name, source, { data, meshes }, made, scaling) {
 	if (data.vertices.length === 0) throw new ModelError(name, "", `no vertices: ${whatIsMissing(source)}`);
-	Object.assign(data, { scaling, isNormalised: scaling === Model.AS_GIVEN });
+	Object.assign(data, { scaling, isInModelSpace: scaling === Model.AS_GIVEN });
 	const model = new Model(name, null, null, null, build(name, data, meshes));
 	const indices = new Map(meshes.map(({ object }, i) => [object, i]).reverse());
 	sources.set(model, { ...made, meshes, indices, isGeometry: !source.isObject3D, posed: null });

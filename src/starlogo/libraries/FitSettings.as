@@ -17,8 +17,8 @@ package starlogo.libraries
         // Increase it whenever an algorithm of the engine gives other results for the same settings.
         private static const REVISION:int = 15;
 
-        // For each section of a cooked file, the settings of what is in it, as a text. Null if that is not wanted, or cannot be kept.
-        private var _settingsOfSections:Vector.<String> = new Vector.<String>(CookedFile.SECTION_COUNT, true);
+        // The fingerprint of the settings of each section of a cooked file; null if its results are not wanted, or cannot be kept.
+        private var _keys:Vector.<Fingerprint> = new Vector.<Fingerprint>(CookedFile.SECTION_COUNT, true);
 
         /** @private The library's <code>prepareExact</code>. */
         engine var preparesExact:Boolean = false;
@@ -34,17 +34,17 @@ package starlogo.libraries
          */
         public function FitSettings(structures:BoundingStructuresLibrary, hierarchies:HierarchiesLibrary)
         {
-            if (structures != null)
+            var signatures:String = structures == null ? null : signaturesOf(structures.fitters);
+            if (signatures != null)
             {
-                var signatures:String = signaturesOf(structures.fitters);
-                _settingsOfSections[CookedFile.STRUCTURES] = signatures == null ? null : "structures, " + signatures;
+                _keys[CookedFile.STRUCTURES] = fingerprintOf("structures, " + signatures);
                 // The smallest sphere may take the hull's place.
-                _settingsOfSections[CookedFile.HULL] = signatures == null || !structures.keepHulls ? null : structures.hullFitter.signature + ", " + signatures;
+                _keys[CookedFile.HULL] = structures.keepHulls ? fingerprintOf(structures.hullFitter.signature + ", " + signatures) : null;
             }
             if (hierarchies != null)
             {
-                _settingsOfSections[CookedFile.HIERARCHY] = _settingsOfSections[CookedFile.SURFACE] =
-                    ["hierarchy", hierarchies.minVerticesToSplit, hierarchies.maxDepth, hierarchies.splitByMean].join();
+                _keys[CookedFile.HIERARCHY] = _keys[CookedFile.SURFACE] =
+                    fingerprintOf(["hierarchy", hierarchies.minVerticesToSplit, hierarchies.maxDepth, hierarchies.splitByMean].join());
                 preparesExact = hierarchies.prepareExact;
                 maxDepth = hierarchies.maxDepth;
             }
@@ -53,39 +53,28 @@ package starlogo.libraries
         /** @private Whether a hull is wanted, and can be stored. */
         engine function get keepsHull():Boolean
         {
-            return _settingsOfSections[CookedFile.HULL] != null;
+            return _keys[CookedFile.HULL] != null;
         }
 
         /** All settings as sixteen hexadecimal digits. */
         public function toString():String
         {
-            var all:Array = [fingerprintOf(CookedFile.STRUCTURES), fingerprintOf(CookedFile.HIERARCHY), preparesExact];
-            var hull:Fingerprint = fingerprintOf(CookedFile.HULL);
-            return fingerprintWithRevision((hull == null ? all : all.concat(hull)).join()).toString();
+            var all:Array = [_keys[CookedFile.STRUCTURES], _keys[CookedFile.HIERARCHY], preparesExact];
+            return fingerprintOf((keepsHull ? all.concat(_keys[CookedFile.HULL]) : all).join()).toString();
         }
 
         /** @private A section of a cooked file; null if it is empty, has other settings, or is not wanted. */
         engine function sectionOf(file:CookedFile, section:int):ByteArray
         {
-            var wanted:Fingerprint = fingerprintOf(section);
-            return wanted == null ? null : file.section(section, wanted);
+            return _keys[section] == null ? null : file.section(section, _keys[section]);
         }
 
-        /** @private The fingerprints for all sections of a cooked file. @param modelKey see <code>CookedFile.MODEL</code> */
-        engine function fingerprintsWith(modelKey:Fingerprint):Vector.<Fingerprint>
+        /** @private The keys for all sections of a cooked file. @param modelKey see <code>CookedFile.MODEL</code> */
+        engine function keysWith(modelKey:Fingerprint):Vector.<Fingerprint>
         {
-            var all:Vector.<Fingerprint> = new <Fingerprint>[modelKey];
-            for (var section:int = CookedFile.MODEL + 1; section < CookedFile.SECTION_COUNT; section++)
-            {
-                all.push(fingerprintOf(section));
-            }
+            var all:Vector.<Fingerprint> = _keys.concat();
+            all[CookedFile.MODEL] = modelKey;
             return all;
-        }
-
-        // The fingerprint of a section's settings; null if its results are not wanted, or cannot be kept.
-        private function fingerprintOf(section:int):Fingerprint
-        {
-            return _settingsOfSections[section] == null ? null : fingerprintWithRevision(_settingsOfSections[section]);
         }
 
         // Null if a fitter has no signature. A comma within a signature is doubled, so that other fitters give another text.
@@ -103,7 +92,7 @@ package starlogo.libraries
             return signatures.join(", ");
         }
 
-        private static function fingerprintWithRevision(text:String):Fingerprint
+        private static function fingerprintOf(text:String):Fingerprint
         {
             var fingerprint:Fingerprint = new Fingerprint();
             fingerprint.addWord(REVISION);

@@ -38,7 +38,7 @@ package starlogo.libraries
         private var _capacity:Number;
 
         // The most bytes that are tried: the capacity, or less after the storage has refused some.
-        private var _room:Number;
+        private var _usableCapacity:Number;
 
         /**
          * Creates a store of a given size.
@@ -53,7 +53,7 @@ package starlogo.libraries
             {
                 throw new RangeError("the capacity must be 0 bytes or more, not " + capacity);
             }
-            _capacity = _room = capacity;
+            _capacity = _usableCapacity = capacity;
             _storage = storage || new SharedFitStorage();
         }
 
@@ -112,7 +112,7 @@ package starlogo.libraries
                 _storage.remove(nameIn(line));
             }
             _storage.remove(LIST);
-            _room = _capacity;
+            _usableCapacity = _capacity;
         }
 
         /**
@@ -135,7 +135,7 @@ package starlogo.libraries
         engine function hasRoomFor(model:Model, hasTree:Boolean):Boolean
         {
             var itemCount:int = (model.triangles == null ? model.vertices.length : model.triangles.length) / 3;
-            return (hasTree ? itemCount * CookedTree.widthFor(itemCount) : 0) < _room;
+            return (hasTree ? itemCount * CookedTree.widthFor(itemCount) : 0) < _usableCapacity;
         }
 
         /**
@@ -153,17 +153,17 @@ package starlogo.libraries
         {
             var name:String = nameOf(geometryKey, settings);
             var others:Array = linesWithout(name);
-            var isStored:Boolean = makeRoom(others, _room - bytes.length) && tryToStore(name, bytes, others);
-            if (!isStored && bytes.length <= _room)
+            var isStored:Boolean = evictTo(others, _usableCapacity - bytes.length) && storeAfter(name, bytes, others);
+            if (!isStored && bytes.length <= _usableCapacity)
             {
-                _room = Math.max(lengthOf(others), bytes.length - 1);
-                isStored = makeRoom(others, _room - bytes.length) && tryToStore(name, bytes, others);
+                _usableCapacity = Math.max(lengthOf(others), bytes.length - 1);
+                isStored = evictTo(others, _usableCapacity - bytes.length) && storeAfter(name, bytes, others);
             }
             return isStored;
         }
 
         // Removes the first entries of a list until they have at most so many bytes. Returns false, and removes nothing, if there is no such list.
-        private function makeRoom(lines:Array, most:Number):Boolean
+        private function evictTo(lines:Array, most:Number):Boolean
         {
             while (most >= 0 && lengthOf(lines) > most)
             {
@@ -173,13 +173,13 @@ package starlogo.libraries
         }
 
         // Stores an entry after others in the list. If that is refused, only those others are left. Returns whether it is stored.
-        private function tryToStore(name:String, bytes:ByteArray, others:Array):Boolean
+        private function storeAfter(name:String, bytes:ByteArray, others:Array):Boolean
         {
             var isStored:Boolean = _storage.write(name, bytes) && writeList(others.concat(lineOf(name, bytes)));
             if (!isStored)
             {
                 _storage.remove(name);
-                keepList(others);
+                writeListOrEvict(others);
             }
             return isStored;
         }
@@ -191,7 +191,7 @@ package starlogo.libraries
             var bytes:ByteArray = bytesOf(name);
             if (bytes != null)
             {
-                keepList(linesWithout(name).concat(lineOf(name, bytes)));
+                writeListOrEvict(linesWithout(name).concat(lineOf(name, bytes)));
             }
             return bytes;
         }
@@ -240,7 +240,7 @@ package starlogo.libraries
         }
 
         // Writes the list. A storage that refuses it has lost it too, so the least recently used entries are removed until there is room for it.
-        private function keepList(lines:Array):void
+        private function writeListOrEvict(lines:Array):void
         {
             while (!writeList(lines) && lines.length > 0)
             {

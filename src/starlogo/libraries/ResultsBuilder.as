@@ -221,7 +221,7 @@ package starlogo.libraries
                     tree.surface.writeTo(sections[CookedFile.SURFACE]);
                 }
             }
-            return CookedFile.write(_settings.fingerprintsWith(modelKey), sections);
+            return CookedFile.write(_settings.keysWith(modelKey), sections);
         }
     }
 }

@@ -24,8 +24,6 @@ package starlogo.libraries
         private static const VERTICES_PER_STEP:int = 2000;
 
         private var _name:String;
-        private var _fitters:Vector.<Fitter>;
-        private var _fits:Vector.<Fit> = new Vector.<Fit>();
 
         /**
          * @param name the shape's name
@@ -45,13 +43,14 @@ package starlogo.libraries
             {
                 throw ModelTable.errorOf(name, "a fitter must not be null");
             }
-            _fitters = fitters.concat();
+            fitters = fitters.concat();
             var vertices:Vector.<Number> = structures.vertices;
             var session:FitSession = new FitSession(vertices);
-            for each (var fitter:Fitter in _fitters)
+            var fits:Vector.<Fit> = new Vector.<Fit>();
+            for each (var fitter:Fitter in fitters)
             {
                 var fit:Fit = session.fitOf(fitter);
-                _fits.push(fit);
+                fits.push(fit);
                 add(fit);
             }
             var hullFit:Fit = keepsHull ? session.fitOf(structures.hullFitter) : null;
@@ -59,12 +58,16 @@ package starlogo.libraries
             {
                 add(hullFit);
             }
-            begin(function():Steps
+            var tolerance:Number;
+            call(function():void
                 {
-                    return checking(vertices);
+                    tolerance = toleranceFor(vertices);
+                }).beginEach(fits.length, function(index:int):Steps
+                {
+                    return checking(fitters[index], fits[index].structure, vertices, tolerance);
                 }).call(function():void
                 {
-                    choose(structures, hullFit);
+                    choose(structures, fits, hullFit);
                 });
         }
 
@@ -126,17 +129,8 @@ package starlogo.libraries
                 : (error is RangeError ? new RangeError(ModelTable.problemOf(name, error.message)) : error);
         }
 
-        // The steps that check whether what the fitters have found can be used.
-        private function checking(vertices:Vector.<Number>):Steps
-        {
-            var tolerance:Number = toleranceFor(vertices);
-            return new StepSequence().beginEach(_fits.length, function(index:int):Steps
-                {
-                    return checkingOf(_fitters[index], _fits[index].structure, vertices, tolerance);
-                });
-        }
-
-        private function checkingOf(fitter:Fitter, structure:BoundingStructure, vertices:Vector.<Number>, tolerance:Number):Steps
+        // The steps that check whether what a fitter has found can be used.
+        private static function checking(fitter:Fitter, structure:BoundingStructure, vertices:Vector.<Number>, tolerance:Number):Steps
         {
             // In JavaScript, a fitter may return anything.
             if (!(structure is BoundingStructure) || structure.kind > BoundingStructure.BOX)
@@ -177,10 +171,10 @@ package starlogo.libraries
             return -1;
         }
 
-        private function choose(structures:ModelStructures, hullFit:Fit):void
+        private static function choose(structures:ModelStructures, fits:Vector.<Fit>, hullFit:Fit):void
         {
             var found:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
-            for each (var fit:Fit in _fits)
+            for each (var fit:Fit in fits)
             {
                 found.push(widened(fit.structure));
             }

@@ -67,7 +67,7 @@ package starlogo.models
          * reading the file's meshes, without the file itself; for COLLADA that of placing them.
          *
          * @param animation its index
-         * @param time seconds. Before the first key and after the last one, nothing moves. A COLLADA clip stays within its start and end
+         * @param time seconds; it counts as 0 if it is less, and as the duration if it is more. Before the first key, nothing moves
          * @return x, y, z of each vertex, in the order of the model's vertices; a new vector
          * @throws RangeError if there is no such animation, or the time is not finite
          * @throws ModelError if the meshes are wrong, or a coordinate is not finite at this time

@@ -100,7 +100,7 @@ package starlogo.models
         }
 
         /** @private Its numbers: the matrix row by row, the offset and the unit. */
-        engine function get numbers():Vector.<Number>
+        engine function toNumbers():Vector.<Number>
         {
             var m:Vector.<Number> = _matrix.rows;
             return new <Number>[m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10], _offset[0], _offset[1], _offset[2], _sourceUnits];
@@ -119,7 +119,7 @@ package starlogo.models
         /** @private Whether all numbers are finite, and the unit is positive. */
         engine function get isValid():Boolean
         {
-            return areFinite(numbers) && _sourceUnits > 0;
+            return areFinite(toNumbers()) && _sourceUnits > 0;
         }
 
         /**
@@ -128,7 +128,7 @@ package starlogo.models
          *
          * @private
          */
-        engine function addMove(x:Number, y:Number, z:Number, divisor:Number):void
+        engine function addMoveAndScale(x:Number, y:Number, z:Number, divisor:Number):void
         {
             for (var k:int = 0; k < 3; k++)
             {

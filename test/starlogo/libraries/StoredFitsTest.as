@@ -289,7 +289,7 @@ package starlogo.libraries
                 texts.push(text);
             }
             library.fitters[0] = new Fitter("");
-            assertNull("an empty one is none", new FitSettings(library, null).fingerprintsWith(null)[CookedFile.STRUCTURES]);
+            assertNull("an empty one is none", new FitSettings(library, null).keysWith(null)[CookedFile.STRUCTURES]);
         }
 
         [Test(async, timeout="3600000")]
@@ -431,7 +431,7 @@ package starlogo.libraries
             {
                 sections.push(change(i, file.section(i, null) || CookedFile.newBytes()));
             }
-            return CookedFile.write(settings.fingerprintsWith(new Fingerprint()), sections);
+            return CookedFile.write(settings.keysWith(new Fingerprint()), sections);
         }
 
         // Agents of a model that was forged much larger would be, or would be moved, beyond the largest coordinate, as those of any such model.

@@ -177,21 +177,21 @@ package starlogo.models.animation
             {
                 var atKey:int = key * componentCount + i;
                 var atNext:int = atKey + componentCount;
-                var at:Number = hasTimes ? parameterAt(fraction, (_outControls[2 * atKey] - start) / length, (_inControls[2 * atNext] - start) / length) : fraction;
+                var at:Number = hasTimes ? bezierParameter(fraction, (_outControls[2 * atKey] - start) / length, (_inControls[2 * atNext] - start) / length) : fraction;
                 numbers[i] = bezier(numbers[i], _outControls[hasTimes ? 2 * atKey + 1 : atKey], _inControls[hasTimes ? 2 * atNext + 1 : atNext], to[i], at);
             }
         }
 
-        // The parameter of a curve at a fraction of its time. Its control points are at two more fractions. The curve does not go back in time.
-        private static function parameterAt(fraction:Number, first:Number, second:Number):Number
+        // The parameter of a curve at a time. All times are fractions of the time from key to key. The curve does not go back in time.
+        private static function bezierParameter(time:Number, outTime:Number, inTime:Number):Number
         {
-            first = Math.max(0, Math.min(first, 1));
-            second = Math.max(0, Math.min(second, 1));
+            outTime = Math.max(0, Math.min(outTime, 1));
+            inTime = Math.max(0, Math.min(inTime, 1));
             var at:Number = 0;
             var step:Number = 0.5;
             for (var i:int = 0; i < BISECTIONS; i++)
             {
-                at += bezier(0, first, second, 1, at + step) <= fraction ? step : 0;
+                at += bezier(0, outTime, inTime, 1, at + step) <= time ? step : 0;
                 step /= 2;
             }
             return at;

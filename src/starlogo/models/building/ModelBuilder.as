@@ -25,9 +25,6 @@ package starlogo.models.building
      */
     public final class ModelBuilder extends StepSequence implements ModelMaker
     {
-        // Reading the file is this share of the work. The rest is normalising.
-        private static const READING_SHARE:Number = 0.9;
-
         // Extents in x and y below this fraction of the z extent are rounding errors of the program that placed the vertices.
         private static const LINE_RATIO:Number = 1e-6;
 
@@ -37,7 +34,6 @@ package starlogo.models.building
 
         private var _data:ModelData;
         private var _model:Model = null;
-        private var _isComplete:Boolean = false;
 
         // the box around the vertices, as they are after the steps so far
         private var _bounds:VertexBounds;
@@ -104,10 +100,10 @@ package starlogo.models.building
             return _data.name;
         }
 
-        /** @inheritDoc */
+        /** @inheritDoc Reading the file is nearly all of the work. */
         public function get progress():Number
         {
-            return _isComplete ? 1 : READING_SHARE * _data.readProgress;
+            return _data.readProgress;
         }
 
         /** The model, always the same one. Read it when no step is left. */
@@ -128,7 +124,7 @@ package starlogo.models.building
         private function addParts():void
         {
             begin(turningToZUp).begin(measuring);
-            if (_data.isNormalised)
+            if (_data.isInModelSpace)
             {
                 call(checkExtent);
             }
@@ -230,7 +226,7 @@ package starlogo.models.building
         private function placing(low:Vector3D, move:Vector3D, divisor:Number):StepSequence
         {
             checkExtent();
-            _data.source.addMove(low.x - move.x, low.y - move.y, low.z - move.z, divisor);
+            _data.source.addMoveAndScale(low.x - move.x, low.y - move.y, low.z - move.z, divisor);
             var vertices:Vector.<Number> = _data.vertices;
             return new StepSequence().slices(vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
@@ -274,7 +270,6 @@ package starlogo.models.building
             _data.meshes.seal(_data.triangles.length / 3);
             _data.vertices.fixed = _data.triangles.fixed = true;
             _data.triangles = _data.triangles.length == 0 ? null : _data.triangles;
-            _isComplete = true;
         }
 
         // as in the client: an extent of 0 counts as 1

@@ -46,7 +46,7 @@ package starlogo.models.building
         public var source:SourceFrame = new SourceFrame();
 
         /** Whether the vertices and the source are the model's own, as in some cooked files. Otherwise a ModelBuilder brings them to their places. */
-        public var isNormalised:Boolean = false;
+        public var isInModelSpace:Boolean = false;
 
         /** The share of the file that is read so far, from 0 to 1. The reader never makes it less. */
         public var readProgress:Number = 0;
@@ -64,14 +64,14 @@ package starlogo.models.building
          * The data of a file that is not read yet.
          *
          * @param name the model's name
-         * @param upAxis "x", "y", "z" or a ModelTransform; null for ownAxis
+         * @param upAxis "x", "y", "z" or a ModelTransform; null for formatAxis
          * @param scaling as for Model's constructor; null if the vertices are not normalised
-         * @param ownAxis the axis that points up by the rules of the format; null if it has no such rule
+         * @param formatAxis the axis that points up by the rules of the format; null if it has no such rule
          * @throws ModelError if the up axis is none of these
          */
-        public static function forFile(name:String, upAxis:Object, scaling:String, ownAxis:String = null):ModelData
+        public static function forFile(name:String, upAxis:Object, scaling:String, formatAxis:String = null):ModelData
         {
-            upAxis = upAxis == null ? ownAxis : upAxis;
+            upAxis = upAxis == null ? formatAxis : upAxis;
             requireUpAxis(name, upAxis);
             var data:ModelData = new ModelData(name);
             data.scaling = scaling;

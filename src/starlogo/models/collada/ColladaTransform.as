@@ -99,23 +99,20 @@ package starlogo.models.collada
         // A skew: an angle, the axis that is turned by it, and the axis along which all points shift.
         private static function skew(element:ColladaElement, v:Vector.<Number>):AffineTransform
         {
-            var turning:Vector3D = unitVector(v[1], v[2], v[3]);
-            var shift:Vector3D = unitVector(v[4], v[5], v[6]);
-            var along:Number = turning.dotProduct(shift);
-            var across:Vector3D = unitVector(turning.x - along * shift.x, turning.y - along * shift.y, turning.z - along * shift.z, ROUNDING);
-            var height:Number = turning.dotProduct(across);
-            var angle:Number = v[0];
-            // the turned axis in the plane of the two axes: its parts across the shift and along it
-            var turnedHeight:Number = height * Trigonometry.cosine(angle) - along * Trigonometry.sine(angle);
-            var turnedAlong:Number = height * Trigonometry.sine(angle) + along * Trigonometry.cosine(angle);
-            element.refuseIf(!(height > 1e-9 && turnedHeight > 1e-9),
+            var d1:Vector3D = unitVector(v[1], v[2], v[3]);
+            var d2:Vector3D = unitVector(v[4], v[5], v[6]);
+            var cosine:Number = d1.dotProduct(d2);
+            var across:Vector3D = unitVector(d1.x - cosine * d2.x, d1.y - cosine * d2.y, d1.z - cosine * d2.z, ROUNDING);
+            var sine:Number = d1.dotProduct(across);
+            // the angle that is left between the two
+            var rest:Number = Trigonometry.arctangent(sine, cosine) - v[0];
+            element.refuseIf(!(sine > 1e-9 && Trigonometry.sine(rest) > 1e-9),
                     "expected two different axes and an angle that leaves the first on its side of the second");
-            var amount:Number = turnedAlong / turnedHeight - along / height;
-            shift.scaleBy(amount);
+            d2.scaleBy(Trigonometry.cosine(rest) / Trigonometry.sine(rest) - cosine / sine);
             return new AffineTransform(new <Number>[
-                        1 + shift.x * across.x, shift.x * across.y, shift.x * across.z, 0,
-                        shift.y * across.x, 1 + shift.y * across.y, shift.y * across.z, 0,
-                        shift.z * across.x, shift.z * across.y, 1 + shift.z * across.z, 0]);
+                        1 + d2.x * across.x, d2.x * across.y, d2.x * across.z, 0,
+                        d2.y * across.x, 1 + d2.y * across.y, d2.y * across.z, 0,
+                        d2.z * across.x, d2.z * across.y, 1 + d2.z * across.z, 0]);
         }
 
         // The direction of a vector, as a vector of length 1; of length 0 if no coordinate is larger than a limit. The largest coordinate is divided

@@ -28,7 +28,10 @@ package starlogo.models.cooked
      */
     public final class CookedReader extends StepSequence implements FormatReader
     {
-        /** The encoding of the source's coordinates as floats of 32 bits. A smaller encoding, 0 to 8, is the number of their decimals. */
+        /** An encoding up to this one, from 0, is the number of decimals of the source's coordinates. */
+        internal static const MOST_DECIMALS:int = 8;
+
+        /** The encoding of the source's coordinates as floats of 32 bits. */
         internal static const SOURCE_FLOAT:int = 9;
 
         /** The encoding of the model's own coordinates as doubles of 64 bits. */
@@ -65,7 +68,7 @@ package starlogo.models.cooked
         /** The divisor for the numbers of an encoding. */
         internal static function divisorOf(encoding:int):Number
         {
-            return encoding < SOURCE_FLOAT ? Number("1e" + encoding) : 1;
+            return encoding <= MOST_DECIMALS ? Number("1e" + encoding) : 1;
         }
 
         /** @inheritDoc */
@@ -106,7 +109,7 @@ package starlogo.models.cooked
             if (encoding == NORMALISED_DOUBLE)
             {
                 _data.source = readSource();
-                _data.isNormalised = true;
+                _data.isInModelSpace = true;
                 refuseModelIf(!_data.source.isValid, _data.name, "the cooked file does not have the model's place in its source");
             }
             // Each number takes at least one byte. A declared count is not trusted: memory is reserved only for data that is present.
@@ -175,7 +178,7 @@ package starlogo.models.cooked
 
         private function readSource():SourceFrame
         {
-            var numbers:Vector.<Number> = _data.source.numbers;
+            var numbers:Vector.<Number> = _data.source.toNumbers();
             for (var i:int = 0; i < numbers.length; i++)
             {
                 numbers[i] = _bytes.readDouble();
@@ -194,7 +197,7 @@ package starlogo.models.cooked
             var divisor:Number = divisorOf(encoding);
             for (var i:int = 3 * first; i < 3 * end; i++)
             {
-                if (encoding < SOURCE_FLOAT)
+                if (encoding <= MOST_DECIMALS)
                 {
                     // each number is stored as the difference from the one of the vertex before, in multiples of 1 / divisor
                     var multiple:int = i < 3 ? 0 : Math.round(all[int(i - 3)] * divisor);

@@ -46,7 +46,7 @@ package starlogo.models.cooked
         private static function areSourceOf(points:Vector.<Number>, model:Model, transform:ModelTransform):Boolean
         {
             var made:ModelData = ModelBuilder.dataOf(model.name, points, model.triangles, model.data.scaling, transform);
-            return areSameNumbers(made.vertices, model.vertices) && areSameNumbers(made.source.numbers, model.source.numbers);
+            return areSameNumbers(made.vertices, model.vertices) && areSameNumbers(made.source.toNumbers(), model.source.toNumbers());
         }
 
         // The nearest numbers that an encoding can have.
@@ -60,7 +60,7 @@ package starlogo.models.cooked
                 bytes.position = 0;
                 bytes.writeFloat(value);
                 bytes.position = 0;
-                var number:Number = encoding < CookedReader.SOURCE_FLOAT ? Math.round(value * divisor) : bytes.readFloat();
+                var number:Number = encoding <= CookedReader.MOST_DECIMALS ? Math.round(value * divisor) : bytes.readFloat();
                 points.push(Math.abs(number) < LARGEST || encoding == CookedReader.SOURCE_FLOAT && isFinite(number) ? number / divisor : 0);
             }
             return points;
@@ -84,7 +84,7 @@ package starlogo.models.cooked
             }
             if (encoding == CookedReader.NORMALISED_DOUBLE)
             {
-                for each (var number:Number in model.source.numbers)
+                for each (var number:Number in model.source.toNumbers())
                 {
                     out.writeDouble(number);
                 }
@@ -115,7 +115,7 @@ package starlogo.models.cooked
             var divisor:Number = CookedReader.divisorOf(encoding);
             for (var i:int = 0; i < points.length; i++)
             {
-                if (encoding < CookedReader.SOURCE_FLOAT)
+                if (encoding <= CookedReader.MOST_DECIMALS)
                 {
                     VarInt.write(Math.round(points[i] * divisor) - (i < 3 ? 0 : Math.round(points[i - 3] * divisor)), out);
                 }

@@ -74,29 +74,29 @@ package starlogo.models.files
         /** Checks how many vertices and triangles the model has, with those of every instance. @throws ModelError if there are too many */
         public function checkMeshSize(vertexCount:Number, triangleCount:Number, place:Object = ""):void
         {
-            require(vertexCount, FREE_VERTICES, VERTICES_PER_BYTE, MAX_VERTICES, "vertices", place);
-            require(triangleCount, 2 * FREE_VERTICES, 2 * VERTICES_PER_BYTE, 2 * MAX_VERTICES, "triangles", place);
+            refuseBeyond(vertexCount, FREE_VERTICES, VERTICES_PER_BYTE, MAX_VERTICES, "vertices", place);
+            refuseBeyond(triangleCount, 2 * FREE_VERTICES, 2 * VERTICES_PER_BYTE, 2 * MAX_VERTICES, "triangles", place);
         }
 
         /** Counts numbers that are read. They count as often as they are used. @throws ModelError if these are too many */
         public function spendNumbers(more:Number, place:Object):void
         {
             _numbers += more;
-            require(_numbers, FREE_NUMBERS, NUMBERS_PER_BYTE, MAX_NUMBERS, "numbers, each counted as often as it is used", place);
+            refuseBeyond(_numbers, FREE_NUMBERS, NUMBERS_PER_BYTE, MAX_NUMBERS, "numbers, each counted as often as it is used", place);
         }
 
         /** Counts numbers that a file declares without data, so they are 0. @throws ModelError if these are too many */
         public function spendZeros(more:Number, place:Object):void
         {
             _zeros += more;
-            require(_zeros, 0, ZEROS_PER_BYTE, Infinity, "numbers without data", place);
+            refuseBeyond(_zeros, 0, ZEROS_PER_BYTE, Infinity, "numbers without data", place);
         }
 
         /** Counts elements, values, nodes, transforms and instances, as often as they are placed. @throws ModelError if these are too many */
         public function spendElements(more:Number, place:Object):void
         {
             _elements += more;
-            require(_elements, FREE_ELEMENTS, ELEMENTS_PER_BYTE, MAX_ELEMENTS, "elements, values, nodes, transforms and instances, each counted as often as it is placed", place);
+            refuseBeyond(_elements, FREE_ELEMENTS, ELEMENTS_PER_BYTE, MAX_ELEMENTS, "elements, values, nodes, transforms and instances, each counted as often as it is placed", place);
         }
 
         /** Counts tests of corners. */
@@ -106,7 +106,7 @@ package starlogo.models.files
         }
 
         // Checks a count against the limits named above.
-        private function require(count:Number, free:Number, perByte:Number, most:Number, what:String, place:Object):void
+        private function refuseBeyond(count:Number, free:Number, perByte:Number, most:Number, what:String, place:Object):void
         {
             var limit:Number = Math.min(most, free + perByte * _bytes);
             if (count > limit)

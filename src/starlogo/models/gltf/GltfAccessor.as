@@ -69,8 +69,8 @@ package starlogo.models.gltf
         /** The accessor that is an entry of the file. */
         public static function of(file:GltfFile, json:GltfJson):GltfAccessor
         {
-            var accessor:GltfAccessor = new GltfAccessor(file, json, json.requiredInteger("count", int.MAX_VALUE), COMPONENT_COUNTS[json.value.type],
-                    json.requiredInteger("componentType", int.MAX_VALUE), json.value.normalized === true);
+            var accessor:GltfAccessor = new GltfAccessor(file, json, json.requiredInteger("count", int.MAX_VALUE), COMPONENT_COUNTS[json.raw.type],
+                    json.requiredInteger("componentType", int.MAX_VALUE), json.raw.normalized === true);
             var sparse:GltfJson = json.object("sparse");
             if (sparse != null)
             {

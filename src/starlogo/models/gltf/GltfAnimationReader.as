@@ -34,7 +34,7 @@ package starlogo.models.gltf
             for (var i:int = 0; i < file.json.count("animations"); i++)
             {
                 var animation:GltfJson = file.json.element("animations", i);
-                animations.push(new FileAnimation(animation.text("name") || "", channelsOf(file, animation), newReader));
+                animations.push(new FileAnimation(animation.textOrNull("name") || "", channelsOf(file, animation), newReader));
             }
             return animations;
         }
@@ -48,7 +48,7 @@ package starlogo.models.gltf
                 var target:GltfJson = channel.object("target");
                 channel.refuseIf(target == null, "expected a target");
                 var node:int = target.indexOrNone("node", "nodes");
-                var path:String = target.text("path");
+                var path:String = target.textOrNull("path");
                 // otherwise it is the target of an extension
                 if (node >= 0 && TYPES.hasOwnProperty(path))
                 {
@@ -67,7 +67,7 @@ package starlogo.models.gltf
             var input:int = sampler.indexOrNone("input", "accessors");
             var output:int = sampler.indexOrNone("output", "accessors");
             sampler.refuseIf(input < 0 || output < 0, "expected input and output");
-            var interpolation:String = sampler.has("interpolation") ? sampler.text("interpolation") : AnimationChannel.LINEAR;
+            var interpolation:String = sampler.has("interpolation") ? sampler.textOrNull("interpolation") : AnimationChannel.LINEAR;
             sampler.refuseIf([AnimationChannel.LINEAR, AnimationChannel.STEP, CUBIC].indexOf(interpolation) < 0, "expected LINEAR, STEP or CUBICSPLINE", "interpolation");
             var times:GltfAccessor = file.accessor(input, "SCALAR");
             var values:GltfAccessor = file.accessor(output, TYPES[path]);

@@ -117,7 +117,7 @@ package starlogo.models.gltf
         internal function accessor(index:int, type:String):GltfAccessor
         {
             var found:GltfJson = json.rootEntry("accessors", index);
-            found.refuseIf(found.value.type !== type, "expected \"" + type + "\", but found " + GltfJson.shown(found.value.type), "type");
+            found.refuseIf(found.raw.type !== type, "expected \"" + type + "\", but found " + GltfJson.shown(found.raw.type), "type");
             return _accessors[index] ||= GltfAccessor.of(this, found);
         }
 
@@ -207,8 +207,8 @@ package starlogo.models.gltf
         {
             var asset:GltfJson = json.object("asset");
             // a file of a later 2.x can be read, unless it says that it needs one
-            var least:String = asset == null ? null : asset.text("minVersion");
-            var version:* = asset == null ? undefined : least || asset.value.version;
+            var least:String = asset == null ? null : asset.textOrNull("minVersion");
+            var version:* = asset == null ? undefined : least || asset.raw.version;
             var readable:RegExp = least == null ? VERSIONS : READ_VERSION;
             json.refuseIf(!(version is String && readable.test(version)),
                     "expected glTF 2.0, but found " + GltfJson.shown(version) + ": save the model as 2.0", "asset.version");
@@ -253,7 +253,7 @@ package starlogo.models.gltf
             _buffers.push(null);
             // keep() reads the length; here a wrong one is refused before the buffer is fetched or decoded
             buffer.requiredInteger("byteLength", FileBudget.MAX_BYTES);
-            var uri:* = buffer.value.uri;
+            var uri:* = buffer.raw.uri;
             buffer.refuseIf(uri !== undefined && !(uri is String), "expected an address", "uri");
             if (uri === undefined)
             {

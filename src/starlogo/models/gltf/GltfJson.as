@@ -4,8 +4,8 @@ package starlogo.models.gltf
     import starlogo.models.files.shortened;
 
     /**
-     * An object in the JSON of a glTF file. Its methods check what they read, and errors name the place. Only texts are never refused, and
-     * <code>value</code> is as it was read. The outermost object has the file's lists: its nodes, for example.
+     * An object in the JSON of a glTF file. Its methods check what they read, and errors name the place. Only textOrNull() refuses
+     * nothing, and <code>raw</code> is as it was read. The outermost object has the file's lists: its nodes, for example.
      */
     internal final class GltfJson
     {
@@ -13,7 +13,7 @@ package starlogo.models.gltf
         internal static const ANY_LENGTH:int = -1;
 
         /** The object, as it was read. */
-        public var value:Object;
+        public var raw:Object;
 
         /** Its place in the JSON, for errors; "" for the outermost object. */
         public var place:String;
@@ -33,7 +33,7 @@ package starlogo.models.gltf
         public function GltfJson(modelName:String, value:*, place:String = "", root:GltfJson = null)
         {
             this.modelName = modelName;
-            this.value = value;
+            raw = value;
             this.place = place;
             _root = root || this;
             if (!isObject(value))
@@ -60,19 +60,19 @@ package starlogo.models.gltf
         /** Whether there is a property. */
         public function has(key:String):Boolean
         {
-            return value[key] !== undefined;
+            return raw[key] !== undefined;
         }
 
         /** A property that is a text; null if it is something else, or empty. */
-        public function text(key:String):String
+        public function textOrNull(key:String):String
         {
-            return value[key] is String && value[key] != "" ? value[key] : null;
+            return raw[key] is String && raw[key] != "" ? raw[key] : null;
         }
 
         /** A property that is a list; an empty one if there is none. */
         public function list(key:String):Array
         {
-            var found:* = value[key];
+            var found:* = raw[key];
             if (found !== undefined && !(found is Array))
             {
                 throw error("expected a list, but found " + shown(found), key);
@@ -101,7 +101,7 @@ package starlogo.models.gltf
         /** A property that is an object; null if there is none. */
         public function object(key:String):GltfJson
         {
-            return has(key) ? new GltfJson(modelName, value[key], placeOf(key), _root) : null;
+            return has(key) ? new GltfJson(modelName, raw[key], placeOf(key), _root) : null;
         }
 
         /** An entry of one of the file's lists, for example "nodes". */
@@ -113,7 +113,7 @@ package starlogo.models.gltf
         /** The index of the entry of one of the file's lists to which a property refers; -1 if there is none. */
         public function indexOrNone(key:String, list:String):int
         {
-            return has(key) ? checkedIndex(value[key], key, list) : -1;
+            return has(key) ? checkedIndex(raw[key], key, list) : -1;
         }
 
         private function checkedIndex(index:*, key:String, list:String):int
@@ -135,7 +135,7 @@ package starlogo.models.gltf
         /** An integer property from 0 to a maximum. @throws ModelError if there is none */
         public function requiredInteger(key:String, most:int):int
         {
-            var found:* = value[key];
+            var found:* = raw[key];
             refuseIf(!isInteger(found, most), "expected an integer from 0 to " + most + ", but found " + shown(found), key);
             return found;
         }

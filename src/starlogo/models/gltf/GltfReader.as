@@ -12,13 +12,20 @@ package starlogo.models.gltf
      * Reads a glTF file. GltfModel says which parts.
      *
      * <p>A GltfFile has the JSON, whose objects are GltfJsons, and the buffers. A GltfScene finds the nodes with meshes, and where they are. For each
-     * primitive of a mesh, GltfVertices and GltfTriangles add what its GltfAccessors say to the model. The
-     * scene has the joints of a skin, and GltfSkinWeights say how much vertices follow them.</p>
+     * primitive of a mesh, GltfVertices add the vertices that its GltfAccessors say to the model, and the reader the triangles. The scene has the
+     * joints of a skin, and GltfSkinWeights say how much vertices follow them.</p>
      *
      * @private
      */
     public final class GltfReader extends StepSequence implements FormatReader
     {
+        private static const TRIANGLES_PER_STEP:int = 5000;
+
+        // modes of primitives; those of points and lines are less
+        private static const TRIANGLES:int = 4;
+        private static const STRIP:int = 5;
+        private static const FAN:int = 6;
+
         private var _data:ModelData;
         private var _file:GltfFile;
         private var _scene:GltfScene;
@@ -51,7 +58,7 @@ package starlogo.models.gltf
             var json:GltfJson = _file.json;
             for (var i:int = 0; i < json.count("materials"); i++)
             {
-                _data.materials.addLabel(json.rootEntry("materials", i).text("name"));
+                _data.materials.addLabel(json.rootEntry("materials", i).textOrNull("name"));
             }
             return new StepSequence().beginEach(_scene.nodes.length, readingNode);
         }
@@ -62,7 +69,7 @@ package starlogo.models.gltf
             var nodeIndex:int = _scene.nodes[index];
             var node:GltfJson = _file.json.rootEntry("nodes", nodeIndex);
             var mesh:GltfJson = node.rootEntry("meshes", node.indexOrNone("mesh", "meshes"));
-            var name:String = node.text("name") || mesh.text("name");
+            var name:String = node.textOrNull("name") || mesh.textOrNull("name");
             // The vertices of this node so far, by what they depend on beside the node and its skin.
             var placed:Object = {};
             _data.readProgress = index / _scene.nodes.length;
@@ -86,19 +93,59 @@ package starlogo.models.gltf
             {
                 return work;
             }
-            var hasSurface:Boolean = GltfTriangles.modeOf(primitive) >= GltfTriangles.TRIANGLES;
             // primitives may share their vertices and have different triangles
             var isPlain:Boolean = primitive.count("targets") == 0 && !attributes.has("JOINTS_0");
             var key:String = position + (isPlain ? "" : primitive.place);
             var points:GltfVertices = placed[key] ||= new GltfVertices(_file, _scene, node, primitive, _data.vertices);
             work.add(points);
-            if (hasSurface)
+            if (primitive.integer("mode", FAN, TRIANGLES) >= TRIANGLES)
             {
                 _data.meshes.beginRun(_data.meshes.labelWithKey(String(node), name), _data.triangles.length / 3);
                 _data.materials.beginRun(primitive.indexOrNone("material", "materials"), _data.triangles.length / 3);
-                work.add(new GltfTriangles(_file, primitive, points, _data.triangles));
+                addTriangles(work, primitive, points);
             }
             return work;
+        }
+
+        // Adds the steps that read a primitive's triangles, after those of its vertices. Triangle n of a list has the corners 3n, 3n+1 and 3n+2.
+        // Triangle n of a fan has the corners n+1, n+2 and 0. In a strip, every second triangle has its corner order reversed.
+        private function addTriangles(work:StepSequence, primitive:GltfJson, vertices:GltfVertices):void
+        {
+            var mode:int = primitive.integer("mode", FAN, TRIANGLES);
+            var index:int = primitive.indexOrNone("indices", "accessors");
+            var indices:GltfAccessor = index < 0 ? null : _file.accessor(index, "SCALAR");
+            if (indices != null)
+            {
+                indices.json.refuseIf(!indices.areIndices, "indices must be 5121, 5123 or 5125, and not normalized", "componentType");
+                work.add(indices);
+            }
+            var cornerCount:int = indices == null ? vertices.count : indices.count;
+            var triangleCount:int = mode == TRIANGLES ? cornerCount / 3 : Math.max(0, cornerCount - 2);
+            _file.budget.checkMeshSize(0, _data.triangles.length / 3 + triangleCount, primitive.place);
+            work.slices(triangleCount, TRIANGLES_PER_STEP, function(first:int, end:int):void
+                {
+                    var isMirror:Boolean = vertices.isMirror;
+                    for (var i:int = first; i < end; i++)
+                    {
+                        var a:int = mode == TRIANGLES ? 3 * i : (mode == FAN ? i + 1 : i);
+                        var b:int = a + 1;
+                        var c:int = mode == FAN ? 0 : a + 2;
+                        var isReversed:Boolean = isMirror != (mode == STRIP && (i & 1) == 1);
+                        addCorner(a, indices, vertices, primitive);
+                        addCorner(isReversed ? c : b, indices, vertices, primitive);
+                        addCorner(isReversed ? b : c, indices, vertices, primitive);
+                    }
+                });
+        }
+
+        private function addCorner(corner:int, indices:GltfAccessor, vertices:GltfVertices, primitive:GltfJson):void
+        {
+            var index:Number = indices == null ? corner : indices.numbers[corner];
+            if (index >= vertices.count)
+            {
+                throw indices.json.error("element " + corner + " names vertex " + index + ": " + primitive.place + " has " + vertices.count);
+            }
+            _data.triangles.push(vertices.firstVertex + int(index));
         }
 
         private function endReading():void

@@ -11,9 +11,6 @@ package starlogo.models.gltf
         /** The influences, when no step is left. */
         public var influences:JointInfluences = new JointInfluences();
 
-        /** How many influences there may be: four for each vertex and set. Count them before the steps. */
-        public var mostInfluences:Number;
-
         /**
          * @param file the file
          * @param attributes the attributes of the primitive, with at least one set of joints
@@ -30,7 +27,8 @@ package starlogo.models.gltf
                 indices.push(accessorOf(file, attributes, "JOINTS_" + i, vertexCount));
                 weights.push(accessorOf(file, attributes, "WEIGHTS_" + i, vertexCount));
             }
-            mostInfluences = 4 * Number(vertexCount) * i;
+            // sets may have the same accessors
+            file.budget.spendNumbers(4 * Number(vertexCount) * i, attributes.place);
             slices(vertexCount, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
                     for (var vertex:int = first; vertex < end; vertex++)

@@ -19,10 +19,10 @@ package starlogo.models.gltf
         public var count:int;
 
         private var _node:GltfJson;
-        private var _positions:GltfAccessor;
-        private var _vertices:Vector.<Number>;
+        private var _rest:GltfAccessor;
+        private var _out:Vector.<Number>;
         // the points before the node places them
-        private var _points:Vector.<Number>;
+        private var _deformed:Vector.<Number>;
         // What moves the points: the joints of a skin, or the transform of the node.
         private var _jointMatrices:Vector.<AffineTransform> = null;
         private var _transform:AffineTransform;
@@ -38,15 +38,15 @@ package starlogo.models.gltf
         {
             var attributes:GltfJson = primitive.object("attributes");
             _node = file.json.rootEntry("nodes", node);
-            _positions = file.accessor(attributes.indexOrNone("POSITION", "accessors"), "VEC3");
-            _vertices = vertices;
+            _rest = file.accessor(attributes.indexOrNone("POSITION", "accessors"), "VEC3");
+            _out = vertices;
             firstVertex = vertices.length / 3;
-            count = _positions.count;
+            count = _rest.count;
             file.budget.checkMeshSize(firstVertex + Number(count), 0, primitive.place);
-            add(_positions).call(function():void
+            add(_rest).call(function():void
                 {
                     // other nodes may have the same mesh
-                    _points = _positions.numbers.slice();
+                    _deformed = _rest.numbers.slice();
                 });
             addMorphTargets(file, primitive, scene.weightsOf(node));
             var skin:int = _node.indexOrNone("skin", "skins");
@@ -58,15 +58,14 @@ package starlogo.models.gltf
                 {
                     add(matrices);
                 }
-                call(function():void
+                var read:GltfSkinWeights = file.skinWeights(attributes, count, skin);
+                add(read).call(function():void
                     {
                         _jointMatrices = scene.jointMatricesOf(skin);
-                    });
-                var read:GltfSkinWeights = file.skinWeights(attributes, count, skin);
-                file.budget.spendNumbers(read.mostInfluences, attributes.place);
-                add(read).slices(count, SKINNED_PER_STEP, function(first:int, end:int):void
+                        file.budget.spendNumbers(read.influences.joints.length, attributes.place);
+                    }).slices(count, SKINNED_PER_STEP, function(first:int, end:int):void
                     {
-                        read.influences.skinPoints(_points, _jointMatrices, first, end);
+                        read.influences.skinPoints(_deformed, _jointMatrices, first, end);
                     });
             }
             _transform = isSkinned ? new AffineTransform() : scene.globalTransformOf(node);
@@ -100,16 +99,16 @@ package starlogo.models.gltf
                 {
                     for (var i:int = first; i < end; i++)
                     {
-                        _points[i] += weight * target.numbers[i];
+                        _deformed[i] += weight * target.numbers[i];
                     }
                 });
         }
 
         private function transformVertices(first:int, end:int):void
         {
-            if (!_transform.transformPoints(_points, first, end, _vertices, firstVertex + first))
+            if (!_transform.transformPoints(_deformed, first, end, _out, firstVertex + first))
             {
-                throw _node.error("its vertices are not finite numbers, or are too large at the node's place (" + _positions.json.place + ")");
+                throw _node.error("its vertices are not finite numbers, or are too large at the node's place (" + _rest.json.place + ")");
             }
         }
     }

@@ -4,26 +4,26 @@ package starlogo.models.polygons
     import starlogo.steps.Steps;
 
     /**
-     * Joins each hole of a polygon to the outline by a bridge, so that one ring is left (D. Eberly, "Triangulation by Ear Clipping", 2002). A hole
-     * whose rightmost corner is on an edge needs no bridge.
+     * Joins each hole of a polygon to the outline by a bridge, so that one ring is left (D. Eberly, "Triangulation by Ear Clipping", 2002). If a
+     * hole touches the outline or another hole, both get a corner there.
      */
     internal final class HoleBridges implements Steps
     {
+        // Corners touch what they are closer to. The outline has a size of about 1. Files round to seven digits.
+        private static const TOUCH_DISTANCE:Number = 1e-6;
+
         private var _rings:PolygonRings;
-        private var _outline:int;
 
         // the rightmost node of each hole; the last one is joined next
         private var _nodes:Array = [];
 
         /**
          * @param rings contains the rings
-         * @param outline a node of the outline's ring
-         * @param holes a node of each hole's ring; these rings are clockwise
+         * @param holes a node of each hole's ring
          */
-        public function HoleBridges(rings:PolygonRings, outline:int, holes:Vector.<int>)
+        public function HoleBridges(rings:PolygonRings, holes:Vector.<int>)
         {
             _rings = rings;
-            _outline = outline;
             for each (var hole:int in holes)
             {
                 _nodes.push(rightmost(hole));
@@ -66,37 +66,91 @@ package starlogo.models.polygons
             return result;
         }
 
-        // Joins a hole to the edge that its rightmost node is on, or by a bridge to a corner of the outline that sees this node.
+        // Joins a hole by a bridge from its rightmost node to a corner of the outline that is at its place, or sees it.
         private function addHole(hole:int):void
         {
             if (_rings.budget.cornerTestsLeft <= 0)
             {
                 return;
             }
-            // the search goes around the outline three times
-            _rings.budget.spendCornerTests(3 * _rings.countFrom(_outline));
-            var edge:int = edgeRightOf(hole);
+            weld(hole);
+            hole = rightmost(hole);
+            var node:int = atOrRightOf(hole);
             // without one, the hole is not inside the outline
-            if (edge < 0)
+            if (node >= 0)
             {
-                return;
-            }
-            var end:int = _rings.next[edge];
-            var y:Number = _rings.y[hole];
-            var corner:int = _rings.y[edge] == y ? edge : (_rings.y[end] == y ? end : -1);
-            var touchesCorner:Boolean = corner >= 0 && _rings.x[corner] == _rings.x[hole];
-            if (_rings.orient2d(edge, end, hole) > 0 || touchesCorner)
-            {
-                _rings.bridge(nodeThatSees(corner < 0 ? visibleCorner(hole, edge) : corner, hole), hole);
-            }
-            else
-            {
-                _rings.insert(edge, hole);
+                _rings.bridge(nodeThatSees(_rings.areAtOnePlace(node, hole) ? node : visibleCorner(hole, node), hole), hole);
             }
         }
 
-        // The node where the edge begins that a ray to the right from a hole's node meets first, or a level edge that the hole's node is on; -1 for none.
-        private function edgeRightOf(hole:int):int
+        // Where a hole touches the outline, gives both a corner at one place. So a touch counts also if rounding has put it inside or outside.
+        private function weld(hole:int):void
+        {
+            var xs:Vector.<Number> = _rings.x;
+            var ys:Vector.<Number> = _rings.y;
+            var minX:Number = Number.POSITIVE_INFINITY;
+            var minY:Number = minX;
+            var maxX:Number = -minX;
+            var maxY:Number = -minX;
+            var corner:int = hole;
+            do
+            {
+                minX = Math.min(minX, xs[corner] - TOUCH_DISTANCE);
+                minY = Math.min(minY, ys[corner] - TOUCH_DISTANCE);
+                maxX = Math.max(maxX, xs[corner] + TOUCH_DISTANCE);
+                maxY = Math.max(maxY, ys[corner] + TOUCH_DISTANCE);
+                corner = _rings.next[corner];
+            }
+            while (corner != hole);
+            // the search for a bridge goes around the outline three times
+            var tests:int = 3 * _rings.countFrom(0);
+            var node:int = 0;
+            do
+            {
+                tests++;
+                var end:int = _rings.next[node];
+                if (Math.min(xs[node], xs[end]) <= maxX && Math.max(xs[node], xs[end]) >= minX && Math.min(ys[node], ys[end]) <= maxY && Math.max(ys[node], ys[end]) >= minY)
+                {
+                    do
+                    {
+                        tests++;
+                        weldCorner(corner, node);
+                        weldCorner(node, corner);
+                        corner = _rings.next[corner];
+                    }
+                    while (corner != hole);
+                }
+                node = _rings.next[node];
+            }
+            while (node != 0);
+            _rings.budget.spendCornerTests(tests);
+        }
+
+        // Moves a node to where an edge of another ring begins, or adds a copy of it to the edge, if it is there.
+        private function weldCorner(node:int, edge:int):void
+        {
+            var xs:Vector.<Number> = _rings.x;
+            var ys:Vector.<Number> = _rings.y;
+            var end:int = _rings.next[edge];
+            var edgeX:Number = xs[end] - xs[edge];
+            var edgeY:Number = ys[end] - ys[edge];
+            var toX:Number = xs[node] - xs[edge];
+            var toY:Number = ys[node] - ys[edge];
+            var length:Number = Math.sqrt(edgeX * edgeX + edgeY * edgeY);
+            var along:Number = edgeX * toX + edgeY * toY;
+            if (Math.abs(toX) + Math.abs(toY) < TOUCH_DISTANCE)
+            {
+                xs[node] = xs[edge];
+                ys[node] = ys[edge];
+            }
+            else if (along > TOUCH_DISTANCE * length && along < (length - TOUCH_DISTANCE) * length && Math.abs(edgeX * toY - edgeY * toX) < TOUCH_DISTANCE * length)
+            {
+                _rings.addCopy(node, edge);
+            }
+        }
+
+        // The node of the outline at the place of a hole's node. Otherwise the one where the edge begins that a ray to the right meets first; -1 for none.
+        private function atOrRightOf(hole:int):int
         {
             var xs:Vector.<Number> = _rings.x;
             var ys:Vector.<Number> = _rings.y;
@@ -104,9 +158,13 @@ package starlogo.models.polygons
             var nearest:Number = Number.POSITIVE_INFINITY;
             var x:Number = xs[hole];
             var y:Number = ys[hole];
-            var node:int = _outline;
+            var node:int = 0;
             do
             {
+                if (_rings.areAtOnePlace(node, hole))
+                {
+                    return node;
+                }
                 var end:int = _rings.next[node];
                 // the outline is counter-clockwise, so the edge to the right of an inner point goes upwards
                 if (ys[node] <= y && y <= ys[end] && ys[node] < ys[end])
@@ -119,13 +177,9 @@ package starlogo.models.polygons
                         edge = node;
                     }
                 }
-                else if (ys[node] == y && ys[end] == y && (xs[node] - x) * (xs[end] - x) < 0)
-                {
-                    return node;
-                }
                 node = end;
             }
-            while (node != _outline);
+            while (node != 0);
             return edge;
         }
 
@@ -140,7 +194,7 @@ package starlogo.models.polygons
             var result:int = corner;
             // of a corner below the ray, all is as in a mirror
             var side:int = corner == end ? 1 : -1;
-            var node:int = _outline;
+            var node:int = 0;
             do
             {
                 var isInTriangle:Boolean = side * (ys[node] - ys[hole]) >= 0 && _rings.orient2d(edge, end, node) >= 0
@@ -155,7 +209,7 @@ package starlogo.models.polygons
                 }
                 node = _rings.next[node];
             }
-            while (node != _outline);
+            while (node != 0);
             return result;
         }
 
@@ -163,16 +217,14 @@ package starlogo.models.polygons
         // side of the others: of those that see it, the one whose next edge is the nearest clockwise.
         private function nodeThatSees(corner:int, hole:int):int
         {
-            var xs:Vector.<Number> = _rings.x;
-            var ys:Vector.<Number> = _rings.y;
             var next:Vector.<int> = _rings.next;
             // a hole that touches the corner begins there, and goes on to its next node
-            var seen:int = xs[hole] == xs[corner] && ys[hole] == ys[corner] ? next[hole] : hole;
+            var seen:int = _rings.areAtOnePlace(hole, corner) ? next[hole] : hole;
             var result:int = -1;
             var node:int = corner;
             do
             {
-                if (xs[node] == xs[corner] && ys[node] == ys[corner] && isInInteriorAngle(node, seen)
+                if (_rings.areAtOnePlace(node, corner) && isInInteriorAngle(node, seen)
                         && (result < 0 || isInAngle(node, next[result], next[node], seen)))
                 {
                     result = node;

@@ -4,12 +4,13 @@ package starlogo.models.polygons
     import starlogo.models.files.FileBudget;
 
     /**
-     * A polygon's outline and holes as rings of corners in a plane. The polygon is projected along the coordinate axis nearest to the
+     * A polygon's outline and holes as rings of corners in a plane. Once the holes are joined to the outline (HoleBridges), that ring is cut into
+     * triangles, one ear at a time. The polygon is projected along the coordinate axis nearest to the
      * outline's normal (by M. E. Newell's method), so that the outline is counter-clockwise. Small bends out of the plane do no harm.
-     * Coordinates begin at the outline's first corner, and are rounded to a grid, on which the directions of turns are exact. So a corner that is
-     * on a line up to rounding is on the same side of it in each test.
+     * Coordinates begin at the outline's first corner, are scaled by a power of two, and are rounded to a grid, on which the directions of turns are
+     * exact. So a corner that is on a line stays there, and one that is beside it by rounding is on the same side in each test.
      *
-     * <p>A corner may be in a ring more than once. So rings are made of nodes, and an index stands for a node.</p>
+     * <p>A corner may be in a ring more than once. So rings are made of nodes, and an index stands for a node. Node 0 is in the outline's ring.</p>
      */
     internal final class PolygonRings
     {
@@ -22,7 +23,7 @@ package starlogo.models.polygons
         // The part of two products by which their computed difference may be wrong.
         private static const PRODUCTS_ROUNDING:Number = 4e-16;
 
-        /** The projected coordinate of each node, scaled so that the outline has a size of about 1. */
+        /** The projected coordinate of each node. The outline has a size of about 1: see unitScaleOf(). */
         internal var x:Vector.<Number> = new Vector.<Number>();
         internal var y:Vector.<Number> = new Vector.<Number>();
 
@@ -47,8 +48,13 @@ package starlogo.models.polygons
         private var _axisY:int;
         private var _scale:Number;
 
+        // while ears are cut: the present node, the number of corners left, and the number of corners passed since the last ear
+        private var _node:int = 0;
+        private var _count:int = 0;
+        private var _misses:int = 0;
+
         /**
-         * The plane of a polygon, without rings yet.
+         * The plane of a polygon, and the outline's ring, which is counter-clockwise.
          *
          * @param budget limits the tests of corners
          * @param vertices x, y, z, ...; corners are indices of these
@@ -60,15 +66,15 @@ package starlogo.models.polygons
             _vertices = vertices;
             _origin = outline[0];
             chooseAxis(outline);
+            if (hasArea)
+            {
+                addLoop(outline, true);
+            }
         }
 
         private function chooseAxis(outline:Vector.<uint>):void
         {
-            _scale = 1 / extentOf(outline);
-            if (!(_scale > 0 && _scale < Number.POSITIVE_INFINITY))
-            {
-                return;
-            }
+            _scale = unitScaleOf(_vertices, outline);
             var largest:Number = 0;
             for (var axis:int = 0; axis < 3; axis++)
             {
@@ -82,27 +88,27 @@ package starlogo.models.polygons
             }
         }
 
-        /** Whether the outline has an area. Otherwise there is no plane, and no ring can be added. */
+        /** Whether the outline has an area. Otherwise there is no plane, and no ring. */
         internal function get hasArea():Boolean
         {
             return _axisX != _axisY;
         }
 
-        /**
-         * Makes a ring from a loop of corners.
-         *
-         * @param loop the corners, in either direction
-         * @param counterClockwise whether the ring is to be counter-clockwise
-         * @return its first node
-         */
-        internal function addLoop(loop:Vector.<uint>, counterClockwise:Boolean):int
+        /** Makes a clockwise ring from the corners of a hole, in either direction. Returns its first node. */
+        internal function addHole(corners:Vector.<uint>):int
+        {
+            return addLoop(corners, false);
+        }
+
+        private function addLoop(loop:Vector.<uint>, counterClockwise:Boolean):int
         {
             var isReversed:Boolean = doubleArea(loop, _axisX, _axisY) > 0 != counterClockwise;
             var first:int = x.length;
             var count:int = loop.length;
             for (var i:int = 0; i < count; i++)
             {
-                addNode(loop[isReversed ? count - 1 - i : i], first + (i + 1) % count, first + (i + count - 1) % count);
+                var corner:uint = loop[isReversed ? count - 1 - i : i];
+                addNode(corner, coordinateOf(corner, _axisX), coordinateOf(corner, _axisY), first + (i + 1) % count, first + (i + count - 1) % count);
             }
             return first;
         }
@@ -110,27 +116,27 @@ package starlogo.models.polygons
         /** Opens a ring at a corner. It then goes to a node of another ring, around that, and back. */
         internal function bridge(corner:int, other:int):void
         {
-            var cornerAgain:int = addNode(vertex[corner], next[corner], corner);
-            previous[next[corner]] = cornerAgain;
-            next[corner] = cornerAgain;
-            insert(corner, other);
+            var cornerAgain:int = addCopy(corner, corner);
+            var otherEnd:int = addCopy(other, previous[other]);
+            next[corner] = other;
+            previous[other] = corner;
+            next[otherEnd] = cornerAgain;
+            previous[cornerAgain] = otherEnd;
         }
 
-        /** Opens a ring at the edge that begins at a node. It then goes around another ring, from a node on, and back to the edge's end. */
-        internal function insert(edge:int, other:int):void
+        /** Adds a copy of a node after a node, in the ring of that one. Returns its index. */
+        internal function addCopy(node:int, before:int):int
         {
-            var otherEnd:int = addNode(vertex[other], next[edge], previous[other]);
-            next[previous[other]] = otherEnd;
-            previous[next[edge]] = otherEnd;
-            next[edge] = other;
-            previous[other] = edge;
+            var copy:int = addNode(vertex[node], x[node], y[node], next[before], before);
+            previous[next[before]] = copy;
+            next[before] = copy;
+            return copy;
         }
 
-        // Adds a node for a vertex and returns its index.
-        private function addNode(ofVertex:uint, nextNode:int, previousNode:int):int
+        private function addNode(ofVertex:uint, atX:Number, atY:Number, nextNode:int, previousNode:int):int
         {
-            x.push(coordinateOf(ofVertex, _axisX));
-            y.push(coordinateOf(ofVertex, _axisY));
+            x.push(atX);
+            y.push(atY);
             vertex.push(ofVertex);
             next.push(nextNode);
             previous.push(previousNode);
@@ -143,13 +149,10 @@ package starlogo.models.polygons
             return scaled + ROUNDER - ROUNDER;
         }
 
-        /** Takes a node out of its ring. */
-        internal function remove(node:int):void
+        /** Whether two nodes have the same coordinates. */
+        internal function areAtOnePlace(node:int, other:int):Boolean
         {
-            var before:int = previous[node];
-            var after:int = next[node];
-            next[before] = after;
-            previous[after] = before;
+            return x[node] == x[other] && y[node] == y[other];
         }
 
         /** The number of nodes in the ring of a node. */
@@ -181,19 +184,84 @@ package starlogo.models.polygons
             return area + (roundingOfProduct(toBX, toCY, left) - roundingOfProduct(toBY, toCX, right));
         }
 
-        /** Whether the ring goes back at a node the way it came, or stays in its place. */
-        internal function turnsBack(node:int):Boolean
+        /**
+         * Does a step that cuts the outline's ring into triangles. Only triangles with an area are added. This holds for corners in a straight line,
+         * and for rings that cross or cover themselves. It ends for every ring, because any corner is cut off after two rounds without an ear.
+         *
+         * @param triangles takes the triangles
+         * @return whether more than two corners are left
+         */
+        internal function cutEars(triangles:Vector.<uint>):Boolean
+        {
+            var end:Number = budget.cornerTestsLeft - TESTS_PER_STEP;
+            _count ||= countFrom(0);
+            while (_count > 2 && budget.cornerTestsLeft > end)
+            {
+                var before:int = previous[_node];
+                var after:int = next[_node];
+                var area:Number = orient2d(before, _node, after);
+                // An outline that crosses itself may have no ear left. After one round without an ear any left turn is cut, after two
+                // rounds any corner.
+                var cutsLeftTurns:Boolean = _misses > _count;
+                var cutsAll:Boolean = _misses > 2 * _count || budget.cornerTestsLeft <= 0;
+                budget.spendCornerTests(1);
+                if (cutsAll || area == 0 || area > 0 && (cutsLeftTurns || isEar(before, _node, after)))
+                {
+                    if (area > 0)
+                    {
+                        triangles.push(vertex[before], vertex[_node], vertex[after]);
+                    }
+                    next[before] = after;
+                    previous[after] = before;
+                    // once all are cut, it stays so
+                    _misses = cutsAll ? _misses : 0;
+                    _count--;
+                    // What is left of a cut part goes first, because no other triangle is right while the ring goes there and back.
+                    _node = turnsBack(before) ? before : (turnsBack(after) ? after : next[after]);
+                }
+                else
+                {
+                    _misses++;
+                    _node = after;
+                }
+            }
+            return _count > 2;
+        }
+
+        // Whether no other corner is in the triangle of a left turn.
+        private function isEar(before:int, tip:int, after:int):Boolean
+        {
+            var minX:Number = Math.min(x[before], x[tip], x[after]);
+            var maxX:Number = Math.max(x[before], x[tip], x[after]);
+            var outside:int = 0;
+            var node:int = next[after];
+            // most corners are beside the triangle
+            while (node != before && !(x[node] >= minX && x[node] <= maxX && isInWay(node, before, tip, after)))
+            {
+                outside++;
+                node = next[node];
+            }
+            budget.spendCornerTests(outside);
+            return node == before;
+        }
+
+        private function isInWay(node:int, before:int, tip:int, after:int):Boolean
+        {
+            var isAtEnd:Boolean = areAtOnePlace(node, before) || areAtOnePlace(node, after);
+            return !isAtEnd && (areAtOnePlace(node, tip) ? goesInto(node, before, tip, after) : isInside(node, before, tip, after));
+        }
+
+        // Whether the ring goes back at a node the way it came, or stays in its place.
+        private function turnsBack(node:int):Boolean
         {
             var before:int = previous[node];
             var after:int = next[node];
             return orient2d(before, node, after) == 0 && (x[before] - x[node]) * (x[after] - x[node]) + (y[before] - y[node]) * (y[after] - y[node]) >= 0;
         }
 
-        /**
-         * Whether the triangle of three nodes in a row has another node inside it or on its edge. The triangle must be counter-clockwise. A node
-         * that touches one of its two sides in the ring from outside does not count.
-         */
-        internal function isInside(node:int, before:int, tip:int, after:int):Boolean
+        // Whether the triangle of three nodes in a row has another node inside it or on its edge. The triangle must be counter-clockwise. A node
+        // that touches one of its two sides in the ring from outside does not count.
+        private function isInside(node:int, before:int, tip:int, after:int):Boolean
         {
             var left:Number = orient2d(before, tip, node);
             var right:Number = left < 0 ? -1 : orient2d(tip, after, node);
@@ -201,11 +269,9 @@ package starlogo.models.polygons
                 && !(left == 0 && isBeyond(node, before, tip)) && !(right == 0 && isBeyond(node, tip, after));
         }
 
-        /**
-         * Whether the ring goes at a node at the tip's place into the triangle of three nodes in a row, which must be counter-clockwise, or leaves it
-         * out. The ends of its edges may be beyond the triangle: where a hole touches the tip, the ring goes there and back.
-         */
-        internal function goesInto(node:int, before:int, tip:int, after:int):Boolean
+        // Whether the ring goes at a node at the tip's place into the triangle of three nodes in a row, which must be counter-clockwise, or leaves it
+        // out. The ends of its edges may be beyond the triangle: where a hole touches the tip, the ring goes there and back.
+        private function goesInto(node:int, before:int, tip:int, after:int):Boolean
         {
             return isInCorner(previous[node], before, tip, after) || isInCorner(next[node], before, tip, after)
                 || isAlongSides(previous[node], next[node], before, tip, after);
@@ -228,20 +294,6 @@ package starlogo.models.polygons
         private function isBeyond(node:int, from:int, to:int):Boolean
         {
             return orient2d(from, to, previous[node]) <= 0 && orient2d(from, to, next[node]) <= 0;
-        }
-
-        private function extentOf(loop:Vector.<uint>):Number
-        {
-            var origin:int = 3 * loop[0];
-            var extent:Number = 0;
-            for each (var corner:uint in loop)
-            {
-                for (var i:int = 0; i < 3; i++)
-                {
-                    extent = Math.max(extent, Math.abs(_vertices[3 * corner + i] - _vertices[origin + i]));
-                }
-            }
-            return extent;
         }
 
         // Twice the area of a loop in the plane of two axes; positive if it is counter-clockwise. Its coordinates are scaled.

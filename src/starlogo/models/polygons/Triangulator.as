@@ -7,10 +7,11 @@ package starlogo.models.polygons
     /**
      * Triangulates polygons in space. They may be concave and have holes.
      *
-     * <p>A triangle stays as it is, and a quad is cut along a diagonal: the one inside it, unless the quad is smaller than 1e-150. Other polygons become rings in a plane (PolygonRings). If their first
-     * corner sees all others, as in a convex polygon without corners in a straight line, they are cut from there. Otherwise their holes are
-     * joined to the outline (HoleBridges), and ears are cut off (EarClipper). Outlines may cross or cover themselves. Every triangle that is
-     * cut from a ring has an area in the plane. A ring without area has no triangles.</p>
+     * <p>A triangle stays as it is, and a quad is cut along the diagonal inside it; triangles that name a corner twice are left out. Other polygons
+     * become rings in a plane (PolygonRings). If their first corner sees all others, as in a convex polygon without corners in a straight line,
+     * they are cut from there. Otherwise their holes are joined to the outline (HoleBridges), and ears are cut off. Outlines may cross
+     * or cover themselves, and holes may touch them. Every triangle that is cut from a ring has an area in the plane. A ring without area has no
+     * triangles.</p>
      *
      * <p>Cost: linear for convex polygons, otherwise up to quadratic in the corners, but at most the tests of corners that the file's limits
      * allow. Beyond that, corners are cut off without a test, and holes are filled.</p>
@@ -20,10 +21,6 @@ package starlogo.models.polygons
     public final class Triangulator
     {
         private static const POLYGONS_PER_STEP:int = 100;
-
-        // The areas in quads with shorter diagonals are multiplied by a power of two, which rounds nothing: ENLARGING is 2^600.
-        private static const TINY:Number = 1e-60;
-        private static const ENLARGING:Number = 4.149515568880993e180;
 
         /** Three indices for each triangle, in the direction of its polygon. */
         public var triangles:Vector.<uint>;
@@ -90,7 +87,6 @@ package starlogo.models.polygons
             {
                 return null;
             }
-            var start:int = rings.addLoop(outline, true);
             if (!hasHoles && isFan(rings))
             {
                 for (var i:int = 2; i < outline.length; i++)
@@ -104,11 +100,14 @@ package starlogo.models.polygons
             {
                 if (hole.length > 2)
                 {
-                    nodes.push(rings.addLoop(hole, false));
+                    nodes.push(rings.addHole(hole));
                 }
             }
-            var clipper:EarClipper = new EarClipper(rings, start, triangles);
-            var rest:Steps = nodes.length == 0 ? clipper : new StepSequence().add(new HoleBridges(rings, start, nodes)).add(clipper);
+            var rest:StepSequence = nodes.length == 0 ? new StepSequence() : new StepSequence().add(new HoleBridges(rings, nodes));
+            rest.repeat(function():Boolean
+                {
+                    return rings.cutEars(triangles);
+                });
             return rest.step() ? rest : null;
         }
 
@@ -133,7 +132,8 @@ package starlogo.models.polygons
                 return;
             }
             var d:uint = outline[3];
-            if (!isDiagonal(a, b, c, d) && isDiagonal(b, c, d, a))
+            var scale:Number = unitScaleOf(_vertices, outline);
+            if (!isDiagonal(a, b, c, d, scale) && isDiagonal(b, c, d, a, scale))
             {
                 addTriangle(a, b, d);
                 addTriangle(b, c, d);
@@ -145,8 +145,8 @@ package starlogo.models.polygons
             }
         }
 
-        // Whether ac cuts the quad into two triangles of the same direction.
-        private function isDiagonal(a:uint, b:uint, c:uint, d:uint):Boolean
+        // Whether ac cuts the quad into two triangles of the same direction. The scale keeps the products of four lengths from being 0 or infinite.
+        private function isDiagonal(a:uint, b:uint, c:uint, d:uint, scale:Number):Boolean
         {
             var vertices:Vector.<Number> = _vertices;
             var start:int = 3 * a;
@@ -154,22 +154,18 @@ package starlogo.models.polygons
             var y:Number = vertices[int(start + 1)];
             var z:Number = vertices[int(start + 2)];
             start = 3 * b;
-            var bx:Number = vertices[start] - x;
-            var by:Number = vertices[int(start + 1)] - y;
-            var bz:Number = vertices[int(start + 2)] - z;
+            var bx:Number = (vertices[start] - x) * scale;
+            var by:Number = (vertices[int(start + 1)] - y) * scale;
+            var bz:Number = (vertices[int(start + 2)] - z) * scale;
             start = 3 * c;
-            var cx:Number = vertices[start] - x;
-            var cy:Number = vertices[int(start + 1)] - y;
-            var cz:Number = vertices[int(start + 2)] - z;
+            var cx:Number = (vertices[start] - x) * scale;
+            var cy:Number = (vertices[int(start + 1)] - y) * scale;
+            var cz:Number = (vertices[int(start + 2)] - z) * scale;
             start = 3 * d;
-            var dx:Number = vertices[start] - x;
-            var dy:Number = vertices[int(start + 1)] - y;
-            var dz:Number = vertices[int(start + 2)] - z;
-            // the products of four lengths of a tiny or huge quad would be 0 or infinite
-            var size:Number = Math.abs(cx) + Math.abs(cy) + Math.abs(cz);
-            var scale:Number = size < TINY ? ENLARGING : (size > 1 / TINY ? 1 / ENLARGING : 1);
-            return scale * (by * cz - bz * cy) * (scale * (cy * dz - cz * dy)) + scale * (bz * cx - bx * cz) * (scale * (cz * dx - cx * dz)) +
-                scale * (bx * cy - by * cx) * (scale * (cx * dy - cy * dx)) > 0;
+            var dx:Number = (vertices[start] - x) * scale;
+            var dy:Number = (vertices[int(start + 1)] - y) * scale;
+            var dz:Number = (vertices[int(start + 2)] - z) * scale;
+            return (by * cz - bz * cy) * (cy * dz - cz * dy) + (bz * cx - bx * cz) * (cz * dx - cx * dz) + (bx * cy - by * cx) * (cx * dy - cy * dx) > 0;
         }
 
         // Whether the ring turns left as seen from its first corner, as a convex polygon without corners in a straight line does.

@@ -71,8 +71,6 @@ package starlogo.models.polygons
             return star;
         }
 
-        /** In a plane that leans, corners in a line are beside it by rounding. Every cut must have them on the same side. */
-
         /** An arrow is cut along the diagonal inside it, whatever its size. */
         [Test]
         public function cutsQuadsOfAnySize():void
@@ -86,6 +84,7 @@ package starlogo.models.polygons
             }
         }
 
+        /** In a plane that leans, corners in a line are beside it by rounding. Every cut must have them on the same side. */
         [Test]
         public function coversStepsInLeaningPlanes():void
         {
@@ -196,8 +195,39 @@ package starlogo.models.polygons
                         }
                         loops.push(placed);
                     }
-                    assertEquals("holes " + loops.join("; "), expected, Number(run(loops, new TurnedPlane()).toFixed(9)));
+                    check("holes " + loops.join("; "), expected, loops);
                 }
+            }
+        }
+
+        /** Their coordinates are exact, so the sides of the hole are exactly on the slanted ones. */
+        [Test]
+        public function leavesHolesOnSlantedSidesOpen():void
+        {
+            const WALL:Array = [[4, 0], [0, 0], [0, 6], [4, 6]];
+            for each (var hole:Array in [[[0, 2], [0, 1], [2, 1], [2, 2]], [[4, 2], [4, 4], [3, 3]], [[1, 1], [0, 3], [1, 4]]])
+            {
+                var loops:Array = [];
+                for each (var loop:Array in [WALL, hole])
+                {
+                    loops.push(loop.map(function(corner:Array, index:int, all:Array):Array
+                            {
+                                return [corner[0] + corner[1] / 2, corner[1]];
+                            }));
+                }
+                assertEquals("hole " + hole.join("; "), 24 - Math.abs(area(hole)), run(loops, new TurnedPlane()));
+            }
+        }
+
+        [Test]
+        public function cutsPolygonsOfAnySize():void
+        {
+            for each (var size:Number in [4e-320, 1e-309, 1e-300, 1, 1e300, 4e307])
+            {
+                var vertices:Vector.<Number> = new <Number>[0, 0, 0, 4 * size, 0, 0, 4 * size, 3 * size, 0, 2 * size, size, 0, 0, 3 * size, 0];
+                var triangles:Vector.<uint> = new Vector.<uint>();
+                cut(vertices, triangles, new <Vector.<uint>>[new <uint>[0, 1, 2, 3, 4]]);
+                assertEquals("size " + size, 9, triangles.length);
             }
         }
 

@@ -48,9 +48,11 @@ package starlogo.search
          * @param level has the slack of the rows' extents; BinLevel.ANY_GAP for the ground and the edges. It is no Number, because V8 would make an object
          *     for each row
          * @param times receives the times of the touches
+         * @param from the index of the first of them
          * @return the number of rows that it keeps
          */
-        public function keepTouchingOnMotions(row:int, others:Vector.<int>, count:int, level:BinLevel, times:Vector.<Number>):int
+        public function keepTouchingOnMotions(row:int, others:Vector.<int>, count:int, level:BinLevel, times:Vector.<Number>,
+                from:int):int
         {
             var listIndices:Vector.<int> = _table.listed.listIndices;
             var index:int = listIndices[row];
@@ -64,7 +66,7 @@ package starlogo.search
                 if (_motion.time != RelativeMotion.NEVER)
                 {
                     others[kept] = other;
-                    times[kept] = _motion.time;
+                    times[int(from + kept)] = _motion.time;
                     kept++;
                 }
             }

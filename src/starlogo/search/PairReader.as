@@ -27,7 +27,7 @@ package starlogo.search
         public function begin(list:Vector.<Agent>):void
         {
             _listed.propose(list);
-            _listed.acceptProposed();
+            _listed.accept(list);
         }
 
         /**

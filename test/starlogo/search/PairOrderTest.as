@@ -97,7 +97,7 @@ package starlogo.search
         private static function propose(list:ListedAgents, agents:Vector.<Agent>):void
         {
             list.propose(agents);
-            list.acceptProposed();
+            list.accept(agents);
         }
     }
 }

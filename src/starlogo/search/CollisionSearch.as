@@ -112,7 +112,7 @@ package starlogo.search
             narrowPhase.counts.clear();
             // A search keeps the cells only if it is like the one before, because the next is then probably like it too. So the third of three like
             // searches is the first that begins with the pairs of the last one.
-            if (!(noteConditions(input) && areFew(changeCount)))
+            if (!(rememberConditions(input) && areFew(changeCount)))
             {
                 findOfAll(input);
                 return _pairs;
@@ -192,7 +192,7 @@ package starlogo.search
         }
 
         /** The table was read without a search: the next search is one of all rows. */
-        public function searchAllNext():void
+        public function invalidatePairs():void
         {
             _areCellsCurrent = false;
         }
@@ -210,8 +210,8 @@ package starlogo.search
             table.readEnvironment(input.ground, input.edges);
         }
 
-        // Notes what the pairs of a search depend on, besides agents, ground and edges. Returns whether it is the same as in the last search.
-        private function noteConditions(input:SearchInput):Boolean
+        // Remembers what the pairs of a search depend on, besides agents, ground and edges. Returns whether it is the same as in the last search.
+        private function rememberConditions(input:SearchInput):Boolean
         {
             var interests:BreedInterests = input.interests;
             var depth:int = narrowPhase.treeLimits.defaultDepth;
@@ -260,7 +260,7 @@ package starlogo.search
             _candidateTests.testWithEnvironment(ListedAgents.GROUND_ROW, _changedRows.rowsToTestWith(ListedAgents.GROUND_ROW));
             _candidateTests.testWithEnvironment(ListedAgents.EDGES_ROW, _changedRows.rowsToTestWith(ListedAgents.EDGES_ROW));
             var earlyCount:int = _order.putInOrder(_pairsOfChanged, times);
-            _pairs.replacePairsOf(_changedRows.rowSet, _pairsOfChanged, earlyCount);
+            _pairs.replacePairsOf(_changedRows.invalidRows, _pairsOfChanged, earlyCount);
             narrowPhase.counts.members = _changedRows.memberCount;
         }
 

@@ -157,7 +157,7 @@ package starlogo.collision.snapshots
                     readTraits(bytes, agents, parts.names);
                 }
                 parts.places.restore(agents, search.table);
-                search.searchAllNext();
+                search.invalidatePairs();
             }
             catch (error:Error)
             {

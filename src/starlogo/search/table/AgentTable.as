@@ -187,13 +187,13 @@ package starlogo.search.table
 
         private function readEnvironmentAgent(row:int, agent:EnvironmentAgent):void
         {
-            if (listed.agentsByRow[row] !== agent)
+            var isOther:Boolean = listed.agentsByRow[row] !== agent;
+            if (isOther)
             {
                 listed.agentsByRow[row] = agent;
                 shapes[row] = null;
-                changedEnvironment.add(row);
             }
-            else if (agent != null && agent.revision != revisions[row])
+            if (isOther || agent != null && agent.revision != revisions[row])
             {
                 changedEnvironment.add(row);
             }

@@ -25,12 +25,6 @@ package starlogo.data
                 marks.length = mark = 0;
             }
             mark++;
-            makeRoom(length);
-        }
-
-        /** Lets numbers be added that are less than a length. */
-        public function makeRoom(length:int):void
-        {
             if (marks.length < length)
             {
                 // grows by an eighth, because a vector that grows a little each time is copied each time

@@ -19,9 +19,6 @@ package starlogo.handlers
      */
     public final class TouchTracker
     {
-        // In place of the index of a pair's touch: there is none, or none yet.
-        private static const NO_TOUCH:int = -1;
-
         // In place of the last frame of a touch: it has ended.
         private static const NO_FRAME:int = int.MAX_VALUE;
 
@@ -46,15 +43,8 @@ package starlogo.handlers
         // The number of touches that ever began.
         private var _startedCount:Number = 0;
 
-        // The pairs of the frame, and their revision; null if it is not known which touches they have.
+        // The pairs of the frame; null if it is not known which touches they have.
         private var _pairs:FoundPairs = null;
-        private var _pairsRevision:int = 0;
-
-        // By pair: the index of its touch, or NO_TOUCH. There may be more entries than pairs.
-        private var _touchIndices:Vector.<int> = new Vector.<int>();
-
-        // The same for the revision before.
-        private var _touchIndicesBefore:Vector.<int> = new Vector.<int>();
 
         // The pairs whose touches may begin.
         private var _starting:IntList = new IntList();
@@ -76,33 +66,27 @@ package starlogo.handlers
             {
                 return _starting;
             }
-            var isIncremental:Boolean = pairs === _pairs && pairs.isIncremental && pairs.revision == _pairsRevision + 1;
-            var before:Vector.<int> = _touchIndices;
-            _touchIndices = _touchIndicesBefore;
-            _touchIndicesBefore = before;
-            if (_touchIndices.length < pairs.count)
+            if (pairs !== _pairs)
             {
-                // grows by an eighth, because a vector that grows a little in each frame is copied each time
-                _touchIndices.length = pairs.count + (pairs.count >> 3);
+                // they may have touches of another Collision
+                pairs.forgetTouches();
+                _pairs = pairs;
             }
-            _pairs = pairs;
-            _pairsRevision = pairs.revision;
             frame++;
+            var touchIndices:Vector.<int> = pairs.touchIndices;
             for (var pair:int = 0; pair < pairs.count; pair++)
             {
-                var touchIndex:int = isIncremental && pairs.previousIndices[pair] != FoundPairs.NEW ? before[pairs.previousIndices[pair]] : NO_TOUCH;
-                if (touchIndex == NO_TOUCH)
+                if (touchIndices[pair] == FoundPairs.NO_TOUCH)
                 {
-                    touchIndex = indexToContinue(pair, table);
+                    touchIndices[pair] = indexToContinue(pair, table);
                 }
-                _touchIndices[pair] = touchIndex;
-                if (touchIndex == NO_TOUCH)
+                if (touchIndices[pair] == FoundPairs.NO_TOUCH)
                 {
                     _starting.add(pair);
                 }
                 else
                 {
-                    _lastFrames[touchIndex] = frame;
+                    _lastFrames[touchIndices[pair]] = frame;
                 }
             }
             return _starting;
@@ -163,7 +147,8 @@ package starlogo.handlers
         /** The touch of a pair of the frame; null if there is none. */
         public function touchAt(pair:int):Touch
         {
-            return _touchIndices[pair] == NO_TOUCH ? null : _all[_touchIndices[pair]];
+            var index:int = _pairs.touchIndices[pair];
+            return index == FoundPairs.NO_TOUCH ? null : _all[index];
         }
 
         /** Begins the touch of a pair of the frame that has none, of the breeds that the two agents have now. */
@@ -172,7 +157,7 @@ package starlogo.handlers
             var first:Agent = _pairs.firstOf(pair);
             var second:Agent = _pairs.secondOf(pair);
             var touch:Touch = start(first, second, first.breedNumber, second.breedNumber);
-            _touchIndices[pair] = touch.index;
+            _pairs.touchIndices[pair] = touch.index;
             return touch;
         }
 
@@ -196,7 +181,7 @@ package starlogo.handlers
         /** Lets the touch of a pair end in the next frame, because its handlers were called for the first agent only. A new one may begin there. */
         public function dropAt(pair:int):void
         {
-            _touchIndices[pair] = NO_TOUCH;
+            _pairs.touchIndices[pair] = FoundPairs.NO_TOUCH;
         }
 
         /** Forgets which touches the pairs have, because the calls of a frame have failed. */
@@ -243,12 +228,12 @@ package starlogo.handlers
         {
             if (!table.handlersOfPair(_pairs, pair).tracksTouches)
             {
-                return NO_TOUCH;
+                return FoundPairs.NO_TOUCH;
             }
             var touch:Touch = find(_pairs.firstOf(pair), _pairs.secondOf(pair));
             var goesOn:Boolean = touch != null && touch.isComplete && touch.firstBreed == touch.first.breedNumber
                 && touch.secondBreed == touch.second.breedNumber;
-            return goesOn ? touch.index : NO_TOUCH;
+            return goesOn ? touch.index : FoundPairs.NO_TOUCH;
         }
     }
 }

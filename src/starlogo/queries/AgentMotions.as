@@ -75,8 +75,8 @@ package starlogo.queries
          * @param dy how far along y, in patches
          * @param dz how far along z, in patches
          * @param filter the agents that count; null for all
-         * @param out receives the list; null for a new list. The hits in it are overwritten, and surplus hits are removed and used again
-         *     later. Copy a hit that you want to keep
+         * @param out receives the list; null for a new list. The hits in it are overwritten, so none may be in it twice. Surplus hits are
+         *     removed and used again later. Copy a hit that you want to keep
          * @return out, or the new list
          * @throws ArgumentError as castShape does
          * @throws RangeError as castShape does
@@ -117,8 +117,8 @@ package starlogo.queries
          * @param dy how far along y, in patches
          * @param dz how far along z, in patches
          * @param filter the agents that count; null for all
-         * @param out receives the list; null for a new list. The hits in it are overwritten, and surplus hits are removed and used again
-         *     later. Copy a hit that you want to keep
+         * @param out receives the list; null for a new list. The hits in it are overwritten, so none may be in it twice. Surplus hits are
+         *     removed and used again later. Copy a hit that you want to keep
          * @return out, or the new list
          * @throws ArgumentError as castAgent does
          * @throws RangeError as castAgent does

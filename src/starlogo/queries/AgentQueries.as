@@ -81,14 +81,7 @@ package starlogo.queries
             _moves = new MoveQueries(_seen);
         }
 
-        /**
-         * The ground that questions see after the next update; null for none. If these questions were made for a Collision, this is the
-         * Collision's ground, and setting it changes the Collision.
-         *
-         * <p>The ground touches agents, blocks rays and stops motions as an agent does. Answers have its <code>agent</code>. If the ground
-         * and an agent are equally far away, the agent comes first. In lists of agents that touch, the ground comes last. Questions about
-         * near agents never find it. A filter can exclude it.</p>
-         */
+        /** @copy SeenAgents#terrain */
         public function get terrain():Terrain
         {
             return _seen.terrain;
@@ -99,29 +92,13 @@ package starlogo.queries
             _seen.terrain = value;
         }
 
-        /**
-         * Sets the agents that questions are about, and reads each of them as it is now.
-         *
-         * @param agents the list. You may change it afterwards; questions do not see the change
-         * @throws ArgumentError if the list or an agent is null, if an agent is listed twice, if a model is unknown or lacks data that the
-         *     collision system needs, or if a Collision's system is not one of the engine's. Questions are then still about the old agents
-         * @throws RangeError if a structure is out of the world. Questions are then still about the old agents
-         * @throws flash.errors.IllegalOperationError if called from a filter's <code>accepts</code>
-         */
+        /** @copy SeenAgents#update() */
         public function update(agents:Vector.<Agent>):void
         {
             _seen.update(agents);
         }
 
-        /**
-         * Reads one agent again, as it is now.
-         *
-         * @param agent an agent of the last update's list
-         * @throws ArgumentError if it is null or not in that list, or if its model is unknown or lacks data that the collision system needs.
-         *     Questions then see it as before
-         * @throws RangeError if its structure is out of the world. Questions then see it as before
-         * @throws flash.errors.IllegalOperationError if called from a filter's <code>accepts</code>
-         */
+        /** @copy SeenAgents#refresh() */
         public function refresh(agent:Agent):void
         {
             _seen.refresh(agent);

@@ -102,8 +102,8 @@ package starlogo.queries
          * @param direction of any length but 0
          * @param maxDistance how far the ray goes, in patches
          * @param filter the agents that count; null for all
-         * @param out receives the list; null for a new list. The hits in it are overwritten, and surplus hits are removed and used again later.
-         *     Copy a hit that you want to keep
+         * @param out receives the list; null for a new list. The hits in it are overwritten, so none may be in it twice. Surplus hits are removed
+         *     and used again later. Copy a hit that you want to keep
          * @param allSurfaces whether an agent has a hit for each surface that the ray crosses, not only for its first
          * @return out, or the new list
          * @throws ArgumentError as cast does

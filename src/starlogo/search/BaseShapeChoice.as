@@ -130,7 +130,7 @@ package starlogo.search
 
         /**
          * Sets the shape of a model. All agents with the same model and variant use it. While it runs, the collider refuses to search, and to
-         * answer about agents whose models have no shapes yet.
+         * answer about agents whose models have no shapes yet. It must not change the list of agents.
          *
          * @param shape has the model's name and the variant. Call its setStructure()
          * @param agent an agent with the model; the model is in the GreatLand

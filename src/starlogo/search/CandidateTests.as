@@ -23,11 +23,9 @@ package starlogo.search
         // The input of the search under way.
         private var _input:SearchInput = null;
 
-        // Takes the pairs of this search. They have times if an agent sweeps.
+        // Takes the pairs of this search, and their times if an agent sweeps.
         private var _out:FoundPairs = null;
-
-        // If an agent sweeps: the times at which a row touches others.
-        private var _times:Vector.<Number> = new Vector.<Number>();
+        private var _times:Vector.<Number> = null;
 
         // The members that are tested with the ground or the edges of the world.
         private var _environmentCandidates:IntList = new IntList();
@@ -48,23 +46,20 @@ package starlogo.search
          * Begins a search.
          *
          * @param out receives the pairs, row by row. They are not in order then
-         * @param haveTimes whether the pairs have times, because an agent sweeps
+         * @param times receives by pair the time of the touch; null if no agent sweeps
          */
-        public function begin(input:SearchInput, out:FoundPairs, haveTimes:Boolean):void
+        public function begin(input:SearchInput, out:FoundPairs, times:Vector.<Number>):void
         {
-            out.begin(haveTimes);
+            out.count = 0;
             _input = input;
             _out = out;
+            _times = times;
         }
 
         /** @inheritDoc */
         override public function onCandidates(row:int, others:Vector.<int>, count:int, level:BinLevel):void
         {
-            var interests:BreedInterests = _input.interests;
-            if (!interests.includesAllOfAgents)
-            {
-                count = interests.keepOfInterest(_table.breeds, row, others, count);
-            }
+            count = _input.interests.keepOfInterest(_table.breeds, row, others, count);
             _narrowPhase.counts.candidatePairs += count;
             addTouching(row, others, count, level);
         }
@@ -90,8 +85,9 @@ package starlogo.search
         // Adds the pairs of a row with those candidates that touch it.
         private function addTouching(row:int, others:Vector.<int>, count:int, level:BinLevel):void
         {
-            count = _out.haveTimes ? _sweptTests.keepTouchingOnMotions(row, others, count, level, _times) : keepTouching(row, others, count, level);
-            _out.addPairs(row, others, count, _times);
+            count = _times == null ? keepTouching(row, others, count, level)
+                : _sweptTests.keepTouchingOnMotions(row, others, count, level, _times, _out.count);
+            _out.addPairs(row, others, count);
         }
 
         // Keeps the rows that touch a row, and moves them to the beginning of the list.

@@ -22,8 +22,8 @@ package starlogo.search
         /** The rows of agents that have changed. Read only. */
         public var rows:IntList = new IntList();
 
-        /** The same rows, and those of the ground and the edges of the world if these have changed: all pairs of the set are found anew. Read only. */
-        public var rowSet:IntSet = new IntSet();
+        /** The rows whose pairs are found anew: the same, and those of the ground and the edges of the world if these have changed. Read only. */
+        public var invalidRows:IntSet = new IntSet();
 
         private var _table:AgentTable;
         private var _motions:RowMotions;
@@ -64,7 +64,7 @@ package starlogo.search
         {
             var length:int = _table.listed.rowCapacity;
             rows.count = 0;
-            rowSet.clear(length);
+            invalidRows.clear(length);
             _cells.makeRoom(length);
             addAll(_table.changed);
             addAll(_table.listed.leftOrReordered);
@@ -76,7 +76,7 @@ package starlogo.search
             // the ground and the edges are no members, but their pairs change with them
             for (var i:int = 0; i < _table.changedEnvironment.count; i++)
             {
-                rowSet.add(_table.changedEnvironment.values[i]);
+                invalidRows.add(_table.changedEnvironment.values[i]);
             }
         }
 
@@ -110,7 +110,7 @@ package starlogo.search
             {
                 if (_cells.has(rows.values[i]))
                 {
-                    _cells.findNear(rows.values[i], rowSet, sink);
+                    _cells.findNear(rows.values[i], invalidRows, sink);
                 }
             }
         }
@@ -118,7 +118,7 @@ package starlogo.search
         /** The rows whose pairs with the ground or the edges may have changed: all rows if the ground or the edges have. */
         public function rowsToTestWith(environmentRow:int):IntList
         {
-            return rowSet.has(environmentRow) ? _table.listed.rows : rows;
+            return invalidRows.has(environmentRow) ? _table.listed.rows : rows;
         }
 
         private function addAll(added:IntList):void
@@ -131,7 +131,7 @@ package starlogo.search
 
         private function add(row:int):void
         {
-            if (rowSet.add(row))
+            if (invalidRows.add(row))
             {
                 rows.add(row);
             }

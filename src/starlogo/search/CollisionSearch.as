@@ -56,6 +56,9 @@ package starlogo.search
         // If few rows have changed: their pairs, which are put between the others.
         private var _pairsOfChanged:FoundPairs;
 
+        // If an agent sweeps: by pair, as they are found, the time of the touch.
+        private var _times:Vector.<Number> = new Vector.<Number>();
+
         // What the pairs of the last search depend on, besides agents, ground and edges: the pairs of breeds that count, their number, because a game that
         // calls findCollisionsAmong() may add some, how deep trees are tested, and whether there is a filter.
         private var _interests:BreedInterests = null;
@@ -109,7 +112,7 @@ package starlogo.search
             narrowPhase.counts.clear();
             // A search keeps the cells only if it is like the one before, because the next is then probably like it too. So the third of three like
             // searches is the first that begins with the pairs of the last one.
-            if (!(noteConditions(input) && areFew(changeCount)))
+            if (!(rememberConditions(input) && areFew(changeCount)))
             {
                 findOfAll(input);
                 return _pairs;
@@ -189,7 +192,7 @@ package starlogo.search
         }
 
         /** The table was read without a search: the next search is one of all rows. */
-        public function searchAllNext():void
+        public function invalidatePairs():void
         {
             _areCellsCurrent = false;
         }
@@ -207,14 +210,13 @@ package starlogo.search
             table.readEnvironment(input.ground, input.edges);
         }
 
-        // Notes what the pairs of a search depend on, besides agents, ground and edges. Returns whether it is the same as in the last search.
-        private function noteConditions(input:SearchInput):Boolean
+        // Remembers what the pairs of a search depend on, besides agents, ground and edges. Returns whether it is the same as in the last search.
+        private function rememberConditions(input:SearchInput):Boolean
         {
             var interests:BreedInterests = input.interests;
             var depth:int = narrowPhase.treeLimits.defaultDepth;
             var isFiltered:Boolean = input.admitted != null;
-            var areSame:Boolean = interests === _interests && interests.pairCount == _interestCount && depth == _depth && isFiltered == _isFiltered
-                && _motions.anySweeps == _pairs.haveTimes;
+            var areSame:Boolean = interests === _interests && interests.pairCount == _interestCount && depth == _depth && isFiltered == _isFiltered;
             _interests = interests;
             _interestCount = interests.pairCount;
             _depth = depth;
@@ -239,11 +241,12 @@ package starlogo.search
         {
             var members:IntList = input.allMembers(table, _members);
             _motions.findExtents(table.listed.rows);
-            _candidateTests.begin(input, _pairs, _motions.anySweeps);
+            _candidateTests.begin(input, _pairs, times);
             _bins.findPairs(_motions.searchExtents, members, _candidateTests);
             _candidateTests.testWithEnvironment(ListedAgents.GROUND_ROW, members);
             _candidateTests.testWithEnvironment(ListedAgents.EDGES_ROW, members);
-            _order.putInOrder(_pairs);
+            _order.putInOrder(_pairs, times);
+            _pairs.forgetTouches();
             narrowPhase.counts.members = members.count;
             return members;
         }
@@ -252,13 +255,19 @@ package starlogo.search
         // all members. Here the row that has changed comes first, but a test gives the same answer in either order of the two.
         private function findOfChanged(input:SearchInput):void
         {
-            _candidateTests.begin(input, _pairsOfChanged, _motions.anySweeps);
+            _candidateTests.begin(input, _pairsOfChanged, times);
             _changedRows.findPairs(_candidateTests);
             _candidateTests.testWithEnvironment(ListedAgents.GROUND_ROW, _changedRows.rowsToTestWith(ListedAgents.GROUND_ROW));
             _candidateTests.testWithEnvironment(ListedAgents.EDGES_ROW, _changedRows.rowsToTestWith(ListedAgents.EDGES_ROW));
-            var earlyCount:int = _order.putInOrder(_pairsOfChanged);
-            _pairs.replacePairsOf(_changedRows.rowSet, _pairsOfChanged, earlyCount);
+            var earlyCount:int = _order.putInOrder(_pairsOfChanged, times);
+            _pairs.replacePairsOf(_changedRows.invalidRows, _pairsOfChanged, earlyCount);
             narrowPhase.counts.members = _changedRows.memberCount;
+        }
+
+        // The times of the pairs, or null if no agent sweeps.
+        private function get times():Vector.<Number>
+        {
+            return _motions.anySweeps ? _times : null;
         }
 
         // Whether an agent of the list sweeps. No entry is null.

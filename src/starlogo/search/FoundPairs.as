@@ -19,8 +19,8 @@ package starlogo.search
      */
     public final class FoundPairs
     {
-        /** In place of a previous index: it was not among the pairs before. */
-        public static const NEW:int = -1;
+        /** In place of the index of a touch: the pair has none, or none yet. */
+        public static const NO_TOUCH:int = -1;
 
         /** The number of pairs. */
         public var count:int = 0;
@@ -28,29 +28,17 @@ package starlogo.search
         /** The rows: a0, b0, a1, b1, ... The list may be longer: rows after the last pair are left over from earlier searches. */
         public var rows:Vector.<int> = new Vector.<int>();
 
-        /** Whether the pairs have times, because an agent sweeps. */
-        internal var haveTimes:Boolean = false;
-
-        /** By pair, if they have times: the time of the touch. It is valid until the pairs are in order. */
-        internal var times:Vector.<Number> = new Vector.<Number>();
-
         /** Has the agent of each row, and its index in the list of the search. */
         public var listed:ListedAgents;
 
-        /** How often the pairs were found or updated. */
-        public var revision:int = 0;
+        /** By pair: the index of its touch, which the TouchTracker writes, or NO_TOUCH. Pairs that are kept for the next search keep it. */
+        public var touchIndices:Vector.<int> = new Vector.<int>();
 
-        /** Whether the pairs are those of the revision before, except for some that were replaced. Only then they have previous indices. */
-        public var isIncremental:Boolean = false;
-
-        /** By pair: the index that it had in the revision before, or NEW. Kept pairs keep their order. */
-        public var previousIndices:Vector.<int> = new Vector.<int>();
-
-        /** The list to which pairs are written when they or their order change: see <code>exchangeLists()</code>. */
+        /** The list to which rows are written when the pairs or their order change: see <code>exchangeLists()</code>. */
         internal var spareRows:Vector.<int> = new Vector.<int>();
 
-        /** The same for their times, if they have any. */
-        internal var spareTimes:Vector.<Number> = new Vector.<Number>();
+        // The same for the touches.
+        private var _spareTouchIndices:Vector.<int> = new Vector.<int>();
 
         /** @param listed has the agent of each row */
         public function FoundPairs(listed:ListedAgents)
@@ -58,13 +46,13 @@ package starlogo.search
             this.listed = listed;
         }
 
-        /** Begins to write other pairs, with times or without. */
-        internal function begin(haveTimes:Boolean):void
+        /** Lets no pair have a touch. Call it when all pairs were found anew. */
+        public function forgetTouches():void
         {
-            this.haveTimes = haveTimes;
-            count = 0;
-            revision++;
-            isIncremental = false;
+            for (var i:int = 0; i < count; i++)
+            {
+                touchIndices[i] = NO_TOUCH;
+            }
         }
 
         /**
@@ -77,7 +65,7 @@ package starlogo.search
          */
         internal function replacePairsOf(changed:IntSet, found:FoundPairs, earlyCount:int):void
         {
-            beginUpdate(count + found.count);
+            makeRoom(count + found.count);
             var added:int = 0;
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
@@ -90,38 +78,26 @@ package starlogo.search
                 }
                 while (added < found.count && (added < earlyCount || found.isBefore(added, a, b)))
                 {
-                    write(kept + added, found.rows[int(2 * added)], found.rows[int(2 * added + 1)], NEW);
+                    write(kept + added, found.rows[int(2 * added)], found.rows[int(2 * added + 1)], NO_TOUCH);
                     added++;
                 }
-                write(kept + added, a, b, i);
+                write(kept + added, a, b, touchIndices[i]);
                 kept++;
             }
             for (; added < found.count; added++)
             {
-                write(kept + added, found.rows[int(2 * added)], found.rows[int(2 * added + 1)], NEW);
+                write(kept + added, found.rows[int(2 * added)], found.rows[int(2 * added + 1)], NO_TOUCH);
             }
             exchangeLists();
             count = kept + added;
         }
 
-        // Begins to write the next revision of the pairs to the spare lists, with so many pairs at most.
-        private function beginUpdate(maxCount:int):void
-        {
-            revision++;
-            isIncremental = true;
-            makeRoom(maxCount);
-            if (previousIndices.length < maxCount)
-            {
-                previousIndices.length = maxCount + (maxCount >> 3);
-            }
-        }
-
-        // Writes a pair of two rows to the spare list, with the index that it had before.
-        private function write(to:int, a:int, b:int, previousIndex:int):void
+        // Writes a pair of two rows to the spare lists.
+        private function write(to:int, a:int, b:int, touchIndex:int):void
         {
             spareRows[int(2 * to)] = a;
             spareRows[int(2 * to + 1)] = b;
-            previousIndices[to] = previousIndex;
+            _spareTouchIndices[to] = touchIndex;
         }
 
         // Whether a pair comes before a pair of two rows in the order of the list.
@@ -140,9 +116,9 @@ package starlogo.search
             {
                 spareRows.length = 2 * (pairCount + (pairCount >> 3));
             }
-            if (haveTimes && spareTimes.length < pairCount)
+            if (_spareTouchIndices.length < pairCount)
             {
-                spareTimes.length = pairCount + (pairCount >> 3);
+                _spareTouchIndices.length = pairCount + (pairCount >> 3);
             }
         }
 
@@ -152,9 +128,9 @@ package starlogo.search
             var rowsBefore:Vector.<int> = rows;
             rows = spareRows;
             spareRows = rowsBefore;
-            var timesBefore:Vector.<Number> = times;
-            times = spareTimes;
-            spareTimes = timesBefore;
+            var touchesBefore:Vector.<int> = touchIndices;
+            touchIndices = _spareTouchIndices;
+            _spareTouchIndices = touchesBefore;
         }
 
         /** Adds a pair of two rows. */
@@ -170,17 +146,9 @@ package starlogo.search
          *
          * @param others begins with the rows that touch the row
          * @param othersCount the number of these
-         * @param othersTimes begins with the times at which they touch the row, if the pairs have times
          */
-        internal function addPairs(row:int, others:Vector.<int>, othersCount:int, othersTimes:Vector.<Number>):void
+        internal function addPairs(row:int, others:Vector.<int>, othersCount:int):void
         {
-            if (haveTimes)
-            {
-                for (var k:int = 0; k < othersCount; k++)
-                {
-                    times[int(count + k)] = othersTimes[k];
-                }
-            }
             var to:int = 2 * count;
             var listIndices:Vector.<int> = listed.listIndices;
             var index:int = listIndices[row];

@@ -9,8 +9,9 @@ package starlogo.search
      */
     internal final class PairOrder
     {
-        // The indices of the pairs with their times, to sort them by these.
-        private var _indices:SortableIntList = new SortableIntList();
+        // The pairs in their order so far, by the indices at which they were found; and another list, for a step of the sort.
+        private var _inOrder:SortableIntList = new SortableIntList();
+        private var _other:Vector.<int> = new Vector.<int>();
 
         // By list index: where the next pair goes whose row on a side has the index, in a counting sort.
         private var _next:Vector.<int> = new Vector.<int>();
@@ -18,35 +19,24 @@ package starlogo.search
         /**
          * Puts pairs into order.
          *
+         * @param times by pair: the time of the touch; null if no agent sweeps. The times stay as they are
          * @return how many pairs touch before the end of their motions. They come first
          */
-        public function putInOrder(pairs:FoundPairs):int
+        public function putInOrder(pairs:FoundPairs, times:Vector.<Number>):int
         {
-            // pairs whose rows on a side have the same index keep their order
-            scatter(pairs, 1);
-            scatter(pairs, 0);
-            return pairs.haveTimes ? sortByTimes(pairs) : 0;
-        }
-
-        // Sorts by times. Pairs of the same time keep their order. Returns how many pairs touch before the end of their motions.
-        private function sortByTimes(pairs:FoundPairs):int
-        {
-            var times:Vector.<Number> = pairs.times;
-            var earlyCount:int = 0;
-            _indices.count = 0;
+            var order:Vector.<int> = _inOrder.values;
             for (var i:int = 0; i < pairs.count; i++)
             {
-                _indices.add(i, times[i]);
-                if (times[i] < 1)
-                {
-                    earlyCount++;
-                }
+                order[i] = i;
             }
-            _indices.sortFirst(pairs.count);
+            // pairs whose rows on a side have the same index keep their order
+            scatter(pairs, 1, order, _other);
+            scatter(pairs, 0, _other, order);
+            var earlyCount:int = times == null ? 0 : sortByTimes(pairs.count, times);
             pairs.makeRoom(pairs.count);
             for (i = 0; i < pairs.count; i++)
             {
-                var pair:int = _indices.values[i];
+                var pair:int = order[i];
                 pairs.spareRows[int(2 * i)] = pairs.rows[int(2 * pair)];
                 pairs.spareRows[int(2 * i + 1)] = pairs.rows[int(2 * pair + 1)];
             }
@@ -54,33 +44,42 @@ package starlogo.search
             return earlyCount;
         }
 
-        // One step of a counting sort: puts the pairs into the order of the list indices of their first rows (side 0) or second rows (1). The times, if there
-        // are any, go along.
-        private function scatter(pairs:FoundPairs, side:int):void
+        // Sorts by times. Pairs of the same time keep their order. Returns how many pairs touch before the end of their motions.
+        private function sortByTimes(count:int, times:Vector.<Number>):int
         {
-            findStarts(pairs, side);
-            pairs.makeRoom(pairs.count);
-            var to:Vector.<int> = pairs.spareRows;
-            var next:Vector.<int> = _next;
-            var listIndices:Vector.<int> = pairs.listed.listIndices;
-            var from:Vector.<int> = pairs.rows;
-            var times:Vector.<Number> = pairs.times;
-            var timesTo:Vector.<Number> = pairs.spareTimes;
-            var haveTimes:Boolean = pairs.haveTimes;
-            var end:int = 2 * pairs.count;
-            for (var i:int = 0; i < end; i += 2)
+            var earlyCount:int = 0;
+            for (var i:int = 0; i < count; i++)
             {
-                var index:int = listIndices[from[int(i + side)]];
-                var at:int = next[index];
-                next[index] = at + 2;
-                to[at] = from[i];
-                to[int(at + 1)] = from[int(i + 1)];
-                if (haveTimes)
+                var time:Number = times[_inOrder.values[i]];
+                _inOrder.keys[i] = time;
+                if (time < 1)
                 {
-                    timesTo[at >> 1] = times[i >> 1];
+                    earlyCount++;
                 }
             }
-            pairs.exchangeLists();
+            _inOrder.sortFirst(count);
+            return earlyCount;
+        }
+
+        // One step of a counting sort: puts the pairs into the order of the list indices of their first rows (side 0) or second rows (1).
+        private function scatter(pairs:FoundPairs, side:int, from:Vector.<int>, to:Vector.<int>):void
+        {
+            findStarts(pairs, side);
+            if (to.length < pairs.count)
+            {
+                // grows by an eighth, because a vector that grows a little in each frame is copied each time
+                to.length = pairs.count + (pairs.count >> 3);
+            }
+            var next:Vector.<int> = _next;
+            var listIndices:Vector.<int> = pairs.listed.listIndices;
+            var rows:Vector.<int> = pairs.rows;
+            for (var i:int = 0; i < pairs.count; i++)
+            {
+                var pair:int = from[i];
+                var index:int = listIndices[rows[int(2 * pair + side)]];
+                to[next[index]] = pair;
+                next[index]++;
+            }
         }
 
         // Finds by list index where the pairs begin whose rows on a side have it.
@@ -102,7 +101,7 @@ package starlogo.search
             var end:int = 2 * pairs.count;
             for (var i:int = side; i < end; i += 2)
             {
-                next[listIndices[rows[i]]] += 2;
+                next[listIndices[rows[i]]]++;
             }
             var start:int = 0;
             for (index = 0; index < indexCount; index++)

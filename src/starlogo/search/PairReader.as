@@ -27,7 +27,7 @@ package starlogo.search
         public function begin(list:Vector.<Agent>):void
         {
             _listed.propose(list);
-            _listed.acceptProposed();
+            _listed.accept(list);
         }
 
         /**
@@ -45,7 +45,7 @@ package starlogo.search
             {
                 throw new ArgumentError("the collision system has found pairs of " + pairs.length + " agents: that must be an even number");
             }
-            _pairs.begin(false);
+            _pairs.count = 0;
             _known.clear();
             for (var i:int = 0; i < pairs.length; i += 2)
             {
@@ -63,6 +63,7 @@ package starlogo.search
                 }
                 _pairs.add(a, b);
             }
+            _pairs.forgetTouches();
             return _pairs;
         }
 

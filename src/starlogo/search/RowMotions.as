@@ -28,7 +28,10 @@ package starlogo.search
          */
         internal var sweepsOnMotion:Vector.<Boolean> = new Vector.<Boolean>();
 
-        /** The rows whose pairs in the search before belong to motions of that search, if an agent of this search sweeps. Read only. */
+        /**
+         * The rows whose pairs this search can't keep, because they belong to motions of the search before. They are all rows if an agent sweeps in only
+         * one of the two searches. Read only.
+         */
         internal var rowsToRenew:IntList = new IntList();
 
         // The rows whose motions this search has read.
@@ -53,6 +56,7 @@ package starlogo.search
          */
         public function read(anySweeps:Boolean):void
         {
+            var swept:Boolean = this.anySweeps;
             this.anySweeps = anySweeps;
             var length:int = _table.listed.rowCapacity;
             if (length > sweepsOnMotion.length)
@@ -68,7 +72,11 @@ package starlogo.search
             // rows that have not changed since stand still
             readMotions(rowsToRenew);
             readMotions(_changed);
-            if (!anySweeps)
+            if (anySweeps != swept)
+            {
+                rowsToRenew.copyFrom(_table.listed.rows);
+            }
+            else if (!anySweeps)
             {
                 rowsToRenew.count = 0;
             }

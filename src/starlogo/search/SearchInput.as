@@ -77,15 +77,13 @@ package starlogo.search
          */
         public function takeFilterOf(frame:SearchInput):void
         {
-            if (frame.admitted == null)
+            var admittedOfFrame:Vector.<Agent> = frame.admittedAgents;
+            var areSame:Boolean = agents.length == admittedOfFrame.length;
+            for (var i:int = 0; areSame && i < agents.length; i++)
             {
-                return;
+                areSame = agents[i] === admittedOfFrame[i];
             }
-            var all:Vector.<Agent> = frame.admittedAgents;
-            if (all.length == agents.length && all.every(function(agent:Agent, index:int, ...ignored):Boolean
-                    {
-                        return agent === agents[index];
-                    }))
+            if (areSame)
             {
                 agents = frame.agents;
                 admitted = frame.admitted;

@@ -48,9 +48,11 @@ package starlogo.search
          * @param level has the slack of the rows' extents; BinLevel.ANY_GAP for the ground and the edges. It is no Number, because V8 would make an object
          *     for each row
          * @param times receives the times of the touches
+         * @param from the index of the first of them
          * @return the number of rows that it keeps
          */
-        public function keepTouchingOnMotions(row:int, others:Vector.<int>, count:int, level:BinLevel, times:Vector.<Number>):int
+        public function keepTouchingOnMotions(row:int, others:Vector.<int>, count:int, level:BinLevel, times:Vector.<Number>,
+                from:int):int
         {
             var listIndices:Vector.<int> = _table.listed.listIndices;
             var index:int = listIndices[row];
@@ -60,11 +62,11 @@ package starlogo.search
                 var other:int = others[i];
                 // the time belongs to the motion of the agent that comes first in the list, relative to the other
                 var isFirst:Boolean = index < listIndices[other];
-                findTime(isFirst ? row : other, isFirst ? other : row, level);
+                findTime(isFirst ? row : other, isFirst ? other : row, level, _motion);
                 if (_motion.time != RelativeMotion.NEVER)
                 {
                     others[kept] = other;
-                    times[kept] = _motion.time;
+                    times[int(from + kept)] = _motion.time;
                     kept++;
                 }
             }
@@ -92,7 +94,7 @@ package starlogo.search
                 }
                 else if (tests.areTouching(bodyA, bodyB))
                 {
-                    motion.time = timeOfStill(a);
+                    motion.time = timeOfCommonMotion(a);
                     tests.findContactOfParts(bodyA, bodyB, motion, out);
                 }
             }
@@ -110,27 +112,27 @@ package starlogo.search
         }
 
         // Finds the time at which two rows first touch, from 0 to 1, or RelativeMotion.NEVER. If neither of the two sweeps, they are tested where they are
-        // now. _motion receives the motion of the first relative to the second, with the time.
-        private function findTime(a:int, b:int, level:BinLevel):void
+        // now. The motion becomes that of the first relative to the second, with the time.
+        private function findTime(a:int, b:int, level:BinLevel, motion:RelativeMotion):void
         {
-            _motions.setRelativeMotion(a, b, _motion);
+            _motions.setRelativeMotion(a, b, motion);
             if (!_motions.eitherSweeps(a, b))
             {
-                _motion.time = _table.extents.areNear(a, b, level.slack) && areTouching(a, b) ? 1 : RelativeMotion.NEVER;
+                motion.time = _table.extents.areNear(a, b, level.slack) && areTouching(a, b) ? 1 : RelativeMotion.NEVER;
             }
-            else if (_motion.isStill)
+            else if (motion.isStill)
             {
-                _motion.time = areTouching(a, b) ? timeOfStill(a) : RelativeMotion.NEVER;
+                motion.time = areTouching(a, b) ? timeOfCommonMotion(a) : RelativeMotion.NEVER;
             }
             else
             {
-                sweep(a, b, level);
+                sweep(a, b, level, motion);
             }
         }
 
         // The time at which two rows that touch first do, if the first does not move relative to the second: from the beginning on if they move alike,
         // and where they are if they have not moved.
-        private function timeOfStill(a:int):int
+        private function timeOfCommonMotion(a:int):int
         {
             var displacements:Points = _motions.displacements;
             return displacements.x[a] != 0 || displacements.y[a] != 0 || displacements.z[a] != 0 ? 0 : 1;
@@ -142,7 +144,7 @@ package starlogo.search
             return _narrowPhase.areTouching(_table.bodyOf(a), _table.bodyOf(b));
         }
 
-        private function sweep(a:int, b:int, level:BinLevel):void
+        private function sweep(a:int, b:int, level:BinLevel, motion:RelativeMotion):void
         {
             var areSpheres:Boolean = _table.shapes[a].kind == BoundingStructure.SPHERE && _table.shapes[b].kind == BoundingStructure.SPHERE;
             if (!areSpheres && !overlapOnMotions(a, b, level))
@@ -152,12 +154,12 @@ package starlogo.search
             _narrowPhase.counts.sweptPairs++;
             if (areSpheres)
             {
-                _narrowPhase.sphereTests.findTimeOfRows(_table, a, b, _motion);
+                _narrowPhase.sphereTests.findTimeOfRows(_table, a, b, motion);
                 return;
             }
             var bodyA:Body = _table.bodyOf(a);
             var bodyB:Body = _table.bodyOf(b);
-            _narrowPhase.pairTestsFor(bodyA, bodyB).findFirstTouch(bodyA, bodyB, _motion, null);
+            _narrowPhase.pairTestsFor(bodyA, bodyB).findFirstTouch(bodyA, bodyB, motion, null);
         }
 
         // Whether the extents of two rows overlap in all directions at the same time, on their motions.

@@ -108,7 +108,7 @@ package starlogo.handlers
             {
                 var dropped:Array = [];
                 var left:Array = [];
-                var previousIndices:Array = [];
+                var touchIndices:Array = [];
                 for (var i:int = 0; i < pairs.length; i++)
                 {
                     if (random.next() < (frame % 40 < 20 ? 0.1 : 0.4))
@@ -118,7 +118,7 @@ package starlogo.handlers
                     else
                     {
                         left.push(pairs[i]);
-                        previousIndices.push(i);
+                        touchIndices.push(_found.touchIndices[i]);
                     }
                 }
                 pairs = left.concat();
@@ -150,12 +150,12 @@ package starlogo.handlers
                 for (i = 0; i < places.length; i++)
                 {
                     pairs.splice(places[i], 0, found[i]);
-                    previousIndices.splice(places[i], 0, FoundPairs.NEW);
+                    touchIndices.splice(places[i], 0, FoundPairs.NO_TOUCH);
                 }
                 _found.count = 0;
                 for (i = 0; i < pairs.length; i++)
                 {
-                    _found.previousIndices[i] = previousIndices[i];
+                    _found.touchIndices[i] = touchIndices[i];
                     addPair(agentOf(pairs[i], 0), agentOf(pairs[i], 1));
                 }
                 begin(frame > 1);
@@ -186,7 +186,6 @@ package starlogo.handlers
                 numbers = pairs.concat();
             }
             assertTrue("some remained", begun.length > 5);
-            _found.revision++;
             assertEquals("another tracker knows none of them", _found.count, new TouchTracker().beginFrame(_found, _handlers).count);
         }
 
@@ -202,7 +201,6 @@ package starlogo.handlers
             }
             _tracker.dropAt(1);
             _tracker.endFrame();
-            _found.previousIndices = new <int>[0, 1];
             assertEquals(1, begin(true));
             assertEquals(nameOf(_agents[2], _agents[3]), endedNames());
             assertTrue(_tracker.touchAt(0) != null);
@@ -214,8 +212,10 @@ package starlogo.handlers
         // Begins a frame with other pairs, or with those that are updated. Returns how many touches may begin.
         private function begin(isIncremental:Boolean):int
         {
-            _found.revision++;
-            _found.isIncremental = isIncremental;
+            if (!isIncremental)
+            {
+                _found.forgetTouches();
+            }
             var starting:IntList = _tracker.beginFrame(_found, _handlers);
             for (var i:int = 0; i < starting.count; i++)
             {

@@ -41,7 +41,7 @@ package starlogo.search
             var pairs:FoundPairs = new FoundPairs(list);
             var expected:Array = [];
             var timeOf:Object = {};
-            pairs.begin(haveTimes);
+            var times:Vector.<Number> = new Vector.<Number>();
             while (expected.length < pairCount)
             {
                 var first:int = _random.integer(0, list.rows.count - 2);
@@ -53,11 +53,12 @@ package starlogo.search
                     timeOf[first + " " + second] = time;
                     // after the agents comes the ground
                     var other:int = second == list.rows.count ? ListedAgents.GROUND_ROW : list.rows.values[second];
-                    pairs.addPairs(list.rows.values[first], new <int>[other], 1, new <Number>[time]);
+                    pairs.addPairs(list.rows.values[first], new <int>[other], 1);
+                    times.push(time);
                 }
             }
             expected.sort(compare);
-            _order.putInOrder(pairs);
+            _order.putInOrder(pairs, haveTimes ? times : null);
             assertEquals(pairCount, pairs.count);
             for (var i:int = 0; i < pairCount; i++)
             {
@@ -96,7 +97,7 @@ package starlogo.search
         private static function propose(list:ListedAgents, agents:Vector.<Agent>):void
         {
             list.propose(agents);
-            list.acceptProposed();
+            list.accept(agents);
         }
     }
 }

@@ -1,9 +1,7 @@
 package starlogo.search
 {
     import org.flexunit.asserts.assertEquals;
-    import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertStrictlyEquals;
-    import org.flexunit.asserts.assertTrue;
     import starlogo.agents.Agent;
     import support.assertThrows;
 
@@ -45,12 +43,10 @@ package starlogo.search
         public function eachListHasItsOwnRows():void
         {
             read([_a, _b], [_a, _b]);
-            _found.isIncremental = true;
-            var revision:int = _found.revision;
+            _found.touchIndices[0] = 7;
             read([_b, _c], [_c, _b]);
             assertPairs([_c, _b]);
-            assertFalse("these are other pairs", _found.isIncremental);
-            assertTrue(_found.revision > revision);
+            assertEquals("these are other pairs", FoundPairs.NO_TOUCH, _found.touchIndices[0]);
         }
 
         private function read(list:Array, pairs:Array):void

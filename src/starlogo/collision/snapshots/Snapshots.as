@@ -170,7 +170,7 @@ package starlogo.collision.snapshots
                     readTraits(bytes, agents, names);
                 }
                 places.restore(agents, search.table);
-                search.searchAllNext();
+                search.invalidatePairs();
             }
             catch (error:Error)
             {

@@ -177,12 +177,12 @@ package starlogo.queries.motion
                 if (ShrunkBody.SHALLOW * largest > extent)
                 {
                     // such long pushes come only from what is near the way, and that may be small
-                    _search.widen(reach, up, down);
+                    _search.inflate(reach, up, down);
                     collectRows(null);
                     largest = largestExtent;
                     searchAround();
                 }
-                _search.widen(reach + ShrunkBody.SHALLOW * largest, up, down);
+                _search.inflate(reach + ShrunkBody.SHALLOW * largest, up, down);
                 collectRows(filter);
             }
         }

@@ -14,7 +14,7 @@ package starlogo.queries.trees
         private var _placement:Placement;
 
         // The angle between the axis and the border, in degrees below 180, with its sine and cosine.
-        private var _angle:Number = 0;
+        private var _halfAngle:Number = 0;
         private var _sine:Number = 0;
         private var _cosine:Number = 1;
 
@@ -22,15 +22,15 @@ package starlogo.queries.trees
          * Sets the cone.
          *
          * @param placement the place and the rotation of the cone
-         * @param angle the angle between the axis and the border, in degrees below 180
+         * @param halfAngle the angle between the axis and the border, in degrees below 180
          * @return this cone
          */
-        public function setTo(placement:Placement, angle:Number):Cone
+        public function setTo(placement:Placement, halfAngle:Number):Cone
         {
             _placement = placement;
-            _angle = angle;
-            _sine = Trigonometry.sine(angle);
-            _cosine = Trigonometry.cosine(angle);
+            _halfAngle = halfAngle;
+            _sine = Trigonometry.sine(halfAngle);
+            _cosine = Trigonometry.cosine(halfAngle);
             return this;
         }
 
@@ -49,7 +49,7 @@ package starlogo.queries.trees
             var across:Number = Math.sqrt(acrossX * acrossX + acrossY * acrossY + acrossZ * acrossZ);
             var along:Number = axisX * toX + axisY * toY + axisZ * toZ;
             // the left side is the sine of the angle beyond the border. It is 0 half a turn away too, so the last condition excludes rows there
-            return across * _cosine - along * _sine <= Tolerances.CONE * (across + Math.abs(along)) && (along >= 0 || _angle >= 45);
+            return across * _cosine - along * _sine <= Tolerances.CONE * (across + Math.abs(along)) && (along >= 0 || _halfAngle >= 45);
         }
     }
 }

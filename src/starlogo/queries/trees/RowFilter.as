@@ -2,6 +2,7 @@ package starlogo.queries.trees
 {
     import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
+    import starlogo.data.IntSet;
     import starlogo.engine;
     import starlogo.queries.AgentFilter;
     import starlogo.search.table.ListedAgents;
@@ -33,11 +34,10 @@ package starlogo.queries.trees
         // Whether only the breeds of a list count.
         private var _namesBreeds:Boolean = false;
 
-        // The number of the question, from 1 on. By row: the last question that excepted it. By the number of a breed: the last question that named
-        // it, less than 0 if the filter excluded the breed.
-        private var _question:int = 0;
-        private var _exceptMarks:Vector.<int> = new Vector.<int>();
-        private var _breedMarks:Vector.<int> = new Vector.<int>();
+        // The numbers of the breeds that are named, of those that are excepted, and the rows that are.
+        private var _breeds:IntSet = new IntSet();
+        private var _exceptBreeds:IntSet = new IntSet();
+        private var _exceptRows:IntSet = new IntSet();
 
         /**
          * Begins a question.
@@ -59,82 +59,67 @@ package starlogo.queries.trees
             }
             filter.checkNames(_listed.agentsByRow);
             accepts = filter.accepts;
-            if (_question == int.MAX_VALUE)
-            {
-                _exceptMarks.length = _breedMarks.length = _question = 0;
-            }
-            _question++;
             _namesBreeds = filter.breeds != null;
-            excludes = _namesBreeds || filter.exceptBreeds != null;
-            if (excludes && _breedMarks.length < Breeds.NAMES.count)
-            {
-                _breedMarks.length = Breeds.NAMES.count;
-            }
+            excludes = _namesBreeds || filter.exceptBreeds != null || filter.except != null;
+            var named:int = readBreeds(filter.breeds, _breeds);
+            var excepted:int = readBreeds(filter.exceptBreeds, _exceptBreeds);
             if (_namesBreeds)
             {
-                breedSet = markBreeds(filter.breeds, _question);
+                breedSet = named;
             }
-            if (filter.exceptBreeds != null)
+            else if (Breeds.NAMES.count <= RowTree.BREED_BITS)
             {
-                var excepted:int = markBreeds(filter.exceptBreeds, -_question);
-                if (!_namesBreeds && Breeds.NAMES.count <= RowTree.BREED_BITS)
-                {
-                    // each breed has a bit of its own
-                    breedSet = ~excepted;
-                }
+                // each breed has a bit of its own
+                breedSet = ~excepted;
             }
-            markExcepted(filter.except);
+            readExcept(filter.except);
         }
 
-        // Marks some breeds. Returns their set. A name may be null. No agent has an unknown breed.
-        private function markBreeds(names:Vector.<String>, mark:int):int
+        // Reads breeds into a set by their numbers. Returns their set for a RowTree. A name may be null. No agent has an unknown breed.
+        private static function readBreeds(names:Vector.<String>, out:IntSet):int
         {
             var breeds:int = 0;
-            for (var i:int = 0; i < names.length; i++)
+            out.clear(Breeds.NAMES.count);
+            for (var i:int = 0; names != null && i < names.length; i++)
             {
                 var breed:int = names[i] == null ? -1 : Breeds.NAMES.knownNumberOf(names[i]);
                 if (breed >= 0)
                 {
                     breeds |= RowTree.breedBit(breed);
-                    _breedMarks[breed] = mark;
+                    out.add(breed);
                 }
             }
             return breeds;
         }
 
-        /** Whether the filter may admit a row: by its breed and the filter's <code>except</code>. <code>accepts</code> is not called. */
-        public function mayAdmit(row:int):Boolean
+        // Reads the rows of agents that are excepted.
+        private function readExcept(agents:Vector.<Agent>):void
         {
-            return !excludes || (_exceptMarks[row] != _question && admitsBreed(_listed.agentsByRow[row].breedNumber));
-        }
-
-        // A filter's accepts may have made the breed since the question began.
-        private function admitsBreed(breed:int):Boolean
-        {
-            var mark:int = breed < _breedMarks.length ? _breedMarks[breed] : 0;
-            return _namesBreeds ? mark == _question : mark != -_question;
-        }
-
-        // Marks the rows of agents that are excepted.
-        private function markExcepted(agents:Vector.<Agent>):void
-        {
-            if (_exceptMarks.length < _listed.rowCapacity)
-            {
-                _exceptMarks.length = _listed.rowCapacity;
-            }
-            if (agents == null)
-            {
-                return;
-            }
-            for (var i:int = 0; i < agents.length; i++)
+            _exceptRows.clear(_listed.rowCapacity);
+            for (var i:int = 0; agents != null && i < agents.length; i++)
             {
                 var row:int = agents[i] == null ? -1 : _listed.rowOf(agents[i]);
                 if (row >= 0)
                 {
-                    excludes = true;
-                    _exceptMarks[row] = _question;
+                    _exceptRows.add(row);
                 }
             }
+        }
+
+        /** Whether the filter may admit a row: by its breed and the filter's <code>except</code>. <code>accepts</code> is not called. */
+        public function mayAdmit(row:int):Boolean
+        {
+            return !excludes || (!_exceptRows.has(row) && admitsBreed(_listed.agentsByRow[row].breedNumber));
+        }
+
+        private function admitsBreed(breed:int):Boolean
+        {
+            if (breed >= _breeds.marks.length)
+            {
+                // a filter's accepts has made it since the question began
+                return !_namesBreeds;
+            }
+            return (!_namesBreeds || _breeds.has(breed)) && !_exceptBreeds.has(breed);
         }
     }
 }

@@ -198,7 +198,7 @@ package starlogo.queries.trees
             var node:int = leaf;
             boundRow(slot);
             // if a box does not grow, the boxes around it do not grow either
-            while (node > 0 && widen(PER_BOX * node, rowBoxes, PER_BOX * slot))
+            while (node > 0 && expandToContain(PER_BOX * node, rowBoxes, PER_BOX * slot))
             {
                 node >>= 1;
             }
@@ -239,15 +239,15 @@ package starlogo.queries.trees
                 empty(box);
                 if (node < firstLeaf)
                 {
-                    widen(box, nodeBoxes, 2 * box);
-                    widen(box, nodeBoxes, 2 * box + PER_BOX);
+                    expandToContain(box, nodeBoxes, 2 * box);
+                    expandToContain(box, nodeBoxes, 2 * box + PER_BOX);
                 }
                 else
                 {
                     var end:int = startOf(node + 1);
                     for (slot = startOf(node); slot < end; slot++)
                     {
-                        widen(box, rowBoxes, PER_BOX * slot);
+                        expandToContain(box, rowBoxes, PER_BOX * slot);
                     }
                 }
             }
@@ -310,8 +310,8 @@ package starlogo.queries.trees
                 + Tolerances.EXTENTS_GAPS * Tolerances.PLACES * (Math.abs(x) + Math.abs(y) + Math.abs(z) + offset);
         }
 
-        // Makes a node's box contain another box. Returns whether it has grown.
-        private function widen(box:int, others:Vector.<Number>, other:int):Boolean
+        // Expands a node's box so that it contains another box. Returns whether it has grown.
+        private function expandToContain(box:int, others:Vector.<Number>, other:int):Boolean
         {
             var boxes:Vector.<Number> = nodeBoxes;
             var hasGrown:Boolean = false;

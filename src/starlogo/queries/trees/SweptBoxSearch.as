@@ -30,7 +30,7 @@ package starlogo.queries.trees
         private var _waiting:int = 0;
 
         /**
-         * Begins with a point that stands still: a box without size. Call <code>widen()</code> or <code>moveAlong()</code> afterwards if needed.
+         * Begins with a point that stands still: a box without size. Call <code>inflate()</code> or <code>moveAlong()</code> afterwards if needed.
          *
          * @param tree has the rows
          */
@@ -58,7 +58,7 @@ package starlogo.queries.trees
             begin(tree, RowTree.slackOf(body.middleX, body.middleY, body.middleZ, body.halfX + body.halfY + body.halfZ, body.distanceFromPlace));
             if (body.isEnvironment)
             {
-                widen(4 * Agent.LARGEST_COORDINATE);
+                inflate(4 * Agent.LARGEST_COORDINATE);
             }
         }
 
@@ -71,7 +71,7 @@ package starlogo.queries.trees
             _stack[0] = RowTree.ROOT;
             _entries[0] = 0;
             _waiting = tree.count > 0 ? 1 : 0;
-            widen(slack);
+            inflate(slack);
         }
 
         /**
@@ -81,7 +81,7 @@ package starlogo.queries.trees
          * @param up how much farther upwards
          * @param down how much farther downwards
          */
-        public function widen(by:Number, up:Number = 0, down:Number = 0):void
+        public function inflate(by:Number, up:Number = 0, down:Number = 0):void
         {
             _box[0] -= by;
             _box[1] -= by;

@@ -105,21 +105,17 @@ package starlogo.search.table
         {
             _choice.forgetReplaced();
             listed.leftOrReordered.count = 0;
-            var isSame:Boolean = listed.isAccepted && agents.length == listed.rows.count && tryFindChanged(agents, listed.rows);
-            if (!isSame)
+            if (agents.length != listed.rows.count || !tryFindChanged(agents))
             {
                 listed.propose(agents);
+                requireShapes(agents);
+                listed.accept(agents);
                 makeRoom();
-                // always finds them, because the proposed rows are those of the agents
-                tryFindChanged(agents, listed.proposed);
+                followList();
+                // always finds them, because the rows are those of the agents
+                tryFindChanged(agents);
             }
             findShapes();
-            // nothing below throws
-            if (!isSame)
-            {
-                listed.acceptProposed();
-                followList();
-            }
             forgetOtherModels();
         }
 
@@ -191,13 +187,13 @@ package starlogo.search.table
 
         private function readEnvironmentAgent(row:int, agent:EnvironmentAgent):void
         {
-            if (listed.agentsByRow[row] !== agent)
+            var isOther:Boolean = listed.agentsByRow[row] !== agent;
+            if (isOther)
             {
                 listed.agentsByRow[row] = agent;
                 shapes[row] = null;
-                changedEnvironment.add(row);
             }
-            else if (agent != null && agent.revision != revisions[row])
+            if (isOther || agent != null && agent.revision != revisions[row])
             {
                 changedEnvironment.add(row);
             }
@@ -276,9 +272,9 @@ package starlogo.search.table
 
         // Finds the rows whose agents have changed since the last search, and those whose bodies have (_reshaped). If a row is another agent's, it stops
         // and returns false. It compares agents and rows on the way, because a second loop would read all of them again.
-        private function tryFindChanged(agents:Vector.<Agent>, rowList:IntList):Boolean
+        private function tryFindChanged(agents:Vector.<Agent>):Boolean
         {
-            var rows:Vector.<int> = rowList.values;
+            var rows:Vector.<int> = listed.rows.values;
             var byRow:Vector.<Agent> = listed.agentsByRow;
             var seen:Vector.<int> = revisions;
             var bodiesSeen:Vector.<int> = _bodyRevisions;
@@ -349,7 +345,20 @@ package starlogo.search.table
             }
         }
 
-        // Finds the new shapes of rows. All shapes are found before any row changes, because an error must change no row.
+        // Finds the shapes of the agents of the proposed list, because an error must change no row.
+        private function requireShapes(agents:Vector.<Agent>):void
+        {
+            for (var i:int = 0; i < agents.length; i++)
+            {
+                var row:int = listed.proposed.values[i];
+                if (row < 0 || !isBodyCurrent(row))
+                {
+                    _choice.shapeOf(agents[i]);
+                }
+            }
+        }
+
+        // Finds the new shapes of rows.
         private function findShapes():void
         {
             for (var i:int = 0; i < _reshaped.count; i++)

@@ -13,8 +13,7 @@ package starlogo.search.table
     /**
      * The list of a table, and the row of each of its agents. An agent keeps its row while it is listed. Free rows are used again.
      *
-     * <p>A new list is first proposed and then accepted. Until it is accepted, the agents of the list before are the ones that are listed. A list
-     * that is refused is never accepted. Its new agents may keep rows until the next list.</p>
+     * <p>A new list is first proposed and then accepted. Until it is accepted, the agents of the list before are the ones that are listed.</p>
      *
      * @private
      */
@@ -32,9 +31,6 @@ package starlogo.search.table
         /** The first row for agents of a list. */
         public static const FIRST_LISTED:int = ENVIRONMENT_ROW_COUNT;
 
-        // In place of a list index: the agent of the row is not listed.
-        private static const UNLISTED:int = -1;
-
         // The order key of the oldest agent that has no row. It is more than the number of agents in any list.
         private static const FIRST_UNLISTED_KEY:int = 1 << 30;
 
@@ -44,7 +40,7 @@ package starlogo.search.table
         /** By row: the index of its agent in the list. The ground and the edges of the world have the indices after the agents. */
         public var listIndices:Vector.<int> = new <int>[0, 1];
 
-        /** The agent of each row, or null. Agents of a list that was refused may still have rows. */
+        /** The agent of each row, or null. */
         public var agentsByRow:Vector.<Agent> = new <Agent>[null, null];
 
         /**
@@ -53,18 +49,16 @@ package starlogo.search.table
          */
         public var leftOrReordered:IntList = new IntList();
 
-        /** The rows of the agents of the list that was proposed last. */
+        /** By index in the proposed list: the row of an agent that is listed, or -1 for a new one. */
         internal var proposed:IntList = new IntList();
-
-        /** Whether the list that was proposed last was accepted. */
-        internal var isAccepted:Boolean = true;
 
         private var _free:IntList = new IntList();
         private var _inOrder:Vector.<int> = new Vector.<int>();
         private var _rowsById:IntPairMap = new IntPairMap();
 
-        // The rows of the proposed list.
+        // The rows of the proposed list, and the ids of its new agents.
         private var _inProposed:IntSet = new IntSet();
+        private var _newIds:IntPairMap = new IntPairMap();
 
         /** The number of rows that there are, free ones too. It never shrinks. */
         public function get rowCapacity():int
@@ -79,8 +73,7 @@ package starlogo.search.table
             {
                 return agentsByRow[GROUND_ROW] === agent ? GROUND_ROW : agentsByRow[EDGES_ROW] === agent ? EDGES_ROW : -1;
             }
-            var row:int = _rowsById.find(agent.idNumber, 0);
-            return row >= 0 && listIndices[row] == UNLISTED ? -1 : row;
+            return _rowsById.find(agent.idNumber, 0);
         }
 
         /**
@@ -116,20 +109,16 @@ package starlogo.search.table
         }
 
         /**
-         * Finds rows for the agents of a list. An agent that is listed keeps its row. Call it alone to find out whether a list is refused.
+         * Finds the rows that the agents of a list have. Call it alone to find out whether a list is refused.
          *
-         * @throws ArgumentError if an agent is null or listed twice. The agents that are listed stay the same then
+         * @throws ArgumentError if an agent is null or listed twice
          */
         public function propose(list:Vector.<Agent>):void
         {
-            if (!isAccepted)
-            {
-                freeUnlisted();
-            }
-            isAccepted = false;
             var listed:Vector.<int> = rows.values;
             var to:Vector.<int> = proposed.values;
             _inProposed.clear(rowCapacity);
+            _newIds.clear();
             for (var i:int = 0; i < list.length; i++)
             {
                 var agent:Agent = list[i];
@@ -139,12 +128,7 @@ package starlogo.search.table
                     requireAgent(i, agent);
                     row = _rowsById.find(agent.idNumber, 0);
                 }
-                if (row < 0)
-                {
-                    warnOfUnknownProperties(agent);
-                    row = add(agent);
-                }
-                if (!_inProposed.add(row))
+                if (row < 0 ? _newIds.set (agent.idNumber, 0, i) >= 0 : !_inProposed.add(row))
                 {
                     throw new ArgumentError(agent + " is listed twice: agents[" + list.indexOf(agent) + "] and agents[" + i + "]");
                 }
@@ -153,29 +137,37 @@ package starlogo.search.table
             proposed.count = list.length;
         }
 
-        /** Makes the agents of the proposed list the ones that are listed, and frees the rows of all others. */
-        public function acceptProposed():void
+        /**
+         * Makes the agents of the proposed list the ones that are listed. New agents get rows, and the rows of those that have left become free.
+         *
+         * @param list the list that was proposed
+         */
+        public function accept(list:Vector.<Agent>):void
         {
             findReordered(leftOrReordered);
+            var before:IntList = rows;
+            rows = proposed;
+            proposed = before;
             for (var i:int = 0; i < rows.count; i++)
             {
-                var row:int = rows.values[i];
+                if (rows.values[i] < 0)
+                {
+                    rows.values[i] = add(list[i]);
+                }
+                listIndices[rows.values[i]] = i;
+            }
+            // only now, so no new agent gets the row of one that has left
+            for (i = 0; i < before.count; i++)
+            {
+                var row:int = before.values[i];
                 if (!_inProposed.has(row))
                 {
                     leftOrReordered.add(row);
                     free(row);
                 }
             }
-            var before:IntList = rows;
-            rows = proposed;
-            proposed = before;
-            for (i = 0; i < rows.count; i++)
-            {
-                listIndices[rows.values[i]] = i;
-            }
             listIndices[GROUND_ROW] = rows.count;
             listIndices[EDGES_ROW] = rows.count + 1;
-            isAccepted = true;
         }
 
         /**
@@ -199,6 +191,7 @@ package starlogo.search.table
 
         private function add(agent:Agent):int
         {
+            warnOfUnknownProperties(agent);
             if (_free.count == 0)
             {
                 addRows();
@@ -206,7 +199,6 @@ package starlogo.search.table
             _free.count--;
             var row:int = _free.values[_free.count];
             agentsByRow[row] = agent;
-            listIndices[row] = UNLISTED;
             _rowsById.set (agent.idNumber, 0, row);
             return row;
         }
@@ -216,7 +208,6 @@ package starlogo.search.table
             var before:int = agentsByRow.length;
             // grows by an eighth, because a vector that grows by one element is copied each time
             agentsByRow.length = listIndices.length = before + 1 + (before >> 3);
-            _inProposed.makeRoom(agentsByRow.length);
             for (var row:int = agentsByRow.length - 1; row >= before; row--)
             {
                 _free.add(row);
@@ -232,11 +223,11 @@ package starlogo.search.table
             for (var i:int = 0; i < proposed.count; i++)
             {
                 var row:int = proposed.values[i];
-                var index:int = listIndices[row];
-                if (index == UNLISTED)
+                if (row < 0)
                 {
                     continue;
                 }
+                var index:int = listIndices[row];
                 if (end > 0 && listIndices[inOrder[int(end - 1)]] > index)
                 {
                     if (end > 1 && listIndices[inOrder[int(end - 2)]] > index)
@@ -249,18 +240,6 @@ package starlogo.search.table
                 }
                 inOrder[end] = row;
                 end++;
-            }
-        }
-
-        // Frees the rows that agents have got in a list that was refused.
-        private function freeUnlisted():void
-        {
-            for (var row:int = FIRST_LISTED; row < agentsByRow.length; row++)
-            {
-                if (agentsByRow[row] != null && listIndices[row] == UNLISTED)
-                {
-                    free(row);
-                }
             }
         }
 

@@ -120,7 +120,7 @@ package starlogo.queries.trees
             var along:Array = [_random.pick([0, 1, _random.between(-1, 1)]), _random.between(-1, 1), _random.pick([0, -1, _random.between(-1, 1)])];
             var limit:Number = moves ? _random.pick([0.5, 10, 1e4, Infinity]) : 0;
             _way.setTo(_tree, from[0], from[1], from[2]);
-            _way.widen(size, size, size);
+            _way.inflate(size, size, size);
             if (moves)
             {
                 _way.moveAlong(along[0], along[1], along[2]);

@@ -139,7 +139,11 @@ package starlogo.queries
             if (footing.stands && walk.floorRow >= ListedAgents.FIRST_LISTED)
             {
                 var platform:Body = _seen.table.bodyOf(walk.floorRow);
-                link.setTo(footing.on, platform.placement, platform.shape.ignoresRotation, _seen.table.revisions[walk.floorRow]);
+                link.setTo(footing.on, platform.placement, _seen.table.revisions[walk.floorRow]);
+                if (platform.shape.ignoresRotation)
+                {
+                    link.platformPlacement.copyRotation(footing.on.freshPlacement());
+                }
             }
             return footing;
         }

@@ -122,12 +122,12 @@ package starlogo.queries.motion
         private function standOrPushOut(walk:WalkState, platformRow:int):Boolean
         {
             walk.substepStart.copyFrom(walk.place);
-            var risen:Number = riseWithPlatforms(walk, platformRow);
+            var lift:Number = liftByPlatforms(walk, platformRow);
             _slider.moveVertically(walk.body, walk.place, -walk.closeDepth, _vertical);
             var isOverlapping:Boolean = _vertical.hasPlanes;
             if (isOverlapping)
             {
-                pushOutOfDeep(walk, risen);
+                pushOutOfDeep(walk, lift);
                 _slider.moveVertically(walk.body, walk.place, -walk.closeDepth, _vertical);
             }
             var x:Number = walk.place.x - walk.substepStart.x;
@@ -138,29 +138,29 @@ package starlogo.queries.motion
             return _foothold.tryStandAtEnd(walk, _vertical);
         }
 
-        // Leads the agent up with one-way rows that have risen into it since it was moved, if there is room. Returns how far they have.
-        private function riseWithPlatforms(walk:WalkState, platformRow:int):Number
+        // Lifts the agent with one-way rows that have risen into it, if there is room. Returns how far they lead.
+        private function liftByPlatforms(walk:WalkState, platformRow:int):Number
         {
-            var height:Number = _depenetration.measureRise(walk.body, walk.place, platformRow);
-            if (height > 0)
+            var lift:Number = _platforms.findLift(walk, platformRow);
+            if (lift > 0)
             {
-                collectRows(walk, height);
-                _slider.moveVertically(walk.body, walk.place, height, _vertical);
+                collectRows(walk, lift);
+                _slider.moveVertically(walk.body, walk.place, lift, _vertical);
                 walk.place.copyFrom(_vertical.place);
             }
-            return height;
+            return lift;
         }
 
         // Pushes the agent out of what it overlaps deeply. The deepest overlap comes first. A push is a slide, so it leads through nothing else. All pushes
-        // together are as long as the depths of all overlaps at the beginning. The agent has risen so far before.
-        private function pushOutOfDeep(walk:WalkState, risen:Number):void
+        // together are as long as the depths of all overlaps at the beginning. Platforms have lifted the agent before.
+        private function pushOutOfDeep(walk:WalkState, lift:Number):void
         {
             var left:Number = _depenetration.measureOverlaps(walk.body, walk.place, walk.deepestOverlap);
             if (!(left > 0))
             {
                 return;
             }
-            collectRows(walk, risen + left);
+            collectRows(walk, lift + left);
             var pushes:int = 0;
             do
             {

@@ -173,7 +173,7 @@ package starlogo.queries
             _extentTree.refresh(row);
         }
 
-        /** @private How far up a row has moved since the update before the last one, without a jump. See SeenHeights.riseOf. */
+        /** @private How far up a one-way row has moved since the update before the last one. See SeenHeights.riseOf. */
         engine function riseOf(row:int):Number
         {
             return _heights.riseOf(table, row);

@@ -32,24 +32,34 @@ package starlogo.queries
                 _revisions.push(NO_AGENT);
             }
             _heights.length = _heightsBefore.length = agents.length;
+            // locals, because the loop goes through all agents in every update
+            var heights:Vector.<Number> = _heights;
+            var before:Vector.<Number> = _heightsBefore;
+            var revisions:Vector.<int> = _revisions;
+            var heightsNow:Vector.<Number> = table.places.z;
+            var revisionsNow:Vector.<int> = table.revisions;
             for (var row:int = 0; row < agents.length; row++)
             {
-                if (agents[row] == null)
+                var agent:Agent = agents[row];
+                if (agent == null)
                 {
-                    _revisions[row] = NO_AGENT;
+                    revisions[row] = NO_AGENT;
                     continue;
                 }
-                var height:Number = table.places.z[row];
-                _heightsBefore[row] = agents[row].jumpRevision <= _revisions[row] ? _heights[row] : height;
-                _heights[row] = height;
-                _revisions[row] = table.revisions[row];
+                before[row] = agent.jumpRevision <= revisions[row] ? heights[row] : heightsNow[row];
+                heights[row] = heightsNow[row];
+                revisions[row] = revisionsNow[row];
             }
         }
 
-        /** How far a row of the table is now above its height in the update before the last one. Less than 0 if below; 0 after a jump. */
+        /**
+         * How far a one-way row of the table is now above its height in the update before the last one. Less than 0 if below; 0 after a jump, and of
+         * other rows.
+         */
         public function riseOf(table:AgentTable, row:int):Number
         {
-            return table.listed.agentsByRow[row].jumpRevision <= _revisions[row] ? table.places.z[row] - _heightsBefore[row] : 0;
+            var agent:Agent = table.listed.agentsByRow[row];
+            return agent.isOneWay && agent.jumpRevision <= _revisions[row] ? table.places.z[row] - _heightsBefore[row] : 0;
         }
     }
 }

@@ -153,7 +153,7 @@ package starlogo.queries.motion
             var rows:IntList = walk.body.rows;
             for (var i:int = 0; i < rows.count; i++)
             {
-                var rise:Number = rows.values[i] == platformRow ? 0 : walk.body.riseOf(rows.values[i]);
+                var rise:Number = rows.values[i] == platformRow ? 0 : _seen.riseOf(rows.values[i]);
                 if (rise > lift)
                 {
                     lift = Math.max(lift, findLiftOf(rows.values[i], rise, walk));
@@ -171,7 +171,7 @@ package starlogo.queries.motion
             _from.setTo(walk.place.x, walk.place.y, walk.place.z + rise);
             _motion.setTo(0, 0, -rise);
             _slider.moveStraight(walk.body, _rows, _from, _motion, _straight);
-            return _straight.hasContact && !_straight.hasPlanes ? _straight.place.z - walk.place.z : 0;
+            return _straight.hasContact ? _straight.place.z - walk.place.z : 0;
         }
     }
 }

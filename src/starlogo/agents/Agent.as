@@ -113,7 +113,7 @@ package starlogo.agents
          * Whether the agent stops only what comes from above: a platform to jump up through and to stand on. It counts for others that walk, slide,
          * move until they touch, or are cast (<code>AgentQueries</code>). It stops them only with surfaces that are no steeper than 45 degrees, and
          * only if they are above it or rest on it when their motion begins. From below, from the side and from within they pass, and
-         * <code>walk()</code> does not push them out, but leads up who was above it before it moved up into them. Collisions, rays and all other
+         * <code>walk()</code> does not push them out, but lifts who was above it before it moved up into them. Collisions, rays and all other
          * questions are not affected. It counts from the next question on.
          *
          * @default false

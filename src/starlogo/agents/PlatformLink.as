@@ -18,11 +18,8 @@ package starlogo.agents
         /** The agent that the walker stands on. It is null if the walker stands on nothing, or on the ground. */
         public var platform:Agent = null;
 
-        /** Where the platform was. */
+        /** Where the platform was, with its own rotation, also if that did not count: see ModelShape.ignoresRotation. */
         public var platformPlacement:Placement = new Placement();
-
-        /** Whether its rotation did not count there: see ModelShape.ignoresRotation. A snapshot does not keep this: false is as good. */
-        public var ignoresRotation:Boolean = false;
 
         /** The revision that the platform had. */
         public var platformRevision:int = 0;
@@ -31,11 +28,10 @@ package starlogo.agents
         public var walkerPlace:Vector3D = new Vector3D();
 
         /** Notes what a walker stands on. */
-        public function setTo(walker:Agent, platform:Agent, platformPlacement:Placement, ignoresRotation:Boolean, platformRevision:int):void
+        public function setTo(walker:Agent, platform:Agent, platformPlacement:Placement, platformRevision:int):void
         {
             this.platform = platform;
             this.platformPlacement.copyFrom(platformPlacement);
-            this.ignoresRotation = ignoresRotation;
             this.platformRevision = platformRevision;
             walkerPlace.setTo(walker.placement.x, walker.placement.y, walker.placement.z);
         }

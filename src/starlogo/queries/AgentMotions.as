@@ -4,7 +4,7 @@
 // 3. Slider: each way of a walk is a slide, or goes straight up or down. Both end in a MotionResult
 // 4. ShrunkSweep: how such a way starts (begin), what stops it first (findStoppingImpact), and when (findTouchTime)
 // 5. ShrunkBody: what stops it is what the shrunk body meets, and not what the body only touches
-// moveUntilTouch and the casts: MoveQueries, TouchSweep (TouchResult), ShrunkSweep.findStop. Slides end a clearance before a touch, these in the touch.
+// moveUntilTouch and the casts: MoveQueries, TouchSweep, ShrunkSweep.findStop. Slides end a clearance before a touch, these in the touch.
 // The head of MovingBody has the words of all these.
 package starlogo.queries
 {

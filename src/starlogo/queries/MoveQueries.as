@@ -12,7 +12,6 @@ package starlogo.queries
     import starlogo.queries.motion.MovingBody;
     import starlogo.queries.motion.SlideLimits;
     import starlogo.queries.motion.Slider;
-    import starlogo.queries.motion.TouchResult;
     import starlogo.queries.motion.TouchSweep;
     import starlogo.queries.motion.WalkPlanner;
     import starlogo.queries.motion.WalkState;
@@ -89,8 +88,8 @@ package starlogo.queries
         {
             _seen.requireMovable(agent, "moveUntilTouch");
             var body:MovingBody = currentBody().setToAgent(agent).aim(dx, dy, dz);
-            var first:TouchResult = findTouches(body, filter);
-            if (first.hasRow)
+            var first:MotionResult = findTouches(body, filter);
+            if (first.hasContact)
             {
                 _sweep.moveIntoTouch(body, first);
             }
@@ -98,14 +97,14 @@ package starlogo.queries
             _seen.moveAgent(agent, first.place);
             if (contact != null)
             {
-                contact.time = first.time;
-                if (first.hasRow)
+                contact.time = first.fraction;
+                if (first.hasContact)
                 {
                     contact.setFromPoint(first.contact);
                     contact.approachSpeed = Math.max(0, -first.contact.along(body.motion));
                 }
             }
-            return first.time;
+            return first.fraction;
         }
 
         /** See AgentMotions.slide. There may be limits: with SlideLimits.HORIZONTAL the agent stays at its height. */
@@ -139,7 +138,11 @@ package starlogo.queries
             if (footing.stands && walk.floorRow >= ListedAgents.FIRST_LISTED)
             {
                 var platform:Body = _seen.table.bodyOf(walk.floorRow);
-                link.setTo(agent, footing.on, platform.placement, platform.shape.ignoresRotation, _seen.table.revisions[walk.floorRow]);
+                link.setTo(agent, footing.on, platform.placement, _seen.table.revisions[walk.floorRow]);
+                if (platform.shape.ignoresRotation)
+                {
+                    link.platformPlacement.copyRotation(footing.on.freshPlacement());
+                }
             }
             return footing;
         }
@@ -176,8 +179,8 @@ package starlogo.queries
 
         private function cast(body:MovingBody, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            var first:TouchResult = findTouches(body, filter);
-            return first.hasRow ? writeHit(first, hit || new ShapeHit()) : null;
+            var first:MotionResult = findTouches(body, filter);
+            return first.hasContact ? writeHit(first, hit || new ShapeHit()) : null;
         }
 
         private function castAll(body:MovingBody, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
@@ -194,13 +197,13 @@ package starlogo.queries
 
         // Finds how a body touches rows on a straight way. Returns the first of these results. The filter's accepts is called before, because it may ask
         // other questions, which use the same results.
-        private function findTouches(body:MovingBody, filter:AgentFilter):TouchResult
+        private function findTouches(body:MovingBody, filter:AgentFilter):MotionResult
         {
             body.collectRowsAlong(filter);
             return _sweep.findTouches(body);
         }
 
-        private function writeHit(touch:TouchResult, hit:ShapeHit):ShapeHit
+        private function writeHit(touch:MotionResult, hit:ShapeHit):ShapeHit
         {
             var body:Body = _seen.table.bodyOf(touch.row);
             if (body.kind != ModelShape.TREE)
@@ -213,7 +216,7 @@ package starlogo.queries
                 touch.contact.triangle = _seen.narrowPhase.treeTests.findNearestTriangle(body, touch.contact);
             }
             _writer.write(touch.row, touch.contact, hit);
-            hit.time = touch.time;
+            hit.time = touch.fraction;
             return hit;
         }
     }

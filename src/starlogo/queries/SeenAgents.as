@@ -14,7 +14,6 @@ package starlogo.queries
     import starlogo.collision.Collision;
     import starlogo.collision.QuerySource;
     import starlogo.data.requireGiven;
-    import starlogo.data.IntList;
     import starlogo.engine;
     import starlogo.queries.trees.Collector;
     import starlogo.queries.trees.RowTree;
@@ -65,9 +64,7 @@ package starlogo.queries
         private var _extentTree:RowTree = new RowTree();
         private var _isUpdated:Boolean = false;
 
-        // By row: how far up a one-way agent has moved since the update before the last one, without a jump. That of all rows but _risenRows is 0.
-        private var _rises:Vector.<Number> = new Vector.<Number>();
-        private var _risenRows:IntList = new IntList();
+        private var _heights:SeenHeights = new SeenHeights();
 
         // The body of an agent that has changed since the last update.
         private var _spare:Body = new Body();
@@ -135,12 +132,12 @@ package starlogo.queries
             requireOutsideFilter("update");
             var newNarrowPhase:NarrowPhase = _source.findNarrowPhase();
             var isOtherNarrowPhase:Boolean = newNarrowPhase !== narrowPhase;
-            var next:AgentTable = isOtherNarrowPhase ? new AgentTable(newNarrowPhase.choice) : table;
-            next.setList(agents);
-            findRises(next);
-            next.readChanges();
+            // another table has the same rows
+            var next:AgentTable = isOtherNarrowPhase ? new AgentTable(newNarrowPhase.choice, table.listed) : table;
+            next.read(agents);
             next.readEnvironment(terrain == null ? null : terrain.environmentAgent, null);
             table = next;
+            _heights.update(table);
             narrowPhase = newNarrowPhase;
             if (isOtherNarrowPhase)
             {
@@ -171,52 +168,15 @@ package starlogo.queries
             {
                 throw new ArgumentError(agent + " is not in the list of the last update");
             }
-            var rise:Number = riseNow(table, row);
             table.readRow(row);
-            addRise(row, rise);
             _placeTree.refresh(row);
             _extentTree.refresh(row);
         }
 
-        /** @private How far up a one-way row has moved since the update before the last one. Less than 0 if down; 0 of other rows, and after a jump. */
+        /** @private How far up a one-way row has moved since the update before the last one. See SeenHeights.riseOf. */
         engine function riseOf(row:int):Number
         {
-            return _rises[row];
-        }
-
-        // Finds the rises of the rows that a table reads next.
-        private function findRises(next:AgentTable):void
-        {
-            for (var i:int = 0; i < _risenRows.count; i++)
-            {
-                _rises[_risenRows.values[i]] = 0;
-            }
-            _risenRows.count = 0;
-            _rises.length = Math.max(_rises.length, next.listed.rowCapacity);
-            for (i = 0; i < next.changed.count; i++)
-            {
-                addRise(next.changed.values[i], riseNow(next, next.changed.values[i]));
-            }
-        }
-
-        // How far up a row has moved from where it was read last to where its agent is now; 0 if it is not one-way or has jumped.
-        private static function riseNow(table:AgentTable, row:int):Number
-        {
-            var agent:Agent = table.listed.agentsByRow[row];
-            if (agent.isOneWay && table.isMotionStart(row))
-            {
-                return agent.z - table.places.z[row];
-            }
-            return 0;
-        }
-
-        private function addRise(row:int, rise:Number):void
-        {
-            if (rise != 0)
-            {
-                _rises[row] += rise;
-                _risenRows.add(row);
-            }
+            return _heights.riseOf(table, row);
         }
 
         /**

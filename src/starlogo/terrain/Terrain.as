@@ -76,17 +76,18 @@ package starlogo.terrain
          */
         public static function fromPicture(picture:Object, height:Number, cellWidth:Number = 1, x:Number = 0, y:Number = 0):Terrain
         {
-            if (picture == null || !(picture.width > 0) || !("data" in picture && picture.data != null || "getPixel" in picture))
+            var data:Object = picture != null && "data" in picture ? picture.data : null;
+            if (picture == null || !(picture.width > 0) || (data == null && !("getPixel" in picture)))
             {
                 throw new ArgumentError("a picture is needed, not " + picture);
             }
             requireInWorld("the height of white", height, 0, 0);
             var terrain:Terrain = new Terrain(picture.width, picture.height, cellWidth, x, y);
-            if ("data" in picture && picture.data != null && picture.data.length < 4 * terrain.columns * terrain.rows)
+            if (data != null && data.length < 4 * terrain.columns * terrain.rows)
             {
-                throw new ArgumentError("a picture of " + terrain.columns + " by " + terrain.rows + " pixels has too little data: " + picture.data.length);
+                throw new ArgumentError("a picture of " + terrain.columns + " by " + terrain.rows + " pixels has too little data: " + data.length);
             }
-            terrain.setHeights(0, 0, terrain.columns, terrain.rows, greysOf(picture, height));
+            terrain.setHeights(0, 0, terrain.columns, terrain.rows, greysOf(picture, data, height));
             return terrain;
         }
 
@@ -378,11 +379,10 @@ package starlogo.terrain
             }
         }
 
-        // The heights of a picture's pixels, the bottom row first. White gets exactly the height of white.
-        private static function greysOf(picture:Object, white:Number):Vector.<Number>
+        // The heights of a picture's pixels, the bottom row first. White gets exactly the height of white. The data is null if the picture has none.
+        private static function greysOf(picture:Object, data:Object, white:Number):Vector.<Number>
         {
             var greys:Vector.<Number> = new Vector.<Number>();
-            var data:Object = "data" in picture ? picture.data : null;
             for (var row:int = picture.height - 1; row >= 0; row--)
             {
                 for (var column:int = 0; column < picture.width; column++)

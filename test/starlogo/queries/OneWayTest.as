@@ -6,6 +6,7 @@ package starlogo.queries
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
+    import starlogo.collision.Collision;
     import starlogo.models.BuiltInModel;
     import starlogo.terrain.Terrain;
     import support.Complaints;
@@ -208,14 +209,110 @@ package starlogo.queries
                 assertClose(0, _queries.walk(_hero, 0, 0, _options).pushed, 0, name + ": it rose before the last update");
                 begin(name, 0, 0, 3);
                 _plank.z += 0.8;
-                _queries.refresh(_plank);
-                assertClose(0.8, _queries.walk(_hero, 0, 0, _options).pushed, NEAR, name + ": it rose before a refresh");
-                begin(name, 0, 0, 3);
-                _plank.z += 0.8;
                 var roof:Agent = agentAt("plank", 0, 0, 4.1);
                 _queries.update(new <Agent>[_hero, _plank, roof]);
                 assertClose(0.1, _queries.walk(_hero, 0, 0, _options).pushed, NEAR, name + ": as far as there is room");
             }
+        }
+
+        /** A platform leads its walker up to its top, however far it has risen. */
+        [Test]
+        public function whoIsTakenAlongStandsOnIt():void
+        {
+            for each (var name:String in SYSTEMS)
+            {
+                for each (var gap:Number in [0.01, 0.3, 0.79])
+                {
+                    begin(name, 0, 0, TOP + gap);
+                    _plank.z += 0.8;
+                    assertIsLifted(name + ", from " + gap, 0.8 - gap);
+                }
+            }
+        }
+
+        /** A rise counts since the update before the last one, whatever reads the platform between the two, and whatever moves it. */
+        [Test]
+        public function aRiseCountsHoweverThePlatformMoves():void
+        {
+            for each (var name:String in SYSTEMS)
+            {
+                begin(name, 0, 0, 3);
+                _plank.z += 0.8;
+                _queries.refresh(_plank);
+                assertClose(0.3, _queries.walk(_hero, 0, 0, _options).pushed, NEAR, name + ": refreshed after the update");
+                begin(name, 0, 0, 3);
+                _plank.z += 0.8;
+                _queries.refresh(_plank);
+                assertIsLifted(name + ": refreshed before the update", 0.3);
+                begin(name, 0, 0, 3);
+                _plank.z += 0.6;
+                _queries.refresh(_plank);
+                _plank.z += 0.2;
+                assertIsLifted(name + ": refreshed on its way", 0.3);
+                begin(name, 0, 0, 3);
+                _queries.slide(_plank, 0, 0, 0.8, AgentFilter.ofBreeds("none"));
+                assertIsLifted(name + ": it slid", 0.3);
+                begin(name, 0, 0, 3);
+                _plank.isOneWay = false;
+                _plank.z += 0.8;
+                _queries.update(new <Agent>[_hero, _plank]);
+                _plank.isOneWay = true;
+                assertClose(0.3, _queries.walk(_hero, 0, 0, _options).pushed, NEAR, name + ": one-way since");
+            }
+        }
+
+        [Test]
+        public function aRiseCountsInTheFrameOfAnotherCollisionSystem():void
+        {
+            var collision:Collision = new Collision(EachCollider.make(SYSTEMS[0], _greatLand));
+            begin(SYSTEMS[0], 0, 0, 3);
+            _queries = new AgentQueries(collision);
+            _queries.update(new <Agent>[_plank, agentAt("hero", 9, 0, 0), _hero]);
+            _plank.z += 0.8;
+            collision.collisionSystem = EachCollider.make(SYSTEMS[1], _greatLand);
+            assertIsLifted("exchanged", 0.3);
+        }
+
+        [Test]
+        public function aJumpEndsARise():void
+        {
+            for each (var name:String in SYSTEMS)
+            {
+                begin(name, 0, 0, 3);
+                _plank.moveTo(9, 0, 2.8);
+                _queries.update(new <Agent>[_hero, _plank]);
+                _plank.jumpTo(0, 0, 2.8);
+                _queries.refresh(_plank);
+                assertClose(0, _queries.walk(_hero, 0, 0, _options).pushed, 0, name + ": refreshed after the jump");
+                begin(name, 0, 0, 3.1);
+                _plank.jumpTo(0, 0, 2.3);
+                _queries.refresh(_plank);
+                _queries.update(new <Agent>[_hero, _plank]);
+                _plank.z += 0.5;
+                assertIsLifted(name + ": it rose after the jump", 0.2);
+            }
+        }
+
+        /** A row of the table that is free again belongs to another platform. */
+        [Test]
+        public function aPlatformThatIsNewHasNotRisen():void
+        {
+            begin(SYSTEMS[0], 0, 0, 3);
+            _queries.update(new <Agent>[_hero]);
+            _queries.update(new <Agent>[_hero]);
+            _plank = agentAt("plank", 0, 0, 2.8);
+            _plank.isOneWay = true;
+            assertPasses("new");
+        }
+
+        private function assertIsLifted(text:String, height:Number):void
+        {
+            _options.fall = 0;
+            _queries.update(new <Agent>[_hero, _plank]);
+            var footing:Footing = _queries.walk(_hero, 0, 0, _options);
+            assertEquals(text, _plank, footing.on);
+            assertClose(height, footing.pushed, NEAR, text);
+            assertClose(_plank.z + 0.5, _hero.z, NEAR, text);
         }
 
         private function assertPasses(text:String):void

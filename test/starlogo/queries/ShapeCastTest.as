@@ -50,6 +50,27 @@ package starlogo.queries
 
         private static const SAME:Number = 1e-9;
 
+        /** More than half of a thin box is through a sheet where it first touches the sheet, up to half of a clearance beside its place. */
+        [Test]
+        public function aThinBoxAboveASheetDoesNotGoThrough():void
+        {
+            const WIDTH:Number = 500;
+            sGreatLand.addModel(new Model("sheet", new <Number>[-WIDTH, -WIDTH, 0, WIDTH, -WIDTH, 0, WIDTH, WIDTH, 0, -WIDTH, WIDTH, 0],
+                        new <uint>[0, 1, 2, 0, 2, 3], Model.AS_GIVEN));
+            var queries:AgentQueries = new AgentQueries(EachCollider.make("triangles", sGreatLand));
+            queries.update(new <Agent>[new Agent("sheet")]);
+            for each (var thickness:Number in [1e-10, 5e-10, 3e-9, 4e-9])
+            {
+                for each (var gap:Number in [5e-10, 1e-9, 2.5e-9])
+                {
+                    var middle:Vector3D = new Vector3D(0.1, 0.2, gap + thickness / 2);
+                    var box:Box = new Box(middle, Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0.5, 0.5, thickness / 2);
+                    var hit:ShapeHit = queries.castShape(box, 0, 0, -1);
+                    assertTrue(thickness + " at " + gap, hit != null && Math.abs(hit.time - gap) < gap / 2);
+                }
+            }
+        }
+
         // What only grazes is not stopped, as in moveUntilTouch(); a frame of sweeps reports it.
         [Test]
         public function theEndOfASegmentGrazesAnEdge():void

@@ -394,7 +394,32 @@ package starlogo.queries
             }
         }
 
-        /** What grows takes along who stands on it, also after a snapshot, which does not say whether rotations count. */
+        /** A snapshot that a game goes back to in the frame of such an exchange has the rotation that did not count. */
+        [Test]
+        public function anotherCollisionSystemTurnsNobodyAfterASnapshotEither():void
+        {
+            var collision:Collision = new Collision(new BinCollider());
+            var floor:Agent = agentAt("cube", 0, 0, 0);
+            floor.size = 4;
+            floor.heading = 30;
+            _walker = agentAt("cube", 0.3, 0, 6);
+            _walker.size = 0.5;
+            var agents:Vector.<Agent> = new <Agent>[floor, _walker];
+            _queries = new AgentQueries(collision);
+            _options.fall = Infinity;
+            _queries.update(agents);
+            _queries.walk(_walker, 0, 0, _options, _footing);
+            collision.update(agents);
+            collision.restore(collision.snapshot(), agents);
+            collision.collisionSystem = new TightestFitCollider(_greatLand);
+            floor.z += 0.1;
+            _queries.update(agents);
+            _queries.walk(_walker, 0, 0, _options, _footing);
+            assertEquals(0, _walker.heading);
+            assertTrue(_walker.x + ", " + _walker.y, Math.abs(_walker.x - 0.3) < NEAR && Math.abs(_walker.y) < NEAR);
+        }
+
+        /** What grows takes along who stands on it, also after a snapshot. */
         [Test]
         public function whatGrowsTakesAlongAfterASnapshotToo():void
         {

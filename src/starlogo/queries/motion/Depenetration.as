@@ -47,7 +47,7 @@ package starlogo.queries.motion
         // The contact of an overlap, or of this push.
         private var _contact:ContactPoint = new ContactPoint();
 
-        // A place that is tried: where the body was above a row, as the row sees it, before the row rose; and where the body touches a row.
+        // A place that is tried: where the body touches a row.
         private var _tried:Vector3D = new Vector3D();
 
         /**
@@ -106,35 +106,6 @@ package starlogo.queries.motion
                 }
             }
             return sum;
-        }
-
-        /**
-         * Measures how far one-way rows have risen into a body that was above them.
-         *
-         * @param platformRow the row that carries the body already; -1 for none
-         * @return how far up the body was, as these rows see it: the longest of their rises; 0 if none has risen into the body
-         */
-        public function measureRise(body:MovingBody, place:Vector3D, platformRow:int):Number
-        {
-            var longest:Number = 0;
-            for (var i:int = 0; i < body.rows.count; i++)
-            {
-                var row:int = body.rows.values[i];
-                var rise:Number = row == platformRow ? 0 : body.riseOf(row);
-                if (rise > longest && hasRisenInto(row, rise, body, place))
-                {
-                    longest = rise;
-                }
-            }
-            return longest;
-        }
-
-        // Whether a row that has risen so far has risen into a body at a place.
-        private function hasRisenInto(row:int, rise:Number, body:MovingBody, place:Vector3D):Boolean
-        {
-            _shrunk.begin(body, body.rows, place, NO_MOTION);
-            _tried.setTo(place.x, place.y, place.z + rise);
-            return _shrunk.shrunkTouches(row, place) && !_shrunk.shrunkTouches(row, _tried);
         }
 
         // Pushes the body out of the obstacles that the shrunk body overlaps, one after the other, in rounds, until a round needs no push. Returns whether it

@@ -24,9 +24,7 @@ package starlogo.queries.motion
         private var _rowRays:RowRayTest;
         private var _slider:Slider;
 
-        // A slide down, its limits, and how it ends; and how a way straight down ends.
-        private var _motion:Vector3D = new Vector3D();
-        private var _limits:SlideLimits = new SlideLimits(-Infinity);
+        // How a slide down ends, and a way straight down.
         private var _slid:MotionResult = new MotionResult();
         private var _down:MotionResult = new MotionResult();
 
@@ -65,7 +63,7 @@ package starlogo.queries.motion
             {
                 return down.hasContact;
             }
-            slideDown(walk, down.place, walk.closeDepth, walk.body.extent, _slid);
+            _slider.slideDown(walk.body, down.place, walk.closeDepth, walk.minFloorNormalZ, walk.body.extent, _slid);
             return _slid.hasContact && tryStandOn(walk, _slid, down.place);
         }
 
@@ -86,14 +84,6 @@ package starlogo.queries.motion
             walk.place.copyFrom(place);
             walk.floorRow = met.row;
             return true;
-        }
-
-        /** Slides down like a fall, as long as what it slides on is too steep to stand on. */
-        public function slideDown(walk:WalkState, from:Vector3D, depth:Number, maxHorizontal:Number, out:MotionResult):void
-        {
-            _limits.setFall(Math.sqrt(1 - walk.minFloorNormalZ * walk.minFloorNormalZ) / walk.minFloorNormalZ, maxHorizontal);
-            _motion.setTo(0, 0, -depth);
-            _slider.slide(walk.body, walk.body.rows, from, _motion, _limits, out);
         }
 
         // Whether an edge is more than a step above the lowest point of the agent, where the substep began or at its place.

@@ -4,7 +4,7 @@ package starlogo.queries.motion
     import starlogo.convex.ContactPoint;
 
     /**
-     * How a motion of a body ends, a slide or a straight one, as a record. The methods of Slider write it.
+     * How a motion of a body ends, a slide or a straight one, as a record. Slider and TouchSweep write it.
      *
      * @private
      */
@@ -13,7 +13,7 @@ package starlogo.queries.motion
         /** The place of the body at the end. */
         public var place:Vector3D = new Vector3D();
 
-        /** The length of its way, as a fraction of the length of the motion, from 0 to 1. That of a straight motion goes up to the touch. */
+        /** The length of its way, as a fraction of the length of the motion, from 0 to 1. That of a straight motion goes up to the touch: it is its time. */
         public var fraction:Number = 1;
 
         /** The row of the last wall that a slide met, a surface that was too steep for it; -1 if it met none. */
@@ -24,6 +24,9 @@ package starlogo.queries.motion
 
         /** The row of that contact; -1 if it has met nothing, or a slide only what showed no contact (Impact.isNormalFallback). */
         public var row:int = -1;
+
+        /** TouchSweep alone: the place of the body where the shrunk body touches the row. */
+        public var shrunkPlace:Vector3D = new Vector3D();
 
         /** Whether planes stand for what the body overlaps at the start, deeply or without a way out. */
         public var hasPlanes:Boolean = false;

@@ -274,12 +274,6 @@ package starlogo.queries.motion
             return isOneWay(row) && contact.normalZ < ONE_WAY_Z;
         }
 
-        /** How far up a one-way row has moved: see <code>SeenAgents.riseOf()</code>. That of other rows is 0. */
-        public function riseOf(row:int):Number
-        {
-            return isOneWay(row) ? _seen.riseOf(row) : 0;
-        }
-
         /** The larger extent of the body and another. That of the ground is 0. */
         public function extentWith(other:Body):Number
         {

@@ -16,7 +16,7 @@ package starlogo.queries.motion
 
     /**
      * Carries an agent that walks by its platform: the agent that it stood on after its last walk. The agent moves and turns as the platform has done
-     * since then.
+     * since then. Other platforms lift it: one-way rows that have risen into it.
      *
      * @private
      */
@@ -25,11 +25,11 @@ package starlogo.queries.motion
         private var _seen:SeenAgents;
         private var _slider:Slider;
 
-        // The rows without the platform, and where the platform carries the agent.
-        private var _others:IntList = new IntList();
-        private var _carried:Vector3D = new Vector3D();
+        // The rows without the platform, or one row alone.
+        private var _rows:IntList = new IntList();
 
-        // The way from there to where it comes.
+        // Where the platform carries the agent, and the way from there to where it comes; where the agent was above a row, and the way down from there.
+        private var _from:Vector3D = new Vector3D();
         private var _motion:Vector3D = new Vector3D();
 
         // Tells whether the platform is in the way.
@@ -84,12 +84,12 @@ package starlogo.queries.motion
         }
 
         // Finds how a platform carries an agent to where the platform is now: the motion, which it writes, and the turn about the z axis, which it returns.
-        // Its rotation may count only now or only before, if the collision system is another one. Then it has not turned.
+        // A platform whose rotation does not count now has not turned.
         private static function findMotion(link:PlatformLink, platform:Body, motion:Vector3D):Number
         {
             var from:Placement = link.platformPlacement;
             var now:Placement = platform.placement;
-            var turned:Placement = platform.shape.ignoresRotation == link.ignoresRotation ? from : now;
+            var turned:Placement = platform.shape.ignoresRotation ? now : from;
             var offsetX:Number = link.walkerPlace.x - from.x;
             var offsetY:Number = link.walkerPlace.y - from.y;
             var offsetZ:Number = link.walkerPlace.z - from.z;
@@ -118,14 +118,14 @@ package starlogo.queries.motion
          */
         public function carry(walk:WalkState, platformRow:int):void
         {
-            _others.copyExcept(walk.body.rows, platformRow);
-            _carried.copyFrom(walk.place);
-            _carried.incrementBy(walk.carry);
-            _slider.slide(walk.body, _others, walk.place, walk.carry, SlideLimits.NONE, _slid);
+            _rows.copyExcept(walk.body.rows, platformRow);
+            _from.copyFrom(walk.place);
+            _from.incrementBy(walk.carry);
+            _slider.slide(walk.body, _rows, walk.place, walk.carry, SlideLimits.NONE, _slid);
             var place:Vector3D = _slid.place;
             if (_slid.fraction < 1 && leadsIntoPlatform(platformRow, walk, place))
             {
-                _slider.moveStraight(walk.body, _others, walk.place, walk.carry, _straight);
+                _slider.moveStraight(walk.body, _rows, walk.place, walk.carry, _straight);
                 if (!leadsIntoPlatform(platformRow, walk, _straight.place))
                 {
                     place = _straight.place;
@@ -138,8 +138,40 @@ package starlogo.queries.motion
         private function leadsIntoPlatform(platformRow:int, walk:WalkState, place:Vector3D):Boolean
         {
             _motion.copyFrom(place);
-            _motion.decrementBy(_carried);
-            return _sweep.meets(walk.body, platformRow, _carried, _motion);
+            _motion.decrementBy(_from);
+            return _sweep.meets(walk.body, platformRow, _from, _motion);
+        }
+
+        /**
+         * Finds how far up one-way rows lift the agent of a walk: those that it was above before they rose into it.
+         *
+         * @param platformRow the row that carries the agent already; -1 for none
+         */
+        public function findLift(walk:WalkState, platformRow:int):Number
+        {
+            var lift:Number = 0;
+            var rows:IntList = walk.body.rows;
+            for (var i:int = 0; i < rows.count; i++)
+            {
+                var rise:Number = rows.values[i] == platformRow ? 0 : _seen.riseOf(rows.values[i]);
+                if (rise > lift)
+                {
+                    lift = Math.max(lift, findLiftOf(rows.values[i], rise, walk));
+                }
+            }
+            return lift;
+        }
+
+        // Finds how far up a row that has risen lifts the agent. As the row sees it, the agent has come down by the rise. So it is lifted to where the row
+        // stops this way down. The row does not stop it if the agent was within the row before.
+        private function findLiftOf(row:int, rise:Number, walk:WalkState):Number
+        {
+            _rows.count = 0;
+            _rows.add(row);
+            _from.setTo(walk.place.x, walk.place.y, walk.place.z + rise);
+            _motion.setTo(0, 0, -rise);
+            _slider.moveStraight(walk.body, _rows, _from, _motion, _straight);
+            return _straight.hasContact ? _straight.place.z - walk.place.z : 0;
         }
     }
 }

@@ -47,7 +47,6 @@ package starlogo.queries.motion
         {
             this.minFloorNormalZ = minFloorNormalZ;
             this.maxHorizontal = maxHorizontal;
-            isFall = false;
         }
 
         /** Sets the limits of a fall. */
@@ -55,7 +54,6 @@ package starlogo.queries.motion
         {
             this.fallSlope = fallSlope;
             this.maxHorizontal = maxHorizontal;
-            minFloorNormalZ = -Infinity;
             isFall = true;
         }
     }

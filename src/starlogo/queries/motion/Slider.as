@@ -26,8 +26,9 @@ package starlogo.queries.motion
         private var _remaining:RemainingMotion = new RemainingMotion();
         private var _impactWithoutPlane:Impact = new Impact();
 
-        // A way straight up or down.
+        // A way straight up or down, and the limits of a slide down.
         private var _vertical:Vector3D = new Vector3D();
+        private var _fall:SlideLimits = new SlideLimits(-Infinity);
 
         /**
          * Computes a motion that slides along what it meets.
@@ -115,6 +116,20 @@ package starlogo.queries.motion
         {
             _vertical.z = dz;
             moveStraight(body, body.rows, from, _vertical, out);
+        }
+
+        /**
+         * Slides down like a fall among the body's own rows, as long as what it slides on is too steep to stand on.
+         *
+         * @param depth how far down at most
+         * @param minFloorNormalZ the least z of the normal of what is not too steep
+         * @param maxHorizontal how far sideways at most
+         */
+        public function slideDown(body:MovingBody, from:Vector3D, depth:Number, minFloorNormalZ:Number, maxHorizontal:Number, out:MotionResult):void
+        {
+            _fall.setFall(Math.sqrt(1 - minFloorNormalZ * minFloorNormalZ) / minFloorNormalZ, maxHorizontal);
+            _vertical.z = -depth;
+            slide(body, body.rows, from, _vertical, _fall, out);
         }
 
         // Notes what a slide meets. What is too steep becomes an upright wall. The rest climbs what is not.

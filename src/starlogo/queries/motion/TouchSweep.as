@@ -40,11 +40,11 @@ package starlogo.queries.motion
         private var _toShrunk:Vector3D = new Vector3D();
 
         // The results, whose memory is used again, and the indices of those that count, with the times as keys.
-        private var _results:Vector.<TouchResult> = new Vector.<TouchResult>();
+        private var _results:Vector.<MotionResult> = new Vector.<MotionResult>();
         private var _touches:SortableIntList = new SortableIntList();
 
         // The result of a free motion.
-        private var _free:TouchResult = new TouchResult();
+        private var _free:MotionResult = new MotionResult();
 
         /**
          * Finds the rows of a body that stop its motion, each as if the others were not there. Those with the same time keep their order.
@@ -52,7 +52,7 @@ package starlogo.queries.motion
          * @param body has begun, and has the motion and the rows near its way
          * @return the first of these touches, or if there are none, the result of the free motion
          */
-        public function findTouches(body:MovingBody):TouchResult
+        public function findTouches(body:MovingBody):MotionResult
         {
             copyVector(body.from, _among.start);
             _among.pushes.clear();
@@ -82,7 +82,7 @@ package starlogo.queries.motion
         }
 
         /** A touch that was found. They are sorted by time. */
-        public function touchAt(index:int):TouchResult
+        public function touchAt(index:int):MotionResult
         {
             return _results[_touches.values[index]];
         }
@@ -97,15 +97,15 @@ package starlogo.queries.motion
             {
                 if (count == _results.length)
                 {
-                    _results.push(new TouchResult());
+                    _results.push(new MotionResult());
                 }
-                var touch:TouchResult = _results[count];
+                var touch:MotionResult = _results[count];
                 findTouch(body, body.rows.values[i], touch);
                 // the row alone pushes the body, or stops it at once in a shallow overlap
-                mayPush ||= compareVectors(_alone.start, _among.start) != 0 || (touch.time == 0 && !touch.hasPlane);
-                if (touch.hasRow)
+                mayPush ||= compareVectors(_alone.start, _among.start) != 0 || (touch.fraction == 0 && !touch.hasPlanes);
+                if (touch.hasContact)
                 {
-                    _touches.add(count, touch.time);
+                    _touches.add(count, touch.fraction);
                 }
             }
             return mayPush;
@@ -113,23 +113,23 @@ package starlogo.queries.motion
 
         // Finds whether and when a row stops the body, as if there were no others. The row alone may push the body farther from where it starts. Rounding
         // may hide the touch at its place: see moveIntoTouch.
-        private function findTouch(body:MovingBody, row:int, out:TouchResult):void
+        private function findTouch(body:MovingBody, row:int, out:MotionResult):void
         {
             _alone.obstacles.count = 0;
             _alone.obstacles.add(row);
-            out.time = _alone.findStop(body, _among.start, body.motion);
+            out.fraction = _alone.findStop(body, _among.start, body.motion);
             out.row = _alone.impact.row;
-            out.hasPlane = out.hasRow && _alone.planes.count > 0;
-            if (out.hasRow)
+            out.hasPlanes = out.hasContact && _alone.planes.count > 0;
+            if (out.hasContact)
             {
                 out.contact.copyFrom(_alone.impact.contact);
-                if (!out.hasPlane)
+                if (!out.hasPlanes)
                 {
                     out.contact.depth = 0;
                     ShrunkSweep.setAlong(_alone.start, body.motion, _alone.impact.time, out.shrunkPlace);
                     leaveOutPush(body, out);
                 }
-                setEnd(body, out.time, out.place);
+                setEnd(body, out.fraction, out.place);
                 pushBack(body.from, _alone, out.place);
             }
         }
@@ -142,9 +142,9 @@ package starlogo.queries.motion
          *
          * @param touch a result for this body, which a row stops. Its place changes
          */
-        public function moveIntoTouch(body:MovingBody, touch:TouchResult):void
+        public function moveIntoTouch(body:MovingBody, touch:MotionResult):void
         {
-            if (touch.time == 0)
+            if (touch.fraction == 0)
             {
                 return;
             }
@@ -181,18 +181,18 @@ package starlogo.queries.motion
         }
 
         // Takes the push out of a time of touch: without it the body would have touched earlier.
-        private function leaveOutPush(body:MovingBody, out:TouchResult):void
+        private function leaveOutPush(body:MovingBody, out:MotionResult):void
         {
             var from:Vector3D = body.from;
             var start:Vector3D = _alone.start;
             var contact:ContactPoint = out.contact;
             var push:Number = contact.normalX * (start.x - from.x) + contact.normalY * (start.y - from.y) + contact.normalZ * (start.z - from.z);
             var along:Number = contact.along(body.motion);
-            out.time = Math.max(0, Math.min(1, out.time + push / along));
-            if (-out.time * along < _alone.shrunk.slop && _alone.shrunk.bodyTouches(out.row, from))
+            out.fraction = Math.max(0, Math.min(1, out.fraction + push / along));
+            if (-out.fraction * along < _alone.shrunk.slop && _alone.shrunk.bodyTouches(out.row, from))
             {
                 // otherwise each motion against a wall would lead a little deeper
-                out.time = 0;
+                out.fraction = 0;
             }
         }
 

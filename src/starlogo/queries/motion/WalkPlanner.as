@@ -122,12 +122,11 @@ package starlogo.queries.motion
         private function standOrPushOut(walk:WalkState, platformRow:int):Boolean
         {
             walk.substepStart.copyFrom(walk.place);
-            var risen:Number = riseWithPlatforms(walk, platformRow);
+            var lift:Number = liftByPlatforms(walk, platformRow);
             _slider.moveVertically(walk.body, walk.place, -walk.closeDepth, _vertical);
-            var isOverlapping:Boolean = _vertical.hasPlanes;
-            if (isOverlapping)
+            if (_vertical.hasPlanes)
             {
-                pushOutOfDeep(walk, risen);
+                pushOutOfDeep(walk, lift);
                 _slider.moveVertically(walk.body, walk.place, -walk.closeDepth, _vertical);
             }
             var x:Number = walk.place.x - walk.substepStart.x;
@@ -138,29 +137,29 @@ package starlogo.queries.motion
             return _foothold.tryStandAtEnd(walk, _vertical);
         }
 
-        // Leads the agent up with one-way rows that have risen into it since it was moved, if there is room. Returns how far they have.
-        private function riseWithPlatforms(walk:WalkState, platformRow:int):Number
+        // Lifts the agent with one-way rows that have risen into it, if there is room. Returns how far they lead.
+        private function liftByPlatforms(walk:WalkState, platformRow:int):Number
         {
-            var height:Number = _depenetration.measureRise(walk.body, walk.place, platformRow);
-            if (height > 0)
+            var lift:Number = _platforms.findLift(walk, platformRow);
+            if (lift > 0)
             {
-                collectRows(walk, height);
-                _slider.moveVertically(walk.body, walk.place, height, _vertical);
+                collectRows(walk, lift);
+                _slider.moveVertically(walk.body, walk.place, lift, _vertical);
                 walk.place.copyFrom(_vertical.place);
             }
-            return height;
+            return lift;
         }
 
         // Pushes the agent out of what it overlaps deeply. The deepest overlap comes first. A push is a slide, so it leads through nothing else. All pushes
-        // together are as long as the depths of all overlaps at the beginning. The agent has risen so far before.
-        private function pushOutOfDeep(walk:WalkState, risen:Number):void
+        // together are as long as the depths of all overlaps at the beginning. Platforms have lifted the agent before.
+        private function pushOutOfDeep(walk:WalkState, lift:Number):void
         {
             var left:Number = _depenetration.measureOverlaps(walk.body, walk.place, walk.deepestOverlap);
             if (!(left > 0))
             {
                 return;
             }
-            collectRows(walk, risen + left);
+            collectRows(walk, lift + left);
             var pushes:int = 0;
             do
             {
@@ -219,9 +218,9 @@ package starlogo.queries.motion
             }
             // the slide begins along the ground below the agent
             var normal:Vector3D = walk.floorNormal;
-            var rise:Number = -(normal.x * walk.substepMotion.x + normal.y * walk.substepMotion.y) / normal.z;
+            var slopeZ:Number = -(normal.x * walk.substepMotion.x + normal.y * walk.substepMotion.y) / normal.z;
             var wallBefore:int = walk.wallRow;
-            slideAlong(walk, walk.place, rise, walk.minFloorNormalZ, _slid);
+            slideAlong(walk, walk.place, slopeZ, walk.minFloorNormalZ, _slid);
             endSubstep(walk, _slid);
             if (_slid.wallRow >= 0 && tryStepUp(walk, wallBefore))
             {
@@ -280,7 +279,7 @@ package starlogo.queries.motion
         // whether the agent comes farther than without the step, but no farther from where the substep began than the substep is long, and stands.
         private function trySlideOff(walk:WalkState, from:Vector3D, depth:Number):Boolean
         {
-            _foothold.slideDown(walk, from, depth, walk.substepLength, _slid);
+            _slider.slideDown(walk.body, from, depth, walk.minFloorNormalZ, walk.substepLength, _slid);
             var dx:Number = _slid.place.x - walk.substepStart.x;
             var dy:Number = _slid.place.y - walk.substepStart.y;
             return dx * dx + dy * dy <= walk.substepLength * walk.substepLength && isFarther(walk, _slid.place)
@@ -295,39 +294,39 @@ package starlogo.queries.motion
             {
                 return false;
             }
-            var left:Number = dropUntilStopped(walk, _vertical);
+            var fallLeft:Number = dropUntilStopped(walk, _vertical);
             if (_vertical.hasContact)
             {
-                return settle(walk, _vertical, left);
+                return settle(walk, _vertical, fallLeft);
             }
-            if (left == Infinity)
+            if (fallLeft == Infinity)
             {
                 return false;
             }
             walk.place.copyFrom(_vertical.place);
-            walk.place.z -= left;
+            walk.place.z -= fallLeft;
             // a fall can also end where the ground begins, without being stopped
             return _foothold.tryStandBelow(walk, walk.place, walk.closeDepth);
         }
 
         // Goes straight down until something stops the agent, it has gone as far as it may fall, or it is below all that is near. It goes in drops that get
         // longer, because rounding errors grow with the length of a motion, and no farther than needed: walls of the ground have no lower end, and a very
-        // long wall would have errors as large as a floor. Returns how much farther it may fall.
+        // long wall would have errors as large as a floor. Returns how much farther it may fall: the touch counts, not the clearance before it.
         private function dropUntilStopped(walk:WalkState, out:MotionResult):Number
         {
             var body:MovingBody = walk.body;
-            var left:Number = walk.options.fall;
-            var above:Number = Math.max(body.extent, walk.place.z + body.whole.offsetZ + body.extent - lowestOf(body));
+            var fallLeft:Number = walk.options.fall;
+            var heightAboveAll:Number = Math.max(body.extent, walk.place.z + body.whole.offsetZ + body.extent - lowestOf(body));
             out.place.copyFrom(walk.place);
             out.row = -1;
-            for (var drop:Number = 1; left > 0 && above > 0 && !out.hasContact; drop *= 2)
+            for (var drop:Number = 1; fallLeft > 0 && heightAboveAll > 0 && !out.hasContact; drop *= 2)
             {
-                var depth:Number = Math.min(left, Math.min(drop, above));
+                var depth:Number = Math.min(fallLeft, Math.min(drop, heightAboveAll));
                 _slider.moveVertically(walk.body, out.place, -depth, out);
-                left -= out.fraction * depth;
-                above -= depth;
+                fallLeft -= out.fraction * depth;
+                heightAboveAll -= depth;
             }
-            return left;
+            return fallLeft;
         }
 
         // The lowest height of the rows near a walk. Below it, only walls of the ground are left.
@@ -344,14 +343,14 @@ package starlogo.queries.motion
 
         // Lets the agent stand on what has stopped its fall. If that is too steep, it slides down there, at most as far as it may still fall. Returns whether it
         // stands.
-        private function settle(walk:WalkState, stop:MotionResult, left:Number):Boolean
+        private function settle(walk:WalkState, stop:MotionResult, fallLeft:Number):Boolean
         {
             if (_foothold.tryStandOn(walk, stop, stop.place))
             {
                 return true;
             }
             var depth:Number = depthAfterFall(walk);
-            _foothold.slideDown(walk, stop.place, Math.min(left, depth), depth / 2, _slid);
+            _slider.slideDown(walk.body, stop.place, Math.min(fallLeft, depth), walk.minFloorNormalZ, depth / 2, _slid);
             if (!(walk.place.z - _slid.place.z < MIN_FALL * walk.body.extent))
             {
                 walk.place.copyFrom(_slid.place);
@@ -366,10 +365,10 @@ package starlogo.queries.motion
         }
 
         // Slides along the way of a substep, and up or down.
-        private function slideAlong(walk:WalkState, from:Vector3D, rise:Number, minFloorNormalZ:Number, out:MotionResult):void
+        private function slideAlong(walk:WalkState, from:Vector3D, dz:Number, minFloorNormalZ:Number, out:MotionResult):void
         {
             _limits.setWalls(minFloorNormalZ, walk.substepLength);
-            _motion.setTo(walk.substepMotion.x, walk.substepMotion.y, rise);
+            _motion.setTo(walk.substepMotion.x, walk.substepMotion.y, dz);
             _slider.slide(walk.body, walk.body.rows, from, _motion, _limits, out);
         }
     }

@@ -35,7 +35,7 @@ package starlogo.search.table
         private static const NO_START:int = -2;
 
         /** The list that was read last, and the row of each agent. */
-        public var listed:ListedAgents = new ListedAgents();
+        public var listed:ListedAgents;
 
         /** By row: the number of the agent's breed. */
         engine var breeds:Vector.<int> = new Vector.<int>();
@@ -79,10 +79,14 @@ package starlogo.search.table
         private var _reshaped:IntList = new IntList();
         private var _newShapes:Vector.<ModelShape> = new Vector.<ModelShape>();
 
-        /** @param choice chooses the shapes */
-        public function AgentTable(choice:BaseShapeChoice)
+        /**
+         * @param choice chooses the shapes
+         * @param listed the list and the rows of a table that this one replaces; null to begin without agents
+         */
+        public function AgentTable(choice:BaseShapeChoice, listed:ListedAgents = null)
         {
             _choice = choice;
+            this.listed = listed || new ListedAgents();
             makeRoom();
         }
 

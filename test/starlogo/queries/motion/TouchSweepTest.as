@@ -39,7 +39,7 @@ package starlogo.queries.motion
         private var _seen:SeenAgents = new SeenAgents(EachCollider.make("triangles", landOf(_model)));
         private var _body:MovingBody = new MovingBody(_seen);
         private var _sweep:TouchSweep = new TouchSweep();
-        private var _result:TouchResult;
+        private var _result:MotionResult;
         private var _corners:Vector.<Number> = new Vector.<Number>();
         private var _wrong:Complaints = new Complaints();
         private var _met:int = 0;
@@ -103,9 +103,9 @@ package starlogo.queries.motion
         {
             var from:Vector3D = new Vector3D(2, 0, 2);
             assertStops(true, from, new Vector3D(-0.5, 0, 0));
-            assertTrue("deep", _result.hasPlane);
+            assertTrue("deep", _result.hasPlanes);
             assertStops(false, from, new Vector3D(9, 0, 0));
-            assertFalse("nothing stops it, so nothing is deep", _result.hasPlane);
+            assertFalse("nothing stops it, so nothing is deep", _result.hasPlanes);
         }
 
         private function assertStops(isStopped:Boolean, from:Vector3D, motion:Vector3D):void
@@ -158,7 +158,7 @@ package starlogo.queries.motion
 
         private function check(tree:Body):void
         {
-            if (_result.hasPlane)
+            if (_result.hasPlanes)
             {
                 assertEquals("the contact's plane stands for all triangles", -1, _result.contact.triangle);
                 _deep++;

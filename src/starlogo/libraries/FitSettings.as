@@ -15,7 +15,7 @@ package starlogo.libraries
     public final class FitSettings
     {
         // Increase it whenever an algorithm of the engine gives other results for the same settings.
-        private static const REVISION:int = 15;
+        private static const REVISION:int = 16;
 
         // For each section of a cooked file, the settings of what is in it, as a text. Null if that is not wanted, or cannot be kept.
         private var _settingsOfSections:Vector.<String> = new Vector.<String>(CookedFile.SECTION_COUNT, true);

@@ -101,7 +101,7 @@ package starlogo.bounding
             return "a Hull of " + relativeCorners.length / 3 + " corners around " + center;
         }
 
-        /** The corners, x, y, z of each, in a list of their own. */
+        /** The corners, x, y, z of each, in a list of their own. The surface may be outside of them by a rounding error. */
         public function get corners():Vector.<Number>
         {
             var result:Vector.<Number> = new Vector.<Number>(relativeCorners.length);

@@ -15,7 +15,8 @@ package starlogo.fitting
      * axis-aligned box is the smallest. The rotations are about x first, then y, then z, each from 0 to below 90 degrees. The very first box is
      * the axis-aligned one. If several boxes have the same volume, the first one that is tried counts. A side shorter than the rounding error
      * counts as long as the rounding error. So around a flat hull, whose boxes have no volume, the box with the smallest area is the smallest.
-     * A step tries all rotations about z that follow one rotation about x and y.
+     * A step tries all rotations about z that follow one rotation about x and y. Every second step tries them from the largest angle to the
+     * smallest.
      *
      * <p>Two methods make the search faster. Neither changes the result, but for the rounding of the hull. First, the whole hull is rotated about x
      * and y once. The rotations about z that follow do not change the extent along z. The extents along x and y are found in the plane of x and y.
@@ -87,18 +88,22 @@ package starlogo.fitting
             var perAxis:int = Math.ceil(90 / _incrementXY);
             var aboutX:Number = int(_doneCount / perAxis) * _incrementXY;
             var aboutY:Number = _doneCount % perAxis * _incrementXY;
-            rotateHull(aboutX, aboutY);
+            var rotation:Placement = new Placement();
+            rotation.setRotation(0, aboutY, aboutX);
+            Placement.scaleAndTurnPoints(rotation, _hull.points, _rotated);
             // the least length that counts for a side
             var shortest:Number = _hull.flatness;
             var thickness:Number = Math.max(2 * EnclosingStructures.extentAlong(_rotated, 0, 0, 1)[1], shortest);
             var count:int = Math.ceil(90 / _incrementZ);
             for (var i:int = 0; i < count; i++)
             {
-                var volume:Number = thickness * areaAround(Trigonometry.cosine(i * _incrementZ), Trigonometry.sine(i * _incrementZ), shortest);
+                // the order decides which of several equally small boxes counts
+                var aboutZ:Number = (_doneCount % 2 == 0 ? i : count - 1 - i) * _incrementZ;
+                var volume:Number = thickness * areaAround(Trigonometry.cosine(aboutZ), Trigonometry.sine(aboutZ), shortest);
                 if (volume < _leastVolume * (1 - Tolerances.FIT_TIE))
                 {
                     _leastVolume = volume;
-                    _bestRotation.setRotation(i * _incrementZ, aboutY, aboutX);
+                    _bestRotation.setRotation(aboutZ, aboutY, aboutX);
                     if (volume <= _hull.volume * (1 + Tolerances.FIT_TIE))
                     {
                         return false;
@@ -115,14 +120,6 @@ package starlogo.fitting
             var axes:Vector.<Number> = new Vector.<Number>(9);
             _bestRotation.readRows(axes, 0);
             return EnclosingStructures.box(session.vertices, axes);
-        }
-
-        // Rotates the hull about x, then about y.
-        private function rotateHull(aboutX:Number, aboutY:Number):void
-        {
-            var rotation:Placement = new Placement();
-            rotation.setRotation(0, aboutY, aboutX);
-            Placement.scaleAndTurnPoints(rotation, _hull.points, _rotated);
         }
 
         // The area of the rectangle around the rotated hull, seen along z, after a rotation about z. The search spends nearly all its time here.

@@ -52,7 +52,7 @@ package starlogo.libraries
         public static const FIXTURES:Array = SteppedModels.FIXTURES;
 
         // What the twelve models' fits come to. Where it changes, raise FitSettings.REVISION: what players have kept is void.
-        private static const FINGERPRINT:String = "36b0a8fc35e17723";
+        private static const FINGERPRINT:String = "0cb8523f4cf89d27";
 
         // The same of their hulls.
         private static const HULLS:String = "0efeb66201e6dfdf";

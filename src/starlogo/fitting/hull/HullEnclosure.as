@@ -95,7 +95,8 @@ package starlogo.fitting.hull
             }
             if (factor > 1)
             {
-                hull.scaleCorners(factor * (1 + FIRST_EXCESS * (1 << scalings)));
+                var excess:Number = FIRST_EXCESS * (1 << scalings);
+                hull.scaleCorners(factor * (1 + excess));
                 addRound(vertices, scalings + 1);
             }
             else if (vertices != _session.vertices)

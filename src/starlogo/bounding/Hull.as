@@ -354,7 +354,7 @@ package starlogo.bounding
         // dropped until it keeps all. So a hull of the corners of another one is the same hull.
         private function setCorners(corners:Vector.<Number>):void
         {
-            var origin:Number = Math.max(Math.abs(center.x), Math.abs(center.y), Math.abs(center.z)) / HULL_SCALE;
+            var origin:Number = Math.max(Math.max(Math.abs(center.x), Math.abs(center.y)), Math.abs(center.z)) / HULL_SCALE;
             var hull:ConvexHull = new ConvexHull(scaled(corners, 1 / HULL_SCALE), true, origin);
             while (hull.points.length < hull.vertices.length)
             {

@@ -101,7 +101,7 @@ package starlogo.bounding
             return "a Hull of " + relativeCorners.length / 3 + " corners around " + center;
         }
 
-        /** The corners, x, y, z of each, in a list of their own. */
+        /** The corners, x, y, z of each, in a list of their own. The surface may be outside of them by a rounding error. */
         public function get corners():Vector.<Number>
         {
             var result:Vector.<Number> = new Vector.<Number>(relativeCorners.length);
@@ -354,10 +354,11 @@ package starlogo.bounding
         // dropped until it keeps all. So a hull of the corners of another one is the same hull.
         private function setCorners(corners:Vector.<Number>):void
         {
-            var hull:ConvexHull = new ConvexHull(scaled(corners, 1 / HULL_SCALE));
+            var origin:Number = Math.max(Math.max(Math.abs(center.x), Math.abs(center.y)), Math.abs(center.z)) / HULL_SCALE;
+            var hull:ConvexHull = new ConvexHull(scaled(corners, 1 / HULL_SCALE), true, origin);
             while (hull.points.length < hull.vertices.length)
             {
-                hull = new ConvexHull(hull.points);
+                hull = new ConvexHull(hull.points, true, origin);
             }
             relativeCorners = scaled(hull.points, HULL_SCALE);
             topology = HullTopology.of(hull);

@@ -3,7 +3,6 @@ package starlogo.bounding
     import flash.geom.Vector3D;
     import starlogo.geometry.hull.ConvexHull;
     import starlogo.geometry.hull.edgesAcross;
-    import starlogo.geometry.hull.outlineOf;
     import starlogo.geometry.Tolerances;
 
     /**
@@ -49,7 +48,7 @@ package starlogo.bounding
                 case 3:
                     return new HullTopology(3, coordinateIndices(hull.triangles), edgesOf(hull));
                 case 2:
-                    return ofPolygon(coordinateIndices(outlineOf(hull)));
+                    return ofPolygon(coordinateIndices(hull.outline));
                 case 1:
                     return new HullTopology(1, new Vector.<int>(), new <int>[0, 3, 0, 0]);
                 default:

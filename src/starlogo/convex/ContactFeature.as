@@ -15,11 +15,11 @@ package starlogo.convex
         /** How far the core extends along the direction. Read only. */
         public var farthest:Number = 0;
 
-        // The rounding error of the corners that find() has found: how far from the farthest, from a line or from each other they still count.
-        private var _rounding:Number = 0;
+        // The rounding error of the corners that findFarthest() has found: how far from the farthest, from a line or from each other they still count.
+        private var _cornerTolerance:Number = 0;
 
         // How far outside of a side of a face corners may be that clip() keeps.
-        private var _sideRounding:Number = 0;
+        private var _clipTolerance:Number = 0;
 
         // A second list. An outline or the result of a cut is written to it, and then it takes the place of the first.
         private var _spare:Vector.<Number> = new Vector.<Number>();
@@ -37,7 +37,7 @@ package starlogo.convex
         }
 
         /** Finds the corners of a core that are farthest along a contact's normal, or against it if the side is -1. They are in any order. */
-        public function find(shape:ConvexShape, side:int, contact:ContactPoint):void
+        public function findFarthest(shape:ConvexShape, side:int, contact:ContactPoint):void
         {
             var p:Vector.<Number> = shape.points;
             var x:Number = side * contact.normalX;
@@ -50,8 +50,8 @@ package starlogo.convex
                 most = projection > most ? projection : most;
             }
             farthest = most;
-            _rounding = Tolerances.DIRECTION * shape.extent;
-            most -= _rounding;
+            _cornerTolerance = Tolerances.DIRECTION * shape.extent;
+            most -= _cornerTolerance;
             length = 0;
             for (var k:int = 0; k < shape.pointsEnd; k += 3)
             {
@@ -77,7 +77,7 @@ package starlogo.convex
          * Makes the corners an outline: counter-clockwise around a contact's normal, seen against it, and without those between others (gift
          * wrapping). Of corners in the same place, such as those of both sides of a thin box, one is left.
          */
-        public function makeOutline(contact:ContactPoint):void
+        public function orderAsOutline(contact:ContactPoint):void
         {
             var found:Vector.<Number> = points;
             var foundEnd:int = length;
@@ -114,7 +114,7 @@ package starlogo.convex
         {
             var sides:Vector.<Number> = face.points;
             // rounding is relative to the face's extent, which two of its sides tell
-            _sideRounding = Tolerances.ROUNDING * (Math.abs(sides[3] - sides[0]) + Math.abs(sides[4] - sides[1]) + Math.abs(sides[5] - sides[2])
+            _clipTolerance = Tolerances.ROUNDING * (Math.abs(sides[3] - sides[0]) + Math.abs(sides[4] - sides[1]) + Math.abs(sides[5] - sides[2])
                     + Math.abs(sides[6] - sides[3]) + Math.abs(sides[7] - sides[4]) + Math.abs(sides[8] - sides[5]));
             var hasCommonPart:Boolean = true;
             var last:int = face.length - 3;
@@ -149,7 +149,7 @@ package starlogo.convex
             var x:Number = found[last] - found[first];
             var y:Number = found[int(last + 1)] - found[int(first + 1)];
             var z:Number = found[int(last + 2)] - found[int(first + 2)];
-            var most:Number = _rounding * _rounding * (x * x + y * y + z * z);
+            var most:Number = _cornerTolerance * _cornerTolerance * (x * x + y * y + z * z);
             for (var i:int = 0; i < foundEnd; i += 3)
             {
                 var ux:Number = found[i] - found[first];
@@ -172,7 +172,7 @@ package starlogo.convex
             var x:Number = found[corner] - found[other];
             var y:Number = found[int(corner + 1)] - found[int(other + 1)];
             var z:Number = found[int(corner + 2)] - found[int(other + 2)];
-            return x * x + y * y + z * z <= 4 * _rounding * _rounding;
+            return x * x + y * y + z * z <= 4 * _cornerTolerance * _cornerTolerance;
         }
 
         /** The point of a list that is farthest from one of them, which is the result if all are in one place. Points are given by their first numbers. */
@@ -213,7 +213,7 @@ package starlogo.convex
                 var uz:Number = found[int(i + 2)] - found[int(at + 2)];
                 var left:Number = contact.normalX * (y * uz - z * uy) + contact.normalY * (z * ux - x * uz) + contact.normalZ * (x * uy - y * ux);
                 var further:Number = ux * ux + uy * uy + uz * uz - (x * x + y * y + z * z);
-                var rounding:Number = _rounding * Math.sqrt(x * x + y * y + z * z);
+                var rounding:Number = _cornerTolerance * Math.sqrt(x * x + y * y + z * z);
                 if (left < -rounding || left <= rounding && further > 0 && x * ux + y * uy + z * uz >= 0)
                 {
                     x = ux;
@@ -246,7 +246,7 @@ package starlogo.convex
                 var projection:Number = inX * before[i] + inY * before[int(i + 1)] + inZ * before[int(i + 2)];
                 innermost = projection > innermost ? projection : innermost;
             }
-            var rounding:Number = _sideRounding * Math.sqrt(inX * inX + inY * inY + inZ * inZ);
+            var rounding:Number = _clipTolerance * Math.sqrt(inX * inX + inY * inY + inZ * inZ);
             var isAllOutside:Boolean = innermost < border - rounding;
             if (isAllOutside)
             {

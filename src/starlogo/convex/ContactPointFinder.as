@@ -15,16 +15,16 @@ package starlogo.convex
         /** Writes the point halfway between the two surfaces, relative to the second shape's origin. */
         public function find(cores:CorePair, out:ContactPoint):void
         {
-            _first.find(cores.first, -1, out);
+            _first.findFarthest(cores.first, -1, out);
             _first.move(cores.x, cores.y, cores.z);
-            _second.find(cores.second, 1, out);
+            _second.findFarthest(cores.second, 1, out);
             // of two corners, that of the core with fewer points counts
             var isSecondSimpler:Boolean = _second.isCorner && cores.second.pointsEnd < cores.first.pointsEnd;
             if (!_first.isCorner && !_second.isCorner)
             {
                 // corners in the same place become one
-                _first.makeOutline(out);
-                _second.makeOutline(out);
+                _first.orderAsOutline(out);
+                _second.orderAsOutline(out);
             }
             // how far the middle between the surfaces is from the common part, along the normal
             var offset:Number;

@@ -87,6 +87,7 @@ package starlogo.fitting
          * @return a new structure, in the vertices' space and unit
          * @throws ArgumentError if the vertices are null or empty, if the number of coordinates is not a multiple of 3, or if one of them
          *     is not finite or beyond 1e60
+         * @throws RangeError if the structure's size would be above 0 and below 1e-70
          */
         public final function fit(vertices:Vector.<Number>):BoundingStructure
         {

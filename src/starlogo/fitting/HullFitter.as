@@ -2,11 +2,16 @@ package starlogo.fitting
 {
     import starlogo.bounding.BoundingStructure;
     import starlogo.fitting.hull.HullEnclosure;
+    import starlogo.fitting.hull.HullSimplification;
+    import starlogo.geometry.Tolerances;
+    import starlogo.geometry.vertices.VertexBounds;
+    import starlogo.steps.Steps;
+    import starlogo.steps.StepSequence;
 
     /**
      * Finds a convex hull of few corners around all vertices. It is beyond the thesis. No other convex shape around a model is smaller than
      * its convex hull, but that may have hundreds of corners, and each makes a test slower. This hull is a few percent larger as a mean
-     * of many models. If rounding stops the search, it is a box. It is never larger than the axis-aligned box.
+     * of many models. If rounding stops the search, it is a box. Its volume is never larger than that of the axis-aligned box.
      *
      * <p>It begins with the convex hull of the vertices, and collapses edges until few corners are left. A corner outside of all faces
      * at both ends takes the place of an edge, where the hull grows least (progressive hulls: Sander and others, "Silhouette Clipping",
@@ -53,11 +58,33 @@ package starlogo.fitting
         /** @inheritDoc */
         override public function fitting(session:FitSession):Fit
         {
-            var enclosure:HullEnclosure = new HullEnclosure(session, _maxCorners);
+            var simplification:HullSimplification = new HullSimplification(session, _maxCorners);
+            var enclosure:HullEnclosure;
+            var work:StepSequence = new StepSequence().add(simplification).begin(function():Steps
+                {
+                    enclosure = new HullEnclosure(session, simplification.listCorners());
+                    return enclosure;
+                }).begin(function():Steps
+                {
+                    var box:VertexBounds = VertexBounds.of(session.hull.points);
+                    var isLarger:Boolean = box.extentX * box.extentY * box.extentZ < (1 - Tolerances.FIT_TIE) * enclosure.hull.volume;
+                    enclosure = isLarger ? new HullEnclosure(session, cornersOf(box)) : enclosure;
+                    return enclosure;
+                });
             return new Fit(session, function(session:FitSession):BoundingStructure
                 {
                     return enclosure.hull;
-                }, enclosure);
+                }, work);
+        }
+
+        private static function cornersOf(box:VertexBounds):Vector.<Number>
+        {
+            var corners:Vector.<Number> = new Vector.<Number>();
+            for (var i:int = 0; i < 8; i++)
+            {
+                corners.push((i & 1) == 0 ? box.minX : box.maxX, (i & 2) == 0 ? box.minY : box.maxY, (i & 4) == 0 ? box.minZ : box.maxZ);
+            }
+            return corners;
         }
     }
 }

@@ -8,9 +8,8 @@ package starlogo.fitting
      * percent larger than the smallest box. For thin models that are rotated it may be several times too large. If boxes have no volume,
      * because the model is flat, the one with the smallest area is the smallest.</p>
      *
-     * <p>The thesis rotates every vertex. This class rotates only the vertices of the hull. To find a rotation's extreme vertices, it
-     * climbs over the hull from the extreme vertices of the rotation before. It tries the same boxes as the thesis, so the result is the
-     * same. The hull of n vertices costs n log n. Each rotation costs one transformation of the hull and some steps.</p>
+     * <p>The thesis rotates every vertex. This class rotates only the vertices of the hull. It tries the same boxes as the thesis, so the
+     * result is the same. The hull of n vertices costs n log n. Each rotation costs a pass over the hull's vertices.</p>
      */
     public final class OrientedBoxFitter extends Fitter
     {

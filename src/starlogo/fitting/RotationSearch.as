@@ -18,11 +18,10 @@ package starlogo.fitting
      * A step tries all rotations about z that follow one rotation about x and y. Every second step tries them from the largest angle to the
      * smallest.
      *
-     * <p>Three methods make the search faster. None changes the result, but for the rounding of the hull. First, the whole hull is rotated about x
+     * <p>Two methods make the search faster. Neither changes the result, but for the rounding of the hull. First, the whole hull is rotated about x
      * and y once. The rotations about z that follow do not change the extent along z. The extents along x and y are found in the plane of x and y.
-     * This is done in Numbers, because a Matrix3D's precision depends on the player. Second, the search for a rotation's extreme corners begins at
-     * the extreme corners of the rotation before. It climbs from neighbour to neighbour. On a convex body, the first corner without a better
-     * neighbour is the best. Third, the search ends if a box is as small as the hull itself.</p>
+     * This is done in Numbers, because a Matrix3D's precision depends on the player. Second, the search ends if a box is as small as the hull
+     * itself.</p>
      */
     internal final class RotationSearch extends StepSequence
     {
@@ -37,7 +36,6 @@ package starlogo.fitting
 
         // The state of the search: the number of rotations about x and y that are done, and the best rotation so far.
         private var _doneCount:int = 0;
-        private var _corners:Vector.<int> = new Vector.<int>(6);
         private var _leastVolume:Number = Infinity;
         private var _bestRotation:Placement = new Placement();
 
@@ -90,28 +88,22 @@ package starlogo.fitting
             var perAxis:int = Math.ceil(90 / _incrementXY);
             var aboutX:Number = int(_doneCount / perAxis) * _incrementXY;
             var aboutY:Number = _doneCount % perAxis * _incrementXY;
-            rotateHull(aboutX, aboutY);
+            var rotation:Placement = new Placement();
+            rotation.setRotation(0, aboutY, aboutX);
+            Placement.scaleAndTurnPoints(rotation, _hull.points, _rotated);
             // the least length that counts for a side
             var shortest:Number = _hull.flatness;
-            var corners:Vector.<int> = _corners;
-            corners[4] = climb(corners[4], 1, 0, 1);
-            corners[5] = climb(corners[5], 1, 0, -1);
-            var thickness:Number = Math.max(_rotated[3 * corners[4] + 2] - _rotated[3 * corners[5] + 2], shortest);
-            // The order alternates, because the corners found last are then close to the next ones.
-            var isForward:Boolean = _doneCount % 2 == 0;
+            var thickness:Number = Math.max(2 * EnclosingStructures.extentAlong(_rotated, 0, 0, 1)[1], shortest);
             var count:int = Math.ceil(90 / _incrementZ);
             for (var i:int = 0; i < count; i++)
             {
-                var multiple:int = isForward ? i : count - 1 - i;
-                var cosine:Number = Trigonometry.cosine(multiple * _incrementZ);
-                var sine:Number = Trigonometry.sine(multiple * _incrementZ);
-                var width:Number = lengthAlong(corners, 0, cosine, -sine);
-                var depth:Number = lengthAlong(corners, 2, sine, cosine);
-                var volume:Number = thickness * Math.max(width, shortest) * Math.max(depth, shortest);
+                // the order decides which of several equally small boxes counts
+                var aboutZ:Number = (_doneCount % 2 == 0 ? i : count - 1 - i) * _incrementZ;
+                var volume:Number = thickness * areaAround(Trigonometry.cosine(aboutZ), Trigonometry.sine(aboutZ), shortest);
                 if (volume < _leastVolume * (1 - Tolerances.FIT_TIE))
                 {
                     _leastVolume = volume;
-                    _bestRotation.setRotation(multiple * _incrementZ, aboutY, aboutX);
+                    _bestRotation.setRotation(aboutZ, aboutY, aboutX);
                     if (volume <= _hull.volume * (1 + Tolerances.FIT_TIE))
                     {
                         return false;
@@ -130,53 +122,39 @@ package starlogo.fitting
             return EnclosingStructures.box(session.vertices, axes);
         }
 
-        // Rotates the hull about x, then about y.
-        private function rotateHull(aboutX:Number, aboutY:Number):void
-        {
-            var rotation:Placement = new Placement();
-            rotation.setRotation(0, aboutY, aboutX);
-            Placement.scaleAndTurnPoints(rotation, _hull.points, _rotated);
-        }
-
-        // The extent in a direction of the plane of x and y. The entries of corners at index and index + 1 are the
-        // extreme corners of the last call, and receive the new ones.
-        private function lengthAlong(corners:Vector.<int>, index:int, alongX:Number, alongY:Number):Number
-        {
-            var high:int = corners[index] = climb(corners[index], 0, alongX, alongY);
-            var low:int = corners[index + 1] = climb(corners[index + 1], 0, -alongX, -alongY);
-            return (_rotated[3 * high] - _rotated[3 * low]) * alongX + (_rotated[3 * high + 1] - _rotated[3 * low + 1]) * alongY;
-        }
-
-        // Finds the corner that is farthest in a direction, which has two components: along the coordinate at the offset, 0 for x and 1 for y, and
-        // along the next one. The search spends nearly all its time here.
-        private function climb(corner:int, offset:int, alongFirst:Number, alongSecond:Number):int
+        // The area of the rectangle around the rotated hull, seen along z, after a rotation about z. The search spends nearly all its time here.
+        private function areaAround(cosine:Number, sine:Number, shortest:Number):Number
         {
             var rotated:Vector.<Number> = _rotated;
-            var neighbors:Vector.<int> = _hull.neighbors;
-            var firstNeighbor:Vector.<int> = _hull.firstNeighbor;
-            var at:int = 3 * corner + offset;
-            var best:Number = alongFirst * rotated[at] + alongSecond * rotated[at + 1];
-            var end:int = firstNeighbor[corner + 1];
-            var i:int = firstNeighbor[corner];
-            while (i < end)
+            var length:int = rotated.length;
+            var minX:Number = Infinity;
+            var maxX:Number = -Infinity;
+            var minY:Number = Infinity;
+            var maxY:Number = -Infinity;
+            for (var i:int = 0; i < length; i += 3)
             {
-                var neighbor:int = neighbors[i];
-                at = 3 * neighbor + offset;
-                var value:Number = alongFirst * rotated[at] + alongSecond * rotated[at + 1];
-                if (value > best)
+                var x:Number = rotated[i];
+                var y:Number = rotated[int(i + 1)];
+                var along:Number = cosine * x - sine * y;
+                var across:Number = sine * x + cosine * y;
+                if (along < minX)
                 {
-                    // Continues from this neighbour at once, because looking for a better one costs more than it gains.
-                    best = value;
-                    corner = neighbor;
-                    i = firstNeighbor[corner];
-                    end = firstNeighbor[corner + 1];
+                    minX = along;
                 }
-                else
+                if (along > maxX)
                 {
-                    i++;
+                    maxX = along;
+                }
+                if (across < minY)
+                {
+                    minY = across;
+                }
+                if (across > maxY)
+                {
+                    maxY = across;
                 }
             }
-            return corner;
+            return Math.max(maxX - minX, shortest) * Math.max(maxY - minY, shortest);
         }
     }
 }

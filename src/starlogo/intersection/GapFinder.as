@@ -46,13 +46,13 @@ package starlogo.intersection
         }
 
         /**
-         * Moves the closest point of a to the middle of those that are equally close. Only contacts need it.
+         * Moves the closest point of a in the gap that was found last to the middle of those that are equally close. Only contacts need it.
          *
          * @param a one of the structures whose gap was found last
          * @param b the other one
          * @param gap the gap that was found
          */
-        public function moveToMiddle(a:BoundingStructure, b:BoundingStructure, gap:CoreGap):void
+        public function centerLastGap(a:BoundingStructure, b:BoundingStructure, gap:CoreGap):void
         {
             var capsule:Capsule = a as Capsule;
             if (capsule != null)

@@ -65,7 +65,7 @@ package starlogo.intersection
             var least:Number = Tolerances.DIRECTION * gap.extent;
             if (gap.squaredLength > least * least)
             {
-                _finder.moveToMiddle(first, second, gap);
+                _finder.centerLastGap(first, second, gap);
                 out.setFromGap(gap, motion);
             }
             else

@@ -113,6 +113,28 @@ package starlogo.fitting
             assertEquals(BOXES, hash.toString());
         }
 
+        // The vertices along the sides of a flat ribbon are corners of its hull, with sides between them that are in line up to rounding.
+        [Test]
+        public function ribbonsGetNoLargerBoxThanTheAxisAlignedOne():void
+        {
+            var random:SeededRandom = new SeededRandom(1034);
+            for (var i:int = 0; i < 400; i++)
+            {
+                var points:Vector.<Number> = new Vector.<Number>();
+                var width:Number = Math.pow(10, -1 - i % 3);
+                var lean:Number = random.between(0, 90);
+                for (var count:int = 2 * random.integer(3, 20), k:int = 0; k < count; k++)
+                {
+                    var z:Number = k % 2 * 0.5;
+                    points.push(width * Trigonometry.cosine(360 * k / count), -z * Trigonometry.sine(lean), z * Trigonometry.cosine(lean));
+                }
+                points = PointSets.noisy(points, random, 1e-16);
+                var box:Number = new OrientedBoxFitter(10).fit(points).volume;
+                var least:Number = Math.min(new AxisAlignedBoxFitter().fit(points).volume, new ZAlignedBoxFitter(10).fit(points).volume);
+                assertTrue("ribbon " + i + " of width " + width + ": " + box + ", at least " + least, box <= least * (1 + 1e-6) + 1e-14);
+            }
+        }
+
         // The boxes around flat models have no volume. The best one is then that of the smallest area, and around a segment the shortest.
         [Test]
         public function flatModelsGetTheSmallestBoxOfAllAngles():void
@@ -404,6 +426,8 @@ package starlogo.fitting
                 assertThrows(ArgumentError, /./, finish, new NaiveSphereFitter().fitting(new FitSession(vertices)));
             }
             assertThrows(IllegalOperationError, /fitting/, new Fitter().fit, PointSets.box(1, 1, 1));
+            assertThrows(RangeError, "1e-70", new NaiveSphereFitter().fit, new <Number>[0, 0, 0, 7e-80, 0, 0]);
+            assertThrows(RangeError, "1e-70", new CentredRitterSphereFitter().fit, new <Number>[7e-80, 0, 0]);
             for each (var increment:Number in [0, -10, NaN, Infinity, 0.009, 90 / 4294967296])
             {
                 assertThrows(ArgumentError, /.{10}/, create, OrientedBoxFitter, increment);

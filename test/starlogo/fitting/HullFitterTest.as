@@ -4,6 +4,7 @@ package starlogo.fitting
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
+    import starlogo.bounding.Box;
     import starlogo.bounding.Hull;
     import starlogo.bounding.Sphere;
     import starlogo.engine;
@@ -165,6 +166,36 @@ package starlogo.fitting
                 equal += hull >= box * (1 - 1e-9) ? 1 : 0;
             }
             assertTrue(equal + "", equal > 5 && equal < 150);
+        }
+
+        // A flat patch far from the origin is beside its plane by the rounding of its place, which is no thickness.
+        [Test]
+        public function isNeverLargerThanTheBoxFarFromTheOrigin():void
+        {
+            var random:SeededRandom = new SeededRandom(1033);
+            for (var i:int = 0; i < 300; i++)
+            {
+                var thickness:Number = i % 3 == 0 ? Math.pow(10, random.between(-16, 0)) : 0;
+                var points:Vector.<Number> = PointSets.cloud(random, random.integer(4, 40), 1, Math.pow(10, random.between(-3, 0)), thickness);
+                points = i % 5 == 0 ? points : PointSets.turned(points, random);
+                var far:Number = Math.pow(10, random.between(-2, 10));
+                points = PointSets.placed(points, 1, far * random.between(-1, 1), far * random.between(-1, 1), far * random.between(-1, 1));
+                points = PointSets.placed(points, Math.pow(10, random.between(-6, 3)));
+                var session:FitSession = new FitSession(points);
+                var hull:Hull = Hull(session.structureOf(new HullFitter(random.integer(8, 20))));
+                var box:Box = Box(session.structureOf(new AxisAlignedBoxFitter()));
+                var name:String = "set " + i + " of thickness " + thickness + ", " + far + " away: " + hull;
+                assertTrue(name, hull.volume <= box.volume * (1 + 1e-9));
+                assertHolds(name, hull, points);
+                var lengths:Vector.<Number> = new Vector.<Number>();
+                hull.extentsInto(lengths);
+                var most:Number = Math.max(box.halfX, box.halfY, box.halfZ);
+                for (var axis:int = 0; axis < 3 && thickness == 0; axis++)
+                {
+                    var half:Number = [box.halfX, box.halfY, box.halfZ][axis];
+                    assertTrue(name, (lengths[2 * axis + 1] - lengths[2 * axis]) / 2 <= half + 0.3 * most);
+                }
+            }
         }
 
         [Test]

@@ -3,14 +3,12 @@ package starlogo.fitting.hull
     import starlogo.bounding.Hull;
     import starlogo.engine;
     import starlogo.fitting.FitSession;
-    import starlogo.geometry.Tolerances;
-    import starlogo.geometry.vertices.VertexBounds;
     import starlogo.steps.StepSequence;
 
     use namespace engine;
 
     /**
-     * The steps that make a hull of few corners, and scale it until it encloses every vertex of a session in double precision.
+     * The steps that scale a hull until it encloses every vertex of a session in double precision.
      *
      * <p>A vertex may be outside of the corners' hull by 2e-7 of its size. The hull is scaled about its centre until all half-spaces hold all
      * vertices. Rounding errors count, because a vertex that is hardly above two faces is far from their edge if that is sharp. Scaling does not help
@@ -33,32 +31,15 @@ package starlogo.fitting.hull
         private var _session:FitSession;
 
         /**
-         * @param session the vertices; their hull may not exist before the first step
-         * @param maxCorners the largest number of corners, at least 8
+         * @param session the vertices, whose hull exists
+         * @param corners of the hull to begin with
          */
-        public function HullEnclosure(session:FitSession, maxCorners:int)
+        public function HullEnclosure(session:FitSession, corners:Vector.<Number>)
         {
-            var simplification:HullSimplification = new HullSimplification(session, maxCorners);
             _session = session;
-            add(simplification).call(function():void
-                {
-                    hull = new Hull(simplification.listCorners());
-                    var box:Hull = axisAlignedBox(_session.hull.points);
-                    hull = box.volume < (1 - Tolerances.FIT_TIE) * hull.volume ? box : hull;
-                    // Most hulls need to be scaled. So the first rounds measure the few vertices of the convex hull, and only the last ones measure all.
-                    addRound(_session.hull.points, 0);
-                });
-        }
-
-        private static function axisAlignedBox(points:Vector.<Number>):Hull
-        {
-            var bounds:VertexBounds = VertexBounds.of(points);
-            var corners:Vector.<Number> = new Vector.<Number>();
-            for (var i:int = 0; i < 8; i++)
-            {
-                corners.push((i & 1) == 0 ? bounds.minX : bounds.maxX, (i & 2) == 0 ? bounds.minY : bounds.maxY, (i & 4) == 0 ? bounds.minZ : bounds.maxZ);
-            }
-            return new Hull(corners);
+            hull = new Hull(corners);
+            // Most hulls need to be scaled. So the first rounds measure the few vertices of the convex hull, and only the last ones measure all.
+            addRound(session.hull.points, 0);
         }
 
         private function addRound(vertices:Vector.<Number>, scalings:int):void
@@ -114,7 +95,8 @@ package starlogo.fitting.hull
             }
             if (factor > 1)
             {
-                hull.scaleCorners(factor * (1 + FIRST_EXCESS * (1 << scalings)));
+                var excess:Number = FIRST_EXCESS * (1 << scalings);
+                hull.scaleCorners(factor * (1 + excess));
                 addRound(vertices, scalings + 1);
             }
             else if (vertices != _session.vertices)

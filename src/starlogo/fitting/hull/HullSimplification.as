@@ -2,7 +2,6 @@ package starlogo.fitting.hull
 {
     import starlogo.fitting.FitSession;
     import starlogo.geometry.hull.ConvexHull;
-    import starlogo.geometry.hull.outlineOf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -73,12 +72,10 @@ package starlogo.fitting.hull
             var triangles:Vector.<int> = hull.triangles;
             if (hull.dimension == 2)
             {
-                var outline:Vector.<int> = outlineOf(hull);
-                var height:Number = isCounterClockwise(outline, points) ? TIP : -TIP;
-                points.push(0, 0, height, 0, 0, -height);
+                points.push(0, 0, TIP, 0, 0, -TIP);
                 _hasTips = true;
                 _tip = hull.indices.length;
-                triangles = pyramidsOn(outline);
+                triangles = pyramidsOn(hull.outline);
             }
             _solid = new ProgressiveHull(points, triangles);
             slices(_solid.faceCount, FACES_PER_STEP, queueShortest).repeat(reduceToFew).begin(queueingAll).repeat(reduceToMaximum);
@@ -199,19 +196,6 @@ package starlogo.fitting.hull
                 last = corner;
             }
             return triangles;
-        }
-
-        // Whether a polygon in the plane of x and y is counter-clockwise seen from above.
-        private static function isCounterClockwise(outline:Vector.<int>, points:Vector.<Number>):Boolean
-        {
-            var area:Number = 0;
-            var last:int = 3 * outline[outline.length - 1];
-            for each (var corner:int in outline)
-            {
-                area += points[last] * points[3 * corner + 1] - points[last + 1] * points[3 * corner];
-                last = 3 * corner;
-            }
-            return area > 0;
         }
 
         private function withoutTips(points:Vector.<Number>):Vector.<Number>

@@ -11,7 +11,7 @@ package starlogo.geometry.hull
     use namespace engine;
 
     /**
-     * Finds the convex hull of vertices: its corners, edges, triangles and volume.
+     * Finds the convex hull of vertices: its corners, triangles and volume.
      *
      * <p>Each vertex is inside the hull, or outside by at most 2e-7 of the vertices' extent. Flat sides have
      * vertices at their corners only. Vertices that span no volume are allowed. The hull is a polygon for vertices in a plane, two points
@@ -41,13 +41,10 @@ package starlogo.geometry.hull
         public var triangles:Vector.<int> = new Vector.<int>();
 
         /**
-         * For each corner, the position in <code>neighbors</code> at which its neighbours begin. The neighbours of corner i are at
-         * firstNeighbor[i] up to, but not including, firstNeighbor[i + 1]. So the list has one entry more than there are corners.
+         * The corners of vertices in a plane in their order around it, as positions in <code>indices</code>: counter-clockwise seen from the side
+         * to which the third of the <code>axes</code> points. Empty for vertices that span another number of dimensions.
          */
-        public var firstNeighbor:Vector.<int>;
-
-        /** For each corner, the corners that share an edge with it, as positions in <code>indices</code>. */
-        public var neighbors:Vector.<int>;
+        public var outline:Vector.<int> = new Vector.<int>();
 
         private var _vertices:Vector.<Number>;
 
@@ -60,13 +57,15 @@ package starlogo.geometry.hull
          * @param vertices x, y, z of each vertex, in any unit. An extent below 1e-150 counts as none. The list is kept, not copied, and never changed
          * @param atOnce false leaves all work, including the check of the vertices, to <code>step()</code>. Until the last step, only the
          *     vertices may be read
+         * @param origin the largest absolute coordinate of the place from which the vertices are measured. They may be beside a plane, a line or a
+         *     place by the rounding there, and count as in it
          * @throws ArgumentError if the vertices are null or empty, if the number of coordinates is not a multiple of 3, or if a coordinate
          *     is not finite or beyond 1e60
          */
-        public function ConvexHull(vertices:Vector.<Number>, atOnce:Boolean = true)
+        public function ConvexHull(vertices:Vector.<Number>, atOnce:Boolean = true, origin:Number = 0)
         {
             _vertices = vertices;
-            _simplex = new InitialSimplex(vertices);
+            _simplex = new InitialSimplex(vertices, origin);
             _work.add(_simplex).begin(building);
             if (atOnce)
             {
@@ -150,14 +149,13 @@ package starlogo.geometry.hull
             return sum > 0 ? sum / 6 : 0;
         }
 
-        // The steps that build the hull of vertices on a grid, and join its corners. Vertices without volume get an extra point outside, the apex.
-        // Triangles and edges with the apex are left out when corners are joined.
+        // The steps that build the hull of vertices on a grid, and number its corners. Vertices in a plane get an extra point outside, the apex.
         private function building():Steps
         {
             var simplex:Vector.<int> = _simplex.corners.concat();
             if (dimension < 2)
             {
-                return joining(dimension == 1 ? new <int>[simplex[0], simplex[1], apex, simplex[1], simplex[0], apex] : new <int>[simplex[0], apex, apex]);
+                return numbering(simplex.slice(0, dimension + 1));
             }
             var grid:Vector.<Number> = new Vector.<Number>(_vertices.length);
             simplex[3] = dimension == 2 ? apex : simplex[3];
@@ -166,7 +164,7 @@ package starlogo.geometry.hull
                     var hull:QuickHull = new QuickHull(grid, simplex);
                     return new StepSequence().add(hull).begin(function():Steps
                         {
-                            return joining(dimension == 3 ? hull.triangles : trianglesAtApex(hull.triangles));
+                            return numbering(dimension == 3 ? hull.triangles : outlineFrom(hull.triangles));
                         });
                 });
         }
@@ -213,82 +211,34 @@ package starlogo.geometry.hull
             }
         }
 
-        // The steps that number the corners and find their neighbours. @param corners the triangles' corners, as indices of vertices
-        private function joining(corners:Vector.<int>):Steps
+        // The step that numbers the corners. It replaces the indices of vertices in the list by positions among the hull's corners.
+        // @param corners the triangles' corners, or those of the outline, or all of a line or a place
+        private function numbering(corners:Vector.<int>):Steps
         {
             return new StepSequence().call(function():void
                 {
-                    numberCorners(corners);
-                }).call(function():void
-                {
-                    listNeighbors(corners);
+                    var positions:Vector.<int> = new Vector.<int>(apex);
+                    var i:int;
+                    for (i = 0; i < corners.length; i++)
+                    {
+                        positions[corners[i]] = 1;
+                    }
+                    for (i = 0; i < apex; i++)
+                    {
+                        if (positions[i] == 1)
+                        {
+                            positions[i] = indices.length;
+                            indices.push(i);
+                            points.push(_vertices[3 * i], _vertices[3 * i + 1], _vertices[3 * i + 2]);
+                        }
+                    }
+                    for (i = 0; i < corners.length; i++)
+                    {
+                        corners[i] = positions[corners[i]];
+                    }
+                    triangles = dimension == 3 ? corners : triangles;
+                    outline = dimension == 2 ? corners : outline;
                 });
-        }
-
-        // Replaces the indices of vertices by positions among the hull's corners, and the apex by -1.
-        private function numberCorners(corners:Vector.<int>):void
-        {
-            var positions:Vector.<int> = new Vector.<int>(apex + 1);
-            var end:int = apex;
-            var count:int = corners.length;
-            var i:int;
-            for (i = 0; i < count; i++)
-            {
-                positions[corners[i]] = 1;
-            }
-            positions[end] = -1;
-            for (i = 0; i < end; i++)
-            {
-                if (positions[i] == 1)
-                {
-                    positions[i] = indices.length;
-                    indices.push(i);
-                    points.push(_vertices[3 * i], _vertices[3 * i + 1], _vertices[3 * i + 2]);
-                }
-            }
-            for (i = 0; i < count; i++)
-            {
-                corners[i] = positions[corners[i]];
-            }
-            triangles = dimension == 3 ? corners : triangles;
-        }
-
-        // Lists the neighbours of each corner: the ends of the edges that begin there. There are no edges to the apex.
-        private function listNeighbors(corners:Vector.<int>):void
-        {
-            var first:Vector.<int> = new Vector.<int>(indices.length + 1);
-            var i:int;
-            for (i = 0; i < corners.length; i++)
-            {
-                if (isEdge(i, corners))
-                {
-                    first[corners[i] + 1]++;
-                }
-            }
-            for (i = 0; i < indices.length; i++)
-            {
-                first[i + 1] += first[i];
-            }
-            firstNeighbor = first.concat();
-            neighbors = new Vector.<int>(first[indices.length]);
-            for (i = 0; i < corners.length; i++)
-            {
-                if (isEdge(i, corners))
-                {
-                    neighbors[first[corners[i]]++] = endOf(i, corners);
-                }
-            }
-        }
-
-        private static function isEdge(i:int, corners:Vector.<int>):Boolean
-        {
-            return corners[i] >= 0 && endOf(i, corners) >= 0;
-        }
-
-        // The end of the edge that begins at an entry of a list of triangles' corners.
-        private static function endOf(edge:int, corners:Vector.<int>):int
-        {
-            return corners[edge % 3 == 2 ? edge - 2 : edge + 1];
         }
 
         // The index of the point above a plane's vertices.
@@ -297,20 +247,24 @@ package starlogo.geometry.hull
             return _vertices.length / 3;
         }
 
-        // The triangles between the apex and each edge of the outline of vertices in a plane. Each triangle is there twice, once for each
-        // side.
-        private function trianglesAtApex(ofPlane:Vector.<int>):Vector.<int>
+        // The outline of vertices in a plane, as indices of vertices: the edges across from the apex in its triangles.
+        private function outlineFrom(ofPyramid:Vector.<int>):Vector.<int>
         {
-            var found:Vector.<int> = new Vector.<int>();
-            for (var i:int = 0; i < ofPlane.length; i++)
+            var next:Vector.<int> = new Vector.<int>(apex);
+            var start:int;
+            for (var i:int = 0; i < ofPyramid.length; i++)
             {
-                if (ofPlane[i] == apex)
+                if (ofPyramid[i] == apex)
                 {
                     var first:int = i - i % 3;
-                    var from:int = ofPlane[first + (i + 1) % 3];
-                    var to:int = ofPlane[first + (i + 2) % 3];
-                    found.push(from, to, apex, to, from, apex);
+                    start = ofPyramid[first + (i + 1) % 3];
+                    next[start] = ofPyramid[first + (i + 2) % 3];
                 }
+            }
+            var found:Vector.<int> = new <int>[start];
+            for (var at:int = next[start]; at != start; at = next[at])
+            {
+                found.push(at);
             }
             return found;
         }

@@ -29,6 +29,7 @@ package starlogo.geometry.hull
         public var corners:Vector.<int> = new Vector.<int>();
 
         private var _vertices:Vector.<Number>;
+        private var _origin:Number;
 
         // The vertex that is farthest from the space spanned so far, and the square of its distance.
         private var _farthest:int;
@@ -37,17 +38,19 @@ package starlogo.geometry.hull
         /**
          * @param vertices x, y, z of each. The steps throw an ArgumentError if they are null or empty, if the number of coordinates is not
          *     a multiple of 3, or if a coordinate is not finite or beyond 1e60
+         * @param origin the largest absolute coordinate of the place from which the vertices are measured
          */
-        public function InitialSimplex(vertices:Vector.<Number>)
+        public function InitialSimplex(vertices:Vector.<Number>, origin:Number)
         {
             _vertices = vertices;
+            _origin = origin;
             call(measure);
         }
 
         /** The distance up to which a vertex counts as in a plane, a line or a place. */
         public function get flatness():Number
         {
-            return Tolerances.HULL_FLAT * bounds.extent + Tolerances.HULL_ROUNDING * bounds.largest;
+            return Tolerances.HULL_FLAT * bounds.extent + Tolerances.HULL_ROUNDING * (_origin + bounds.largest);
         }
 
         /**

@@ -38,12 +38,12 @@ package starlogo.intersection.ray
         {
             setToStart(ray);
             var near:SpanEnd = span.near;
-            if (near.touch > ray.from)
+            if (near.touchDistance > ray.from)
             {
-                distance = near.crossing <= ray.to ? near.crossing : near.touch;
+                distance = near.surfaceDistance <= ray.to ? near.surfaceDistance : near.touchDistance;
                 setNormal(ray, near.normalX, near.normalY, near.normalZ);
             }
-            return distance <= span.far.touch && distance <= ray.to;
+            return distance <= span.far.touchDistance && distance <= ray.to;
         }
 
         /**
@@ -54,7 +54,7 @@ package starlogo.intersection.ray
          */
         public function leave(ray:Ray, span:RaySpan):Boolean
         {
-            distance = Math.max(distance, span.far.crossing);
+            distance = Math.max(distance, span.far.surfaceDistance);
             setNormal(ray, span.far.normalX, span.far.normalY, span.far.normalZ);
             return distance <= ray.to;
         }

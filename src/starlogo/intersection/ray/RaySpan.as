@@ -17,8 +17,8 @@ package starlogo.intersection.ray
         /** Sets the places of both ends, for a shape whose touched surface is its own. */
         public function setPlaces(near:Number, far:Number):void
         {
-            this.near.touch = this.near.crossing = near;
-            this.far.touch = this.far.crossing = far;
+            this.near.touchDistance = this.near.surfaceDistance = near;
+            this.far.touchDistance = this.far.surfaceDistance = far;
         }
     }
 }

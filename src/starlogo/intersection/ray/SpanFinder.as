@@ -136,8 +136,8 @@ package starlogo.intersection.ray
                 out.near.setNormal(x - half * acrossX, y - half * acrossY, z - half * acrossZ);
                 out.far.setNormal(x + half * acrossX, y + half * acrossY, z + half * acrossZ);
             }
-            var nearFraction:Number = fraction + out.near.touch * speed;
-            var farFraction:Number = fraction + out.far.touch * speed;
+            var nearFraction:Number = fraction + out.near.touchDistance * speed;
+            var farFraction:Number = fraction + out.far.touchDistance * speed;
             var isNearOnSide:Boolean = nearFraction >= 0 && nearFraction <= 1;
             var isFarOnSide:Boolean = farFraction >= 0 && farFraction <= 1;
             var isInNearBall:Boolean = !isNearOnSide && findInBall(ray, nearFraction > 1 ? end : start, radius, sBall);
@@ -270,10 +270,10 @@ package starlogo.intersection.ray
         // Sets the ends for a shape with flat faces. The planes of the shape itself say nothing about a line that passes beside it and only touches it.
         private static function setPlacesOfFaces(touchNear:Number, crossNear:Number, crossFar:Number, touchFar:Number, out:RaySpan):void
         {
-            out.near.touch = touchNear;
-            out.far.touch = touchFar;
-            out.near.crossing = crossNear > touchNear && crossNear <= touchFar ? crossNear : touchNear;
-            out.far.crossing = crossFar < touchFar && crossFar >= out.near.crossing ? crossFar : touchFar;
+            out.near.touchDistance = touchNear;
+            out.far.touchDistance = touchFar;
+            out.near.surfaceDistance = crossNear > touchNear && crossNear <= touchFar ? crossNear : touchNear;
+            out.far.surfaceDistance = crossFar < touchFar && crossFar >= out.near.surfaceDistance ? crossFar : touchFar;
         }
     }
 }

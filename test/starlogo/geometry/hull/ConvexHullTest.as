@@ -208,28 +208,37 @@ package starlogo.geometry.hull
             var corners:int = hull.indices.length;
             var i:int;
             assertEquals(name, 3 * corners, hull.points.length);
-            assertEquals(name, corners + 1, hull.firstNeighbor.length);
-            assertEquals(name, hull.neighbors.length, hull.firstNeighbor[corners]);
             for (i = 0; i < corners; i++)
             {
                 assertTrue(name + ": ascending", i == 0 || hull.indices[i] > hull.indices[i - 1]);
                 assertEquals(name, hull.vertices[3 * hull.indices[i] + 1], hull.points[3 * i + 1]);
             }
-            var expected:int = hull.dimension == 3 ? 6 * corners - 12 : (corners > 2 ? 2 * corners : 2 * corners - 2);
-            assertEquals(name + ": neighbours", expected, hull.neighbors.length);
             assertEquals(name + ": triangles", hull.dimension == 3 ? 2 * corners - 4 : 0, hull.triangles.length / 3);
-            for (i = 0; i < corners; i++)
+            assertEquals(name + ": outline", hull.dimension == 2 ? corners : 0, hull.outline.length);
+            // each edge runs the other way in the neighbouring triangle, so this throws if the surface has a gap
+            edgesAcross(hull.triangles, corners);
+            var area:Number = 0;
+            for (i = 0; i < hull.outline.length; i++)
             {
-                for (var k:int = hull.firstNeighbor[i]; k < hull.firstNeighbor[i + 1]; k++)
-                {
-                    var other:int = hull.neighbors[k];
-                    var back:int = hull.neighbors.indexOf(i, hull.firstNeighbor[other]);
-                    assertTrue(name + ": joined both ways", back >= 0 && back < hull.firstNeighbor[other + 1]);
-                }
+                var at:int = 3 * hull.outline[i];
+                var next:int = 3 * hull.outline[(i + 1) % corners];
+                area += along(hull, 0, at) * along(hull, 1, next) - along(hull, 1, at) * along(hull, 0, next);
             }
+            assertTrue(name + ": an area of " + area, hull.dimension != 2 || area > 0);
         }
 
-        // The farthest vertex in a direction is where climbing from neighbour to neighbour ends.
+        // How far a corner is from the first one along one of the hull's axes.
+        private static function along(hull:ConvexHull, axis:int, corner:int):Number
+        {
+            var sum:Number = 0;
+            for (var i:int = 0; i < 3; i++)
+            {
+                sum += (hull.points[corner + i] - hull.points[i]) * hull.axes[3 * axis + i];
+            }
+            return sum;
+        }
+
+        // The farthest vertex in a direction is a corner.
         private static function checkSupports(name:String, hull:ConvexHull, random:SeededRandom):void
         {
             var p:Vector.<Number> = hull.points;

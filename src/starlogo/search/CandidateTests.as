@@ -59,7 +59,11 @@ package starlogo.search
         /** @inheritDoc */
         override public function onCandidates(row:int, others:Vector.<int>, count:int, level:BinLevel):void
         {
-            count = _input.interests.keepOfInterest(_table.breeds, row, others, count);
+            var interests:BreedInterests = _input.interests;
+            if (!interests.includesAllOfAgents)
+            {
+                count = interests.keepOfInterest(_table.breeds, row, others, count);
+            }
             _narrowPhase.counts.candidatePairs += count;
             addTouching(row, others, count, level);
         }

@@ -101,44 +101,20 @@ package starlogo.search
         private function check(interests:BreedInterests, added:Array):int
         {
             var including:int = 0;
+            var areAll:Boolean = true;
             for each (var a:String in _names)
             {
-                var wanted:Array = [];
                 for each (var b:String in _names)
                 {
                     var expected:Boolean = isAdded(a, b, added);
                     assertEquals(a + ", " + b + " of " + added.join(" "), expected, interests.includes(interests.indexOf(a), interests.indexOf(b)));
                     assertEquals(a + ", " + b + " by numbers", expected, interests.includes(_numbers.indexOf(a), _numbers.indexOf(b)));
                     including += expected ? 1 : 0;
-                    if (expected && !isFixture(b))
-                    {
-                        wanted.push(_names.indexOf(b));
-                    }
+                    areAll = areAll && (expected || isFixture(a) || isFixture(b) || interests.indexOf(a) < 0 || interests.indexOf(b) < 0);
                 }
-                assertEquals(a + " of " + added.join(" "), wanted.join(), keptBy(interests, a));
             }
+            assertEquals(added.join(" "), areAll, interests.includesAllOfAgents);
             return including;
-        }
-
-        // The agents of interest to a row, one of each breed. Those whose breeds are in no pair are no members of a search.
-        private function keptBy(interests:BreedInterests, breed:String):String
-        {
-            var breeds:Vector.<int> = new Vector.<int>();
-            var others:Vector.<int> = new Vector.<int>();
-            for (var i:int = 0; i < _names.length; i++)
-            {
-                breeds.push(_numbers.indexOf(_names[i]));
-                if (interests.indexOf(_names[i]) >= 0 && !isFixture(_names[i]))
-                {
-                    others.push(i);
-                }
-            }
-            if (interests.indexOf(breed) < 0)
-            {
-                return "";
-            }
-            others.length = interests.keepOfInterest(breeds, _names.indexOf(breed), others, others.length);
-            return others.join();
         }
 
         private static function isAdded(a:String, b:String, added:Array):Boolean

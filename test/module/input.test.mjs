@@ -13,7 +13,7 @@ const manifest = JSON.parse(readFileSync(path.join(folder, "package.json"), "utf
 const engine = await import(pathToFileURL(path.join(folder, manifest.exports["."].default)));
 const {
 	Agent, AgentFilter, AgentPlaces, AgentPredicate, AgentQueries, AgentRays, AgentMotions, BinCollider, Box, BuiltInModel, Collision, ErrorEvent, Event, FrameTimes, GreatLand, HierarchicalCollider, HierarchiesLibrary, IllegalOperationError, Matrix3D, Model, ModelLoader, SeenAgents, Sphere, WalkOptions,
-	TightestFitCollider, Vector3D, sphereSphere,
+	Terrain, TightestFitCollider, Vector3D, sphereSphere,
 } = engine;
 
 /** What is no number, and how errors name it. */
@@ -145,6 +145,16 @@ test("names are strings", () => {
 	}
 	for (const name of ["shape", "breed"]) for (const value of [null, undefined, ""]) refused(() => (agent[name] = value), `${name} must be a name`);
 	assert.deepEqual([agent.shape, agent.breed, agent.collideAs], ["cube", "bears", "tightest"]);
+});
+
+test("the ground of questions may be taken away, with null", () => {
+	const collider = new BinCollider(new GreatLand());
+	for (const asked of [new AgentQueries(collider), new SeenAgents(collider), new Collision(collider)]) {
+		asked.terrain = new Terrain(2, 2);
+		asked.terrain = null;
+		assert.equal(asked.terrain, null);
+		refused(() => (asked.terrain = {}), "terrain must be a Terrain");
+	}
 });
 
 test("a mesh or a material without a name has null in place of one", () => {

@@ -84,7 +84,7 @@ export class Checks {
 		const { name } = parameter;
 		// a setter's documentation stands at its getter
 		const getter = given.kind === "set" ? type.members.find((each) => each.kind === "get" && each.name === given.name) : null;
-		const member = { ...given, doc: `${docOf(type, given, this.#byName)}\n${getter?.doc ?? ""}` };
+		const member = { ...given, doc: `${docOf(type, given, this.#byName)}\n${getter ? docOf(type, getter, this.#byName) : ""}` };
 		const isNullable = mayBeNull(parameter, member, type);
 		const { receiver, qualifiedName, inline } = this.#placeOf(type, member, name);
 		const refuse = (expected) => `$refuse(${receiver}, ${name}, ${expected});`;

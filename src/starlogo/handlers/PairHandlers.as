@@ -1,8 +1,8 @@
 package starlogo.handlers
 {
     /**
-     * What a frame calls for a pair of breeds, or all handlers of a frame. First come the handlers whose collider is the first agent, then those whose collider is the second
-     * agent. In each half, handlers for starts come first, and handlers for ends come last.
+     * What a frame calls for a pair of breeds, or all handlers of a frame. First come the handlers whose collider is the first agent, then those
+     * whose collider is the second agent. In each half, handlers for starts come first, and handlers for ends come last.
      *
      * @private
      */

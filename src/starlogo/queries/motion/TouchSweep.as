@@ -31,10 +31,10 @@ package starlogo.queries.motion
         private static const SLOPS_TO_LEAVE:Number = 2;
 
         // The motion among all rows.
-        private var _among:ShrunkSweep = new ShrunkSweep();
+        private var _sweepOfAll:ShrunkSweep = new ShrunkSweep();
 
         // The motion past one row.
-        private var _alone:ShrunkSweep = new ShrunkSweep();
+        private var _sweepOfRow:ShrunkSweep = new ShrunkSweep();
 
         // The way from the computed end of a motion to where the shrunk body touches.
         private var _toShrunk:Vector3D = new Vector3D();
@@ -54,14 +54,14 @@ package starlogo.queries.motion
          */
         public function findTouches(body:MovingBody):MotionResult
         {
-            copyVector(body.from, _among.start);
-            _among.pushes.clear();
+            copyVector(body.from, _sweepOfAll.start);
+            _sweepOfAll.pushes.clear();
             if (addTouches(body))
             {
                 // a floor may be many rows: what is pushed out of one of them does not run into the next
-                _among.obstacles.copyFrom(body.rows);
-                _among.begin(body, body.from, body.motion);
-                if (compareVectors(_among.start, body.from) != 0)
+                _sweepOfAll.obstacles.copyFrom(body.rows);
+                _sweepOfAll.begin(body, body.from, body.motion);
+                if (compareVectors(_sweepOfAll.start, body.from) != 0)
                 {
                     addTouches(body);
                 }
@@ -102,7 +102,7 @@ package starlogo.queries.motion
                 var touch:MotionResult = _results[count];
                 findTouch(body, body.rows.values[i], touch);
                 // the row alone pushes the body, or stops it at once in a shallow overlap
-                mayPush ||= compareVectors(_alone.start, _among.start) != 0 || (touch.fraction == 0 && !touch.hasPlanes);
+                mayPush ||= compareVectors(_sweepOfRow.start, _sweepOfAll.start) != 0 || (touch.fraction == 0 && !touch.hasPlanes);
                 if (touch.hasContact)
                 {
                     _touches.add(count, touch.fraction);
@@ -115,22 +115,22 @@ package starlogo.queries.motion
         // may hide the touch at its place: see moveIntoTouch.
         private function findTouch(body:MovingBody, row:int, out:MotionResult):void
         {
-            _alone.obstacles.count = 0;
-            _alone.obstacles.add(row);
-            out.fraction = _alone.findStop(body, _among.start, body.motion);
-            out.row = _alone.impact.row;
-            out.hasPlanes = out.hasContact && _alone.planes.count > 0;
+            _sweepOfRow.obstacles.count = 0;
+            _sweepOfRow.obstacles.add(row);
+            out.fraction = _sweepOfRow.findStop(body, _sweepOfAll.start, body.motion);
+            out.row = _sweepOfRow.impact.row;
+            out.hasPlanes = out.hasContact && _sweepOfRow.planes.count > 0;
             if (out.hasContact)
             {
-                out.contact.copyFrom(_alone.impact.contact);
+                out.contact.copyFrom(_sweepOfRow.impact.contact);
                 if (!out.hasPlanes)
                 {
                     out.contact.depth = 0;
-                    ShrunkSweep.setAlong(_alone.start, body.motion, _alone.impact.time, out.shrunkPlace);
+                    ShrunkSweep.setAlong(_sweepOfRow.start, body.motion, _sweepOfRow.impact.time, out.shrunkPlace);
                     leaveOutPush(body, out);
                 }
                 setEnd(body, out.fraction, out.place);
-                pushBack(body.from, _alone, out.place);
+                pushBack(body.from, _sweepOfRow, out.place);
             }
         }
 
@@ -184,12 +184,12 @@ package starlogo.queries.motion
         private function leaveOutPush(body:MovingBody, out:MotionResult):void
         {
             var from:Vector3D = body.from;
-            var start:Vector3D = _alone.start;
+            var start:Vector3D = _sweepOfRow.start;
             var contact:ContactPoint = out.contact;
             var push:Number = contact.normalX * (start.x - from.x) + contact.normalY * (start.y - from.y) + contact.normalZ * (start.z - from.z);
             var along:Number = contact.along(body.motion);
             out.fraction = Math.max(0, Math.min(1, out.fraction + push / along));
-            if (-out.fraction * along < _alone.shrunk.slop && _alone.shrunk.bodyTouches(out.row, from))
+            if (-out.fraction * along < _sweepOfRow.shrunk.slop && _sweepOfRow.shrunk.bodyTouches(out.row, from))
             {
                 // otherwise each motion against a wall would lead a little deeper
                 out.fraction = 0;
@@ -200,7 +200,7 @@ package starlogo.queries.motion
         private function setEnd(body:MovingBody, time:Number, out:Vector3D):void
         {
             ShrunkSweep.setAlong(body.from, body.motion, time, out);
-            pushBack(body.from, _among, out);
+            pushBack(body.from, _sweepOfAll, out);
         }
 
         // Pushes a place back where a body is deeper than it was at the beginning in what it was pushed out of. Without this, motions that are shorter than

@@ -4,17 +4,20 @@ package standins
     import flash.events.Event;
     import flash.events.IOErrorEvent;
     import flash.events.ProgressEvent;
+    import flash.events.TimerEvent;
     import flash.net.URLLoader;
     import flash.net.URLLoaderDataFormat;
     import flash.net.URLRequest;
     import flash.utils.ByteArray;
     import flash.utils.Endian;
+    import flash.utils.Timer;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertNull;
     import org.flexunit.asserts.assertTrue;
     import org.flexunit.async.Async;
     import org.flexunit.internals.AssumptionViolatedException;
+    import standin.Machine;
     import support.assertThrows;
 
     /**
@@ -180,6 +183,27 @@ package standins
                     assertFalse(_events.indexOf(Event.COMPLETE) >= 0);
                 }, 120000);
             loader.load(new URLRequest("/assets/nothing"));
+        }
+
+        [Test(async, timeout="150000")]
+        public function saysNothingMoreOnceItIsClosed():void
+        {
+            if (Machine.player == null)
+            {
+                throw new AssumptionViolatedException("Ruffle's close() does nothing");
+            }
+            var loader:URLLoader = newLoader();
+            var timer:Timer = new Timer(100, 1);
+            loader.addEventListener(ProgressEvent.PROGRESS, function(event:Event):void
+                {
+                    loader.close();
+                    timer.start();
+                });
+            Async.handleEvent(this, timer, TimerEvent.TIMER_COMPLETE, function(event:Event, data:Object):void
+                {
+                    assertEquals(ProgressEvent.PROGRESS, _events.join());
+                }, 120000);
+            loader.load(new URLRequest(FILE));
         }
 
         private function newLoader():URLLoader

@@ -157,10 +157,10 @@ export class Checks {
 		const isNoNumber = `typeof ${name} !== "number"`;
 		const isFinite = member.isField || FINITE_CHECKED_CLASS_NAMES.has(type.name);
 		const number = isFinite ? ["$aFiniteNumber", `${isNoNumber} || ${name} - ${name} !== 0`] : ["$aNumber", isNoNumber];
-		const index = ["$aUint", `${isNoNumber} || ${name} !== (${name} & 0x7fffffff)`, "a whole number, 0 or more"];
+		const offset = ["$aUint", `${isNoNumber} || ${name} !== (${name} & 0x7fffffff)`, "a whole number, 0 or more"];
 		return {
 			Number: [...number, member.name === "color" ? "0xRRGGBB, a number" : "a number"],
-			int: name === "offset" ? index : ["$anInt", `${isNoNumber} || ${name} !== (${name} | 0)`, "a whole number"],
+			int: name === "offset" ? offset : ["$anInt", `${isNoNumber} || ${name} !== (${name} | 0)`, "a whole number"],
 			uint: ["$aUint", `${isNoNumber} || ${name} !== ${name} >>> 0`, "a whole number"],
 			Boolean: ["$aBoolean", `typeof ${name} !== "boolean"`, "true or false"],
 			String: ["$aString", `typeof ${name} !== "string"`, "a string"],

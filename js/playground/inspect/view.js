@@ -25,8 +25,8 @@ class InspectView {
 	settings = { increment: 10, minVertices: 5, byMean: false };
 	#loads = new Requests();
 	#measurements = new Requests();
-	/** Whether the shown model is still the last one that was asked for. */
-	#isWanted = () => true;
+	/** Tells whether the shown model is still the last one that was asked for. */
+	#isNewestLoad = () => true;
 	#chosen = "";
 	#files = new Map();
 	#shown = null;
@@ -131,11 +131,11 @@ class InspectView {
 	}
 
 	async #load(name, title, read, hint = "") {
-		const isWanted = this.#isWanted = this.#loads.begin();
+		const isNewest = this.#isNewestLoad = this.#loads.begin();
 		this.#say(words.working(title));
 		try {
 			const loaded = await read();
-			if (!isWanted()) return;
+			if (!isNewest()) return;
 			Object.assign(this, { loaded, title });
 			this.#chosen = name;
 			this.up.value = "z";
@@ -143,7 +143,7 @@ class InspectView {
 			this.upHint.hidden = !this.#files.has(name);
 			await this.#show();
 		} catch (error) {
-			if (isWanted()) this.#say(`${texts.brokenModel(title, error.message)} ${hint}`, true);
+			if (isNewest()) this.#say(`${texts.brokenModel(title, error.message)} ${hint}`, true);
 		}
 		this.models.value = this.#chosen;
 	}
@@ -174,9 +174,9 @@ class InspectView {
 	async #measure() {
 		const { model, title } = this;
 		if (!model) return;
-		const isLoaded = this.#isWanted;
+		const isNewestLoad = this.#isNewestLoad;
 		const isWanted = this.#measurements.begin();
-		const say = (...what) => isLoaded() && this.#say(...what);
+		const say = (...what) => isNewestLoad() && this.#say(...what);
 		say(words.working(title));
 		this.results.setAttribute("aria-busy", "true");
 		try {

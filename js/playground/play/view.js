@@ -62,7 +62,7 @@ class PlayView {
 	#isSelfStarted = false;
 	/** The game beside this one, or null. */
 	#beside = null;
-	#besides = new Requests();
+	#besideRequests = new Requests();
 
 	constructor(main, models, world) {
 		this.models = models;
@@ -240,7 +240,7 @@ class PlayView {
 
 	/** Plays the same game with another system beside this one, from the start and with the same keys; "" removes it. */
 	async putBeside(name) {
-		const isWanted = this.#besides.begin();
+		const isWanted = this.#besideRequests.begin();
 		const { Beside } = name === "" ? {} : await import("./beside.js");
 		if (!isWanted()) return;
 		const { isRunning } = this;
@@ -484,7 +484,7 @@ class PlayView {
 
 	close() {
 		this.#halt();
-		this.#besides.begin();
+		this.#besideRequests.begin();
 		this.#beside?.close();
 		this.layout.close();
 		this.sound.close();

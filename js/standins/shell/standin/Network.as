@@ -8,20 +8,31 @@ package standin
         /** Begins to read a file: see the module's Network. */
         public static function fetch(url:String, onProgress:Function, onDone:Function, onError:Function):Function
         {
-            var pending:uint = Machine.setTimeout(function():void
+            var isStopped:Boolean = false;
+            Machine.setTimeout(function():void
                 {
-                    var bytes:ByteArray = Machine.readFile(url);
+                    var bytes:ByteArray = isStopped ? null : Machine.readFile(url);
+                    if (bytes != null)
+                    {
+                        onProgress(bytes.length, bytes.length);
+                    }
+                    // the progress may be a reason to stop
+                    if (isStopped)
+                    {
+                        return;
+                    }
                     if (bytes == null)
                     {
                         onError("there is no such file");
-                        return;
                     }
-                    onProgress(bytes.length, bytes.length);
-                    onDone(bytes);
+                    else
+                    {
+                        onDone(bytes);
+                    }
                 }, 0);
             return function():void
             {
-                Machine.clearTimeout(pending);
+                isStopped = true;
             };
         }
     }

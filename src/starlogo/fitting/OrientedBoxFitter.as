@@ -50,7 +50,8 @@ package starlogo.fitting
         /** @inheritDoc */
         override public function fitting(session:FitSession):Fit
         {
-            return RotationSearch.fitting(session, _degIncrement, _degIncrement);
+            var search:RotationSearch = new RotationSearch(session, _degIncrement, _degIncrement);
+            return new Fit(session, search.smallestBox, search);
         }
     }
 }

@@ -43,8 +43,8 @@ package starlogo.fitting
         private var _bestRotation:Placement = new Placement();
 
         /**
-         * @param session the vertices
-         * @param incrementXY degrees between the rotations about x and about y
+         * @param session the vertices; their hull may not exist before the first step
+         * @param incrementXY degrees between the rotations about x and about y; 90 for rotations about z only
          * @param incrementZ degrees between the rotations about z
          */
         public function RotationSearch(session:FitSession, incrementXY:Number, incrementZ:Number)
@@ -60,19 +60,6 @@ package starlogo.fitting
                         _order.push(i);
                     }
                 }).repeat(tryNext);
-        }
-
-        /**
-         * The fit of the smallest box.
-         *
-         * @param session the vertices; their hull may not exist before the first step
-         * @param incrementXY degrees between the rotations about x and about y; 90 for rotations about z only
-         * @param incrementZ degrees between the rotations about z
-         */
-        public static function fitting(session:FitSession, incrementXY:Number, incrementZ:Number):Fit
-        {
-            var search:RotationSearch = new RotationSearch(session, incrementXY, incrementZ);
-            return new Fit(session, search.smallestBox, search);
         }
 
         /**
@@ -122,8 +109,8 @@ package starlogo.fitting
             return _doneCount < perAxis * perAxis;
         }
 
-        // The smallest box of the rotations tried so far, around all vertices.
-        private function smallestBox(session:FitSession):Box
+        /** The smallest box of the rotations tried so far, around all vertices. */
+        public function smallestBox(session:FitSession):Box
         {
             var axes:Vector.<Number> = new Vector.<Number>(9);
             _bestRotation.readRows(axes, 0);

@@ -64,7 +64,7 @@ package starlogo.bounding
          * Creates the hull of points. The cost is n log n for n points.
          *
          * @param points x, y, z of each, in patches; neither kept nor changed. A point that is outside of the hull of the others by less
-         *     than 2e-7 of the points' extent may be left out
+         *     than 2e-7 of the points' extent, or by a rounding error of its place, may be left out
          * @throws ArgumentError if the points are null or empty, if the number of coordinates is not a multiple of 3, or if a coordinate is
          *     not finite
          * @throws RangeError if the hull is beyond the limits of structures

@@ -111,7 +111,7 @@ package starlogo.convex
                 _sat.findMinimumTranslation(_cores, _result.axis);
                 if (distance > 0)
                 {
-                    _sat.tryGap(_result.gap, _cores, _result.axis);
+                    _sat.considerGap(_result.gap, _cores, _result.axis);
                 }
             }
             finishContact(motion, out);

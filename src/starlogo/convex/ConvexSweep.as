@@ -77,7 +77,7 @@ package starlogo.convex
             {
                 // A short line between two points is too imprecise a direction where an edge or a face is nearly perpendicular to it. The normals of
                 // faces and pairs of edges are precise.
-                _sat.tryNormals(cores, axis);
+                _sat.considerNormals(cores, axis);
             }
             var x:Number = cores.motionX;
             var y:Number = cores.motionY;

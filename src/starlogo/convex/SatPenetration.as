@@ -43,21 +43,21 @@ package starlogo.convex
         public function findMinimumTranslation(cores:CorePair, out:SeparatingAxis):void
         {
             out.separation = -Infinity;
-            tryNormals(cores, out);
+            considerNormals(cores, out);
             if (out.separation == -Infinity)
             {
-                tryUpwards(cores, out);
+                considerUpwards(cores, out);
             }
         }
 
         /** Takes a normal of a face, or of an edge of each, if the cores are farther apart along it than along the axis before. */
-        public function tryNormals(cores:CorePair, out:SeparatingAxis):void
+        public function considerNormals(cores:CorePair, out:SeparatingAxis):void
         {
-            tryFaces(cores.second, cores, out);
-            tryFaces(cores.first, cores, out);
+            considerFaces(cores.second, cores, out);
+            considerFaces(cores.first, cores, out);
             if (cores.first.edges.length > 0 && cores.second.edges.length > 0)
             {
-                tryEdges(cores, out);
+                considerEdges(cores, out);
             }
         }
 
@@ -67,13 +67,13 @@ package starlogo.convex
          * @param gap between the cores
          * @param out has the displacement that findMinimumTranslation() has found
          */
-        public function tryGap(gap:CoreGap, cores:CorePair, out:SeparatingAxis):void
+        public function considerGap(gap:CoreGap, cores:CorePair, out:SeparatingAxis):void
         {
             _axis.setTo(gap.x, gap.y, gap.z);
-            tryAxis(_axis, cores, out);
+            considerAxis(_axis, cores, out);
         }
 
-        private function tryFaces(shape:ConvexShape, cores:CorePair, out:SeparatingAxis):void
+        private function considerFaces(shape:ConvexShape, cores:CorePair, out:SeparatingAxis):void
         {
             var p:Vector.<Number> = shape.points;
             var faces:Vector.<int> = shape.faces;
@@ -90,7 +90,7 @@ package starlogo.convex
                 var vy:Number = p[int(k + 1)] - p[int(i + 1)];
                 var vz:Number = p[int(k + 2)] - p[int(i + 2)];
                 findAcross(scale * ux, scale * uy, scale * uz, scale * vx, scale * vy, scale * vz, _axis);
-                tryAxis(_axis, cores, out);
+                considerAxis(_axis, cores, out);
             }
         }
 
@@ -111,7 +111,7 @@ package starlogo.convex
             out.setTo(isParallel ? 0 : x, isParallel ? 0 : y, isParallel ? 0 : z);
         }
 
-        private function tryEdges(cores:CorePair, out:SeparatingAxis):void
+        private function considerEdges(cores:CorePair, out:SeparatingAxis):void
         {
             var first:ConvexShape = cores.first;
             var areBare:Boolean = !first.hasFacesAtEdges && !cores.second.hasFacesAtEdges;
@@ -124,7 +124,7 @@ package starlogo.convex
                     if (areBare || isOutOfBoth(k))
                     {
                         findAcross(_edge[0], _edge[1], _edge[2], _edges[k], _edges[int(k + 1)], _edges[int(k + 2)], _axis);
-                        tryAxis(_axis, cores, out);
+                        considerAxis(_axis, cores, out);
                     }
                 }
             }
@@ -197,7 +197,7 @@ package starlogo.convex
         }
 
         // Tries the axis across two points or parallel segments that points upwards as far as possible, for the first core.
-        private function tryUpwards(cores:CorePair, out:SeparatingAxis):void
+        private function considerUpwards(cores:CorePair, out:SeparatingAxis):void
         {
             var axis:Vector3D = _axis;
             axis.setTo(0, 0, 0);
@@ -254,7 +254,7 @@ package starlogo.convex
 
         // Tries a displacement along an axis, and the one against it. The axis gets a length of 1 unless both are too long. If it is 0,
         // there is nothing to try.
-        private function tryAxis(axis:Vector3D, cores:CorePair, out:SeparatingAxis):void
+        private function considerAxis(axis:Vector3D, cores:CorePair, out:SeparatingAxis):void
         {
             var squared:Number = axis.x * axis.x + axis.y * axis.y + axis.z * axis.z;
             if (!(squared > 0))

@@ -9,7 +9,7 @@ package starlogo.fitting
      * because the model is flat, the one with the smallest area is the smallest.</p>
      *
      * <p>The thesis rotates every vertex. This class rotates only the vertices of the hull. It tries the same boxes as the thesis, so the
-     * result is the same. The hull of n vertices costs n log n. Each rotation costs a pass over the hull's vertices.</p>
+     * result is the same. The hull of n vertices costs n log n. Each rotation costs at most a pass over the hull's vertices.</p>
      */
     public final class OrientedBoxFitter extends Fitter
     {
@@ -50,7 +50,8 @@ package starlogo.fitting
         /** @inheritDoc */
         override public function fitting(session:FitSession):Fit
         {
-            return RotationSearch.fitting(session, _degIncrement, _degIncrement);
+            var search:RotationSearch = new RotationSearch(session, _degIncrement, _degIncrement);
+            return new Fit(session, search.smallestBox, search);
         }
     }
 }

@@ -18,10 +18,10 @@ package starlogo.fitting
      * A step tries all rotations about z that follow one rotation about x and y. Every second step tries them from the largest angle to the
      * smallest.
      *
-     * <p>Two methods make the search faster. Neither changes the result, but for the rounding of the hull. First, the whole hull is rotated about x
+     * <p>Three methods make the search faster. None changes the result, but for the rounding of the hull. First, the whole hull is rotated about x
      * and y once. The rotations about z that follow do not change the extent along z. The extents along x and y are found in the plane of x and y.
-     * This is done in Numbers, because a Matrix3D's precision depends on the player. Second, the search ends if a box is as small as the hull
-     * itself.</p>
+     * This is done in Numbers, because a Matrix3D's precision depends on the player. Second, a rotation is left if the box around the last extreme
+     * corners alone is too large. Third, the search ends if a box is as small as the hull itself.</p>
      */
     internal final class RotationSearch extends StepSequence
     {
@@ -30,6 +30,9 @@ package starlogo.fitting
 
         private var _hull:ConvexHull;
         private var _rotated:Vector.<Number>;
+
+        // The indices of the corners' first numbers in the order in which they are tried: the four that were extreme at an earlier rotation, then all.
+        private var _order:Vector.<int> = new Vector.<int>(4);
 
         private var _incrementXY:Number;
         private var _incrementZ:Number;
@@ -40,8 +43,8 @@ package starlogo.fitting
         private var _bestRotation:Placement = new Placement();
 
         /**
-         * @param session the vertices
-         * @param incrementXY degrees between the rotations about x and about y
+         * @param session the vertices; their hull may not exist before the first step
+         * @param incrementXY degrees between the rotations about x and about y; 90 for rotations about z only
          * @param incrementZ degrees between the rotations about z
          */
         public function RotationSearch(session:FitSession, incrementXY:Number, incrementZ:Number)
@@ -52,20 +55,11 @@ package starlogo.fitting
                 {
                     _hull = session.hull;
                     _rotated = new Vector.<Number>(_hull.points.length);
+                    for (var i:int = 0; i < _rotated.length; i += 3)
+                    {
+                        _order.push(i);
+                    }
                 }).repeat(tryNext);
-        }
-
-        /**
-         * The fit of the smallest box.
-         *
-         * @param session the vertices; their hull may not exist before the first step
-         * @param incrementXY degrees between the rotations about x and about y; 90 for rotations about z only
-         * @param incrementZ degrees between the rotations about z
-         */
-        public static function fitting(session:FitSession, incrementXY:Number, incrementZ:Number):Fit
-        {
-            var search:RotationSearch = new RotationSearch(session, incrementXY, incrementZ);
-            return new Fit(session, search.smallestBox, search);
         }
 
         /**
@@ -99,8 +93,9 @@ package starlogo.fitting
             {
                 // the order decides which of several equally small boxes counts
                 var aboutZ:Number = (_doneCount % 2 == 0 ? i : count - 1 - i) * _incrementZ;
-                var volume:Number = thickness * areaAround(Trigonometry.cosine(aboutZ), Trigonometry.sine(aboutZ), shortest);
-                if (volume < _leastVolume * (1 - Tolerances.FIT_TIE))
+                var limit:Number = _leastVolume * (1 - Tolerances.FIT_TIE);
+                var volume:Number = thickness * areaAround(Trigonometry.cosine(aboutZ), Trigonometry.sine(aboutZ), shortest, limit / thickness);
+                if (volume < limit)
                 {
                     _leastVolume = volume;
                     _bestRotation.setRotation(aboutZ, aboutY, aboutX);
@@ -114,25 +109,36 @@ package starlogo.fitting
             return _doneCount < perAxis * perAxis;
         }
 
-        // The smallest box of the rotations tried so far, around all vertices.
-        private function smallestBox(session:FitSession):Box
+        /** The smallest box of the rotations tried so far, around all vertices. */
+        public function smallestBox(session:FitSession):Box
         {
             var axes:Vector.<Number> = new Vector.<Number>(9);
             _bestRotation.readRows(axes, 0);
             return EnclosingStructures.box(session.vertices, axes);
         }
 
-        // The area of the rectangle around the rotated hull, seen along z, after a rotation about z. The search spends nearly all its time here.
-        private function areaAround(cosine:Number, sine:Number, shortest:Number):Number
+        // The area of the rectangle around the rotated hull, seen along z, after a rotation about z; Infinity if four corners tell that it is not below
+        // the limit. The search spends nearly all its time here.
+        private function areaAround(cosine:Number, sine:Number, shortest:Number, limit:Number):Number
         {
             var rotated:Vector.<Number> = _rotated;
-            var length:int = rotated.length;
+            var order:Vector.<int> = _order;
+            var end:int = order.length;
             var minX:Number = Infinity;
             var maxX:Number = -Infinity;
             var minY:Number = Infinity;
             var maxY:Number = -Infinity;
-            for (var i:int = 0; i < length; i += 3)
+            var left:int;
+            var right:int;
+            var lower:int;
+            var upper:int;
+            for (var k:int = 0; k < end; k++)
             {
+                if (k == 4 && (maxX - minX) * (maxY - minY) >= limit)
+                {
+                    return Infinity;
+                }
+                var i:int = order[k];
                 var x:Number = rotated[i];
                 var y:Number = rotated[int(i + 1)];
                 var along:Number = cosine * x - sine * y;
@@ -140,20 +146,28 @@ package starlogo.fitting
                 if (along < minX)
                 {
                     minX = along;
+                    left = i;
                 }
                 if (along > maxX)
                 {
                     maxX = along;
+                    right = i;
                 }
                 if (across < minY)
                 {
                     minY = across;
+                    lower = i;
                 }
                 if (across > maxY)
                 {
                     maxY = across;
+                    upper = i;
                 }
             }
+            order[0] = left;
+            order[1] = right;
+            order[2] = lower;
+            order[3] = upper;
             return Math.max(maxX - minX, shortest) * Math.max(maxY - minY, shortest);
         }
     }

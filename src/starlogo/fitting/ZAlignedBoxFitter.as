@@ -48,7 +48,8 @@ package starlogo.fitting
         /** @inheritDoc */
         override public function fitting(session:FitSession):Fit
         {
-            return RotationSearch.fitting(session, 90, _degIncrement);
+            var search:RotationSearch = new RotationSearch(session, 90, _degIncrement);
+            return new Fit(session, search.smallestBox, search);
         }
     }
 }

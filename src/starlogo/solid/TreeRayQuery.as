@@ -173,7 +173,7 @@ package starlogo.solid
         // Finds where the ray enters the box of a node. Returns whether it does.
         private function enters(tree:BoxTree, node:int, out:RayEntry):Boolean
         {
-            return SpanFinder.findInBox(_ray, tree.boxOf(node), NOT_WIDENED, _span) && out.enter(_ray, _span);
+            return SpanFinder.findInBox(_ray, tree.boxOf(node), NOT_WIDENED, _span) && out.setToEntry(_ray, _span);
         }
     }
 }

@@ -291,7 +291,7 @@ package starlogo.solid
             part.copyFrom(ray);
             part.from = from;
             var span:RaySpan = new RaySpan();
-            if (!SpanFinder.find(part, node.bounds, null, span) || !entry.enter(part, span))
+            if (!SpanFinder.find(part, node.bounds, null, span) || !entry.setToEntry(part, span))
             {
                 return Infinity;
             }

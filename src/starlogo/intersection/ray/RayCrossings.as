@@ -85,12 +85,12 @@ package starlogo.intersection.ray
          */
         public function addSpan(ray:Ray, span:RaySpan, rounding:Number):void
         {
-            if (!_entry.enter(ray, span))
+            if (!_entry.setToEntry(ray, span))
             {
                 return;
             }
             add(_entry, _entry.distance > ray.from ? rounding : 0, _entry.distance, ENTERS);
-            if (_entry.leave(ray, span))
+            if (_entry.setToExit(ray, span))
             {
                 add(_entry, rounding, _entry.distance, LEAVES);
             }

@@ -34,7 +34,7 @@ package starlogo.intersection.ray
          * @param span the part of the ray's line inside of the shape
          * @return whether the ray enters it, and does not begin beyond it or end before it
          */
-        public function enter(ray:Ray, span:RaySpan):Boolean
+        public function setToEntry(ray:Ray, span:RaySpan):Boolean
         {
             setToStart(ray);
             var near:SpanEnd = span.near;
@@ -52,7 +52,7 @@ package starlogo.intersection.ray
          * @param span the part of the ray's line inside of the shape
          * @return whether the ray leaves it, and does not end inside
          */
-        public function leave(ray:Ray, span:RaySpan):Boolean
+        public function setToExit(ray:Ray, span:RaySpan):Boolean
         {
             distance = Math.max(distance, span.far.surfaceDistance);
             setNormal(ray, span.far.normalX, span.far.normalY, span.far.normalZ);

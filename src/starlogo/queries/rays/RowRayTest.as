@@ -108,7 +108,7 @@ package starlogo.queries.rays
             {
                 return _treeEntries.find(shape.tree, _seen.narrowPhase.treeLimits.depthOf(body), rayInModel, out);
             }
-            return SpanFinder.find(rayInModel, shape.structure, _seen.narrowPhase.convexSpans, _span) && out.enter(rayInModel, _span);
+            return SpanFinder.find(rayInModel, shape.structure, _seen.narrowPhase.convexSpans, _span) && out.setToEntry(rayInModel, _span);
         }
     }
 }

@@ -276,7 +276,7 @@ package starlogo.intersection.ray
         private static function enters(ray:Ray, structure:BoundingStructure, out:RayEntry):Boolean
         {
             var span:RaySpan = new RaySpan();
-            return SpanFinder.find(ray, structure, new ConvexSpanFinder(), span) && out.enter(ray, span);
+            return SpanFinder.find(ray, structure, new ConvexSpanFinder(), span) && out.setToEntry(ray, span);
         }
 
         private static function rayOf(origin:Vector3D, direction:Vector3D):Ray

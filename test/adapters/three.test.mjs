@@ -244,8 +244,10 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 			new ThreeAgentBinding(agent, lift, moved);
 			lift.scale.set(4, 0.4, 2);
 			new ThreeAgentBinding(agent, lift, moved);
-			land.rotation.x = 1;
-			levelFromObject("level", lift);
+			land.rotation.x = -Math.PI / 2;
+			levelFromObject("level", lift, { up: "z" });
+			land.updateMatrixWorld();
+			levelFromObject("turned", lift);
 			land.add(new THREE.Group().add(lift));
 			lift.parent.scale.setScalar(2);
 			levelFromObject("level", lift);
@@ -253,7 +255,8 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 			console.warn = warn;
 		}
 		const expected = [/draws agent \d+ \(.*shape "narrow"\) elsewhere.* the model "narrow" was made of the object\. Pass it as the third argument$/, /\(breed "lifts".* scale of its own, \(4, 0\.4, 2\), .*bind the group$/,
-			/levelFromObject\("level"\): the object's parent is moved or scaled.* 2 times its size/];
+			/levelFromObject\("turned"\): the object's parent is moved, turned or scaled.* 1 times its size/,
+			/levelFromObject\("level"\): the object's parent is moved, turned or scaled.* 2 times its size/];
 		assert.equal(said.length, expected.length, said.join("\n"));
 		expected.forEach((pattern, i) => assert.match(said[i], pattern));
 	});

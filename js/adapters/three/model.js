@@ -45,7 +45,7 @@ export function levelFromObject(name, object, options = {}) {
 	const { isYUp } = optionsOf("levelFromObject", options);
 	requireName("levelFromObject", name);
 	const surface = surfaceOf(name, object, isYUp, true);
-	warnings?.ofParent(name, object);
+	warnings?.ofParent(name, object, isYUp);
 	return modelOf(name, object, surface, { isYUp, isPlaced: object.isObject3D && !object.matrix.equals(identity) }, Model.AS_GIVEN);
 }
 

@@ -43,15 +43,14 @@ function $warnOfScale(agent, object) {
 		+ "Put the mesh into a Group, make the model of the group, and bind the group", `scale of ${agent.shape}`);
 }
 
-/** Warns of a level below a parent that is moved or scaled in the scene. It may be the land, so it is no error. */
-function $warnOfParent(name, object) {
-	if (!object.parent) return;
+/** Warns of a level below a parent that is moved, turned or scaled in the scene. It may be the land, so it is no error. A land with z up is turned. */
+function $warnOfParent(name, object, isYUp) {
+	if (!object.parent || !isYUp) return;
 	const { elements } = object.parent.matrixWorld;
-	const [x, y, z] = [12, 13, 14].map((i) => elements[i]);
-	const scale = object.parent.matrixWorld.getMaxScaleOnAxis();
-	if (Math.hypot(x, y, z) < 1e-6 && Math.abs(scale - 1) < 1e-6) return;
-	const place = [x, y, z].map($rounded).join(", ");
-	$warn(`levelFromObject(${JSON.stringify(name)}): the object's parent is moved or scaled in the scene, to (${place}) and ${$rounded(scale)} times its size, `
+	if (elements.every((element, i) => Math.abs(element - (i % 5 === 0 ? 1 : 0)) < 1e-6)) return;
+	const place = elements.slice(12, 15).map($rounded).join(", ");
+	const scale = $rounded(object.parent.matrixWorld.getMaxScaleOnAxis());
+	$warn(`levelFromObject(${JSON.stringify(name)}): the object's parent is moved, turned or scaled in the scene, to (${place}) and ${scale} times its size, `
 		+ "and the model does not have that: one unit of the parent is a patch. If one unit of the scene should be, put the object into the scene itself, "
 		+ "or pass an object that stands in it");
 }

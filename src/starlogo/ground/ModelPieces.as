@@ -90,7 +90,7 @@ package starlogo.ground
             _modelMargin = 2 * Touching.marginOfPlace(placement.x, placement.y, placement.z);
             if (_depth == BoxTree.EXACT)
             {
-                _modelMargin += Touching.marginOfSurface(tree.boxTree.radius * placement.size);
+                _modelMargin += Touching.marginOfSurface(tree.boxTree.boundingRadius * placement.size);
             }
             _placement.copyFrom(placement);
             moveTo(RelativeMotion.NONE, 0);
@@ -144,8 +144,8 @@ package starlogo.ground
             var left:int = tree.left[node];
             if (left == 0)
             {
-                _nextTriangle = tree.firstSlot[node];
-                _trianglesEnd = tree.endSlot[node];
+                _nextTriangle = tree.firstPrimitive[node];
+                _trianglesEnd = tree.endPrimitive[node];
                 return;
             }
             var isLeftLower:Boolean = heightOf(left) < heightOf(left + 1);

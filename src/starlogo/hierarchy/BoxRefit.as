@@ -39,7 +39,7 @@ package starlogo.hierarchy
                 var child:int = 6 * tree.left[node];
                 if (child == 0)
                 {
-                    tree.readExtents(tree.firstSlot[node], tree.endSlot[node], extents, at);
+                    tree.readExtents(tree.firstPrimitive[node], tree.endPrimitive[node], extents, at);
                     continue;
                 }
                 for (var i:int = 0; i < 6; i += 2)

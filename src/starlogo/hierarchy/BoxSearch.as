@@ -129,7 +129,7 @@ package starlogo.hierarchy
          */
         public function visitMet(tree:BoxTree, depth:int, visitor:NodeVisitor):void
         {
-            var slack:Number = SLACK * (tree.radius + _halfX + _halfY + _halfZ);
+            var slack:Number = SLACK * (tree.boundingRadius + _halfX + _halfY + _halfZ);
             var fromX:Number = _x;
             var fromY:Number = _y;
             var fromZ:Number = _z;
@@ -264,7 +264,7 @@ package starlogo.hierarchy
         {
             var nodes:Vector.<int> = _nodes;
             var distances:Vector.<Number> = _enters;
-            var slack:Number = SLACK * tree.radius;
+            var slack:Number = SLACK * tree.boundingRadius;
             var top:int = 1;
             nodes[0] = 0;
             distances[0] = 0;

@@ -37,8 +37,8 @@ package starlogo.hierarchy
         public var triangles:Vector.<uint>;
 
         /**
-         * The primitives in the order of the tree, so that those of a node stand side by side: the index in the model of each triangle or vertex. A slot
-         * is an index into this list. Set before the nodes are made.
+         * The primitives in the order of the tree, so that those of a node stand side by side: the number of each triangle or vertex in the model. A
+         * primitive index is an index into this list. Set before the nodes are made.
          */
         public var primitives:Vector.<int> = null;
 
@@ -48,11 +48,11 @@ package starlogo.hierarchy
         /** For each node, its left child, which is on the low side of the split. The right child is the next node. 0 if the node has no children. */
         public var left:Vector.<int> = new Vector.<int>();
 
-        /** For each node, the slot of its first primitive. */
-        public var firstSlot:Vector.<int> = new Vector.<int>();
+        /** For each node, the index of its first primitive. */
+        public var firstPrimitive:Vector.<int> = new Vector.<int>();
 
-        /** For each node, the slot after that of its last one. */
-        public var endSlot:Vector.<int> = new Vector.<int>();
+        /** For each node, the index after that of its last one. */
+        public var endPrimitive:Vector.<int> = new Vector.<int>();
 
         /**
          * For each node, the largest depth of the searches whose leaf it is: EXACT for a node without children, LEAVES for any other leaf of the thesis or
@@ -64,7 +64,7 @@ package starlogo.hierarchy
         internal var levelAndAxis:Vector.<int> = new Vector.<int>();
 
         /** The radius of the sphere around the root's box. Set with that box. */
-        public var radius:Number = 0;
+        public var boundingRadius:Number = 0;
 
         /** The radius of a sphere around the origin that contains the model. Rounding errors are relative to it. Complete with the root's box. */
         public var radiusAboutOrigin:Number = 0;
@@ -149,11 +149,11 @@ package starlogo.hierarchy
         {
             if (!hasTriangles)
             {
-                return endSlot[node] - firstSlot[node];
+                return endPrimitive[node] - firstPrimitive[node];
             }
             var isCounted:Object = {};
             var count:int = 0;
-            for (var i:int = firstSlot[node]; i < endSlot[node] && count <= enough; i++)
+            for (var i:int = firstPrimitive[node]; i < endPrimitive[node] && count <= enough; i++)
             {
                 for (var corner:int = 3 * primitives[i]; corner < 3 * primitives[i] + 3; corner++)
                 {
@@ -170,8 +170,8 @@ package starlogo.hierarchy
         /**
          * Reads the extents of some primitives together: minX, maxX, minY, maxY, minZ, maxZ.
          *
-         * @param from the slot of the first of them
-         * @param to the slot after the last of them
+         * @param from the index of the first of them
+         * @param to the index after the last of them
          * @param out receives the extents
          * @param at index at which they begin
          */
@@ -179,7 +179,7 @@ package starlogo.hierarchy
         {
             var points:Vector.<Number> = vertices;
             var corners:Vector.<uint> = triangles;
-            var slots:Vector.<int> = primitives;
+            var numbers:Vector.<int> = primitives;
             var perPrimitive:int = corners == null ? 1 : 3;
             var minX:Number = Infinity;
             var minY:Number = Infinity;
@@ -189,7 +189,7 @@ package starlogo.hierarchy
             var maxZ:Number = -Infinity;
             for (var i:int = from; i < to; i++)
             {
-                var corner:int = perPrimitive * slots[i];
+                var corner:int = perPrimitive * numbers[i];
                 for (var last:int = corner + perPrimitive; corner < last; corner++)
                 {
                     var vertex:int = corner;
@@ -233,7 +233,7 @@ package starlogo.hierarchy
         }
 
         /**
-         * Sets a node's box, and the radius with that of the root. The box is larger than the node's part by a margin. So everything that touches the
+         * Sets a node's box, and the bounding radius with that of the root. The box is larger than the node's part by a margin. So everything that touches the
          * surface touches the boxes, and boxes are inside of their parents' boxes in spite of rounding.
          *
          * @param extents contains the extents of the part: minX, maxX, minY, maxY, minZ, maxZ
@@ -257,7 +257,7 @@ package starlogo.hierarchy
             boxes[int(to + 5)] = halfZ + margin;
             if (node == 0)
             {
-                radius = Math.sqrt(boxes[3] * boxes[3] + boxes[4] * boxes[4] + boxes[5] * boxes[5]);
+                boundingRadius = Math.sqrt(boxes[3] * boxes[3] + boxes[4] * boxes[4] + boxes[5] * boxes[5]);
             }
         }
 
@@ -270,8 +270,8 @@ package starlogo.hierarchy
             var room:int = Math.min(2 * primitiveCount, 0.4 * primitiveCount + 1000);
             boxes = new Vector.<Number>(6 * room);
             left = new Vector.<int>(room);
-            firstSlot = new Vector.<int>(room);
-            endSlot = new Vector.<int>(room);
+            firstPrimitive = new Vector.<int>(room);
+            endPrimitive = new Vector.<int>(room);
             leafUpToDepth = new Vector.<int>(room);
             levelAndAxis = new Vector.<int>(room);
             _count = 0;
@@ -282,19 +282,19 @@ package starlogo.hierarchy
          * Gives a node two children. They have no boxes yet.
          *
          * @param axis the axis along which it is split
-         * @param splitSlot the slot of the right child's first primitive
+         * @param splitIndex the index of the right child's first primitive
          * @param isLeafOrBelow whether the node is a leaf of the thesis, or below one
          * @return the left child
          */
-        public function addChildren(node:int, axis:int, splitSlot:int, isLeafOrBelow:Boolean):int
+        public function addChildren(node:int, axis:int, splitIndex:int, isLeafOrBelow:Boolean):int
         {
             var level:int = levelOf(node);
             var child:int = _count;
             left[node] = child;
             leafUpToDepth[node] = isLeafOrBelow ? LEAVES : level;
             levelAndAxis[node] = level << 2 | axis;
-            addNode(firstSlot[node], splitSlot, level + 1);
-            addNode(splitSlot, endSlot[node], level + 1);
+            addNode(firstPrimitive[node], splitIndex, level + 1);
+            addNode(splitIndex, endPrimitive[node], level + 1);
             return child;
         }
 
@@ -306,13 +306,13 @@ package starlogo.hierarchy
             {
                 boxes = boxes.slice(0, 6 * _count);
                 left = left.slice(0, _count);
-                firstSlot = firstSlot.slice(0, _count);
-                endSlot = endSlot.slice(0, _count);
+                firstPrimitive = firstPrimitive.slice(0, _count);
+                endPrimitive = endPrimitive.slice(0, _count);
                 leafUpToDepth = leafUpToDepth.slice(0, _count);
                 levelAndAxis = levelAndAxis.slice(0, _count);
             }
             boxes.length = 6 * _count;
-            left.length = firstSlot.length = endSlot.length = leafUpToDepth.length = levelAndAxis.length = _count;
+            left.length = firstPrimitive.length = endPrimitive.length = leafUpToDepth.length = levelAndAxis.length = _count;
             _count = 0;
         }
 
@@ -322,10 +322,10 @@ package starlogo.hierarchy
             if (node == left.length)
             {
                 boxes.length = 12 * node;
-                left.length = firstSlot.length = endSlot.length = leafUpToDepth.length = levelAndAxis.length = 2 * node;
+                left.length = firstPrimitive.length = endPrimitive.length = leafUpToDepth.length = levelAndAxis.length = 2 * node;
             }
-            firstSlot[node] = from;
-            endSlot[node] = to;
+            firstPrimitive[node] = from;
+            endPrimitive[node] = to;
             leafUpToDepth[node] = EXACT;
             levelAndAxis[node] = level << 2;
             _count = node + 1;

@@ -68,7 +68,7 @@ package starlogo.hierarchy
         /** Whether a node of a tree has so many triangles that it must be divided, below the leaves too. */
         public static function isLarge(tree:BoxTree, node:int):Boolean
         {
-            return tree.hasTriangles && tree.endSlot[node] - tree.firstSlot[node] > MAX_TRIANGLES;
+            return tree.hasTriangles && tree.endPrimitive[node] - tree.firstPrimitive[node] > MAX_TRIANGLES;
         }
 
         /**
@@ -101,7 +101,7 @@ package starlogo.hierarchy
             while (rest > 0 && _waiting.length > 0)
             {
                 var node:int = _waiting[_waiting.length - 1];
-                rest -= _isDividing ? _tree.endSlot[node] - _tree.firstSlot[node] : PRIMITIVES_PER_NODE;
+                rest -= _isDividing ? _tree.endPrimitive[node] - _tree.firstPrimitive[node] : PRIMITIVES_PER_NODE;
                 _isDividing = _isDividing ? advance(node) : beginNode(node);
                 if (!_isDividing)
                 {
@@ -137,16 +137,16 @@ package starlogo.hierarchy
             var doubledSplit:Number = 2 * _tree.boxes[6 * node + axis];
             if (_splitByMean && !_areLeavesOrBelow[top])
             {
-                doubledSplit = _partition.doubledMeanOf(_tree.firstSlot[node], _tree.endSlot[node], axis);
+                doubledSplit = _partition.doubledMeanOf(_tree.firstPrimitive[node], _tree.endPrimitive[node], axis);
             }
-            _partition.beginDivision(_tree.firstSlot[node], _tree.endSlot[node], axis, doubledSplit);
+            _partition.beginDivision(_tree.firstPrimitive[node], _tree.endPrimitive[node], axis, doubledSplit);
             return true;
         }
 
         // Whether the thesis splits a node.
         private function isSplit(node:int):Boolean
         {
-            return _tree.levelOf(node) < _maxDepth && _tree.endSlot[node] - _tree.firstSlot[node] > 1
+            return _tree.levelOf(node) < _maxDepth && _tree.endPrimitive[node] - _tree.firstPrimitive[node] > 1
                 && _tree.countVertices(node, _maxLeafVertices) > _maxLeafVertices;
         }
 
@@ -176,13 +176,13 @@ package starlogo.hierarchy
             {
                 return true;
             }
-            var splitSlot:int = _partition.splitSlot;
-            if (splitSlot > _tree.firstSlot[node] && splitSlot < _tree.endSlot[node])
+            var splitIndex:int = _partition.splitIndex;
+            if (splitIndex > _tree.firstPrimitive[node] && splitIndex < _tree.endPrimitive[node])
             {
                 makeChildren(node);
                 return false;
             }
-            if (_partition.beginWhereCentresSpread(_tree.firstSlot[node], _tree.endSlot[node]))
+            if (_partition.beginWhereCentresSpread(_tree.firstPrimitive[node], _tree.endPrimitive[node]))
             {
                 return true;
             }
@@ -198,14 +198,14 @@ package starlogo.hierarchy
         // Divides a node by the number of its primitives.
         private function halve(node:int):void
         {
-            _partition.halve(_tree.firstSlot[node], _tree.endSlot[node], longestAxisOf(node));
+            _partition.halve(_tree.firstPrimitive[node], _tree.endPrimitive[node], longestAxisOf(node));
             makeChildren(node);
         }
 
         // Makes the children of a node, whose primitives are divided.
         private function makeChildren(node:int):void
         {
-            var child:int = _tree.addChildren(node, _partition.axis, _partition.splitSlot, _areLeavesOrBelow[_waiting.length - 1]);
+            var child:int = _tree.addChildren(node, _partition.axis, _partition.splitIndex, _areLeavesOrBelow[_waiting.length - 1]);
             _tree.enclose(child, _partition.leftExtents);
             _tree.enclose(child + 1, _partition.rightExtents);
         }

@@ -83,7 +83,7 @@ package starlogo.hierarchy
         /** The number of triangles under the node; 0 if only vertices are known. */
         public function get triangleCount():int
         {
-            return _tree.hasTriangles ? _tree.endSlot[_node] - _tree.firstSlot[_node] : 0;
+            return _tree.hasTriangles ? _tree.endPrimitive[_node] - _tree.firstPrimitive[_node] : 0;
         }
 
         /**
@@ -111,10 +111,10 @@ package starlogo.hierarchy
 
         private function writePrimitives(areAsked:Boolean, out:Vector.<int>):Vector.<int>
         {
-            var end:int = areAsked ? _tree.endSlot[_node] : 0;
+            var end:int = areAsked ? _tree.endPrimitive[_node] : 0;
             out ||= new Vector.<int>();
             out.length = 0;
-            for (var i:int = _tree.firstSlot[_node]; i < end; i++)
+            for (var i:int = _tree.firstPrimitive[_node]; i < end; i++)
             {
                 out.push(_tree.primitives[i]);
             }

@@ -13,8 +13,8 @@ package starlogo.hierarchy
         /** The extents of all primitives together after <code>measure()</code>. */
         public var allExtents:Vector.<Number> = new Vector.<Number>(6, true);
 
-        /** After a division, the slot at which the second group begins. */
-        public var splitSlot:int;
+        /** After a division, the index at which the second group begins. */
+        public var splitIndex:int;
 
         /** The extents of the first group of the last division. */
         public var leftExtents:Vector.<Number> = new Vector.<Number>(6, true);
@@ -27,15 +27,15 @@ package starlogo.hierarchy
 
         private var _tree:BoxTree;
 
-        // The extents of each primitive, by its index: minX, maxX, minY, maxY, minZ, maxZ.
+        // The extents of each primitive, by its number in the model: minX, maxX, minY, maxY, minZ, maxZ.
         private var _extents:Vector.<Number>;
 
-        // The current division. The primitives before splitSlot are in the first group, those after _last in the second one.
+        // The current division. The primitives before splitIndex are in the first group, those after _last in the second one.
         private var _last:int;
         private var _doubledSplit:Number;
 
         /**
-         * @param tree has the primitives; receives their order, which begins as that of their indices
+         * @param tree has the primitives; receives their order, which begins as that of their numbers
          */
         public function TreePartition(tree:BoxTree)
         {
@@ -55,7 +55,7 @@ package starlogo.hierarchy
             _extents ||= zeroedNumbers(6 * _tree.primitives.length);
             for (var i:int = first; i < end; i++)
             {
-                // the order is still that of the indices
+                // the order is still that of the numbers
                 _tree.readExtents(i, i + 1, _extents, 6 * i);
             }
             extend(allExtents, first, end);
@@ -75,14 +75,14 @@ package starlogo.hierarchy
         /**
          * Begins a division: the primitives whose centre is below a splitting point move before the others.
          *
-         * @param first the slot of the first primitive
-         * @param end the slot after the last primitive
+         * @param first the index of the first primitive
+         * @param end the index after the last primitive
          * @param axis 0, 1 or 2
          * @param doubledSplit twice the coordinate of the splitting point
          */
         public function beginDivision(first:int, end:int, axis:int, doubledSplit:Number):void
         {
-            splitSlot = first;
+            splitIndex = first;
             _last = end - 1;
             this.axis = axis;
             _doubledSplit = doubledSplit;
@@ -93,8 +93,8 @@ package starlogo.hierarchy
         /**
          * Begins a division at the midpoint of the axis along which the centres of some primitives are spread most. Both groups will have primitives.
          *
-         * @param first the slot of the first primitive
-         * @param end the slot after the last primitive
+         * @param first the index of the first primitive
+         * @param end the index after the last primitive
          * @return false if no division is possible, because all centres are in one place, or so near that no number is between them
          */
         public function beginWhereCentresSpread(first:int, end:int):Boolean
@@ -138,7 +138,7 @@ package starlogo.hierarchy
             var extents:Vector.<Number> = _extents;
             var along:int = 2 * axis;
             var doubledSplit:Number = _doubledSplit;
-            var low:int = splitSlot;
+            var low:int = splitIndex;
             var high:int = _last;
             for (var rest:int = most; rest > 0 && low <= high; rest--)
             {
@@ -159,9 +159,9 @@ package starlogo.hierarchy
                 }
                 high--;
             }
-            extend(leftExtents, splitSlot, low);
+            extend(leftExtents, splitIndex, low);
             extend(rightExtents, high + 1, _last + 1);
-            splitSlot = low;
+            splitIndex = low;
             _last = high;
             return low <= high;
         }
@@ -169,18 +169,18 @@ package starlogo.hierarchy
         /**
          * Divides some primitives by their number: each stays in its place.
          *
-         * @param first the slot of the first primitive
-         * @param end the slot after the last primitive
+         * @param first the index of the first primitive
+         * @param end the index after the last primitive
          * @param axis the axis that counts as that of the division
          */
         public function halve(first:int, end:int, axis:int):void
         {
-            splitSlot = (first + end) >> 1;
+            splitIndex = (first + end) >> 1;
             this.axis = axis;
             clear(leftExtents);
             clear(rightExtents);
-            extend(leftExtents, first, splitSlot);
-            extend(rightExtents, splitSlot, end);
+            extend(leftExtents, first, splitIndex);
+            extend(rightExtents, splitIndex, end);
         }
 
         // Twice the centre of a primitive's extents along an axis.
@@ -199,7 +199,7 @@ package starlogo.hierarchy
             }
         }
 
-        // Makes extents contain the primitives of some slots.
+        // Makes extents contain some primitives.
         private function extend(extents:Vector.<Number>, first:int, end:int):void
         {
             var primitives:Vector.<int> = _tree.primitives;

@@ -1,7 +1,7 @@
 package starlogo.hierarchy
 {
     /**
-     * A model's triangles, for exact tests: which vertices are their corners. They are listed by slot, which is the order of the tree.
+     * A model's triangles, for exact tests: which vertices are their corners. They are listed by primitive index: see BoxTree.
      *
      * @private
      */
@@ -22,10 +22,10 @@ package starlogo.hierarchy
             var primitives:Vector.<int> = tree.primitives;
             var triangles:Vector.<uint> = tree.triangles;
             var out:Vector.<int> = new Vector.<int>(3 * primitives.length, true);
-            for (var slot:int = 0; slot < primitives.length; slot++)
+            for (var index:int = 0; index < primitives.length; index++)
             {
-                var from:int = 3 * primitives[slot];
-                var to:int = 3 * slot;
+                var from:int = 3 * primitives[index];
+                var to:int = 3 * index;
                 out[to] = 3 * triangles[from];
                 out[int(to + 1)] = 3 * triangles[int(from + 1)];
                 out[int(to + 2)] = 3 * triangles[int(from + 2)];
@@ -41,12 +41,12 @@ package starlogo.hierarchy
          * @param out receives nine numbers
          * @param at index at which they begin
          */
-        public function readTriangle(slot:int, out:Vector.<Number>, at:int = 0):void
+        public function readTriangle(index:int, out:Vector.<Number>, at:int = 0):void
         {
             var points:Vector.<Number> = vertices;
-            var a:int = cornerOffsets[int(3 * slot)];
-            var b:int = cornerOffsets[int(3 * slot + 1)];
-            var c:int = cornerOffsets[int(3 * slot + 2)];
+            var a:int = cornerOffsets[int(3 * index)];
+            var b:int = cornerOffsets[int(3 * index + 1)];
+            var c:int = cornerOffsets[int(3 * index + 2)];
             out[at] = points[a];
             out[int(at + 1)] = points[int(a + 1)];
             out[int(at + 2)] = points[int(a + 2)];

@@ -15,7 +15,7 @@ package starlogo.solid
         /** For times: when two first touch, or Infinity. */
         public var time:Number = Infinity;
 
-        /** For times: the leaves that touch first, or the slots of triangles if a kernel tests these. Undefined if none touch. */
+        /** For times: the leaves that touch first, or the indices of triangles if a kernel tests these. Undefined if none touch. */
         public var a:int = 0;
         public var b:int = 0;
 

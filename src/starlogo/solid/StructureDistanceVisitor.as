@@ -28,11 +28,11 @@ package starlogo.solid
         // The closest points so far.
         private var _nearest:ClosestPoints;
 
-        // If triangles decide: the model's triangles, null otherwise; the kernel, a triangle's corners, and the slot of the nearest triangle.
+        // If triangles decide: the model's triangles, null otherwise; the kernel, a triangle's corners, and the index of the nearest triangle.
         private var _mesh:TriangleMesh;
         private var _kernel:TriangleKernel;
         private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
-        private var _slot:int = -1;
+        private var _found:int = -1;
 
         // If boxes decide: the structure; the radius of the tree, and half of the structure's extents, together; and the closest points of the current node.
         // The rounding error is relative to that length.
@@ -57,7 +57,7 @@ package starlogo.solid
          * @param depth how many of the tree's levels are visited; BoxTree.EXACT if the triangles decide
          * @param structure in the model's space; enlarged by the margin of its place if boxes decide
          * @param out receives them, in the model's space, the model's point first
-         * @return the slot of the nearest triangle; -1 if boxes decide
+         * @return the index of the nearest triangle; -1 if boxes decide
          */
         public function find(model:ModelTree, depth:int, structure:BoundingStructure, out:ClosestPoints):int
         {
@@ -65,18 +65,18 @@ package starlogo.solid
             structure.extentsInto(extents);
             _mesh = depth == BoxTree.EXACT ? model.mesh : null;
             _structure = structure;
-            _radii = model.boxTree.radius + (extents[1] - extents[0]) / 2 + (extents[3] - extents[2]) / 2 + (extents[5] - extents[4]) / 2;
+            _radii = model.boxTree.boundingRadius + (extents[1] - extents[0]) / 2 + (extents[3] - extents[2]) / 2 + (extents[5] - extents[4]) / 2;
             _nearest = out;
-            _slot = -1;
+            _found = -1;
             limit = out.distance = Infinity;
             _search.setExtents(extents, 0);
             _search.visitNear(model.boxTree, depth, this);
-            if (_slot >= 0)
+            if (_found >= 0)
             {
                 // the kernel has the structure's point first
                 out.swap();
             }
-            return _slot;
+            return _found;
         }
 
         /** @inheritDoc */
@@ -87,8 +87,8 @@ package starlogo.solid
                 measureBox(tree, node);
                 return;
             }
-            var end:int = tree.endSlot[node];
-            for (var i:int = tree.firstSlot[node]; i < end && limit > 0; i++)
+            var end:int = tree.endPrimitive[node];
+            for (var i:int = tree.firstPrimitive[node]; i < end && limit > 0; i++)
             {
                 if (areExtentsWithin(limit, _extents, _mesh, i))
                 {
@@ -97,7 +97,7 @@ package starlogo.solid
                     if (_kernel.findCloser(_corners, _nearest))
                     {
                         limit = _nearest.distance;
-                        _slot = i;
+                        _found = i;
                     }
                 }
             }

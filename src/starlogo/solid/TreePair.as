@@ -57,7 +57,7 @@ package starlogo.solid
         /** The largest distance at which triangles of the two touch: the pose's margin, and the margins of both surfaces. */
         public function get triangleMargin():Number
         {
-            return pose.margin + Touching.marginOfSurface(a.radius + b.radius * pose.placement.size);
+            return pose.margin + Touching.marginOfSurface(a.boundingRadius + b.boundingRadius * pose.placement.size);
         }
 
         /**

@@ -38,7 +38,7 @@ package starlogo.solid
         // Receives all crossings; null if only the first place is asked for.
         private var _all:RayCrossings = null;
 
-        // The triangle's slot, or the node, that the ray meets first so far, or -1.
+        // The triangle's index, or the node, that the ray meets first so far, or -1.
         private var _first:int = -1;
 
         // If triangles decide: the model's triangles, null otherwise; the ray for them.
@@ -124,7 +124,7 @@ package starlogo.solid
             }
             else if (_mesh != null)
             {
-                findFirstTriangle(tree.firstSlot[node], tree.endSlot[node]);
+                findFirstTriangle(tree.firstPrimitive[node], tree.endPrimitive[node]);
             }
             else if (enters(tree, node, _entry) && (_entry.distance < limit || _first < 0))
             {
@@ -149,14 +149,14 @@ package starlogo.solid
                 }
                 return;
             }
-            for (var i:int = tree.firstSlot[node]; i < tree.endSlot[node]; i++)
+            for (var i:int = tree.firstPrimitive[node]; i < tree.endPrimitive[node]; i++)
             {
                 _mesh.readTriangle(i, _corners);
                 _shearedRay.addCrossing(_corners, tree.primitives[i], _all);
             }
         }
 
-        // Finds whether the ray meets one of the triangles in some slots earlier than those before.
+        // Finds whether the ray meets one of some triangles earlier than those before.
         private function findFirstTriangle(first:int, end:int):void
         {
             var corners:Vector.<int> = _mesh.cornerOffsets;

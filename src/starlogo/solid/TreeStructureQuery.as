@@ -70,8 +70,8 @@ package starlogo.solid
         public function findNearestTriangle():int
         {
             pose.setBetween(placementA, placementB, RelativeMotion.NONE, 0);
-            var slot:int = _depth == BoxTree.EXACT ? _distance.find(_tree, _depth, placed(), _measured) : -1;
-            return slot < 0 ? -1 : _tree.boxTree.primitives[slot];
+            var index:int = _depth == BoxTree.EXACT ? _distance.find(_tree, _depth, placed(), _measured) : -1;
+            return index < 0 ? -1 : _tree.boxTree.primitives[index];
         }
 
         /** @inheritDoc */
@@ -106,11 +106,11 @@ package starlogo.solid
             findContactOfNode(0, motion, out);
         }
 
-        // Finds which triangle, by its slot, or else which node is touched first. Returns -1 if none is.
+        // Finds which triangle, by its index, or else which node is touched first. Returns -1 if none is.
         private function findFirstTouched(motion:RelativeMotion):int
         {
             return _depth == BoxTree.EXACT
-                ? _triangleImpact.findFirstSlot(_tree, placed(), pose, motion)
+                ? _triangleImpact.findFirstTriangle(_tree, placed(), pose, motion)
                 : _nodeImpact.findFirstNode(_tree.boxTree, _depth, placedWidened(), motion);
         }
 

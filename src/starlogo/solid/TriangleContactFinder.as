@@ -56,7 +56,7 @@ package starlogo.solid
          * @param a the first model
          * @param b the second one
          * @param trees the trees of both, and the pose of b in a's space
-         * @param best has the slots of the triangles
+         * @param best has the indices of the triangles
          * @param motion of b, which is where it is at the motion's time; its start must be 0
          * @param out receives the contact, with a normal from a to b
          */
@@ -98,7 +98,7 @@ package starlogo.solid
             _probe.center.y = contact.y - motion.time * motion.y - back * normal.y;
             _probe.center.z = contact.z - motion.time * motion.z - back * normal.z;
             _still.latestTime = 1;
-            return _triangleImpact.findFirstSlot(model, _ofProbe.setStructure(_probe, pose.placement), pose, _still) >= 0;
+            return _triangleImpact.findFirstTriangle(model, _ofProbe.setStructure(_probe, pose.placement), pose, _still) >= 0;
         }
     }
 }

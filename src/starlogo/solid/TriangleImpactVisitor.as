@@ -46,7 +46,7 @@ package starlogo.solid
         private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
         private var _plane:TrianglePlane = new TrianglePlane();
 
-        // The slot of the triangle that is touched first, and what chooses it.
+        // The index of the triangle that is touched first, and what chooses it.
         private var _found:int = -1;
         private var _firstImpact:FirstImpact = new FirstImpact();
 
@@ -69,9 +69,9 @@ package starlogo.solid
          * @param pose has the margin of the structure's place
          * @param motion of the structure, from the pose on; receives the time, and its earliest and latest times are overwritten. If it is still, the
          *     structure touches at time 0 or never
-         * @return the triangle's slot, or -1
+         * @return the triangle's index, or -1
          */
-        public function findFirstSlot(model:ModelTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):int
+        public function findFirstTriangle(model:ModelTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):int
         {
             limit = motion.latestTime;
             begin(model, structure, pose, motion);
@@ -89,7 +89,7 @@ package starlogo.solid
             _mesh = model.mesh;
             _motion = motion;
             structure.extentsInto(extents);
-            shape.margin += pose.margin + Touching.marginOfSurface(model.boxTree.radius);
+            shape.margin += pose.margin + Touching.marginOfSurface(model.boxTree.boundingRadius);
             var size:Number = 3 * shape.margin + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z);
             for (var i:int = 0; i < 6; i += 2)
             {
@@ -125,8 +125,8 @@ package starlogo.solid
         {
             var motion:RelativeMotion = _motion;
             var isStill:Boolean = motion.isStill;
-            var end:int = tree.endSlot[node];
-            for (var i:int = tree.firstSlot[node]; i < end && limit >= 0; i++)
+            var end:int = tree.endPrimitive[node];
+            for (var i:int = tree.firstPrimitive[node]; i < end && limit >= 0; i++)
             {
                 if (!areExtentsWithin(_plane.cullDistance, _sweptExtents, _mesh, i))
                 {
@@ -171,13 +171,13 @@ package starlogo.solid
         /**
          * Finds the contact of a triangle that is touched, in the model's space. The model and the structure are those of the last search.
          *
-         * @param slot the triangle's slot
+         * @param index the triangle's index
          * @param motion of the structure, which is where it is at the motion's time
          * @param out receives the contact, with a normal from the triangle to the structure
          */
-        public function findContact(slot:int, motion:RelativeMotion, out:ContactPoint):void
+        public function findContact(index:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            _mesh.readTriangle(slot, _corners);
+            _mesh.readTriangle(index, _corners);
             _kernel.findContact(_corners, motion, out);
             _plane.setTriangle(_corners, 0);
             _plane.alignContact(_kernel.shape, motion, out);

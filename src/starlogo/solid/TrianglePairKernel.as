@@ -29,7 +29,7 @@ package starlogo.solid
         private var _trees:TreePair = null;
         private var _motion:RelativeMotion = null;
 
-        // The slot of the first triangle that is placed, or -1.
+        // The index of the first triangle that is placed, or -1.
         private var _firstPlaced:int = -1;
 
         // The corners of the triangles of b's node in a's space, by their index in the node: nine numbers each.
@@ -76,20 +76,20 @@ package starlogo.solid
             return this;
         }
 
-        /** @inheritDoc */
+        /** Whether triangles of two leaves, which stand, touch. */
         public function areTouching(a:int, b:int):Boolean
         {
             var count:int = placeTriangles(b);
-            var end:int = _meshA.tree.endSlot[a];
+            var end:int = _meshA.tree.endPrimitive[a];
             for (var i:int = 0; i < count; i++)
             {
                 setTriangleOfB(i);
-                for (var slot:int = _meshA.tree.firstSlot[a]; slot < end; slot++)
+                for (var indexA:int = _meshA.tree.firstPrimitive[a]; indexA < end; indexA++)
                 {
-                    if (areExtentsWithin(0, _extents, _meshA, slot))
+                    if (areExtentsWithin(0, _extents, _meshA, indexA))
                     {
                         _counts.triangleTests++;
-                        if (!staysOnOneSide(slot) && _kernel.areTouching(_cornersOfA))
+                        if (!staysOnOneSide(indexA) && _kernel.areTouching(_cornersOfA))
                         {
                             return true;
                         }
@@ -99,24 +99,28 @@ package starlogo.solid
             return false;
         }
 
-        /** @inheritDoc */
+        /**
+         * Finds when triangles of two leaves first touch.
+         *
+         * @param best receives the time and the indices of the two, if they are the first ones to touch so far
+         */
         public function findEarlier(a:int, b:int, best:BestPair):void
         {
-            var first:int = _meshA.tree.firstSlot[a];
-            var end:int = _meshA.tree.endSlot[a];
-            // Higher slots come first, as the traversal visits the right child first if both bounds are equal.
+            var first:int = _meshA.tree.firstPrimitive[a];
+            var end:int = _meshA.tree.endPrimitive[a];
+            // Higher indices come first, as the traversal visits the right child first if both bounds are equal.
             for (var i:int = placeTriangles(b) - 1; i >= 0 && _firstImpact.time > 0; i--)
             {
                 setTriangleOfB(i);
                 _planeOfB.setTriangle(_placed, 9 * i);
-                for (var slot:int = end - 1; slot >= first && _firstImpact.time > 0; slot--)
+                for (var indexA:int = end - 1; indexA >= first && _firstImpact.time > 0; indexA--)
                 {
-                    if (!areExtentsWithin(0, _extents, _meshA, slot))
+                    if (!areExtentsWithin(0, _extents, _meshA, indexA))
                     {
                         continue;
                     }
                     _counts.triangleTests++;
-                    if (staysOnOneSide(slot))
+                    if (staysOnOneSide(indexA))
                     {
                         continue;
                     }
@@ -125,7 +129,7 @@ package starlogo.solid
                     {
                         if (_firstImpact.offer(_motion, _planeOfA, _planeOfB))
                         {
-                            best.a = slot;
+                            best.a = indexA;
                             best.b = _firstPlaced + i;
                         }
                         best.time = _firstImpact.time;
@@ -135,22 +139,26 @@ package starlogo.solid
             }
         }
 
-        /** @inheritDoc */
+        /**
+         * Finds the closest points of the triangles of two leaves.
+         *
+         * @param best receives the points and their distance, if they are nearer than those of the best pair so far
+         */
         public function findCloser(a:int, b:int, best:BestPair):void
         {
             var points:ClosestPoints = best.points;
             var count:int = placeTriangles(b);
-            var end:int = _meshA.tree.endSlot[a];
+            var end:int = _meshA.tree.endPrimitive[a];
             for (var i:int = 0; i < count && points.distance > 0; i++)
             {
                 setTriangleOfB(i);
-                for (var slot:int = _meshA.tree.firstSlot[a]; slot < end; slot++)
+                for (var indexA:int = _meshA.tree.firstPrimitive[a]; indexA < end; indexA++)
                 {
-                    if (!areExtentsWithin(points.distance, _extents, _meshA, slot))
+                    if (!areExtentsWithin(points.distance, _extents, _meshA, indexA))
                     {
                         continue;
                     }
-                    _meshA.readTriangle(slot, _cornersOfA);
+                    _meshA.readTriangle(indexA, _cornersOfA);
                     if (isFartherAlongGap(i, points))
                     {
                         continue;
@@ -170,8 +178,8 @@ package starlogo.solid
         // same triangle.
         private function placeTriangles(node:int):int
         {
-            var first:int = _meshB.tree.firstSlot[node];
-            var count:int = _meshB.tree.endSlot[node] - first;
+            var first:int = _meshB.tree.firstPrimitive[node];
+            var count:int = _meshB.tree.endPrimitive[node] - first;
             if (first != _firstPlaced)
             {
                 _firstPlaced = first;
@@ -211,9 +219,9 @@ package starlogo.solid
         }
 
         // Makes a triangle of a the current one. Returns whether b's current triangle stays on one side of its plane.
-        private function staysOnOneSide(slot:int):Boolean
+        private function staysOnOneSide(indexA:int):Boolean
         {
-            _meshA.readTriangle(slot, _cornersOfA);
+            _meshA.readTriangle(indexA, _cornersOfA);
             _planeOfA.setTriangle(_cornersOfA, 0);
             return _planeOfA.timeOfEntry(_kernel.shape, _motion) > _motion.latestTime;
         }

@@ -9,15 +9,15 @@ package starlogo.solid
      * @param distance at least 0
      * @param extents minX, maxX, minY, ...
      * @param mesh has the triangle
-     * @param slot the triangle's slot
+     * @param index the triangle's index
      * @private
      */
-    internal function areExtentsWithin(distance:Number, extents:Vector.<Number>, mesh:TriangleMesh, slot:int):Boolean
+    internal function areExtentsWithin(distance:Number, extents:Vector.<Number>, mesh:TriangleMesh, index:int):Boolean
     {
         var points:Vector.<Number> = mesh.vertices;
-        var a:int = mesh.cornerOffsets[int(3 * slot)];
-        var b:int = mesh.cornerOffsets[int(3 * slot + 1)];
-        var c:int = mesh.cornerOffsets[int(3 * slot + 2)];
+        var a:int = mesh.cornerOffsets[int(3 * index)];
+        var b:int = mesh.cornerOffsets[int(3 * index + 1)];
+        var c:int = mesh.cornerOffsets[int(3 * index + 2)];
         var left:Number = distance * distance;
         for (var axis:int = 0; axis < 6; axis += 2)
         {

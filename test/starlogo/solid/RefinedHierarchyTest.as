@@ -135,8 +135,8 @@ package starlogo.solid
             var extents:Vector.<Number> = new Vector.<Number>(6, true);
             var left:int = tree.left[node];
             var isLeaf:Boolean = tree.leafUpToDepth[node] >= BoxTree.LEAVES;
-            assertTrue(tree.endSlot[node] > tree.firstSlot[node]);
-            for (var i:int = tree.firstSlot[node]; i < tree.endSlot[node]; i++)
+            assertTrue(tree.endPrimitive[node] > tree.firstPrimitive[node]);
+            for (var i:int = tree.firstPrimitive[node]; i < tree.endPrimitive[node]; i++)
             {
                 tree.readExtents(i, i + 1, extents, 0);
                 for (var axis:int = 0; axis < 3; axis++)
@@ -148,12 +148,12 @@ package starlogo.solid
             if (left == 0)
             {
                 assertEquals(int.MAX_VALUE, tree.leafUpToDepth[node]);
-                assertTrue("triangles: " + (tree.endSlot[node] - tree.firstSlot[node]), tree.endSlot[node] - tree.firstSlot[node] <= MOST);
+                assertTrue("triangles: " + (tree.endPrimitive[node] - tree.firstPrimitive[node]), tree.endPrimitive[node] - tree.firstPrimitive[node] <= MOST);
                 return 1;
             }
-            assertEquals(tree.firstSlot[node], tree.firstSlot[left]);
-            assertEquals(tree.endSlot[left], tree.firstSlot[left + 1]);
-            assertEquals(tree.endSlot[node], tree.endSlot[left + 1]);
+            assertEquals(tree.firstPrimitive[node], tree.firstPrimitive[left]);
+            assertEquals(tree.endPrimitive[left], tree.firstPrimitive[left + 1]);
+            assertEquals(tree.endPrimitive[node], tree.endPrimitive[left + 1]);
             assertEquals(tree.levelOf(node) + 1, tree.levelOf(left));
             assertEquals(isLeaf ? BoxTree.LEAVES : tree.levelOf(node), tree.leafUpToDepth[node]);
             assertTrue("below a leaf are leaves", !isLeaf || tree.leafUpToDepth[left] >= BoxTree.LEAVES && tree.leafUpToDepth[left + 1] >= BoxTree.LEAVES);

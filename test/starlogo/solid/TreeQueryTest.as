@@ -71,7 +71,7 @@ package starlogo.solid
                 var gap:Number = step * Math.pow(2, -53);
                 beside.x = 2 * half + gap;
                 var between:Number = beside.x - 2 * half;
-                var margin:Number = Touching.marginOfPlace(beside.x, 0, 0) + Touching.marginOfSurface(2 * cube.boxTree.radius);
+                var margin:Number = Touching.marginOfPlace(beside.x, 0, 0) + Touching.marginOfSurface(2 * cube.boxTree.boundingRadius);
                 var reach:Number = margin + Tolerances.CORES * 2 * triangle.extent;
                 if (between > 0.99 * margin && between < 0.99 * reach)
                 {
@@ -92,9 +92,9 @@ package starlogo.solid
             var pair:TreeStructureQuery = _treeAndStructure;
             var out:ClosestPoints = new ClosestPoints();
             var corners:Vector.<Number> = new Vector.<Number>(9);
-            for (var slot:int = bear.boxTree.primitiveCount - 1; slot > cube.boxTree.primitiveCount; slot -= 100)
+            for (var index:int = bear.boxTree.primitiveCount - 1; index > cube.boxTree.primitiveCount; index -= 100)
             {
-                bear.mesh.readTriangle(slot, corners);
+                bear.mesh.readTriangle(index, corners);
                 var sphere:Sphere = new Sphere(new Vector3D(corners[0], corners[1], corners[2]), 1e-6);
                 pair.setTo(bear, stands, BoxTree.EXACT, sphere, stands);
                 assertTrue(pair.areTouching());

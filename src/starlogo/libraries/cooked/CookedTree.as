@@ -77,7 +77,7 @@ package starlogo.libraries.cooked
                     VarInt.write(0, out);
                     continue;
                 }
-                VarInt.write(1 + tree.axisOf(node) + (tree.isLeafOrBelow(node) ? BELOW : 0) + DIVISIONS * (tree.endSlot[left] - tree.firstSlot[left]), out);
+                VarInt.write(1 + tree.axisOf(node) + (tree.isLeafOrBelow(node) ? BELOW : 0) + DIVISIONS * (tree.endPrimitive[left] - tree.firstPrimitive[left]), out);
                 waiting.push(left + 1, left);
             }
             return out;
@@ -160,17 +160,17 @@ package starlogo.libraries.cooked
             {
                 return code == 0 && !BoxTreeBuilder.isLarge(_tree, node);
             }
-            var first:int = _tree.firstSlot[node];
-            var end:int = _tree.endSlot[node];
-            var splitSlot:int = first + (code - 1) / DIVISIONS;
+            var first:int = _tree.firstPrimitive[node];
+            var end:int = _tree.endPrimitive[node];
+            var splitIndex:int = first + (code - 1) / DIVISIONS;
             var division:int = (code - 1) % DIVISIONS;
             var isWrong:Boolean = division < BELOW ? _tree.levelOf(node) >= _maxDepth
-                : BoxTreeBuilder.isHalvedOnLevel(_tree.levelOf(node)) && splitSlot != (first + end) >> 1;
-            if (isWrong || splitSlot <= first || splitSlot >= end)
+                : BoxTreeBuilder.isHalvedOnLevel(_tree.levelOf(node)) && splitIndex != (first + end) >> 1;
+            if (isWrong || splitIndex <= first || splitIndex >= end)
             {
                 return false;
             }
-            var left:int = _tree.addChildren(node, division % BELOW, splitSlot, division >= BELOW);
+            var left:int = _tree.addChildren(node, division % BELOW, splitIndex, division >= BELOW);
             _waiting.push(left + 1, left);
             return true;
         }

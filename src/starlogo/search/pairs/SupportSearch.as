@@ -154,7 +154,7 @@ package starlogo.search.pairs
                 }
                 else
                 {
-                    for (var triangle:int = tree.firstSlot[node]; triangle < tree.endSlot[node]; triangle++)
+                    for (var triangle:int = tree.firstPrimitive[node]; triangle < tree.endPrimitive[node]; triangle++)
                     {
                         findOfTriangle(mesh, triangle, direction, _part);
                         takeIfFarther(_part, tree.boxes, out);

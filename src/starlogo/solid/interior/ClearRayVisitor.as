@@ -20,7 +20,7 @@ package starlogo.solid.interior
         public function hasClearRay(point:Vector3D, tree:BoxTree):Boolean
         {
             // Corners may move when seams are welded.
-            var slack:Number = 8 * Tolerances.WELDING * (tree.radius + Math.abs(tree.boxes[0]) + Math.abs(tree.boxes[1]) + Math.abs(tree.boxes[2]));
+            var slack:Number = 8 * Tolerances.WELDING * (tree.boundingRadius + Math.abs(tree.boxes[0]) + Math.abs(tree.boxes[1]) + Math.abs(tree.boxes[2]));
             _search.setCube(point.x, point.y, point.z, slack);
             for (var i:int = 5; i >= 0; i--)
             {

@@ -76,15 +76,15 @@ package starlogo.solid.interior
 
         private function addToComponents(first:int, end:int):void
         {
-            for (var slot:int = first; slot < end; slot++)
+            for (var index:int = first; index < end; index++)
             {
-                var triangle:int = _mesh.tree.primitives[slot];
+                var triangle:int = _mesh.tree.primitives[index];
                 var shell:int = _surface.shellOf(triangle);
                 if (shell >= 0)
                 {
                     _componentOfShell[shell] = _surface.components[triangle];
                 }
-                _vertexOfComponent[_surface.components[triangle]] = _mesh.cornerOffsets[3 * slot];
+                _vertexOfComponent[_surface.components[triangle]] = _mesh.cornerOffsets[3 * index];
             }
         }
 

@@ -192,21 +192,21 @@ package starlogo.solid.interior
         /** @inheritDoc */
         override public function visit(tree:BoxTree, node:int):void
         {
-            var end:int = tree.endSlot[node];
-            for (var i:int = tree.firstSlot[node]; i < end; i++)
+            var end:int = tree.endPrimitive[node];
+            for (var i:int = tree.firstPrimitive[node]; i < end; i++)
             {
                 cross(i);
             }
         }
 
         // Adds a triangle to its shell's winding number if the ray crosses it.
-        private function cross(slot:int):void
+        private function cross(index:int):void
         {
             var points:Vector.<Number> = mesh.vertices;
-            var p:int = mesh.cornerOffsets[int(3 * slot)];
-            var q:int = mesh.cornerOffsets[int(3 * slot + 1)];
-            var r:int = mesh.cornerOffsets[int(3 * slot + 2)];
-            var triangle:int = mesh.tree.primitives[slot];
+            var p:int = mesh.cornerOffsets[int(3 * index)];
+            var q:int = mesh.cornerOffsets[int(3 * index + 1)];
+            var r:int = mesh.cornerOffsets[int(3 * index + 2)];
+            var triangle:int = mesh.tree.primitives[index];
             if (welded != null)
             {
                 var vertices:Vector.<uint> = mesh.tree.triangles;

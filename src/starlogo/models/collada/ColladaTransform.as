@@ -104,11 +104,12 @@ package starlogo.models.collada
             var cosine:Number = d1.dotProduct(d2);
             var across:Vector3D = unitVector(d1.x - cosine * d2.x, d1.y - cosine * d2.y, d1.z - cosine * d2.z, ROUNDING);
             var sine:Number = d1.dotProduct(across);
-            // the angle that is left between the two
-            var rest:Number = Trigonometry.arctangent(sine, cosine) - v[0];
-            element.refuseIf(!(sine > 1e-9 && Trigonometry.sine(rest) > 1e-9),
+            // the sine of the angle that is left between the two
+            var sineLeft:Number = sine * Trigonometry.cosine(v[0]) - cosine * Trigonometry.sine(v[0]);
+            element.refuseIf(!(sine > 1e-9 && sineLeft > 1e-9),
                     "expected two different axes and an angle that leaves the first on its side of the second");
-            d2.scaleBy(Trigonometry.cosine(rest) / Trigonometry.sine(rest) - cosine / sine);
+            // the difference of two cotangents; 0 for the angle 0
+            d2.scaleBy(Trigonometry.sine(v[0]) / (sine * sineLeft));
             return new AffineTransform(new <Number>[
                         1 + d2.x * across.x, d2.x * across.y, d2.x * across.z, 0,
                         d2.y * across.x, 1 + d2.y * across.y, d2.y * across.z, 0,

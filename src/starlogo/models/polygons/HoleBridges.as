@@ -17,6 +17,9 @@ package starlogo.models.polygons
         // the rightmost node of each hole; the last one is joined next
         private var _nodes:Array = [];
 
+        // the node of the outline to whose edge that hole is welded next; 0 before the first edge and after the last one
+        private var _edge:int = 0;
+
         /**
          * @param rings contains the rings
          * @param holes a node of each hole's ring
@@ -39,7 +42,15 @@ package starlogo.models.polygons
             var end:Number = budget.cornerTestsLeft - PolygonRings.TESTS_PER_STEP;
             while (_nodes.length > 0 && budget.cornerTestsLeft > end)
             {
-                addHole(_nodes.pop());
+                weld(_nodes[int(_nodes.length - 1)], Math.max(end, 0));
+                if (budget.cornerTestsLeft <= 0)
+                {
+                    _nodes.length = 0;
+                }
+                else if (_edge == 0)
+                {
+                    addHole(rightmost(_nodes.pop()));
+                }
             }
             return _nodes.length > 0;
         }
@@ -69,12 +80,6 @@ package starlogo.models.polygons
         // Joins a hole by a bridge from its rightmost node to a corner of the outline that is at its place, or sees it.
         private function addHole(hole:int):void
         {
-            if (_rings.budget.cornerTestsLeft <= 0)
-            {
-                return;
-            }
-            weld(hole);
-            hole = rightmost(hole);
             var node:int = atOrRightOf(hole);
             // without one, the hole is not inside the outline
             if (node >= 0)
@@ -83,8 +88,9 @@ package starlogo.models.polygons
             }
         }
 
-        // Where a hole touches the outline, gives both a corner at one place. So a touch counts also if rounding has put it inside or outside.
-        private function weld(hole:int):void
+        // Where a hole touches the outline, gives both a corner at one place. So a touch counts also if rounding has put it inside or outside. Goes on
+        // until the edges are done, or as few tests are left as are given.
+        private function weld(hole:int, testsLeft:Number):void
         {
             var xs:Vector.<Number> = _rings.x;
             var ys:Vector.<Number> = _rings.y;
@@ -102,28 +108,27 @@ package starlogo.models.polygons
                 corner = _rings.next[corner];
             }
             while (corner != hole);
-            // the search for a bridge goes around the outline three times
-            var tests:int = 3 * _rings.countFrom(0);
-            var node:int = 0;
             do
             {
-                tests++;
-                var end:int = _rings.next[node];
-                if (Math.min(xs[node], xs[end]) <= maxX && Math.max(xs[node], xs[end]) >= minX && Math.min(ys[node], ys[end]) <= maxY && Math.max(ys[node], ys[end]) >= minY)
+                // the search for a bridge goes around the outline three times
+                var tests:int = 3;
+                var end:int = _rings.next[_edge];
+                if (Math.min(xs[_edge], xs[end]) <= maxX && Math.max(xs[_edge], xs[end]) >= minX
+                        && Math.min(ys[_edge], ys[end]) <= maxY && Math.max(ys[_edge], ys[end]) >= minY)
                 {
                     do
                     {
                         tests++;
-                        weldCorner(corner, node);
-                        weldCorner(node, corner);
+                        weldCorner(corner, _edge);
+                        weldCorner(_edge, corner);
                         corner = _rings.next[corner];
                     }
                     while (corner != hole);
                 }
-                node = _rings.next[node];
+                _rings.budget.spendCornerTests(tests);
+                _edge = _rings.next[_edge];
             }
-            while (node != 0);
-            _rings.budget.spendCornerTests(tests);
+            while (_edge != 0 && _rings.budget.cornerTestsLeft > testsLeft);
         }
 
         // Moves a node to where an edge of another ring begins, or adds a copy of it to the edge, if it is there.

@@ -263,6 +263,65 @@ package starlogo.models.polygons
             assertEquals(3 * 598, triangles.length);
         }
 
+        /** A grid of holes, in a file that has just the bytes for them. */
+        [Test]
+        public function leavesManyHolesOpen():void
+        {
+            var loops:Vector.<Vector.<uint>> = new Vector.<Vector.<uint>>();
+            var vertices:Vector.<Number> = new Vector.<Number>();
+            addLoop([[0, 0], [13, 0], [13, 13], [0, 13]], loops, vertices);
+            for (var i:int = 0; i < 169; i++)
+            {
+                var x:Number = int(i / 13) + 0.5;
+                var y:Number = i % 13 + 0.5;
+                addLoop([[x + 0.29, y + 0.09], [x - 0.09, y + 0.29], [x - 0.29, y - 0.09], [x + 0.09, y - 0.29]], loops, vertices);
+            }
+            var triangles:Vector.<uint> = new Vector.<uint>();
+            cut(vertices, triangles, loops, 15500);
+            var found:Number = Surfaces.area(vertices, triangles);
+            assertTrue("area " + found, Math.abs(found - 169 * (1 - 2 * (0.29 * 0.29 + 0.09 * 0.09))) < 1e-9);
+        }
+
+        /** All edges of the outline are in the box of the hole. */
+        [Test]
+        public function searchesForTouchesInPieces():void
+        {
+            const TEETH:int = 2000;
+            var outline:Array = [[0, 0], [10, 0], [10, 10]];
+            var hole:Array = [];
+            for (var i:int = 0; i < TEETH; i++)
+            {
+                outline.push([10 - 10 * (i + 0.5) / TEETH, 1], [10 - 10 * (i + 1) / TEETH, 10]);
+                hole.push([0.5 + 9 * i / TEETH, 0.2 + 0.1 * (i & 1)]);
+            }
+            hole.push([9.9985, 0.9], [9.9975, 2], [9.9965, 0.9]);
+            var loops:Vector.<Vector.<uint>> = new Vector.<Vector.<uint>>();
+            var vertices:Vector.<Number> = new Vector.<Number>();
+            addLoop(outline, loops, vertices);
+            addLoop(hole, loops, vertices);
+            var budget:FileBudget = new FileBudget("polygons", 100000);
+            var triangulator:Triangulator = new Triangulator(budget, vertices, new Vector.<uint>());
+            var left:Number = budget.cornerTestsLeft;
+            var work:Steps = triangulator.addPolygon(loops[0], loops.slice(1));
+            do
+            {
+                assertTrue("tests in a step: " + (left - budget.cornerTestsLeft), left - budget.cornerTestsLeft < 50000);
+                left = budget.cornerTestsLeft;
+            }
+            while (work.step() && left > 0);
+        }
+
+        private static function addLoop(corners:Array, loops:Vector.<Vector.<uint>>, vertices:Vector.<Number>):void
+        {
+            var loop:Vector.<uint> = new Vector.<uint>();
+            for each (var corner:Array in corners)
+            {
+                loop.push(vertices.length / 3);
+                vertices.push(corner[0], corner[1], 0);
+            }
+            loops.push(loop);
+        }
+
         [Test]
         public function endsOnAnyOutline():void
         {
@@ -347,9 +406,9 @@ package starlogo.models.polygons
             return edges.sort().join(" ");
         }
 
-        private static function cut(vertices:Vector.<Number>, triangles:Vector.<uint>, loops:Vector.<Vector.<uint>>):void
+        private static function cut(vertices:Vector.<Number>, triangles:Vector.<uint>, loops:Vector.<Vector.<uint>>, bytes:int = 250000):void
         {
-            var triangulator:Triangulator = new Triangulator(new FileBudget("polygons", 250000), vertices, triangles);
+            var triangulator:Triangulator = new Triangulator(new FileBudget("polygons", bytes), vertices, triangles);
             var holes:Vector.<Vector.<uint>> = loops.slice(1);
             finish(triangulator.addingEach(1, function(index:int):Steps
                     {
@@ -401,13 +460,7 @@ package starlogo.models.polygons
             var indices:Vector.<Vector.<uint>> = new Vector.<Vector.<uint>>();
             for each (var loop:Array in loops)
             {
-                var corners:Vector.<uint> = new Vector.<uint>();
-                for each (var corner:Array in loop)
-                {
-                    corners.push(flat.length / 3);
-                    flat.push(corner[0], corner[1], 0);
-                }
-                indices.push(corners);
+                addLoop(loop, indices, flat);
             }
             var vertices:Vector.<Number> = placement.place(flat);
             var triangles:Vector.<uint> = new Vector.<uint>();

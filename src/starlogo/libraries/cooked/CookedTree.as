@@ -40,7 +40,7 @@ package starlogo.libraries.cooked
          * Creates the work that restores a tree.
          *
          * @param bytes what <code>write()</code> has written, read from its position on
-         * @param tree without nodes; receives them, and the order of its primitives. It stays without nodes if the bytes do not divide these primitives
+         * @param tree without nodes; receives them, and the order of its primitives. It is not made if the bytes do not divide these primitives
          * @param maxDepth a node on this level is a leaf of the thesis
          */
         public function CookedTree(bytes:ByteArray, tree:BoxTree, maxDepth:int)
@@ -103,7 +103,7 @@ package starlogo.libraries.cooked
                         // every primitive must come exactly once
                         if (primitive < 0 || primitive >= count || isListed[primitive])
                         {
-                            refuse();
+                            isRefused = true;
                         }
                         else
                         {
@@ -128,14 +128,9 @@ package starlogo.libraries.cooked
             }
             catch (error:EOFError)
             {
-                refuse();
+                isRefused = true;
             }
             return false;
-        }
-
-        private function refuse():void
-        {
-            isRefused = true;
         }
 
         private function readNodes():Boolean
@@ -144,7 +139,7 @@ package starlogo.libraries.cooked
             {
                 if (!readNode(_waiting.pop(), VarInt.read(_bytes)))
                 {
-                    refuse();
+                    isRefused = true;
                     return false;
                 }
             }

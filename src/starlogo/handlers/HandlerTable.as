@@ -208,7 +208,7 @@ package starlogo.handlers
             BreedInterests.requireName("otherBreed", otherBreed);
             if (callback == null)
             {
-                throw new ArgumentError("handler must be a function, not " + textOf(callback));
+                throw new ArgumentError("handler must be a function, not " + textOf(callback) + ", for " + textOf(breed) + " and " + textOf(otherBreed));
             }
         }
     }

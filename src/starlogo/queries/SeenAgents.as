@@ -279,8 +279,8 @@ package starlogo.queries
         {
             if (!_isUpdated)
             {
-                throw new IllegalOperationError("nothing to ask about yet: call update(agents) of this AgentQueries or SeenAgents before its first question, "
-                        + "and then once a frame. That of the Collision does not count");
+                throw new IllegalOperationError("nothing to ask about yet: call update(agents) of this AgentQueries or SeenAgents, or update() of the "
+                        + "DetectionBlocks, before the first question, and then once a frame. That of the Collision does not count");
             }
             if (tree.isStale)
             {

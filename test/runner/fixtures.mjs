@@ -18,16 +18,19 @@ export function mount(tests, mounts) {
 	// a file is read at once, and given later
 	tests.setFetch((url, onProgress, onDone, onError) => {
 		let bytes = null;
+		let isStopped = false;
 		try {
 			bytes = read(url);
 		} catch {
 			// as if it were not mounted
 		}
-		const timer = setTimeout(() => {
+		setTimeout(() => {
+			if (isStopped) return;
 			if (bytes === null) return onError("404");
 			onProgress(bytes.length, bytes.length);
-			onDone(bytes);
+			// the progress may be a reason to stop
+			if (!isStopped) onDone(bytes);
 		});
-		return () => clearTimeout(timer);
+		return () => { isStopped = true; };
 	});
 }

@@ -188,7 +188,8 @@ package standins
         [Test(async, timeout="150000")]
         public function saysNothingMoreOnceItIsClosed():void
         {
-            if (Machine.player == null)
+            // only Adobe's shell names its player; the module's stand-in has no such field
+            if ("player" in Machine && Machine["player"] == null)
             {
                 throw new AssumptionViolatedException("Ruffle's close() does nothing");
             }

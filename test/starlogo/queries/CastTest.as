@@ -382,7 +382,7 @@ package starlogo.queries
             assertThrows(ArgumentError, /null/, queries.canSee, _agents[0], null);
             assertThrows(ArgumentError, /no model/, queries.canSee, _agents[0], new Agent("nothing"));
             var early:AgentQueries = new AgentQueries(new HierarchicalCollider(sGreatLand));
-            assertThrows(IllegalOperationError, /call update\(agents\) of this AgentQueries or SeenAgents before its first question.* Collision does not count/, early.cast, zero, up);
+            assertThrows(IllegalOperationError, /call update\(agents\) of this AgentQueries or SeenAgents, or update\(\) of the DetectionBlocks, before the first question.* Collision does not count/, early.cast, zero, up);
             assertThrows(IllegalOperationError, /call update\(agents\) of this AgentQueries or SeenAgents/, early.near, _agents[0], 1);
             early.update(new <Agent>[]);
             assertNull("there is none", early.cast(zero, up));

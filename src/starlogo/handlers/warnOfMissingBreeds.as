@@ -39,17 +39,14 @@ package starlogo.handlers
                 missing.push(names[i]);
             }
         }
-        for (var number:int = 0; number < isThere.length; number++)
-        {
-            isThere[number] = isThere[number] && (Breeds.isEnvironment(number) || !interests.isNamed(number));
-        }
         // what may be meant by a breed: one of a similar name, or the shape of that name; null if there is neither
         var hintFor:Function = function(name:String):String
         {
             for (var number:int = 0; number < isThere.length; number++)
             {
                 var breed:String = Breeds.NAMES.nameOf(number);
-                if (isThere[number] && isProbablyMisspelt(name, breed))
+                var mayBeMeant:Boolean = isThere[number] && (Breeds.isEnvironment(number) || !interests.isNamed(number));
+                if (mayBeMeant && isProbablyMisspelt(name, breed))
                 {
                     return "; is " + (breed == Breeds.TERRAIN ? "Collision.TERRAIN" : breed == Breeds.EDGE ? "Collision.EDGE" : "\"" + breed + "\"") + " meant?";
                 }

@@ -7,6 +7,7 @@ package starlogo.away3d
     import starlogo.data.requireGiven;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
+    import starlogo.geometry.isInWorld;
 
     use namespace engine;
 
@@ -194,8 +195,7 @@ package starlogo.away3d
                         + _object.x + ", " + _object.y + ", " + _object.z + "), (" + _object.rotationX + ", " + _object.rotationY + ", "
                         + _object.rotationZ + ") and " + _object.pivotPoint);
             }
-            if (!(size >= Agent.SMALLEST_SIZE && size <= Agent.LARGEST_SIZE
-                        && Math.max(Math.abs(x), Math.abs(y), Math.abs(z)) <= Agent.LARGEST_COORDINATE))
+            if (!Agent.isSize(size) || !isInWorld(x, y, z))
             {
                 throw new RangeError(_agent + " can't be of size " + size + " at (" + x + ", " + y + ", " + z + "), as its object demands: see Agent's limits");
             }

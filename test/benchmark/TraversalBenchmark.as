@@ -11,7 +11,6 @@ package benchmark
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.models.BuiltInModel;
@@ -19,6 +18,7 @@ package benchmark
     import starlogo.models.ObjModel;
     import starlogo.solid.ModelTree;
     import starlogo.solid.OverlapTraversal;
+    import starlogo.solid.RelativePose;
     import starlogo.solid.TreePair;
     import starlogo.solid.TreeStructureQuery;
     import starlogo.solid.TreeTreeQuery;

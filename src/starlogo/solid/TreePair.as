@@ -5,7 +5,6 @@ package starlogo.solid
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.RelativePose;
     import starlogo.intersection.boxes.BoxPair;
 
     /**

@@ -6,7 +6,6 @@ package starlogo.solid
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.hierarchy.RelativePose;
 
     use namespace engine;
 

@@ -18,7 +18,6 @@ package starlogo.solid
     import starlogo.geometry.Touching;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.HierarchyNode;
-    import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.intersection.intersects;
     import starlogo.libraries.HierarchiesLibrary;

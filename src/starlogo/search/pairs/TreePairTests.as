@@ -7,7 +7,6 @@ package starlogo.search.pairs
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.intersection.StructurePairs;
     import starlogo.search.Body;
@@ -17,6 +16,7 @@ package starlogo.search.pairs
     import starlogo.search.penetration.PenetrationSearch;
     import starlogo.search.TreeLimits;
     import starlogo.solid.ModelTree;
+    import starlogo.solid.RelativePose;
     import starlogo.solid.TreeQuery;
     import starlogo.solid.TreeStructureQuery;
     import starlogo.solid.TreeTreeQuery;

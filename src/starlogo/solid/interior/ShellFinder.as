@@ -23,6 +23,7 @@ package starlogo.solid.interior
 
         private var _surface:SurfaceTopology;
         private var _edges:EdgeMatcher;
+
         // The first triangle that may begin another shell.
         private var _nextSeed:int = 0;
 

@@ -1,4 +1,4 @@
-package starlogo.hierarchy
+package starlogo.solid
 {
     import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ContactPoint;

@@ -22,8 +22,8 @@ package starlogo.away3d
      * the two sides, because Away3D does not send an event for every change. They do nothing if nothing has changed, and they allocate
      * nothing.</p>
      *
-     * <p>Away3D's DAEParser sets matrices, and the first change of position, rotation or scale overwrites them. So bind a new ObjectContainer3D that contains
-     * the loaded object.</p>
+     * <p>Away3D's DAEParser sets matrices, and the first change of position, rotation or scale overwrites them. So bind a new ObjectContainer3D
+     * that contains the loaded object.</p>
      */
     public final class Away3dAgentBinding
     {

@@ -134,8 +134,8 @@ package starlogo.libraries
          */
         engine function hasRoomFor(model:Model, hasTree:Boolean):Boolean
         {
-            var itemCount:int = (model.triangles == null ? model.vertices.length : model.triangles.length) / 3;
-            return (hasTree ? itemCount * CookedTree.widthFor(itemCount) : 0) < _usableCapacity;
+            var primitiveCount:int = (model.triangles == null ? model.vertices.length : model.triangles.length) / 3;
+            return (hasTree ? primitiveCount * CookedTree.widthFor(primitiveCount) : 0) < _usableCapacity;
         }
 
         /**

@@ -49,7 +49,7 @@ package starlogo.libraries
 
         /**
          * A node with at most this many vertices is a leaf (§4.4). In another place the thesis splits a node with exactly this many (§4.8).
-         * A single triangle is always a leaf, and so are several items in one place: vertices, or triangles whose boxes have the same middle. A
+         * A single triangle is always a leaf, and so are several vertices in one place, or triangles whose boxes have the same middle. A
          * vertex that several triangles of the node share counts once. The default is 5.
          *
          * @throws RangeError if you set it to less than 1

@@ -98,20 +98,20 @@ package starlogo.models.gltf
             var key:String = position + (isPlain ? "" : primitive.place);
             var points:GltfVertices = placed[key] ||= new GltfVertices(_file, _scene, node, primitive, _data.vertices);
             work.add(points);
-            if (primitive.integer("mode", FAN, TRIANGLES) >= TRIANGLES)
+            var mode:int = primitive.integer("mode", FAN, TRIANGLES);
+            if (mode >= TRIANGLES)
             {
                 _data.meshes.beginRun(_data.meshes.labelWithKey(String(node), name), _data.triangles.length / 3);
                 _data.materials.beginRun(primitive.indexOrNone("material", "materials"), _data.triangles.length / 3);
-                addTriangles(work, primitive, points);
+                addTriangles(work, mode, primitive, points);
             }
             return work;
         }
 
         // Adds the steps that read a primitive's triangles, after those of its vertices. Triangle n of a list has the corners 3n, 3n+1 and 3n+2.
         // Triangle n of a fan has the corners n+1, n+2 and 0. In a strip, every second triangle has its corner order reversed.
-        private function addTriangles(work:StepSequence, primitive:GltfJson, vertices:GltfVertices):void
+        private function addTriangles(work:StepSequence, mode:int, primitive:GltfJson, vertices:GltfVertices):void
         {
-            var mode:int = primitive.integer("mode", FAN, TRIANGLES);
             var index:int = primitive.indexOrNone("indices", "accessors");
             var indices:GltfAccessor = index < 0 ? null : _file.accessor(index, "SCALAR");
             if (indices != null)
@@ -131,21 +131,20 @@ package starlogo.models.gltf
                         var b:int = a + 1;
                         var c:int = mode == FAN ? 0 : a + 2;
                         var isReversed:Boolean = isMirror != (mode == STRIP && (i & 1) == 1);
-                        addCorner(a, indices, vertices, primitive);
-                        addCorner(isReversed ? c : b, indices, vertices, primitive);
-                        addCorner(isReversed ? b : c, indices, vertices, primitive);
+                        _data.triangles.push(vertexAt(a, indices, vertices, primitive), vertexAt(isReversed ? c : b, indices, vertices, primitive),
+                                vertexAt(isReversed ? b : c, indices, vertices, primitive));
                     }
                 });
         }
 
-        private function addCorner(corner:int, indices:GltfAccessor, vertices:GltfVertices, primitive:GltfJson):void
+        private static function vertexAt(corner:int, indices:GltfAccessor, vertices:GltfVertices, primitive:GltfJson):uint
         {
             var index:Number = indices == null ? corner : indices.numbers[corner];
             if (index >= vertices.count)
             {
                 throw indices.json.error("element " + corner + " names vertex " + index + ": " + primitive.place + " has " + vertices.count);
             }
-            _data.triangles.push(vertices.firstVertex + int(index));
+            return vertices.firstVertex + int(index);
         }
 
         private function endReading():void

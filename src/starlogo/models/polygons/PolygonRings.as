@@ -5,8 +5,8 @@ package starlogo.models.polygons
 
     /**
      * A polygon's outline and holes as rings of corners in a plane. Once the holes are joined to the outline (HoleBridges), that ring is cut into
-     * triangles, one ear at a time. The polygon is projected along the coordinate axis nearest to the
-     * outline's normal (by M. E. Newell's method), so that the outline is counter-clockwise. Small bends out of the plane do no harm.
+     * triangles, one ear at a time. The polygon is projected along the coordinate axis nearest to the outline's normal (by M. E. Newell's method),
+     * so that the outline is counter-clockwise. Small bends out of the plane do no harm.
      * Coordinates begin at the outline's first corner, are scaled by a power of two, and are rounded to a grid, on which the directions of turns are
      * exact. So a corner that is on a line stays there, and one that is beside it by rounding is on the same side in each test.
      *
@@ -155,17 +155,6 @@ package starlogo.models.polygons
             return x[node] == x[other] && y[node] == y[other];
         }
 
-        /** The number of nodes in the ring of a node. */
-        internal function countFrom(node:int):int
-        {
-            var count:int = 1;
-            for (var i:int = next[node]; i != node; i = next[i])
-            {
-                count++;
-            }
-            return count;
-        }
-
         /** Twice the area of the triangle of three nodes; positive if it is counter-clockwise, with the exact sign. */
         internal function orient2d(a:int, b:int, c:int):Number
         {
@@ -194,7 +183,7 @@ package starlogo.models.polygons
         internal function cutEars(triangles:Vector.<uint>):Boolean
         {
             var end:Number = budget.cornerTestsLeft - TESTS_PER_STEP;
-            _count ||= countFrom(0);
+            _count ||= countOutline();
             while (_count > 2 && budget.cornerTestsLeft > end)
             {
                 var before:int = previous[_node];
@@ -226,6 +215,17 @@ package starlogo.models.polygons
                 }
             }
             return _count > 2;
+        }
+
+        // The number of nodes in the outline's ring.
+        private function countOutline():int
+        {
+            var count:int = 1;
+            for (var node:int = next[0]; node != 0; node = next[node])
+            {
+                count++;
+            }
+            return count;
         }
 
         // Whether no other corner is in the triangle of a left turn.

@@ -10,6 +10,7 @@ import { serve } from "../../build/headless/server.mjs";
 import { asset, randomNumbers } from "../benchmark/games.mjs";
 import { addBlocks, addButton, installInto, toggle } from "../../bin/module/nova/index.js";
 import { alive, bruteCollisions, hatch, makeWindow, pairKeys, playGame, within } from "./nova-client.mjs";
+import { warningsIn } from "./warnings.mjs";
 
 /** Checks that answers are equal, and counts those that say something. */
 function checker() {
@@ -229,14 +230,9 @@ test("systems are exchanged while a game runs, and nobody is lost", () => {
 	assert.deepEqual(pairsOf({ system: "bins", exact: false }), expected);
 	playGame(window, 6, 10, check);
 	// the option depth stays, and is nothing to these systems
-	const { warn } = console;
-	const warnings = [];
-	console.warn = (text) => warnings.push(text);
-	try {
+	const warnings = warningsIn(() => {
 		for (const system of ["tightest", "bins"]) pairsOf({ system, depth: 2 });
-	} finally {
-		console.warn = warn;
-	}
+	});
 	assert.deepEqual(warnings, []);
 });
 

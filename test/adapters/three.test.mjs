@@ -7,6 +7,7 @@ import { pathToFileURL } from "node:url";
 import { animatedFile } from "./animated.mjs";
 import { peers, root } from "./peers.mjs";
 import { Scenes, drawnCorners } from "./scenes.mjs";
+import { warningsIn } from "./warnings.mjs";
 
 const all = await peers();
 const SCENES = { first: 200, others: 60 };
@@ -193,14 +194,9 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 			const hero = new Agent("hero");
 			hero.z = 0.4;
 			queries.update([agent]);
-			const { warn } = console;
-			const warnings = [];
-			console.warn = (text) => warnings.push(text);
-			try {
+			const warnings = warningsIn(() => {
 				for (let i = 0; i < 200; i++) queries.walk(hero, dx, 0);
-			} finally {
-				console.warn = warn;
-			}
+			});
 			return { x: hero.x, z: hero.z, warnings };
 		};
 		for (const [name, level] of Object.entries({ noCeiling: room(wall, wall, null, wall, wall, wall), hole, boxes, solidified })) {
@@ -219,10 +215,7 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 	});
 
 	test(`three ${version}: a level's model is not bound, and the engine warns of what is drawn elsewhere than it collides`, () => {
-		const { warn } = console;
-		const said = [];
-		console.warn = (text) => said.push(text);
-		try {
+		const said = warningsIn((soFar) => {
 			const land = new THREE.Scene();
 			const lift = new THREE.Mesh(new THREE.BoxGeometry(3, 0.4, 3));
 			land.add(lift);
@@ -237,7 +230,7 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 			new ThreeAgentBinding(new Agent("hero"), lift);
 			lift.position.set(0, 0, 0);
 			new ThreeAgentBinding(agent, lift, levelFromObject("lift", lift));
-			assert.deepEqual(said, []);
+			assert.deepEqual(soFar, []);
 			modelFromObject("narrow", lift);
 			for (let i = 0; i < 2; i++) new ThreeAgentBinding(new Agent("narrow"), lift);
 			lift.scale.set(2, 2, 2);
@@ -251,9 +244,7 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 			land.add(new THREE.Group().add(lift));
 			lift.parent.scale.setScalar(2);
 			levelFromObject("level", lift);
-		} finally {
-			console.warn = warn;
-		}
+		});
 		const expected = [/draws agent \d+ \(.*shape "narrow"\) elsewhere.* the model "narrow" was made of the object\. Pass it as the third argument$/, /\(breed "lifts".* scale of its own, \(4, 0\.4, 2\), .*bind the group$/,
 			/levelFromObject\("turned"\): the object's parent is moved, turned or scaled.* 1 times its size/,
 			/levelFromObject\("level"\): the object's parent is moved, turned or scaled.* 2 times its size/];

@@ -46,6 +46,23 @@ function printedBy(program) {
 	return JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program], { encoding: "utf8" }));
 }
 
+/** The first lines of a program: it imports names of one of the package's modules, and lists its warnings in said. */
+const beginning = (names, module) => `import { ${names} } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
+		const said = [];
+		console.warn = (text) => said.push(text);`;
+
+/** The warnings that a program prints, given the readable module. Given the minified one, it has none. */
+function warningsOf(program) {
+	assert.deepEqual(printedBy(program("starlogo-collision.min.js")), []);
+	return printedBy(program("starlogo-collision.js"));
+}
+
+/** Asserts that texts match patterns, each its own, in this order. */
+function assertEach(said, patterns) {
+	assert.equal(said.length, patterns.length, said.join("\n"));
+	patterns.forEach((pattern, i) => assert.match(said[i], pattern));
+}
+
 /** What the sample does, as an object that can be compared. */
 const use = async (sample, base, bear, bytes) => ({
 	calls: sample.play(bear),
@@ -275,9 +292,7 @@ test("the minified module has a map to the readable one, in a folder of its own"
 });
 
 test("while a game is developed, names that do nothing are warned of, once", () => {
-	const program = (module) => `import { Agent, AgentFilter, AgentQueries, BinCollider, BuiltInModel, Collision, CombinationCollider, GreatLand, Model, ModelLoader, WalkOptions } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
-		const said = [];
-		console.warn = (text) => said.push(text);
+	const program = (module) => `${beginning("Agent, AgentFilter, AgentQueries, BinCollider, BuiltInModel, Collision, CombinationCollider, GreatLand, Model, ModelLoader, WalkOptions", module)}
 		class Wolf extends Agent { hunger = 3; colour = 0x808080; }
 		class Herd extends Agent { colour = "grey"; sizes = 3; headings = []; shapes = {}; breeds = ["cows"]; }
 		const [agent, wolf, plain] = [new Agent("sphere"), new Wolf("sphere"), new Agent("sphere")];
@@ -336,19 +351,15 @@ test("while a game is developed, names that do nothing are warned of, once", () 
 		for (let i = 0; i < 100; i++) rooms.slide(hero, 0.1, 0, 0);
 		if (!(hero.x > 9.9)) throw new Error("from inside nothing stops it");
 		console.log(JSON.stringify(said));`;
-	const said = printedBy(program("starlogo-collision.js"));
+	const said = warningsOf(program);
 	const expected = [/exact does nothing on a BinCollider/, /sweep is no property of Agent.*is sweeps meant/, /colour is no property of Wolf.*is color meant/, /Heading is no property of Wolf.*is heading meant/, /sweep is no property of Wolf/, /the handler eat for "wolfs" and "sheep" has 4 parameters, and gets three/, /no agent is of the breed "wolfs"; is "wolves" meant/, /"sheeps"; is "sheep" meant/, /"Wolves"; is "wolves" meant/, /"birds"; is "birdes" meant/, /"turtle"; is "turtles" meant/, /12638 triangles.*set hierarchical/, /sweeps is a field of Bird that hides the engine's: set it in the constructor/, /x is a field of Bird that hides/,
 		/breed is no property of AgentFilter.*is breeds meant/, /stepheight is no property of WalkOptions.*is stepHeight meant/, /position is no property of Agent .*is moveTo\(x, y, z\) meant/, /isHierarchical is no .*is hierarchical meant/, /oneWay is no property of Wolf.*is isOneWay meant/,
 		/loadTightestfit is no property of GreatLand.*is loadTightestFit meant/, /a ModelLoader sends no event "load"; it sends modelLoaded, error, progress, complete, cancel/, /agent \d+ \(breed "turtles", shape "hero"\) begins a motion at \(0, 0, 1\), \S+ deep inside of agent \d+ \(breed "turtles", shape "room"\), which does not stop it\. What is inside of a closed model/];
-	assert.equal(said.length, expected.length, said.join("\n"));
-	expected.forEach((pattern, i) => assert.match(said[i], pattern));
-	assert.deepEqual(printedBy(program("starlogo-collision.min.js")), []);
+	assertEach(said, expected);
 });
 
 test("while a game is developed, names that do nothing are warned of when they are set after the first frame, too", () => {
-	const program = (module) => `import { Agent, AgentQueries, BinCollider, Collision } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
-		const said = [];
-		console.warn = (text) => said.push(text);
+	const program = (module) => `${beginning("Agent, AgentQueries, BinCollider, Collision", module)}
 		const collision = new Collision(new BinCollider());
 		const queries = new AgentQueries(new BinCollider());
 		const agents = [new Agent("sphere", "wolves"), new Agent("sphere")];
@@ -362,18 +373,14 @@ test("while a game is developed, names that do nothing are warned of when they a
 			if (frame === 17) collision.exact = collision.collisionSystem.maxDepth = 3;
 		}
 		console.log(JSON.stringify(said));`;
-	const said = printedBy(program("starlogo-collision.js"));
+	const said = warningsOf(program);
 	const expected = [/sweep is no property of Agent .*is sweeps meant/, /colour is no property of Agent .*is color meant/, /isHierarchical is no property of Agent .*is hierarchical meant/,
 		/exact does nothing on a Collision: it is for a HierarchicalCollider/, /maxDepth does nothing on a BinCollider/];
-	assert.equal(said.length, expected.length, said.join("\n"));
-	expected.forEach((pattern, i) => assert.match(said[i], pattern));
-	assert.deepEqual(printedBy(program("starlogo-collision.min.js")), []);
+	assertEach(said, expected);
 });
 
 test("while a game is developed, handlers and places that can't be meant are warned of, once", () => {
-	const program = (module) => `import { Agent, AgentQueries, BinCollider, BuiltInModel, Collision, CombinationCollider, GreatLand, Model } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
-		const said = [];
-		console.warn = (text) => said.push(text);
+	const program = (module) => `${beginning("Agent, AgentQueries, BinCollider, BuiltInModel, Collision, CombinationCollider, GreatLand, Model", module)}
 		const collision = new Collision(new BinCollider());
 		const [hero, coin, wall] = [new Agent("hero", "heroes"), new Agent("coin"), new Agent("wall")];
 		// own fields that no property is called
@@ -410,7 +417,7 @@ test("while a game is developed, handlers and places that can't be meant are war
 		for (let i = 0; i < 3; i++) ground.moveTo(0, 0, -8 - i), queries.walk(player, 0.001, 0);
 		if (before > 0 && said.length !== before + 1) throw new Error(said.join());
 		console.log(JSON.stringify(said));`;
-	const said = printedBy(program("starlogo-collision.js"));
+	const said = warningsOf(program);
 	const expected = [/the handler leave for "heroes" and "walls" is for the end of a touch, where its third argument is null/, /the handler without a name for "heroes" and "walls" is for the end/, /its contact too early: it gets the two agents first/,
 		/no agent is of the breed "coin", which is the shape of agent \d+ \(breed "turtles", shape "coin"\)/, /heirarchical is no property of Agent that the engine reads; is hierarchical meant/, /in 300 frames no handler was called, and no agent is of the breed "walls" or "coin"\. The agents' breeds are "heroes", "turtles"/,
 		/no agent is of the breed "constructer"; is "constructor" meant/,
@@ -418,13 +425,10 @@ test("while a game is developed, handlers and places that can't be meant are war
 		/questions see agent \d+ \(breed "levels", shape "ground"\) where it was at the last queries\.update\(agents\), 400 frames ago/];
 	assert.equal(said.length, expected.length, said.join("\n"));
 	for (const pattern of expected) assert.ok(said.some((text) => pattern.test(text)), `${pattern}: ${said.join("\n")}`);
-	assert.deepEqual(printedBy(program("starlogo-collision.min.js")), []);
 });
 
 test("while a game is developed, async handlers and generators are warned of, once, and no breed that a handler names is another's name", () => {
-	const program = (module) => `import { Agent, AgentQueries, BinCollider, Collision } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
-		const said = [];
-		console.warn = (text) => said.push(text);
+	const program = (module) => `${beginning("Agent, AgentQueries, BinCollider, Collision", module)}
 		const collision = new Collision(new BinCollider());
 		const [hero, wall] = [new Agent("hero", "heroes"), new Agent("wall", "walls")];
 		async function save(a, b, contact) {}
@@ -439,21 +443,17 @@ test("while a game is developed, async handlers and generators are warned of, on
 		queries.near(hero, 9, { breeds: ["halls"] });
 		queries.near(hero, 9, { accepts: function* () {} });
 		console.log(JSON.stringify(said));`;
-	const said = printedBy(program("starlogo-collision.js"));
+	const said = warningsOf(program);
 	const expected = [/the handler save for "heroes" and "walls" is async: after an await its contact is another pair's, and its errors are not in handlerErrors/,
 		/the handler steps for "heroes" and "walls" is a generator, so a call runs nothing of it/, /the handler without a name for .* is a generator/,
 		/no agent is of the breed "halls"; is "walls" meant/, /accepts is an async function or a generator, whose result counts as true/];
-	assert.equal(said.length, expected.length, said.join("\n"));
-	expected.forEach((pattern, i) => assert.match(said[i], pattern));
-	assert.deepEqual(printedBy(program("starlogo-collision.min.js")), []);
+	assertEach(said, expected);
 });
 
 test("while a game is developed, angles in radians are warned of, once, and angles in degrees never", () => {
 	const turning = 'let i = 0; for (const angle of angles) agents[i % 2][["heading", "pitch", "roll"][i++ % 3]] = angle;';
 	const seeing = "for (const angle of angles) queries.inCone(agents[0], 5, angle);";
-	const program = (module, angles, use) => `import { Agent, AgentQueries, BinCollider } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
-		const said = [];
-		console.warn = (text) => said.push(text);
+	const program = (module, angles, use) => `${beginning("Agent, AgentQueries, BinCollider", module)}
 		const agents = [new Agent("sphere", "wolves"), new Agent("sphere", "sheep")];
 		const queries = new AgentQueries(new BinCollider());
 		queries.update(agents);
@@ -478,9 +478,7 @@ test("while a game is developed, angles in radians are warned of, once, and angl
 });
 
 test("while a game is developed, settings for a constructor that takes none are warned of", () => {
-	const program = (module) => `import { Agent, AgentFilter, BinCollider, Collision, Contact, Footing, GreatLand, LevelShapes, RayHit, ShapeHit, WalkOptions } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
-		const said = [];
-		console.warn = (text) => said.push(text);
+	const program = (module) => `${beginning("Agent, AgentFilter, BinCollider, Collision, Contact, Footing, GreatLand, LevelShapes, RayHit, ShapeHit, WalkOptions", module)}
 		new GreatLand(), new AgentFilter(), AgentFilter.ofBreeds("heroes"), new WalkOptions(), new LevelShapes(), new Collision(new BinCollider());
 		new GreatLand({ loadHulls: true }), new LevelShapes(true);
 		new AgentFilter({ breeds: ["heroes"] }), new WalkOptions({ stepHeight: 1 });
@@ -491,16 +489,13 @@ test("while a game is developed, settings for a constructor that takes none are 
 		new Agent("sphere"), new Agent("sphere", "wolves"), new Wolf("sphere", "wolves", 3), new Agent("sphere", "wolves", { sweeps: true });
 		console.log(JSON.stringify(said));`;
 	const none = (name, such) => `starlogo-collision: new ${name} takes no arguments, and does nothing with those that it got: settings${such} are set after it`;
-	assert.deepEqual(printedBy(program("starlogo-collision.js")), [none("GreatLand", " such as loadHulls"),
+	assert.deepEqual(warningsOf(program), [none("GreatLand", " such as loadHulls"),
 		none("LevelShapes", ""), none("Footing", " such as stands"), none("RayHit", ""), none("ShapeHit", ""), none("Contact", ""), "starlogo-collision: new Collision takes 1 argument, and does nothing with the others: settings such as terrain are set after it",
 		"starlogo-collision: new Agent takes 2 arguments, and does nothing with the others: settings such as sweeps are set after it"]);
-	assert.deepEqual(printedBy(program("starlogo-collision.min.js")), []);
 });
 
 test("while a game is developed, what is made anew in each frame, traits that do nothing, long strides and forgotten updates are warned of, once", () => {
-	const program = (module) => `import { Agent, AgentFilter, AgentPlaces, AgentQueries, BinCollider, BuiltInModel, Collision, CombinationCollider, GreatLand, HierarchicalCollider, LevelShapes, SeenAgents, TightestFitCollider } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
-		const said = [];
-		console.warn = (text) => said.push(text);
+	const program = (module) => `${beginning("Agent, AgentFilter, AgentPlaces, AgentQueries, BinCollider, BuiltInModel, Collision, CombinationCollider, GreatLand, HierarchicalCollider, LevelShapes, SeenAgents, TightestFitCollider", module)}
 		const land = new GreatLand();
 		land.addModel(BuiltInModel.sphere());
 		const wolf = Object.assign(new Agent("sphere", "wolves"), { hierarchical: true, traversalDepth: 3, collideAs: "box" });
@@ -549,19 +544,16 @@ test("while a game is developed, what is made anew in each frame, traits that do
 			other.update([]);
 		}
 		console.log(JSON.stringify(said));`;
-	const said = printedBy(program("starlogo-collision.js"));
+	const said = warningsOf(program);
 	const expected = [/handlers for "wolves" and "sheep" were added in 30 frames in turn/, /all agents are new in 30 frames in turn/,
 		/hierarchical of agent \d+ \(breed "wolves", shape "sphere"\) does nothing in a TightestFitCollider: it is for a CombinationCollider/, /traversalDepth of agent .* in a TightestFitCollider: it is for a Hier/,
 		/collideAs of agent .* in a HierarchicalCollider/, /Collision\.update takes the list alone: the engine knows no time/, /accepts returns nothing/, /walks 3 patches in each frame/, /accepts is an async function/, /exakt is no property of LevelShapes/, /questions see agent \d+ \(breed "sheep"/];
 	assert.equal(said.length, expected.length, said.join("\n"));
 	for (const pattern of expected) assert.ok(said.some((text) => pattern.test(text)), `${pattern}: ${said.join("\n")}`);
-	assert.deepEqual(printedBy(program("starlogo-collision.min.js")), []);
 });
 
 test("while a game is developed, questions without frames, models that replace others and grounds that are missing are warned of, once", () => {
-	const program = (module) => `import { Agent, AgentQueries, BinCollider, BuiltInModel, Collision, GreatLand, LevelShapes, Sphere, Terrain, WorldBounds } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
-		const said = [];
-		console.warn = (text) => said.push(text);
+	const program = (module) => `${beginning("Agent, AgentQueries, BinCollider, BuiltInModel, Collision, GreatLand, LevelShapes, Sphere, Terrain, WorldBounds", module)}
 		const game = new Collision(new BinCollider());
 		const queries = new AgentQueries(game);
 		const [hero, foe] = [new Agent("sphere", "heroes"), new Agent("sphere", "foes")];
@@ -603,34 +595,27 @@ test("while a game is developed, questions without frames, models that replace o
 		shapes.addStructure("capsule", new Sphere({ x: 0, y: 0, z: 0 }, 1));
 		shapes.addModel(BuiltInModel.capsule(0.4, 1));
 		console.log(JSON.stringify(said));`;
-	const said = printedBy(program("starlogo-collision.js"));
+	const said = warningsOf(program);
 	const expected = [/questions were updated 3000 times, and their Collision with handlers for "heroes" and "edge" never/, /no agent is of the breed "edge"; is Collision\.EDGE meant/,
 		/in 300 frames no handler was called, and handlers for Collision\.TERRAIN need the Collision's terrain, which is null/, /handlers for Collision\.EDGE need the Collision's bounds/, /no agent is of the breed "edge"\. The/, /a box of other lengths takes the place of the first.*BuiltInModel\.box\(\) takes a name last/];
-	assert.equal(said.length, expected.length, said.join("\n"));
-	expected.forEach((pattern, i) => assert.match(said[i], pattern));
-	assert.deepEqual(printedBy(program("starlogo-collision.min.js")), []);
+	assertEach(said, expected);
 });
 
 test("while a game is developed, a cast that begins inside of a hull is told from a walk", () => {
-	const program = (module) => `import { Agent, AgentQueries, BuiltInModel, GreatLand, Sphere, TightestFitCollider, Vector3D } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
-		const said = [];
-		console.warn = (text) => said.push(text);
+	const program = (module) => `${beginning("Agent, AgentQueries, BuiltInModel, GreatLand, Sphere, TightestFitCollider, Vector3D", module)}
 		const land = new GreatLand();
 		land.addModel(BuiltInModel.box(40, 40, 8, "ground"));
 		const queries = new AgentQueries(new TightestFitCollider(land));
 		queries.update([new Agent("ground", "levels")]);
 		for (let i = 0; i < 2; i++) queries.castShape(new Sphere(new Vector3D(2, 3, 5), 0.5), 1, 0, 0);
 		console.log(JSON.stringify(said));`;
-	const [cast, ...others] = printedBy(program("starlogo-collision.js"));
+	const [cast, ...others] = warningsOf(program);
 	assert.match(cast, /a structure that is cast begins a motion 3\.5 deep inside of the structure around agent \d+ \(breed "levels", shape "ground"\), which it meets at once or not at all\. If this is a level/);
 	assert.deepEqual(others, []);
-	assert.deepEqual(printedBy(program("starlogo-collision.min.js")), []);
 });
 
 test("while a game is developed, a walker whose way up is blocked by who stands on it is warned of, and a cast agent is named", () => {
-	const program = (module) => `import { Agent, AgentQueries, BuiltInModel, CombinationCollider, GreatLand } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
-		const said = [];
-		console.warn = (text) => said.push(text);
+	const program = (module) => `${beginning("Agent, AgentQueries, BuiltInModel, CombinationCollider, GreatLand", module)}
 		const rise = (breed, exceptBreeds) => {
 			const land = new GreatLand();
 			for (const model of [BuiltInModel.box(3, 3, 0.4, "lift"), BuiltInModel.box(1, 1, 1, breed), BuiltInModel.capsule(0.3, 1.8, "hero")]) land.addModel(model);
@@ -651,17 +636,14 @@ test("while a game is developed, a walker whose way up is blocked by who stands 
 		rise("crates", []);
 		rise("boxes", ["heroes"]);
 		console.log(JSON.stringify(said));`;
-	const [blocked, cast, ...others] = printedBy(program("starlogo-collision.js"));
+	const [blocked, cast, ...others] = warningsOf(program);
 	assert.match(blocked, /agent \d+ \(breed "crates".*deep inside of agent \d+ \(breed "lifts".* Its way up is blocked by agent \d+ \(breed "heroes".*leave that one out of the filter of its walk/);
 	assert.match(cast, /agent \d+ \(breed "boxes", shape "boxes"\) begins a motion at/);
 	assert.deepEqual(others, []);
-	assert.deepEqual(printedBy(program("starlogo-collision.min.js")), []);
 });
 
 test("while a game is developed, settings that a constructor does not take, levels without a tree and falls without end are warned of, once", () => {
-	const program = (module) => `import { Agent, AgentQueries, BinCollider, BuiltInModel, CombinationCollider, GreatLand, HierarchicalCollider, TightestFitCollider } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
-		const said = [];
-		console.warn = (text) => said.push(text);
+	const program = (module) => `${beginning("Agent, AgentQueries, BinCollider, BuiltInModel, CombinationCollider, GreatLand, HierarchicalCollider, TightestFitCollider", module)}
 		const land = new GreatLand();
 		land.addModel(BuiltInModel.box(40, 40, 8, "ground"));
 		land.addModel(BuiltInModel.capsule(0.3, 1.8, "hero"));
@@ -684,19 +666,15 @@ test("while a game is developed, settings that a constructor does not take, leve
 		if (said.some((text) => text.includes("has fallen"))) throw new Error("too early");
 		for (let i = 0; i < 199; i++) queries.walk(hero, 0.1, 0);
 		console.log(JSON.stringify(said));`;
-	const said = printedBy(program("starlogo-collision.js"));
+	const said = warningsOf(program);
 	const expected = [/new HierarchicalCollider takes 1 argument, and does nothing with the others: settings such as exact are set after it/,
 		/agent \d+ \(breed "heroes", shape "hero"\) begins a motion 3\.8 deep inside of the structure around agent \d+ \(breed "levels", shape "ground"\), and a walk pushes it out.*hierarchical.*CombinationCollider/,
 		/agent \d+ \(breed "heroes", shape "hero"\) has fallen in 200 walks, from z = 500 to 400: .*queries\.update\(\), which is called once a frame.*AS_GIVEN or of levelFromObject.*"y"/];
-	assert.equal(said.length, expected.length, said.join("\n"));
-	expected.forEach((pattern, i) => assert.match(said[i], pattern));
-	assert.deepEqual(printedBy(program("starlogo-collision.min.js")), []);
+	assertEach(said, expected);
 });
 
 test("while a game is developed, a level that collides as the structure around it is warned of, once", () => {
-	const program = (module) => `import { Agent, BuiltInModel, Collision, CombinationCollider, GreatLand, HierarchicalCollider, Model, TightestFitCollider } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
-		const said = [];
-		console.warn = (text) => said.push(text);
+	const program = (module) => `${beginning("Agent, BuiltInModel, Collision, CombinationCollider, GreatLand, HierarchicalCollider, Model, TightestFitCollider", module)}
 		const land = new GreatLand();
 		const cube = BuiltInModel.cube();
 		const triangles = Array.from({ length: 10001 }, (_, i) => [...cube.triangles.slice(0, 3)]).flat();
@@ -723,9 +701,7 @@ test("while a game is developed, a level that collides as the structure around i
 });
 
 test("while a game is developed, a shot that is moved before its first frame is warned of, once", () => {
-	const program = (module) => `import { Agent, BinCollider, Collision } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
-		const said = [];
-		console.warn = (text) => said.push(text);
+	const program = (module) => `${beginning("Agent, BinCollider, Collision", module)}
 		const collision = new Collision(new BinCollider());
 		const agents = [];
 		const counts = [];
@@ -766,9 +742,7 @@ test("while a game is developed, a shot that is moved before its first frame is 
 });
 
 test("while a game is developed, a level that was normalised is warned of, once, and what is placed or small is not", () => {
-	const program = (module) => `import { Agent, BuiltInModel, Collision, CombinationCollider, GreatLand, Model } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
-		const said = [];
-		console.warn = (text) => said.push(text);
+	const program = (module) => `${beginning("Agent, BuiltInModel, Collision, CombinationCollider, GreatLand, Model", module)}
 		const wide = [0, 0, 0, 40, 0, 0, 0, 30, 0, 0, 0, 3];
 		const corners = [0, 1, 2, 0, 1, 3, 0, 2, 3];
 		const land = new GreatLand();
@@ -790,9 +764,7 @@ test("while a game is developed, a level that was normalised is warned of, once,
 });
 
 test("while a game is developed, a model without triangles where triangles decide is warned of, once", () => {
-	const program = (module) => `import { Agent, AgentQueries, BuiltInModel, CombinationCollider, GreatLand, HierarchicalCollider, Model } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
-		const said = [];
-		console.warn = (text) => said.push(text);
+	const program = (module) => `${beginning("Agent, AgentQueries, BuiltInModel, CombinationCollider, GreatLand, HierarchicalCollider, Model", module)}
 		const corners = [-5, -5, 0, 5, -5, 0, 5, 5, 0];
 		const land = new GreatLand();
 		land.addModel(BuiltInModel.cube());
@@ -813,9 +785,7 @@ test("while a game is developed, a model without triangles where triangles decid
 });
 
 test("while a game is developed, a forgotten update of questions is warned of if no Collision counts the frames, once", () => {
-	const program = (module) => `import { Agent, AgentMotions, AgentQueries, BuiltInModel, GreatLand, SeenAgents, TightestFitCollider } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
-		const said = [];
-		console.warn = (text) => said.push(text);
+	const program = (module) => `${beginning("Agent, AgentMotions, AgentQueries, BuiltInModel, GreatLand, SeenAgents, TightestFitCollider", module)}
 		const land = new GreatLand();
 		for (const model of [BuiltInModel.capsule(0.3, 1.8, "hero"), BuiltInModel.box(4, 4, 0.2, "lift")]) land.addModel(model);
 		const [lift, hero, friend] = [new Agent("lift", "lifts"), new Agent("hero", "heroes"), new Agent("hero", "heroes")];
@@ -852,9 +822,7 @@ test("an error says that a point's numbers are passed one by one, while a game i
 });
 
 test("while a game is developed, a ground that comes after the update of questions is warned of, once, and not if it is exchanged or new to a frame", () => {
-	const program = (module) => `import { Agent, AgentMotions, AgentQueries, BinCollider, Collision, SeenAgents, Terrain } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
-		const said = [];
-		console.warn = (text) => said.push(text);
+	const program = (module) => `${beginning("Agent, AgentMotions, AgentQueries, BinCollider, Collision, SeenAgents, Terrain", module)}
 		const ask = (queries) => queries.cast({ x: 0, y: 0, z: 9 }, { x: 0, y: 0, z: -1 });
 		const hero = new Agent("hero");
 		const makeQueries = (ground) => {
@@ -884,9 +852,7 @@ test("while a game is developed, a ground that comes after the update of questio
 });
 
 test("while a game is developed, snapshots that put nobody back are warned of, once, and those of games that keep the traits never", () => {
-	const program = (module) => `import { Agent, BinCollider, Collision } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
-		const said = [];
-		console.warn = (text) => said.push(text);
+	const program = (module) => `${beginning("Agent, BinCollider, Collision", module)}
 		const agents = ["heroes", "coins"].map((breed) => new Agent("sphere", breed));
 		const places = () => agents.map(({ x, y, z }) => [x, y, z]);
 		const putBack = (kept) => agents.forEach((agent, i) => agent.moveTo(...kept[i]));
@@ -922,9 +888,7 @@ test("while a game is developed, snapshots that put nobody back are warned of, o
 });
 
 test("while a game is developed, walks that stop before what has a handler with the walker are warned of, once, unless the two meet otherwise", () => {
-	const program = (module) => `import { Agent, AgentQueries, BuiltInModel, Collision, Footing, GreatLand, TightestFitCollider } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
-		const said = [];
-		console.warn = (text) => said.push(text);
+	const program = (module) => `${beginning("Agent, AgentQueries, BuiltInModel, Collision, Footing, GreatLand, TightestFitCollider", module)}
 		const land = new GreatLand();
 		for (const model of [BuiltInModel.sphere(), BuiltInModel.capsule(0.3, 1.8, "hero"), BuiltInModel.box(1, 1, 3, "wall")]) land.addModel(model);
 		const game = new Collision(new TightestFitCollider(land));
@@ -983,9 +947,7 @@ test("while a game is developed, walks that stop before what has a handler with 
 });
 
 test("while a game is developed, handlers that are not there to be removed, the world's breeds without their mark, and a star in a filter are warned of, once", () => {
-	const program = (module) => `import { Agent, AgentFilter, AgentQueries, BinCollider, Collision, Terrain } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
-		const said = [];
-		console.warn = (text) => said.push(text);
+	const program = (module) => `${beginning("Agent, AgentFilter, AgentQueries, BinCollider, Collision, Terrain", module)}
 		const collision = new Collision(new BinCollider());
 		const eat = () => 0;
 		collision.onCollision("wolves", "sheep", eat);
@@ -1015,15 +977,12 @@ test("while a game is developed, handlers that are not there to be removed, the 
 		/a filter names the breed "\*", which no agent has; without breeds it takes agents of any breed$/,
 		/removeHandler removes nothing for "wolfs" and "sheep": the function eat is one for "wolves" and "sheep", "wolves" and "terrain"/,
 		/removeHandler removes nothing for "wolves" and "sheep": the function bound eat was never added: .* bind\(\)/];
-	assert.equal(said.length, expected.length, said.join("\n"));
-	expected.forEach((pattern, i) => assert.match(said[i], pattern));
+	assertEach(said, expected);
 	assert.deepEqual(printedBy(program("starlogo-collision.min.js")), { said: [], removed });
 });
 
 test("while a game is developed, a model's name that is misspelt is warned of, once", () => {
-	const program = (module) => `import { BuiltInModel, GreatLand } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
-		const said = [];
-		console.warn = (text) => said.push(text);
+	const program = (module) => `${beginning("BuiltInModel, GreatLand", module)}
 		const land = new GreatLand();
 		land.addModel(BuiltInModel.sphere());
 		land.addModel(BuiltInModel.capsule(0.3, 1.8, "hero"));

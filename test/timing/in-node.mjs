@@ -6,17 +6,16 @@
  *
  * TESTS is what the build made of the engine and the tests together; FOLDER gets results.json. The names are Settings' own.
  */
-import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { mkdirSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
+import { mount } from "../runner/fixtures.mjs";
 
 const [file, folder, ...given] = process.argv.slice(2);
-const { ModelFiles, Plan, Results, Settings, TaskQueue, setFetch } = await import(pathToFileURL(path.resolve(file)));
+const tests = await import(pathToFileURL(path.resolve(file)));
+const { ModelFiles, Plan, Results, Settings, TaskQueue } = tests;
 
-setFetch((url, onProgress, onDone, onError) => {
-	const timer = setTimeout(() => onDone(readFileSync(path.join(".", url))));
-	return () => clearTimeout(timer);
-});
+mount(tests, ["/assets=assets"]);
 
 const settings = new Settings(Object.fromEntries(given.map((each) => each.split("="))));
 // the monitor draws on Flash's stage

@@ -16,6 +16,7 @@ const CELL = 1;
 
 export class Land {
 	#name = "meadow";
+	#shadows;
 	#footprints = new Map();
 
 	/**
@@ -25,7 +26,7 @@ export class Land {
 	constructor(scene, width) {
 		this.scene = scene;
 		this.width = width;
-		this.shadows = new Instances(scene, new CircleGeometry(1, 24), shadowMaterial(), 0);
+		this.#shadows = new Instances(scene, new CircleGeometry(1, 24), shadowMaterial(), 0);
 	}
 
 	/** Sets the kind of ground: a name in GROUNDS. Returns whether it is another one: then applyTheme builds it. */
@@ -136,10 +137,14 @@ export class Land {
 			const [cos, sin] = [Math.cos(angle) * agent.size, Math.sin(angle) * agent.size];
 			const ground = this.terrain?.heightAt(agent.x, agent.y) || 0;
 			const spread = 1.35 * Math.max(0.3, 1 - (agent.z - ground) / 14);
-			const place = [agent.x + cos * x - sin * y, agent.y + sin * x + cos * y, ground + 0.008];
-			this.shadows.add(matrix.fromArray([cos * halfX * spread, sin * halfX * spread, 0, 0, -sin * halfY * spread, cos * halfY * spread, 0, 0, 0, 0, 1, 0, ...place, 1]), 0xffffff);
+			this.#shadows.add(matrix.set(
+				cos * halfX * spread, -sin * halfY * spread, 0, agent.x + cos * x - sin * y,
+				sin * halfX * spread, cos * halfY * spread, 0, agent.y + sin * x + cos * y,
+				0, 0, 1, ground + 0.008,
+				0, 0, 0, 1,
+			), 0xffffff);
 		}
-		this.shadows.finish();
+		this.#shadows.finish();
 	}
 
 	/** The middle and half the width of a model in x and y. */

@@ -30,7 +30,7 @@ function $errorOfVertex(name, vertices, meshes) {
 /** Warns of a binding without the model that was made of the object, whose place and size in it are needed. */
 function $warnOfNoModel(agent, object) {
 	const { name, matrix } = $sources.get(object) ?? $sources.get(object.geometry) ?? {};
-	if (name === undefined || name !== agent.shape || matrix.every((value, i) => Math.abs(value - (i % 5 === 0 ? 1 : 0)) < 1e-6)) return;
+	if (name === undefined || name !== agent.shape || $isIdentity(matrix)) return;
 	$warn(`new ThreeAgentBinding(agent, object) draws ${agent} elsewhere, or of another size, than it collides: the model ${JSON.stringify(name)} `
 		+ "was made of the object. Pass it as the third argument", `source of ${name}`);
 }
@@ -47,10 +47,15 @@ function $warnOfScale(agent, object) {
 function $warnOfParent(name, object, isYUp) {
 	if (!object.parent || !isYUp) return;
 	const { elements } = object.parent.matrixWorld;
-	if (elements.every((element, i) => Math.abs(element - (i % 5 === 0 ? 1 : 0)) < 1e-6)) return;
+	if ($isIdentity(elements)) return;
 	const place = elements.slice(12, 15).map($rounded).join(", ");
 	const scale = $rounded(object.parent.matrixWorld.getMaxScaleOnAxis());
 	$warn(`levelFromObject(${JSON.stringify(name)}): the object's parent is moved, turned or scaled in the scene, to (${place}) and ${scale} times its size, `
 		+ "and the model does not have that: one unit of the parent is a patch. If one unit of the scene should be, put the object into the scene itself, "
 		+ "or pass an object that stands in it");
+}
+
+/** Whether the 16 numbers of a matrix move, turn and scale nothing, up to rounding. */
+function $isIdentity(elements) {
+	return elements.every((element, i) => Math.abs(element - (i % 5 === 0 ? 1 : 0)) < 1e-6);
 }

@@ -46,8 +46,6 @@ package starlogo.geometry.hull
          */
         public var outline:Vector.<int> = new Vector.<int>();
 
-        private var _vertices:Vector.<Number>;
-
         private var _work:StepSequence = new StepSequence();
         private var _simplex:InitialSimplex;
 
@@ -64,7 +62,6 @@ package starlogo.geometry.hull
          */
         public function ConvexHull(vertices:Vector.<Number>, atOnce:Boolean = true, origin:Number = 0)
         {
-            _vertices = vertices;
             _simplex = new InitialSimplex(vertices, origin);
             _work.add(_simplex).begin(building);
             if (atOnce)
@@ -85,7 +82,7 @@ package starlogo.geometry.hull
         /** The vertices given to the constructor, x, y, z of each. Read only. */
         public function get vertices():Vector.<Number>
         {
-            return _vertices;
+            return _simplex.vertices;
         }
 
         /** 3 if the vertices span a volume, 2 if they are in a plane, 1 if they are on a line, 0 if they are in one place. */
@@ -157,7 +154,7 @@ package starlogo.geometry.hull
             {
                 return numbering(simplex.slice(0, dimension + 1));
             }
-            var grid:Vector.<Number> = new Vector.<Number>(_vertices.length);
+            var grid:Vector.<Number> = new Vector.<Number>(vertices.length);
             simplex[3] = dimension == 2 ? apex : simplex[3];
             return snapping(grid).begin(function():Steps
                 {
@@ -174,8 +171,9 @@ package starlogo.geometry.hull
         {
             var work:StepSequence = new StepSequence();
             var isPlane:Boolean = dimension == 2;
-            var count:int = _vertices.length / 3;
-            var from:Vector.<Number> = _vertices;
+            var vertices:Vector.<Number> = _simplex.vertices;
+            var count:int = vertices.length / 3;
+            var from:Vector.<Number> = vertices;
             var bounds:VertexBounds = _simplex.bounds;
             if (isPlane)
             {
@@ -190,7 +188,7 @@ package starlogo.geometry.hull
                 from = grid;
                 work.slices(count, VERTICES_PER_STEP, function(first:int, end:int):void
                     {
-                        placePoints(turning, _vertices, 3 * first, 3 * end, grid, 3 * first);
+                        placePoints(turning, vertices, 3 * first, 3 * end, grid, 3 * first);
                         bounds.add(grid, first, end);
                     });
             }
@@ -217,6 +215,7 @@ package starlogo.geometry.hull
         {
             return new StepSequence().call(function():void
                 {
+                    var vertices:Vector.<Number> = _simplex.vertices;
                     var positions:Vector.<int> = new Vector.<int>(apex);
                     var i:int;
                     for (i = 0; i < corners.length; i++)
@@ -229,7 +228,7 @@ package starlogo.geometry.hull
                         {
                             positions[i] = indices.length;
                             indices.push(i);
-                            points.push(_vertices[3 * i], _vertices[3 * i + 1], _vertices[3 * i + 2]);
+                            points.push(vertices[3 * i], vertices[3 * i + 1], vertices[3 * i + 2]);
                         }
                     }
                     for (i = 0; i < corners.length; i++)
@@ -244,7 +243,7 @@ package starlogo.geometry.hull
         // The index of the point above a plane's vertices.
         private function get apex():int
         {
-            return _vertices.length / 3;
+            return vertices.length / 3;
         }
 
         // The outline of vertices in a plane, as indices of vertices: the edges across from the apex in its triangles.

@@ -36,23 +36,19 @@ package starlogo.geometry.hull
         public var offset:Number;
 
         /** The first point on the list of points beyond this face, or -1 if there is none. */
-        public var firstOutside:int;
+        public var firstOutside:int = -1;
 
         /** The point on that list that is farthest from the plane, or -1 if there is none. */
-        public var farthest:int;
+        public var farthest:int = -1;
 
         /** The farthest point's distance from the plane. */
-        public var farthestDistance:Number;
-
-        /** The faces before and after this one in a list of OutsidePoints, or null. */
-        public var before:HullFace = null;
-        public var after:HullFace = null;
+        public var farthestDistance:Number = 0;
 
         /**
          * Whether QuickHull has done with this face: a vertex that was added later lies beyond it, so it is no longer part of the hull, or the walk over
          * the finished hull has listed it.
          */
-        public var isDone:Boolean;
+        public var isDone:Boolean = false;
 
         // The outward normal (b - a) x (c - a). It is exact, because its components are whole numbers below 2^53.
         private var _exactX:Number;
@@ -60,21 +56,18 @@ package starlogo.geometry.hull
         private var _exactZ:Number;
 
         /**
-         * Makes this a new face, which has no neighbours yet, and no points beyond it.
+         * A face without neighbours, and without points beyond it.
          *
          * @param points x, y, z of every point
          * @param a index of the first corner
          * @param b index of the second, counter-clockwise seen from outside
          * @param c index of the third
          */
-        public function setTo(points:Vector.<Number>, a:int, b:int, c:int):void
+        public function HullFace(points:Vector.<Number>, a:int, b:int, c:int)
         {
             this.a = a;
             this.b = b;
             this.c = c;
-            firstOutside = farthest = -1;
-            farthestDistance = 0;
-            isDone = false;
             var i:int = 3 * a;
             var x:Number = points[i];
             var y:Number = points[i + 1];

@@ -25,10 +25,12 @@ package starlogo.geometry.hull
         /** Three perpendicular unit vectors: see ConvexHull. */
         public var axes:Vector.<Number> = new <Number>[1, 0, 0, 0, 1, 0, 0, 0, 1];
 
+        /** The vertices, x, y, z of each. */
+        public var vertices:Vector.<Number>;
+
         /** The indices of the vertices found. Their number is at least <code>dimension</code> plus 1. */
         public var corners:Vector.<int> = new Vector.<int>();
 
-        private var _vertices:Vector.<Number>;
         private var _origin:Number;
 
         // The vertex that is farthest from the space spanned so far, and the square of its distance.
@@ -42,7 +44,7 @@ package starlogo.geometry.hull
          */
         public function InitialSimplex(vertices:Vector.<Number>, origin:Number)
         {
-            _vertices = vertices;
+            this.vertices = vertices;
             _origin = origin;
             call(measure);
         }
@@ -70,23 +72,23 @@ package starlogo.geometry.hull
 
         private function measure():void
         {
-            if (_vertices == null || _vertices.length == 0 || _vertices.length % 3 != 0)
+            if (vertices == null || vertices.length == 0 || vertices.length % 3 != 0)
             {
-                throw new ArgumentError(vertexProblem(_vertices));
+                throw new ArgumentError(vertexProblem(vertices));
             }
-            slices(_vertices.length / 3, VERTICES_PER_STEP, measureSome).call(checkBounds).call(findCorner);
+            slices(vertices.length / 3, VERTICES_PER_STEP, measureSome).call(checkBounds).call(findCorner);
         }
 
         private function measureSome(first:int, end:int):void
         {
-            bounds.add(_vertices, first, end);
+            bounds.add(vertices, first, end);
         }
 
         private function checkBounds():void
         {
             if (!bounds.areFinite)
             {
-                throw new ArgumentError(vertexProblem(_vertices));
+                throw new ArgumentError(vertexProblem(vertices));
             }
             VertexBounds.requireWithin(bounds.largest);
         }
@@ -95,7 +97,7 @@ package starlogo.geometry.hull
         private function findCorner():void
         {
             _greatestSquare = -1;
-            slices(_vertices.length / 3, VERTICES_PER_STEP, findFarthest).call(addCorner);
+            slices(vertices.length / 3, VERTICES_PER_STEP, findFarthest).call(addCorner);
         }
 
         private function addCorner():void
@@ -111,7 +113,7 @@ package starlogo.geometry.hull
         // plane.
         private function findFarthest(first:int, end:int):void
         {
-            var vertices:Vector.<Number> = _vertices;
+            var vertices:Vector.<Number> = this.vertices;
             var fromX:Number = (bounds.minX + bounds.maxX) / 2;
             var fromY:Number = (bounds.minY + bounds.maxY) / 2;
             var fromZ:Number = (bounds.minZ + bounds.maxZ) / 2;
@@ -147,9 +149,9 @@ package starlogo.geometry.hull
         private function addDimension():Boolean
         {
             var from:int = 3 * corners[0];
-            var x:Number = _vertices[3 * _farthest] - _vertices[from];
-            var y:Number = _vertices[3 * _farthest + 1] - _vertices[from + 1];
-            var z:Number = _vertices[3 * _farthest + 2] - _vertices[from + 2];
+            var x:Number = vertices[3 * _farthest] - vertices[from];
+            var y:Number = vertices[3 * _farthest + 1] - vertices[from + 1];
+            var z:Number = vertices[3 * _farthest + 2] - vertices[from + 2];
             // This is done twice, because the rounding left along the axes matters if the vertex is close to them.
             for (var i:int = 0; i < 2 * dimension; i++)
             {
@@ -187,8 +189,8 @@ package starlogo.geometry.hull
 
         private function along(axis:int, vertex:int):Number
         {
-            return _vertices[3 * vertex] * axes[3 * axis] + _vertices[3 * vertex + 1] * axes[3 * axis + 1]
-                + _vertices[3 * vertex + 2] * axes[3 * axis + 2];
+            return vertices[3 * vertex] * axes[3 * axis] + vertices[3 * vertex + 1] * axes[3 * axis + 1]
+                + vertices[3 * vertex + 2] * axes[3 * axis + 2];
         }
 
         private function setAxis(axis:int, x:Number, y:Number, z:Number):void

@@ -17,9 +17,8 @@ package starlogo.geometry.hull
         // For each point, the next point on its face's list, or -1.
         private var _next:Vector.<int>;
 
-        // The faces that have received a list, in a list for each level of their farthest points' distances. Each list begins with
-        // a dummy face.
-        private var _pending:Vector.<HullFace> = new Vector.<HullFace>(LEVELS, true);
+        // The faces that have received a list, in a stack for each level of their farthest points' distances. Some are buried by now.
+        private var _pending:Vector.<Vector.<HullFace>> = new Vector.<Vector.<HullFace>>(LEVELS, true);
 
         // How far the current redistribution is: the index of the next face whose list it takes, or -1 if there is no redistribution; and the next
         // point on the list of the face before, or -1.
@@ -35,13 +34,13 @@ package starlogo.geometry.hull
             _next = new Vector.<int>(points.length / 3);
             for (var i:int = 0; i < LEVELS; i++)
             {
-                _pending[i] = new HullFace();
+                _pending[i] = new Vector.<HullFace>();
             }
         }
 
         /**
-         * Returns the face of the hull whose farthest point is farthest from it, up to a factor of 2. Returns null if no face has points
-         * beyond it.
+         * Takes the face of the hull whose farthest point is farthest from it, up to a factor of 2. Returns null if no face has points
+         * beyond it. The farthest point must become a vertex now, which buries the face.
          *
          * <p>So the hull becomes finer everywhere at the same time. If one part of a curve were finished first, each vertex of the opposite
          * part would see most of its faces.</p>
@@ -50,15 +49,20 @@ package starlogo.geometry.hull
         {
             for (var level:int = LEVELS - 1; level >= 0; level--)
             {
-                if (_pending[level].after != null)
+                var faces:Vector.<HullFace> = _pending[level];
+                while (faces.length > 0)
                 {
-                    return _pending[level].after;
+                    var face:HullFace = faces.pop();
+                    if (!face.isDone)
+                    {
+                        return face;
+                    }
                 }
             }
             return null;
         }
 
-        // Adds faces that have received all of their points to the lists of faces.
+        // Adds faces that have received all of their points to the stacks.
         private function addPending(faces:Vector.<HullFace>):void
         {
             for each (var face:HullFace in faces)
@@ -70,29 +74,9 @@ package starlogo.geometry.hull
                     {
                         level++;
                     }
-                    face.before = _pending[level];
-                    face.after = face.before.after;
-                    face.before.after = face;
-                    if (face.after != null)
-                    {
-                        face.after.before = face;
-                    }
+                    _pending[level].push(face);
                 }
             }
-        }
-
-        /** Removes a face that was buried from the list that it is on, if there is one. */
-        public function remove(face:HullFace):void
-        {
-            if (face.before != null)
-            {
-                face.before.after = face.after;
-            }
-            if (face.after != null)
-            {
-                face.after.before = face.before;
-            }
-            face.before = face.after = null;
         }
 
         /** Whether lists are being redistributed. */

@@ -58,14 +58,10 @@ package starlogo.geometry.hull
          */
         public function get triangles():Vector.<int>
         {
-            var faces:Vector.<HullFace> = _faces;
-            var count:int = faces.length;
-            var corners:Vector.<int> = new Vector.<int>(3 * count);
-            for (var i:int = 0; i < count; i++)
+            var corners:Vector.<int> = new Vector.<int>();
+            for each (var face:HullFace in _faces)
             {
-                corners[3 * i] = faces[i].a;
-                corners[3 * i + 1] = faces[i].b;
-                corners[3 * i + 2] = faces[i].c;
+                corners.push(face.a, face.b, face.c);
             }
             return corners;
         }
@@ -77,8 +73,8 @@ package starlogo.geometry.hull
             _outside = new OutsidePoints(_points);
             _faceFrom = new Vector.<HullFace>(count);
             // A triangle with two sides. One of them sees the fourth corner.
-            var front:HullFace = newFace(a, b, c);
-            var back:HullFace = newFace(a, c, b);
+            var front:HullFace = new HullFace(_points, a, b, c);
+            var back:HullFace = new HullFace(_points, a, c, b);
             front.acrossAB = front.acrossBC = front.acrossCA = back;
             back.acrossAB = back.acrossBC = back.acrossCA = front;
             // The tetrahedron: three new faces and the side that d does not see. Its points come by assign(). The redistribution that addVertex() has
@@ -158,7 +154,7 @@ package starlogo.geometry.hull
                 bury(neighbor);
                 return;
             }
-            var created:HullFace = newFace(from, to, eye);
+            var created:HullFace = new HullFace(_points, from, to, eye);
             created.acrossAB = neighbor;
             neighbor.setNeighbor(to, from, created);
             _faceFrom[from] = created;
@@ -168,15 +164,7 @@ package starlogo.geometry.hull
         private function bury(face:HullFace):void
         {
             face.isDone = true;
-            _outside.remove(face);
             _seen.push(face);
-        }
-
-        private function newFace(a:int, b:int, c:int):HullFace
-        {
-            var face:HullFace = new HullFace();
-            face.setTo(_points, a, b, c);
-            return face;
         }
 
         // The walk over the hull that is built. It lists the faces, and counts how many edges meet at each point. Edges inside of a flat side are
@@ -239,7 +227,7 @@ package starlogo.geometry.hull
             }
             if (corners.length < _faces.length / 2 + 2)
             {
-                var base:HullFace = newFace(corners[0], corners[1], corners[2]);
+                var base:HullFace = new HullFace(_points, corners[0], corners[1], corners[2]);
                 var apex:int = 3;
                 while (base.side(_points, corners[apex]) == 0)
                 {

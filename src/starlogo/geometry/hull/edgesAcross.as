@@ -13,7 +13,7 @@ package starlogo.geometry.hull
     public function edgesAcross(triangles:Vector.<int>, cornerCount:int):Vector.<int>
     {
         var count:int = triangles.length;
-        var across:Vector.<int> = new Vector.<int>(count, true);
+        var across:Vector.<int> = new Vector.<int>(count);
         // the edges that begin at a corner, as a list: the first one, and for each edge the next one plus 1; 0 ends the list
         var first:Vector.<int> = new Vector.<int>(cornerCount, true);
         var next:Vector.<int> = new Vector.<int>(count, true);

@@ -35,9 +35,8 @@ package starlogo.fitting.hull
         private var _queue:EdgeQueue = new EdgeQueue();
         private var _collapse:EdgeCollapse = new EdgeCollapse();
 
-        // Whether there are two tips. The first one is the corner _tip, and the second one the next corner.
-        private var _hasTips:Boolean = false;
-        private var _tip:int;
+        // The first tip is this corner, and the second one the next; -1 if there are none.
+        private var _tip:int = -1;
 
         /**
          * @param session the vertices; their hull may not exist before the first step
@@ -73,7 +72,6 @@ package starlogo.fitting.hull
             if (hull.dimension == 2)
             {
                 points.push(0, 0, TIP, 0, 0, -TIP);
-                _hasTips = true;
                 _tip = hull.indices.length;
                 triangles = pyramidsOn(hull.outline);
             }
@@ -93,7 +91,7 @@ package starlogo.fitting.hull
         {
             return new StepSequence().slices(_solid.faceCount, FACES_PER_STEP, function(first:int, end:int):void
                 {
-                    for (var edge:int = 4 * first; edge < 4 * end; edge++)
+                    for (var edge:int = 3 * first; edge < 3 * end; edge++)
                     {
                         queueEdge(edge);
                     }
@@ -127,7 +125,7 @@ package starlogo.fitting.hull
 
         private function hasMoreThan(corners:int):Boolean
         {
-            return _solid.cornerCount - (_hasTips ? 2 : 0) > corners;
+            return _solid.cornerCount - (_tip < 0 ? 0 : 2) > corners;
         }
 
         // Takes the first edge of the queue and collapses it. Returns the first new face; -1 if the edge cannot collapse, or if its cost has increased
@@ -157,14 +155,14 @@ package starlogo.fitting.hull
             for (var face:int = firstFace; face < _solid.faceCount; face++)
             {
                 // the edge to the new corner; the first edge of a new face is where an earlier edge was
-                queueEdge(4 * face + 1);
+                queueEdge(3 * face + 1);
             }
         }
 
         // Queues an edge if it can collapse, unless it is queued already.
         private function queueEdge(edge:int):void
         {
-            if (!_solid.isEdge(edge) || isQueued(edge) || isTip(_solid.startOf(edge)) || isTip(_solid.endOf(edge)))
+            if (!_solid.isOnSurface(edge) || isQueued(edge) || isTip(_solid.startOf(edge)) || isTip(_solid.endOf(edge)))
             {
                 return;
             }
@@ -182,7 +180,7 @@ package starlogo.fitting.hull
 
         private function isTip(corner:int):Boolean
         {
-            return _hasTips && (corner == _tip || corner == _tip + 1);
+            return _tip >= 0 && (corner == _tip || corner == _tip + 1);
         }
 
         // The triangles from the edges of a polygon to both tips.
@@ -200,7 +198,7 @@ package starlogo.fitting.hull
 
         private function withoutTips(points:Vector.<Number>):Vector.<Number>
         {
-            if (!_hasTips)
+            if (_tip < 0)
             {
                 return points;
             }

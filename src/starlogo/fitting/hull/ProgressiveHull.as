@@ -9,7 +9,7 @@ package starlogo.fitting.hull
      * collapse, so that it has fewer corners and grows. A new corner outside of all faces at both ends takes the place of an edge. These faces and
      * both ends are then inside of the solid.
      *
-     * <p>The coordinates of corners are about 1. Faces and edges are numbered, and keep their numbers. Edge 4 f + k is an edge of face f,
+     * <p>The coordinates of corners are about 1. Faces and edges are numbered, and keep their numbers. Edge 3 f + k is an edge of face f,
      * with k from 0 to 2. It runs from one corner of the face to the next one, counter-clockwise seen from outside. The face across has
      * another edge, which runs the other way.</p>
      *
@@ -46,16 +46,11 @@ package starlogo.fitting.hull
         public function ProgressiveHull(points:Vector.<Number>, triangles:Vector.<int>)
         {
             _points = points.concat();
-            var across:Vector.<int> = edgesAcross(triangles, points.length / 3);
-            for (var i:int = 0; i < across.length; i += 3)
+            for (var i:int = 0; i < triangles.length; i += 3)
             {
                 addFace(triangles[i], triangles[i + 1], triangles[i + 2]);
-                for (var k:int = 0; k < 3; k++)
-                {
-                    var other:int = across[i + k];
-                    _across[4 * int(i / 3) + k] = 4 * int(other / 3) + other % 3;
-                }
             }
+            _across = edgesAcross(triangles, points.length / 3);
         }
 
         /** The number of corners. A closed surface of triangles has two more than half the number of its faces (Euler). */
@@ -78,7 +73,7 @@ package starlogo.fitting.hull
             for (var edge:int = 0; edge < _corners.length; edge++)
             {
                 var corner:int = _corners[edge];
-                if (isEdge(edge) && !isTaken[corner])
+                if (isOnSurface(edge) && !isTaken[corner])
                 {
                     isTaken[corner] = true;
                     result.push(_points[3 * corner], _points[3 * corner + 1], _points[3 * corner + 2]);
@@ -87,10 +82,10 @@ package starlogo.fitting.hull
             return result;
         }
 
-        /** Whether there is an edge with this number, and it is on the present surface. */
-        public function isEdge(number:int):Boolean
+        /** Whether an edge is on the present surface. */
+        public function isOnSurface(edge:int):Boolean
         {
-            return (number & 3) < 3 && _isBuried[number >> 2] == 0;
+            return _isBuried[faceOf(edge)] == 0;
         }
 
         /** The corner at which an edge begins. */
@@ -114,7 +109,7 @@ package starlogo.fitting.hull
         /** The edge of the present surface that is where an earlier edge was; -1 if there is none. */
         public function currentEdge(edge:int):int
         {
-            while (_isBuried[edge >> 2] == 1)
+            while (!isOnSurface(edge))
             {
                 var other:int = _across[edge];
                 if (_across[other] == edge)
@@ -129,13 +124,13 @@ package starlogo.fitting.hull
         /** The shortest edge of a face. */
         public function shortestEdge(face:int):int
         {
-            return shortest(4 * face, 4 * face + 3, 1);
+            return shortest(3 * face, 3 * face + 3, 1);
         }
 
         /** The shortest edge at the corner that collapse() made last. @param face the first new face */
         public function shortestNewEdge(face:int):int
         {
-            return shortest(4 * face + 1, 4 * faceCount, 4);
+            return shortest(3 * face + 1, 3 * faceCount, 3);
         }
 
         private function shortest(first:int, end:int, step:int):int
@@ -214,13 +209,13 @@ package starlogo.fitting.hull
             for each (var edge:int in outline)
             {
                 made = addFace(startOf(edge), endOf(edge), corner);
-                join(4 * made, _across[edge]);
+                join(3 * made, _across[edge]);
                 if (made > first)
                 {
-                    join(4 * made + 2, 4 * (made - 1) + 1);
+                    join(3 * made + 2, 3 * (made - 1) + 1);
                 }
             }
-            join(4 * first + 2, 4 * made + 1);
+            join(3 * first + 2, 3 * made + 1);
             return first;
         }
 
@@ -233,14 +228,14 @@ package starlogo.fitting.hull
             var next:int = edge;
             do
             {
-                var face:int = next >> 2;
+                var face:int = next / 3;
                 if (marks[face] != mark)
                 {
                     marks[face] = mark;
                     out.faces[count] = face;
                     count++;
                 }
-                next = _across[(next & 3) == 0 ? next + 2 : next - 1];
+                next = _across[next == 3 * face ? next + 2 : next - 1];
             }
             while (next != edge && count <= MAX_FACES);
             out.faceCount = count;
@@ -264,9 +259,9 @@ package starlogo.fitting.hull
                 var first:int = 4 * face;
                 var height:Number = planes[first] * x + planes[int(first + 1)] * y + planes[int(first + 2)] * z - planes[int(first + 3)];
                 sum += height > 0 ? height * _areas[face] : 0;
-                for (var edge:int = first; edge < first + 3; edge++)
+                for (var edge:int = 3 * face; edge < 3 * face + 3; edge++)
                 {
-                    var neighbor:int = _across[edge] >> 2;
+                    var neighbor:int = faceOf(_across[edge]);
                     if (marks[neighbor] == mark)
                     {
                         continue;
@@ -302,7 +297,7 @@ package starlogo.fitting.hull
             for (var i:int = 0; i < by.faceCount; i++)
             {
                 var face:int = by.faces[i];
-                for (var edge:int = 4 * face; edge < 4 * face + 3; edge++)
+                for (var edge:int = 3 * face; edge < 3 * face + 3; edge++)
                 {
                     if (isBorder(edge))
                     {
@@ -327,7 +322,7 @@ package starlogo.fitting.hull
 
         private function isBorder(edge:int):Boolean
         {
-            return _isBuried[_across[edge] >> 2] == 0;
+            return isOnSurface(_across[edge]);
         }
 
         private function join(edge:int, other:int):void
@@ -368,15 +363,20 @@ package starlogo.fitting.hull
             _planes[4 * face + 2] = z;
             _planes[4 * face + 3] = offset;
             _isBuried[face] = 0;
-            _corners.push(a, b, c, -1);
-            _across.push(-1, -1, -1, -1);
+            _corners.push(a, b, c);
+            _across.push(-1, -1, -1);
             _surfaceFaceCount++;
             return face;
         }
 
         private static function after(edge:int):int
         {
-            return (edge & 3) == 2 ? edge - 2 : edge + 1;
+            return edge % 3 == 2 ? edge - 2 : edge + 1;
+        }
+
+        private static function faceOf(edge:int):int
+        {
+            return edge / 3;
         }
     }
 }

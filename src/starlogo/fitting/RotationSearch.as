@@ -34,11 +34,7 @@ package starlogo.fitting
         // The indices of the corners' first numbers in the order in which they are tried: the four that were extreme at an earlier rotation, then all.
         private var _order:Vector.<int> = new Vector.<int>(4);
 
-        private var _incrementXY:Number;
-        private var _incrementZ:Number;
-
-        // The state of the search: the number of rotations about x and y that are done, and the best rotation so far.
-        private var _doneCount:int = 0;
+        // The best rotation so far.
         private var _leastVolume:Number = Infinity;
         private var _bestRotation:Placement = new Placement();
 
@@ -49,17 +45,24 @@ package starlogo.fitting
          */
         public function RotationSearch(session:FitSession, incrementXY:Number, incrementZ:Number)
         {
-            _incrementXY = incrementXY;
-            _incrementZ = incrementZ;
+            var perAxis:int = Math.ceil(90 / incrementXY);
+            var next:int = 0;
+            var least:Number;
             call(function():void
                 {
                     _hull = session.hull;
+                    least = _hull.volume * (1 + Tolerances.FIT_TIE);
                     _rotated = new Vector.<Number>(_hull.points.length);
                     for (var i:int = 0; i < _rotated.length; i += 3)
                     {
                         _order.push(i);
                     }
-                }).repeat(tryNext);
+                }).repeat(function():Boolean
+                {
+                    tryAboutZ(int(next / perAxis) * incrementXY, next % perAxis * incrementXY, incrementZ, next % 2 == 1);
+                    next++;
+                    return next < perAxis * perAxis && _leastVolume > least;
+                });
         }
 
         /**
@@ -76,37 +79,28 @@ package starlogo.fitting
             return degrees;
         }
 
-        // Tries all rotations about z that follow the next one about x and y. Returns false if there are no more.
-        private function tryNext():Boolean
+        // Tries the rotations about z, backwards or not, that follow a rotation about x and y.
+        private function tryAboutZ(aboutX:Number, aboutY:Number, increment:Number, isBackwards:Boolean):void
         {
-            var perAxis:int = Math.ceil(90 / _incrementXY);
-            var aboutX:Number = int(_doneCount / perAxis) * _incrementXY;
-            var aboutY:Number = _doneCount % perAxis * _incrementXY;
             var rotation:Placement = new Placement();
             rotation.setRotation(0, aboutY, aboutX);
             Placement.scaleAndTurnPoints(rotation, _hull.points, _rotated);
             // the least length that counts for a side
             var shortest:Number = _hull.flatness;
             var thickness:Number = Math.max(2 * EnclosingStructures.extentAlong(_rotated, 0, 0, 1)[1], shortest);
-            var count:int = Math.ceil(90 / _incrementZ);
+            var count:int = Math.ceil(90 / increment);
             for (var i:int = 0; i < count; i++)
             {
                 // the order decides which of several equally small boxes counts
-                var aboutZ:Number = (_doneCount % 2 == 0 ? i : count - 1 - i) * _incrementZ;
+                var aboutZ:Number = (isBackwards ? count - 1 - i : i) * increment;
                 var limit:Number = _leastVolume * (1 - Tolerances.FIT_TIE);
                 var volume:Number = thickness * areaAround(Trigonometry.cosine(aboutZ), Trigonometry.sine(aboutZ), shortest, limit / thickness);
                 if (volume < limit)
                 {
                     _leastVolume = volume;
                     _bestRotation.setRotation(aboutZ, aboutY, aboutX);
-                    if (volume <= _hull.volume * (1 + Tolerances.FIT_TIE))
-                    {
-                        return false;
-                    }
                 }
             }
-            _doneCount++;
-            return _doneCount < perAxis * perAxis;
         }
 
         /** The smallest box of the rotations tried so far, around all vertices. */

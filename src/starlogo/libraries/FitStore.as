@@ -153,35 +153,21 @@ package starlogo.libraries
         {
             var name:String = nameOf(geometryKey, settings);
             var others:Array = linesWithout(name);
-            var isStored:Boolean = evictTo(others, _usableCapacity - bytes.length) && storeAfter(name, bytes, others);
-            if (!isStored && bytes.length <= _usableCapacity)
+            for (var attempt:int = 0; attempt < 2 && bytes.length <= _usableCapacity; attempt++)
             {
-                _usableCapacity = Math.max(lengthOf(others), bytes.length - 1);
-                isStored = evictTo(others, _usableCapacity - bytes.length) && storeAfter(name, bytes, others);
-            }
-            return isStored;
-        }
-
-        // Removes the first entries of a list until they have at most so many bytes. Returns false, and removes nothing, if there is no such list.
-        private function evictTo(lines:Array, most:Number):Boolean
-        {
-            while (most >= 0 && lengthOf(lines) > most)
-            {
-                _storage.remove(nameIn(lines.shift()));
-            }
-            return most >= 0;
-        }
-
-        // Stores an entry after others in the list. If that is refused, only those others are left. Returns whether it is stored.
-        private function storeAfter(name:String, bytes:ByteArray, others:Array):Boolean
-        {
-            var isStored:Boolean = _storage.write(name, bytes) && writeList(others.concat(lineOf(name, bytes)));
-            if (!isStored)
-            {
+                while (lengthOf(others) > _usableCapacity - bytes.length)
+                {
+                    _storage.remove(nameIn(others.shift()));
+                }
+                if (_storage.write(name, bytes) && writeList(others.concat(lineOf(name, bytes))))
+                {
+                    return true;
+                }
                 _storage.remove(name);
                 writeListOrEvict(others);
+                _usableCapacity = Math.max(lengthOf(others), bytes.length - 1);
             }
-            return isStored;
+            return false;
         }
 
         // Makes an entry the most recently used one. Returns a copy of its bytes; null if there is none.

@@ -60,12 +60,10 @@ package starlogo.libraries
             }
         }
 
-        /** Returns the largest coordinate of a shape's vertices. Throws an ArgumentError if it is beyond 1e60. */
-        public static function requireCoordinates(name:String, vertices:Vector.<Number>):Number
+        /** Throws an ArgumentError if a coordinate of a shape's vertices is beyond 1e60. */
+        public static function requireCoordinates(name:String, vertices:Vector.<Number>):void
         {
-            var largest:Number = VertexBounds.of(vertices).largest;
-            VertexBounds.requireWithin(largest, problemOf(name, ""));
-            return largest;
+            VertexBounds.requireWithin(VertexBounds.of(vertices).largest, problemOf(name, ""));
         }
 
         /** The error for something that is wrong with a shape. */

@@ -33,14 +33,10 @@ package starlogo.libraries
 
         private var _model:Model;
 
-        // how often the model was posed before this work, and its largest coordinate
+        // how often the model was posed before this work
         private var _poseCount:int;
-        private var _largestCoordinate:Number;
 
         private var _settings:FitSettings;
-
-        // Finds the structures. Null if none are wanted, or if the cooked file has them.
-        private var _structuresBuilder:StructuresBuilder = null;
 
         /**
          * @param model the model
@@ -53,7 +49,7 @@ package starlogo.libraries
         {
             _model = model;
             _poseCount = model.poseCount;
-            _largestCoordinate = ModelTable.requireCoordinates(model.name, model.vertices);
+            ModelTable.requireCoordinates(model.name, model.vertices);
             _settings = new FitSettings(structuresLibrary, hierarchiesLibrary);
             tree = hierarchiesLibrary == null ? null : hierarchiesLibrary.newTree(model.vertices, model.triangles);
             structures = structuresLibrary == null ? null : structuresLibrary.newStructures(model.vertices);
@@ -61,17 +57,15 @@ package starlogo.libraries
             {
                 takeFrom(model.data.cooked);
             }
-            if (!hasStructures)
-            {
-                _structuresBuilder = structuresLibrary.newBuilder(model.name, structures);
-            }
+            // it has the fitters' settings as they are now
+            var fitting:Steps = hasStructures ? null : structuresLibrary.newBuilder(model.name, structures);
             if (store == null || isComplete)
             {
-                add(computing());
+                add(computing(fitting));
             }
             else
             {
-                addStoring(store);
+                addStoring(store, fitting);
             }
         }
 
@@ -114,7 +108,7 @@ package starlogo.libraries
         }
 
         // Adds the work that takes results from a store, computes what it does not have, and stores all.
-        private function addStoring(store:FitStore):void
+        private function addStoring(store:FitStore, fitting:Steps):void
         {
             var geometryKey:Fingerprint = new Fingerprint();
             var stored:CookedFile = null;
@@ -124,18 +118,18 @@ package starlogo.libraries
                     return stored;
                 }).begin(function():Steps
                 {
-                    return completing(stored, geometryKey, store);
+                    return completing(stored, geometryKey, store, fitting);
                 });
         }
 
         // Takes what is in a file of a store. The work that it returns computes the rest, and stores all.
-        private function completing(stored:CookedFile, geometryKey:Fingerprint, store:FitStore):Steps
+        private function completing(stored:CookedFile, geometryKey:Fingerprint, store:FitStore, fitting:Steps):Steps
         {
             if (stored.hasKey(CookedFile.MODEL, geometryKey))
             {
                 takeFrom(stored);
             }
-            return isComplete || !store.hasRoomFor(_model, tree != null) ? computing() : computing().call(function():void
+            return isComplete || !store.hasRoomFor(_model, tree != null) ? computing(fitting) : computing(fitting).call(function():void
                 {
                     var bytes:ByteArray = bytesOfResults(geometryKey, null);
                     // results that cannot be stored are computed each time
@@ -146,13 +140,13 @@ package starlogo.libraries
                 });
         }
 
-        // The work that computes what is missing.
-        private function computing():StepSequence
+        // The work that computes what is missing. @param fitting finds the structures
+        private function computing(fitting:Steps):StepSequence
         {
             var work:StepSequence = new StepSequence();
             if (!hasStructures)
             {
-                work.add(_structuresBuilder);
+                work.add(fitting);
             }
             if (tree != null && (_settings.preparesExact || tree.restoring == null))
             {
@@ -184,8 +178,8 @@ package starlogo.libraries
         // Takes the structures in a file, if it has all that are wanted. The smallest sphere may be in the hull's place.
         private function takeStructures(file:CookedFile):void
         {
-            var found:Vector.<BoundingStructure> = CookedStructures.read(_settings.sectionOf(file, CookedFile.STRUCTURES), BoundingStructure.BOX, _largestCoordinate);
-            var hulls:Vector.<BoundingStructure> = CookedStructures.read(_settings.sectionOf(file, CookedFile.HULL), BoundingStructure.HULL, _largestCoordinate);
+            var found:Vector.<BoundingStructure> = CookedStructures.read(_settings.sectionOf(file, CookedFile.STRUCTURES), BoundingStructure.BOX, _model.vertices);
+            var hulls:Vector.<BoundingStructure> = CookedStructures.read(_settings.sectionOf(file, CookedFile.HULL), BoundingStructure.HULL, _model.vertices);
             var hull:BoundingStructure = hulls == null ? null : hulls[BoundingStructure.HULL] || hulls[BoundingStructure.SPHERE];
             if (found != null && (hulls != null || !_settings.keepsHull))
             {
@@ -197,7 +191,7 @@ package starlogo.libraries
         private function structuresSection(found:Vector.<BoundingStructure>, lastKind:int):ByteArray
         {
             var bytes:ByteArray = CookedStructures.write(found);
-            return CookedStructures.read(bytes, lastKind, _largestCoordinate) == null ? null : bytes;
+            return CookedStructures.read(bytes, lastKind, _model.vertices) == null ? null : bytes;
         }
 
         // The bytes of a file with the results. It has the surface if that is prepared. @param model the bytes of the model; null for none

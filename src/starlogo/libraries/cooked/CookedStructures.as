@@ -9,6 +9,7 @@ package starlogo.libraries.cooked
     import starlogo.bounding.Sphere;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
+    import starlogo.geometry.vertices.VertexBounds;
     import starlogo.models.cooked.CookedFile;
 
     use namespace engine;
@@ -58,23 +59,24 @@ package starlogo.libraries.cooked
          *
          * @param bytes the section; null for none
          * @param lastKind the last kind that there may be
-         * @param largestCoordinate the model's
+         * @param vertices the model's
          * @return a structure, or null, for each kind up to the last one. Null if there is no section, or if it has no structure, one that cannot
          * exist, or one much larger than the model
          */
-        public static function read(bytes:ByteArray, lastKind:int, largestCoordinate:Number):Vector.<BoundingStructure>
+        public static function read(bytes:ByteArray, lastKind:int, vertices:Vector.<Number>):Vector.<BoundingStructure>
         {
             if (bytes == null || bytes.length < 4)
             {
                 return null;
             }
             var all:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(lastKind + 1);
+            var limit:Number = Math.max(1, LARGEST_FACTOR * VertexBounds.of(vertices).largest);
             var kinds:int = bytes.readInt();
             for (var kind:int = 0; kind <= lastKind; kind++)
             {
                 if ((kinds >> kind & 1) == 1)
                 {
-                    all[kind] = structureIn(bytes, kind, Math.max(1, LARGEST_FACTOR * largestCoordinate));
+                    all[kind] = structureIn(bytes, kind, limit);
                     if (all[kind] == null)
                     {
                         return null;

@@ -33,9 +33,6 @@ package starlogo.libraries.cooked
         private var _tree:BoxTree;
         private var _maxDepth:int;
 
-        // The nodes that still have to be read, the next one last.
-        private var _waiting:Vector.<int> = new Vector.<int>();
-
         /**
          * Creates the work that restores a tree.
          *
@@ -95,6 +92,8 @@ package starlogo.libraries.cooked
             var primitives:Vector.<int> = new Vector.<int>(count, true);
             var isListed:Vector.<Boolean> = new Vector.<Boolean>(count, true);
             var width:int = widthFor(count);
+            // the nodes that still have to be read, the next one last
+            var waiting:Vector.<int> = new <int>[0];
             slices(count, PRIMITIVES_PER_STEP, function(first:int, end:int):void
                 {
                     for (var i:int = first; i < end && !isRefused; i++)
@@ -115,8 +114,10 @@ package starlogo.libraries.cooked
                 {
                     _tree.primitives = primitives;
                     _tree.beginNodes();
-                    _waiting.push(0);
-                }).repeat(readNodes).begin(measuring);
+                }).repeat(function():Boolean
+                {
+                    return readNodes(waiting);
+                }).begin(measuring);
         }
 
         /** @inheritDoc */
@@ -133,23 +134,20 @@ package starlogo.libraries.cooked
             return false;
         }
 
-        private function readNodes():Boolean
+        // Returns whether there are more.
+        private function readNodes(waiting:Vector.<int>):Boolean
         {
-            for (var i:int = 0; i < NODES_PER_STEP && _waiting.length > 0; i++)
+            for (var i:int = 0; i < NODES_PER_STEP && waiting.length > 0 && !isRefused; i++)
             {
-                if (!readNode(_waiting.pop(), VarInt.read(_bytes)))
-                {
-                    isRefused = true;
-                    return false;
-                }
+                isRefused = !readNode(waiting.pop(), VarInt.read(_bytes), waiting);
             }
-            return _waiting.length > 0;
+            return waiting.length > 0;
         }
 
-        // Reads a node. Returns whether its code is right: the children must divide its primitives between them, and a node without children must be
-        // small. Below the thesis's leaves, deep nodes must be divided as a BoxTreeBuilder divides them, so that a file cannot make a tree as deep
-        // as the number of its primitives.
-        private function readNode(node:int, code:int):Boolean
+        // Reads a node, and adds its children to those that wait. Returns whether its code is right: the children must divide its primitives between
+        // them, and a node without children must be small. Below the thesis's leaves, deep nodes must be divided as a BoxTreeBuilder divides them, so
+        // that a file cannot make a tree as deep as the number of its primitives.
+        private function readNode(node:int, code:int, waiting:Vector.<int>):Boolean
         {
             if (code <= 0)
             {
@@ -166,7 +164,7 @@ package starlogo.libraries.cooked
                 return false;
             }
             var left:int = _tree.addChildren(node, division % BELOW, splitIndex, division >= BELOW);
-            _waiting.push(left + 1, left);
+            waiting.push(left + 1, left);
             return true;
         }
 

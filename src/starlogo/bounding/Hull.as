@@ -133,7 +133,7 @@ package starlogo.bounding
         /** @inheritDoc */
         override public function get volume():Number
         {
-            return topology.dimension == 3 ? ConvexHull.volumeInside(relativeCorners, faces, 0, 0, 0) : 0;
+            return topology.dimension == 3 ? ConvexHull.volumeInside(relativeCorners, faces) : 0;
         }
 
         /** @inheritDoc */
@@ -150,10 +150,17 @@ package starlogo.bounding
         /** @inheritDoc */
         override public function contains(point:Vector3D):Boolean
         {
+            var farthest:Number = farthestCorner(relativeCorners);
+            var tolerance:Number = slack(farthest, center);
+            // The kernel takes no NaN, and no coordinates beyond the limits of structures.
+            if (!(Vector3D.distance(point, center) <= farthest + radius + tolerance))
+            {
+                return false;
+            }
             var ball:ConvexShape = new ConvexShape();
             var hull:ConvexShape = new ConvexShape();
             ball.setPoint(point);
-            ball.radius = slack(farthestCorner(relativeCorners), center);
+            ball.radius = tolerance;
             setShape(hull);
             return sKernel.areTouching(ball, hull);
         }

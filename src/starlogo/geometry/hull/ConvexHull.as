@@ -115,19 +115,22 @@ package starlogo.geometry.hull
         /** The volume of the hull, in cubic units; 0 without triangles. No convex shape around the vertices has a smaller volume. */
         public function get volume():Number
         {
-            return volumeInside(points, triangles, points[0], points[1], points[2]);
+            return volumeInside(points, triangles);
         }
 
         /**
-         * The volume inside of a closed surface: the sum of the tetrahedra from a point to each triangle.
+         * The volume inside of a closed surface: the sum of the tetrahedra from its first corner to each triangle.
          *
          * @param points x, y, z of each corner
          * @param triangles three corners each, counter-clockwise seen from outside
          * @private
          */
-        engine static function volumeInside(points:Vector.<Number>, triangles:Vector.<int>, fromX:Number, fromY:Number, fromZ:Number):Number
+        engine static function volumeInside(points:Vector.<Number>, triangles:Vector.<int>):Number
         {
             var sum:Number = 0;
+            var fromX:Number = points[0];
+            var fromY:Number = points[1];
+            var fromZ:Number = points[2];
             for (var i:int = 0; i < triangles.length; i += 3)
             {
                 var a:int = 3 * triangles[i];

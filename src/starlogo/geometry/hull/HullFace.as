@@ -44,6 +44,10 @@ package starlogo.geometry.hull
         /** The farthest point's distance from the plane. */
         public var farthestDistance:Number = 0;
 
+        /** The faces before and after this one in a list of OutsidePoints, or null. */
+        public var before:HullFace = null;
+        public var after:HullFace = null;
+
         /**
          * Whether QuickHull has done with this face: a vertex that was added later lies beyond it, so it is no longer part of the hull, or the walk over
          * the finished hull has listed it.

@@ -76,12 +76,10 @@ package starlogo.geometry.hull
             {
                 throw new ArgumentError(vertexProblem(vertices));
             }
-            slices(vertices.length / 3, VERTICES_PER_STEP, measureSome).call(checkBounds).call(findCorner);
-        }
-
-        private function measureSome(first:int, end:int):void
-        {
-            bounds.add(vertices, first, end);
+            slices(vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
+                {
+                    bounds.add(vertices, first, end);
+                }).call(checkBounds).call(findCorner);
         }
 
         private function checkBounds():void

@@ -17,13 +17,8 @@ package starlogo.geometry.hull
         // For each point, the next point on its face's list, or -1.
         private var _next:Vector.<int>;
 
-        // The faces that have received a list, in a stack for each level of their farthest points' distances. Some are buried by now.
-        private var _pending:Vector.<Vector.<HullFace>> = new Vector.<Vector.<HullFace>>(LEVELS, true);
-
-        // How far the current redistribution is: the index of the next face whose list it takes, or -1 if there is no redistribution; and the next
-        // point on the list of the face before, or -1.
-        private var _nextFrom:int = -1;
-        private var _point:int = -1;
+        // The faces that have received a list, in a linked list for each level of their farthest points' distances. Each begins with a dummy face.
+        private var _pending:Vector.<HullFace> = new Vector.<HullFace>(LEVELS, true);
 
         /**
          * @param points x, y, z of every point
@@ -34,13 +29,13 @@ package starlogo.geometry.hull
             _next = new Vector.<int>(points.length / 3);
             for (var i:int = 0; i < LEVELS; i++)
             {
-                _pending[i] = new Vector.<HullFace>();
+                _pending[i] = new HullFace(points, 0, 0, 0);
             }
         }
 
         /**
-         * Takes the face of the hull whose farthest point is farthest from it, up to a factor of 2. Returns null if no face has points
-         * beyond it. The farthest point must become a vertex now, which buries the face.
+         * Returns the face of the hull whose farthest point is farthest from it, up to a factor of 2. Returns null if no face has points
+         * beyond it.
          *
          * <p>So the hull becomes finer everywhere at the same time. If one part of a curve were finished first, each vertex of the opposite
          * part would see most of its faces.</p>
@@ -49,21 +44,16 @@ package starlogo.geometry.hull
         {
             for (var level:int = LEVELS - 1; level >= 0; level--)
             {
-                var faces:Vector.<HullFace> = _pending[level];
-                while (faces.length > 0)
+                if (_pending[level].after != null)
                 {
-                    var face:HullFace = faces.pop();
-                    if (!face.isDone)
-                    {
-                        return face;
-                    }
+                    return _pending[level].after;
                 }
             }
             return null;
         }
 
-        // Adds faces that have received all of their points to the stacks.
-        private function addPending(faces:Vector.<HullFace>):void
+        /** Adds faces that have received all of their points to the lists of faces. */
+        public function addPending(faces:Vector.<HullFace>):void
         {
             for each (var face:HullFace in faces)
             {
@@ -74,39 +64,45 @@ package starlogo.geometry.hull
                     {
                         level++;
                     }
-                    _pending[level].push(face);
+                    face.before = _pending[level];
+                    face.after = face.before.after;
+                    face.before.after = face;
+                    if (face.after != null)
+                    {
+                        face.after.before = face;
+                    }
                 }
             }
         }
 
-        /** Whether lists are being redistributed. */
-        public function get isRedistributing():Boolean
+        /** Removes a face that was buried from the list that it is on, if there is one. */
+        public function remove(face:HullFace):void
         {
-            return _nextFrom >= 0;
-        }
-
-        /** Begins to redistribute the lists of some faces to others. */
-        public function beginRedistribution():void
-        {
-            _nextFrom = 0;
+            if (face.before != null)
+            {
+                face.before.after = face.after;
+            }
+            if (face.after != null)
+            {
+                face.after.before = face.before;
+            }
+            face.before = face.after = null;
         }
 
         /**
-         * Continues the redistribution.
+         * Redistributes the lists of some faces to others.
          *
-         * @param from the faces whose lists are redistributed; the same in all calls until the end
-         * @param to the faces that receive the points, the same in all calls. Their third corner is the new vertex, which is on no list any more
-         * @param most the largest number of points to take
-         * @return the number of points taken
+         * @param from the faces that a new vertex has buried
+         * @param to the faces that receive the points. Their third corner is the new vertex, which is on no list any more
+         * @return the number of points
          */
-        public function redistributeSome(from:Vector.<HullFace>, to:Vector.<HullFace>, most:int):int
+        public function redistribute(from:Vector.<HullFace>, to:Vector.<HullFace>):int
         {
             var count:int = 0;
-            var point:int = _point;
             var vertex:int = to[0].c;
-            while (count < most)
+            for each (var face:HullFace in from)
             {
-                if (point >= 0)
+                for (var point:int = face.firstOutside; point >= 0; point = next)
                 {
                     var next:int = _next[point];
                     if (point != vertex)
@@ -114,20 +110,9 @@ package starlogo.geometry.hull
                         assign(point, to);
                     }
                     count++;
-                    point = next;
-                }
-                else if (_nextFrom < from.length)
-                {
-                    point = from[_nextFrom++].firstOutside;
-                }
-                else
-                {
-                    _nextFrom = -1;
-                    addPending(to);
-                    break;
                 }
             }
-            _point = point;
+            addPending(to);
             return count;
         }
 

@@ -14,7 +14,7 @@ package starlogo.geometry.hull
      * Tolerances.HULL_COPLANAR above it. So the hull is convex, and a point may be outside of it by that much.</p>
      *
      * <p>The cost is about n log n for n points, for curves and rings too: OutsidePoints chooses the next vertex so that few faces see it. A
-     * step takes one or two milliseconds.</p>
+     * step takes one or two milliseconds for thousands of points. A new vertex may take a pass over them all.</p>
      *
      * @private
      */
@@ -77,10 +77,9 @@ package starlogo.geometry.hull
             var back:HullFace = new HullFace(_points, a, c, b);
             front.acrossAB = front.acrossBC = front.acrossCA = back;
             back.acrossAB = back.acrossBC = back.acrossCA = front;
-            // The tetrahedron: three new faces and the side that d does not see. Its points come by assign(). The redistribution that addVertex() has
-            // begun moves none, but its end lists these faces as pending.
+            // The tetrahedron: three new faces and the side that d does not see.
             var seesFront:Boolean = front.side(_points, d) > 0;
-            addVertex(d, seesFront ? front : back);
+            replaceSeenFaces(d, seesFront ? front : back);
             _created.push(seesFront ? back : front);
             // The order decides which face takes a point that is beyond several, and so which points HULL_COPLANAR leaves out.
             _created.reverse();
@@ -90,45 +89,29 @@ package starlogo.geometry.hull
                     {
                         _outside.assign(among == null ? i : among[i], _created);
                     }
+                }).call(function():void
+                {
+                    _outside.addPending(_created);
                 }).repeat(grow).begin(listingFaces);
         }
 
         private function grow():Boolean
         {
-            var testCount:int = 0;
-            while (testCount <= TESTS_PER_STEP)
+            for (var testCount:int = 0; testCount <= TESTS_PER_STEP; testCount += TESTS_PER_FACE * _created.length)
             {
-                if (_outside.isRedistributing)
-                {
-                    var most:int = (TESTS_PER_STEP - testCount) / _created.length + 1;
-                    testCount += _outside.redistributeSome(_seen, _created, most) * _created.length;
-                    continue;
-                }
                 var face:HullFace = _outside.nextFace();
                 if (face == null)
                 {
                     return false;
                 }
-                addVertex(face.farthest, face);
-                testCount += TESTS_PER_FACE * _created.length;
+                replaceSeenFaces(face.farthest, face);
+                testCount += _outside.redistribute(_seen, _created) * _created.length;
             }
             return true;
         }
 
-        private function addVertex(eye:int, face:HullFace):void
-        {
-            findFaces(eye, face);
-            for each (var created:HullFace in _created)
-            {
-                var next:HullFace = _faceFrom[created.b];
-                created.acrossBC = next;
-                next.acrossCA = created;
-            }
-            _outside.beginRedistribution();
-        }
-
-        // Fills _seen with the faces that the eye sees, and _created with a face from the eye to each edge around them.
-        private function findFaces(eye:int, face:HullFace):void
+        // Makes a point a vertex. Fills _seen with the faces that it sees, one of which is given, and _created with a face from it to each edge around them.
+        private function replaceSeenFaces(eye:int, face:HullFace):void
         {
             _created.length = 0;
             _seen.length = 0;
@@ -139,6 +122,12 @@ package starlogo.geometry.hull
                 visit(eye, face.acrossAB, face.a, face.b);
                 visit(eye, face.acrossBC, face.b, face.c);
                 visit(eye, face.acrossCA, face.c, face.a);
+            }
+            for each (var created:HullFace in _created)
+            {
+                var next:HullFace = _faceFrom[created.b];
+                created.acrossBC = next;
+                next.acrossCA = created;
             }
         }
 
@@ -164,6 +153,7 @@ package starlogo.geometry.hull
         private function bury(face:HullFace):void
         {
             face.isDone = true;
+            _outside.remove(face);
             _seen.push(face);
         }
 

@@ -38,12 +38,6 @@ package starlogo.fitting.minimal
 
         private var _points:Vector.<Number>;
 
-        // by point: the square of its distance from the segment
-        private var _squares:Vector.<Number>;
-
-        private var _stepSize:Number = 0.1;
-        private var _moveCount:int = 0;
-
         /**
          * @param points x, y, z of each
          * @param start a capsule
@@ -52,36 +46,35 @@ package starlogo.fitting.minimal
         {
             _points = points;
             ends = new <Number>[start.start.x, start.start.y, start.start.z, start.end.x, start.end.y, start.end.z];
-            _squares = squaresFrom(ends);
-            radius = radiusOf(_squares);
-            repeat(move);
+            radius = radiusOf(squaresFrom(ends));
+            var stepSize:Number = 0.1;
+            var moveCount:int = 0;
+            repeat(function():Boolean
+                {
+                    stepSize = move(stepSize);
+                    moveCount++;
+                    return moveCount < MAX_MOVES && stepSize > SMALLEST_STEP;
+                });
         }
 
-        // Returns whether there is another move.
-        private function move():Boolean
+        // Moves the ends if that makes the capsule smaller. Returns the step size for the next move.
+        private function move(stepSize:Number):Number
         {
-            var trial:Vector.<Number> = solve(ends, radius, tangents(), _stepSize);
+            var trial:Vector.<Number> = solve(ends, radius, tangents(), stepSize);
             for (var i:int = 0; i < 6; i++)
             {
                 trial[i] += ends[i];
             }
-            var trialSquares:Vector.<Number> = squaresFrom(trial);
-            var trialRadius:Number = radiusOf(trialSquares);
+            var trialRadius:Number = radiusOf(squaresFrom(trial));
             var volume:Number = volumeOf(ends, radius);
             var trialVolume:Number = volumeOf(trial, trialRadius);
-            if (trialVolume < volume)
+            if (!(trialVolume < volume))
             {
-                _stepSize *= trialVolume < volume * (1 - GAIN) ? 2 : 0.5;
-                radius = trialRadius;
-                ends = trial;
-                _squares = trialSquares;
+                return 0.3 * stepSize;
             }
-            else
-            {
-                _stepSize *= 0.3;
-            }
-            _moveCount++;
-            return _moveCount < MAX_MOVES && _stepSize > SMALLEST_STEP;
+            radius = trialRadius;
+            ends = trial;
+            return (trialVolume < volume * (1 - GAIN) ? 2 : 0.5) * stepSize;
         }
 
         private static function volumeOf(ends:Vector.<Number>, radius:Number):Number
@@ -141,14 +134,15 @@ package starlogo.fitting.minimal
         private function tangents():Vector.<Number>
         {
             var found:Vector.<Number> = new Vector.<Number>();
-            var least:Number = activeFrom();
+            var squares:Vector.<Number> = squaresFrom(ends);
+            var least:Number = activeFrom(squares);
             var alongX:Number = ends[3] - ends[0];
             var alongY:Number = ends[4] - ends[1];
             var alongZ:Number = ends[5] - ends[2];
             var square:Number = alongX * alongX + alongY * alongY + alongZ * alongZ;
-            for (var i:int = 0; i < _squares.length; i++)
+            for (var i:int = 0; i < squares.length; i++)
             {
-                if (_squares[i] < least || _squares[i] == 0)
+                if (squares[i] < least || squares[i] == 0)
                 {
                     continue;
                 }
@@ -157,7 +151,7 @@ package starlogo.fitting.minimal
                 var z:Number = _points[3 * i + 2] - ends[2];
                 var t:Number = square > 0 ? (x * alongX + y * alongY + z * alongZ) / square : 0;
                 t = t < 0 ? 0 : (t > 1 ? 1 : t);
-                var distance:Number = Math.sqrt(_squares[i]);
+                var distance:Number = Math.sqrt(squares[i]);
                 // Moving the segment's nearest point towards the point shortens the distance.
                 x = (t * alongX - x) / distance;
                 y = (t * alongY - y) / distance;
@@ -168,7 +162,7 @@ package starlogo.fitting.minimal
         }
 
         // The smallest squared distance of an active point. It is increased if too many points are active.
-        private function activeFrom():Number
+        private function activeFrom(squares:Vector.<Number>):Number
         {
             var fraction:Number = ACTIVE;
             do
@@ -176,9 +170,9 @@ package starlogo.fitting.minimal
                 var least:Number = radius * (1 - fraction);
                 least *= least;
                 var count:int = 0;
-                for (var i:int = 0; i < _squares.length; i++)
+                for (var i:int = 0; i < squares.length; i++)
                 {
-                    count += _squares[i] >= least ? 1 : 0;
+                    count += squares[i] >= least ? 1 : 0;
                 }
                 fraction /= 2;
             }

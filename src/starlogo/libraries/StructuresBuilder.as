@@ -28,7 +28,7 @@ package starlogo.libraries
         /**
          * @param name the shape's name
          * @param structures takes what is found; the vertices must not change until the last step is done
-         * @param fitters the fitters to compare; copied
+         * @param fitters the fitters to compare
          * @param keepsHull whether the hull is found with the others
          * @throws ArgumentError if there are no fitters, or one is null; the message names the shape
          */
@@ -43,31 +43,34 @@ package starlogo.libraries
             {
                 throw ModelTable.errorOf(name, "a fitter must not be null");
             }
-            fitters = fitters.concat();
-            var vertices:Vector.<Number> = structures.vertices;
-            var session:FitSession = new FitSession(vertices);
-            var fits:Vector.<Fit> = new Vector.<Fit>();
+            var session:FitSession = new FitSession(structures.vertices);
+            var found:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
             for each (var fitter:Fitter in fitters)
             {
-                var fit:Fit = session.fitOf(fitter);
-                fits.push(fit);
-                add(fit);
+                addFit(fitter, session, found);
             }
+            // A HullFitter checks all vertices itself.
             var hullFit:Fit = keepsHull ? session.fitOf(structures.hullFitter) : null;
             if (hullFit != null)
             {
                 add(hullFit);
             }
-            var tolerance:Number;
             call(function():void
                 {
-                    tolerance = toleranceFor(vertices);
-                }).beginEach(fits.length, function(index:int):Steps
+                    structures.setAll(found, hullFit == null ? null : widened(hullFit.structure));
+                });
+        }
+
+        // Adds the steps that find a structure, check it, and add it to those that were found.
+        private function addFit(fitter:Fitter, session:FitSession, found:Vector.<BoundingStructure>):void
+        {
+            var fit:Fit = session.fitOf(fitter);
+            add(fit).begin(function():Steps
                 {
-                    return checking(fitters[index], fits[index].structure, vertices, tolerance);
+                    return checking(fitter, fit.structure, session.vertices);
                 }).call(function():void
                 {
-                    choose(structures, fits, hullFit);
+                    found.push(widened(fit.structure));
                 });
         }
 
@@ -130,13 +133,14 @@ package starlogo.libraries
         }
 
         // The steps that check whether what a fitter has found can be used.
-        private static function checking(fitter:Fitter, structure:BoundingStructure, vertices:Vector.<Number>, tolerance:Number):Steps
+        private static function checking(fitter:Fitter, structure:BoundingStructure, vertices:Vector.<Number>):Steps
         {
             // In JavaScript, a fitter may return anything.
             if (!(structure is BoundingStructure) || structure.kind > BoundingStructure.BOX)
             {
                 throw new ArgumentError("the library needs fitters of spheres, capsules or boxes, but " + fitter + " found " + structure);
             }
+            var tolerance:Number = toleranceFor(vertices);
             return new StepSequence().slices(vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
                     var outside:int = firstOutside(structure, tolerance, vertices, first, end);
@@ -169,17 +173,6 @@ package starlogo.libraries
                 }
             }
             return -1;
-        }
-
-        private static function choose(structures:ModelStructures, fits:Vector.<Fit>, hullFit:Fit):void
-        {
-            var found:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
-            for each (var fit:Fit in fits)
-            {
-                found.push(widened(fit.structure));
-            }
-            // A HullFitter checks all vertices itself.
-            structures.setAll(found, hullFit == null ? null : widened(hullFit.structure));
         }
     }
 }

@@ -223,9 +223,9 @@ package starlogo.geometry
         public static const HULL_THIN:Number = 0.02;
 
         /**
-         * A vertex above a triangle of the hull belongs to the triangle's plane up to this distance, in steps of the hull's grid (3e-8 of
-         * the extent). Smaller than 1.8: a flat side that is not along the axes keeps dozens of vertices that are not its corners.
-         * Larger: hulls are coarser.
+         * A vertex above a triangle of the hull belongs to the triangle's plane up to this distance, and may be as far beside the triangle, in steps of
+         * the hull's grid (3e-8 of the extent). Smaller than 1.8: a flat side that is not along the axes keeps dozens of vertices that are not its
+         * corners. Larger: hulls are coarser.
          */
         public static const HULL_COPLANAR:Number = 2;
 

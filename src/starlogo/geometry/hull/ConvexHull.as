@@ -13,14 +13,14 @@ package starlogo.geometry.hull
     /**
      * Finds the convex hull of vertices: its corners, triangles and volume.
      *
-     * <p>Each vertex is inside the hull, or outside by at most 2e-7 of the vertices' extent. Flat sides have
-     * vertices at their corners only. Vertices that span no volume are allowed. The hull is a polygon for vertices in a plane, two points
-     * for vertices on a line, and one point for vertices in one place.</p>
+     * <p>Each vertex is inside the hull, or outside by at most 2e-7 of the vertices' extent. Flat sides have vertices at their corners only, and
+     * seldom one that rounding puts outside of an edge. Vertices that span no volume are allowed. The hull is a polygon for vertices in a plane, two
+     * points for vertices on a line, and one point for vertices in one place.</p>
      *
      * <p>The vertices are rounded to a grid of 2^25 steps along each of three axes. On this grid the hull is convex without rounding, but vertices
-     * that are less than two steps above a triangle of it are left out. In most cases the axes are the coordinate axes. If the vertices are thin in
-     * another direction, the grid has axes along the vertices. The results are the vertices themselves, not rounded. They are complete after the last
-     * step. Read only.</p>
+     * that are less than two steps above a triangle of it, and not more beside it, are left out. In most cases the axes are the coordinate axes. If the
+     * vertices are thin in another direction, the grid has axes along the vertices. The results are the vertices themselves, not rounded. They are
+     * complete after the last step. Read only.</p>
      *
      * <p>The cost is n log n for n vertices. The work can be done in steps, each of about one pass over the vertices.</p>
      */
@@ -155,16 +155,17 @@ package starlogo.geometry.hull
             var simplex:Vector.<int> = _simplex.corners.concat();
             if (dimension < 2)
             {
-                return numbering(simplex.slice(0, dimension + 1));
+                number(simplex.slice(0, dimension + 1));
+                return null;
             }
             var grid:Vector.<Number> = new Vector.<Number>(vertices.length);
             simplex[3] = dimension == 2 ? apex : simplex[3];
             return snapping(grid).begin(function():Steps
                 {
                     var hull:QuickHull = new QuickHull(grid, simplex);
-                    return new StepSequence().add(hull).begin(function():Steps
+                    return new StepSequence().add(hull).call(function():void
                         {
-                            return numbering(dimension == 3 ? hull.triangles : outlineFrom(hull.triangles));
+                            number(dimension == 3 ? hull.triangles : outlineFrom(hull.triangles));
                         });
                 });
         }
@@ -212,35 +213,32 @@ package starlogo.geometry.hull
             }
         }
 
-        // The step that numbers the corners. It replaces the indices of vertices in the list by positions among the hull's corners.
+        // Numbers the corners. It replaces the indices of vertices in the list by positions among the hull's corners.
         // @param corners the triangles' corners, or those of the outline, or all of a line or a place
-        private function numbering(corners:Vector.<int>):Steps
+        private function number(corners:Vector.<int>):void
         {
-            return new StepSequence().call(function():void
+            var vertices:Vector.<Number> = _simplex.vertices;
+            var positions:Vector.<int> = new Vector.<int>(apex);
+            var i:int;
+            for (i = 0; i < corners.length; i++)
+            {
+                positions[corners[i]] = 1;
+            }
+            for (i = 0; i < apex; i++)
+            {
+                if (positions[i] == 1)
                 {
-                    var vertices:Vector.<Number> = _simplex.vertices;
-                    var positions:Vector.<int> = new Vector.<int>(apex);
-                    var i:int;
-                    for (i = 0; i < corners.length; i++)
-                    {
-                        positions[corners[i]] = 1;
-                    }
-                    for (i = 0; i < apex; i++)
-                    {
-                        if (positions[i] == 1)
-                        {
-                            positions[i] = indices.length;
-                            indices.push(i);
-                            points.push(vertices[3 * i], vertices[3 * i + 1], vertices[3 * i + 2]);
-                        }
-                    }
-                    for (i = 0; i < corners.length; i++)
-                    {
-                        corners[i] = positions[corners[i]];
-                    }
-                    triangles = dimension == 3 ? corners : triangles;
-                    outline = dimension == 2 ? corners : outline;
-                });
+                    positions[i] = indices.length;
+                    indices.push(i);
+                    points.push(vertices[3 * i], vertices[3 * i + 1], vertices[3 * i + 2]);
+                }
+            }
+            for (i = 0; i < corners.length; i++)
+            {
+                corners[i] = positions[corners[i]];
+            }
+            triangles = dimension == 3 ? corners : triangles;
+            outline = dimension == 2 ? corners : outline;
         }
 
         // The index of the point above a plane's vertices.

@@ -138,14 +138,14 @@ package starlogo.geometry.hull
             return exact > 0 ? 1 : exact < 0 ? -1 : 0;
         }
 
-        /** Whether a point is over the triangle, not just over its plane. */
+        /** Whether a point is over the triangle, or over a place that is at most HULL_COPLANAR outside of it. */
         public function isAbove(points:Vector.<Number>, x:Number, y:Number, z:Number):Boolean
         {
-            return isLeftOf(points, a, b, x, y, z) && isLeftOf(points, b, c, x, y, z)
-                && isLeftOf(points, c, a, x, y, z);
+            return isInside(points, a, b, x, y, z) && isInside(points, b, c, x, y, z) && isInside(points, c, a, x, y, z);
         }
 
-        private function isLeftOf(points:Vector.<Number>, from:int, to:int, x:Number, y:Number, z:Number):Boolean
+        // Whether a point is inside of an edge, or at most HULL_COPLANAR outside.
+        private function isInside(points:Vector.<Number>, from:int, to:int, x:Number, y:Number, z:Number):Boolean
         {
             var fromX:Number = points[3 * from];
             var fromY:Number = points[3 * from + 1];
@@ -156,8 +156,8 @@ package starlogo.geometry.hull
             x -= fromX;
             y -= fromY;
             z -= fromZ;
-            return normalX * (edgeY * z - edgeZ * y) + normalY * (edgeZ * x - edgeX * z)
-                + normalZ * (edgeX * y - edgeY * x) >= 0;
+            var outside:Number = normalX * (edgeZ * y - edgeY * z) + normalY * (edgeX * z - edgeZ * x) + normalZ * (edgeY * x - edgeX * y);
+            return outside <= Tolerances.HULL_COPLANAR * Math.sqrt(edgeX * edgeX + edgeY * edgeY + edgeZ * edgeZ);
         }
     }
 }

@@ -118,7 +118,7 @@ package starlogo.geometry.hull
 
         /**
          * Puts a point on the list of a face that it lies beyond. If it lies beyond none of the faces, it is inside of the hull from now
-         * on. A point that is over a face, not more than HULL_COPLANAR above it, is left out like one inside.
+         * on. A point that is over a face or hardly beside it, not more than HULL_COPLANAR above it, is left out like one inside.
          */
         public function assign(point:int, faces:Vector.<HullFace>):void
         {

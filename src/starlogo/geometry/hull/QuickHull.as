@@ -10,8 +10,8 @@ package starlogo.geometry.hull
      * <p>Quickhull over rounded numbers needs merging, because coplanar points break it otherwise. Here the faces that a new vertex sees are
      * found without rounding: coordinates are whole numbers up to 2^25, so a face's normal is exact in one double, and a point's side of the
      * face is exact in two. So coplanar, collinear and duplicate points need no special case: a point in a face's plane does not see that
-     * face. Which points become vertices is rounded: OutsidePoints leaves out a point that is over a face, less than
-     * Tolerances.HULL_COPLANAR above it. So the hull is convex, and a point may be outside of it by that much.</p>
+     * face. Which points become vertices is rounded: OutsidePoints leaves out a point that is over a face or hardly
+     * beside it, less than Tolerances.HULL_COPLANAR above it. So the hull is convex, and a point may be outside of it by that much.</p>
      *
      * <p>The cost is about n log n for n points, for curves and rings too: OutsidePoints chooses the next vertex so that few faces see it. A
      * step takes one or two milliseconds for thousands of points. A new vertex may take a pass over them all.</p>

@@ -117,7 +117,12 @@ package starlogo.libraries.cooked
                 }).repeat(function():Boolean
                 {
                     return readNodes(waiting);
-                }).begin(measuring);
+                }).begin(function():Steps
+                {
+                    // computes the boxes
+                    _tree.completeNodes();
+                    return new BoxRefit(_tree);
+                });
         }
 
         /** @inheritDoc */
@@ -166,13 +171,6 @@ package starlogo.libraries.cooked
             var left:int = _tree.addChildren(node, division % BELOW, splitIndex, division >= BELOW);
             waiting.push(left + 1, left);
             return true;
-        }
-
-        // The steps that compute the boxes.
-        private function measuring():Steps
-        {
-            _tree.completeNodes();
-            return new BoxRefit(_tree);
         }
     }
 }

@@ -175,9 +175,9 @@ package starlogo.geometry.hull
         {
             var work:StepSequence = new StepSequence();
             var isPlane:Boolean = dimension == 2;
-            var vertices:Vector.<Number> = _simplex.vertices;
-            var count:int = vertices.length / 3;
-            var from:Vector.<Number> = vertices;
+            var given:Vector.<Number> = _simplex.vertices;
+            var count:int = given.length / 3;
+            var from:Vector.<Number> = given;
             var bounds:VertexBounds = _simplex.bounds;
             if (isPlane)
             {
@@ -192,7 +192,7 @@ package starlogo.geometry.hull
                 from = grid;
                 work.slices(count, VERTICES_PER_STEP, function(first:int, end:int):void
                     {
-                        placePoints(turning, vertices, 3 * first, 3 * end, grid, 3 * first);
+                        placePoints(turning, given, 3 * first, 3 * end, grid, 3 * first);
                         bounds.add(grid, first, end);
                     });
             }
@@ -217,7 +217,7 @@ package starlogo.geometry.hull
         // @param corners the triangles' corners, or those of the outline, or all of a line or a place
         private function number(corners:Vector.<int>):void
         {
-            var vertices:Vector.<Number> = _simplex.vertices;
+            var given:Vector.<Number> = _simplex.vertices;
             var positions:Vector.<int> = new Vector.<int>(apex);
             var i:int;
             for (i = 0; i < corners.length; i++)
@@ -230,7 +230,7 @@ package starlogo.geometry.hull
                 {
                     positions[i] = indices.length;
                     indices.push(i);
-                    points.push(vertices[3 * i], vertices[3 * i + 1], vertices[3 * i + 2]);
+                    points.push(given[3 * i], given[3 * i + 1], given[3 * i + 2]);
                 }
             }
             for (i = 0; i < corners.length; i++)

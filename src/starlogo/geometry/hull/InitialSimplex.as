@@ -111,22 +111,22 @@ package starlogo.geometry.hull
         // plane.
         private function findFarthest(first:int, end:int):void
         {
-            var vertices:Vector.<Number> = this.vertices;
+            var given:Vector.<Number> = vertices;
             var fromX:Number = (bounds.minX + bounds.maxX) / 2;
             var fromY:Number = (bounds.minY + bounds.maxY) / 2;
             var fromZ:Number = (bounds.minZ + bounds.maxZ) / 2;
             if (corners.length > 0)
             {
-                fromX = vertices[3 * corners[0]];
-                fromY = vertices[3 * corners[0] + 1];
-                fromZ = vertices[3 * corners[0] + 2];
+                fromX = given[3 * corners[0]];
+                fromY = given[3 * corners[0] + 1];
+                fromZ = given[3 * corners[0] + 2];
             }
             var found:Vector.<Number> = axes;
             for (var i:int = 3 * first; i < 3 * end; i += 3)
             {
-                var x:Number = vertices[i] - fromX;
-                var y:Number = vertices[int(i + 1)] - fromY;
-                var z:Number = vertices[int(i + 2)] - fromZ;
+                var x:Number = given[i] - fromX;
+                var y:Number = given[int(i + 1)] - fromY;
+                var z:Number = given[int(i + 2)] - fromZ;
                 var square:Number = 0;
                 // only distances perpendicular to the axes found so far count
                 for (var k:int = 3 * dimension; k < 9; k += 3)

@@ -2,7 +2,6 @@ package starlogo.bounding
 {
     import flash.geom.Matrix3D;
     import flash.geom.Vector3D;
-    import starlogo.convex.ConvexKernel;
     import starlogo.convex.ConvexShape;
     import starlogo.engine;
     import starlogo.geometry.Placement;
@@ -26,7 +25,6 @@ package starlogo.bounding
 
         private static var sTurned:Vector.<Number> = new Vector.<Number>();
         private static var sBounds:VertexBounds = new VertexBounds();
-        private static var sKernel:ConvexKernel = new ConvexKernel();
 
         // Structures may be larger than what ConvexHull takes. So it gets the corners divided by this number: 2^40, which loses no
         // digits.
@@ -150,19 +148,20 @@ package starlogo.bounding
         /** @inheritDoc */
         override public function contains(point:Vector3D):Boolean
         {
-            var farthest:Number = farthestCorner(relativeCorners);
-            var tolerance:Number = slack(farthest, center);
-            // The kernel takes no NaN, and no coordinates beyond the limits of structures.
-            if (!(Vector3D.distance(point, center) <= farthest + radius + tolerance))
+            var x:Number = point.x - center.x;
+            var y:Number = point.y - center.y;
+            var z:Number = point.z - center.z;
+            var limit:Number = radius + slack(farthestCorner(relativeCorners), center);
+            var planes:Vector.<Number> = halfSpaces;
+            for (var i:int = 0; i < planes.length; i += 4)
             {
-                return false;
+                // The comparison is false for NaN too.
+                if (!(planes[i] * x + planes[i + 1] * y + planes[i + 2] * z <= planes[i + 3] + limit))
+                {
+                    return false;
+                }
             }
-            var ball:ConvexShape = new ConvexShape();
-            var hull:ConvexShape = new ConvexShape();
-            ball.setPoint(point);
-            ball.radius = tolerance;
-            setShape(hull);
-            return sKernel.areTouching(ball, hull);
+            return !isBeyondEdge(x, y, z, limit);
         }
 
         /** @inheritDoc */
@@ -277,6 +276,48 @@ package starlogo.bounding
         engine function scaleCorners(factor:Number):void
         {
             setCorners(scaled(relativeCorners, factor));
+        }
+
+        // Whether a point, relative to the centre, is farther from the hull of the corners than a limit, though no plane of a face says so: beyond a sharp
+        // edge or corner. The hull's nearest point is then on the nearest edge, and all corners are behind it.
+        private function isBeyondEdge(pointX:Number, pointY:Number, pointZ:Number, limit:Number):Boolean
+        {
+            var points:Vector.<Number> = relativeCorners;
+            var edges:Vector.<int> = topology.edges;
+            // a point has no edge
+            var gapX:Number = pointX - points[0];
+            var gapY:Number = pointY - points[1];
+            var gapZ:Number = pointZ - points[2];
+            var least:Number = gapX * gapX + gapY * gapY + gapZ * gapZ;
+            for (var i:int = 0; i < edges.length; i += 4)
+            {
+                var start:int = edges[i];
+                var end:int = edges[i + 1];
+                var axisX:Number = points[end] - points[start];
+                var axisY:Number = points[end + 1] - points[start + 1];
+                var axisZ:Number = points[end + 2] - points[start + 2];
+                var x:Number = pointX - points[start];
+                var y:Number = pointY - points[start + 1];
+                var z:Number = pointZ - points[start + 2];
+                include "../geometry/pointToSegment.inc";
+                var squared:Number = x * x + y * y + z * z;
+                if (squared < least)
+                {
+                    least = squared;
+                    gapX = x;
+                    gapY = y;
+                    gapZ = z;
+                }
+            }
+            var reach:Number = limit * Math.sqrt(least);
+            for (i = 0; i < points.length; i += 3)
+            {
+                if (gapX * (pointX - points[i]) + gapY * (pointY - points[i + 1]) + gapZ * (pointZ - points[i + 2]) <= reach)
+                {
+                    return false;
+                }
+            }
+            return true;
         }
 
         // Checks the centre and corners relative to it.

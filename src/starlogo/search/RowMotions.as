@@ -12,7 +12,7 @@ package starlogo.search
 
     /**
      * The motions of the rows of a table since the search before. They are used only if an agent sweeps. Then the motions of all rows count, because a
-     * sweeping agent may touch any other one on its way. SweptTests tests the rows on their motions.
+     * sweeping agent may touch any other one on its way. CandidateTests tests the rows on their motions.
      */
     internal final class RowMotions
     {
@@ -49,36 +49,44 @@ package starlogo.search
         }
 
         /**
-         * Reads the motions of the rows that have changed. Call it in each search once an agent has swept, after the table has found the rows, and
-         * before it reads their places.
+         * Reads the motions of the rows that have changed, if an agent of the search sweeps. Call it after the table has found the rows, and before it reads
+         * their places.
          *
          * @param anySweeps whether an agent of the search sweeps
          */
         public function read(anySweeps:Boolean):void
         {
-            var swept:Boolean = this.anySweeps;
+            var isLikeBefore:Boolean = anySweeps == this.anySweeps;
             this.anySweeps = anySweeps;
-            var length:int = _table.listed.rowCapacity;
+            if (!isLikeBefore)
+            {
+                rowsToRenew.copyFrom(_table.listed.rows);
+            }
+            else if (anySweeps)
+            {
+                rowsToRenew.copyFrom(_changed);
+            }
+            else
+            {
+                rowsToRenew.count = 0;
+            }
+            if (anySweeps)
+            {
+                makeRoom(_table.listed.rowCapacity);
+                _changed.copyFrom(_table.changed);
+                // rows that have not changed since stand still
+                readMotions(rowsToRenew);
+                readMotions(_changed);
+            }
+        }
+
+        private function makeRoom(length:int):void
+        {
             if (length > sweepsOnMotion.length)
             {
                 sweepsOnMotion.length = length;
                 displacements.grow(length);
                 _sweptExtents.grow(length);
-            }
-            var spare:IntList = rowsToRenew;
-            rowsToRenew = _changed;
-            _changed = spare;
-            spare.copyFrom(_table.changed);
-            // rows that have not changed since stand still
-            readMotions(rowsToRenew);
-            readMotions(_changed);
-            if (anySweeps != swept)
-            {
-                rowsToRenew.copyFrom(_table.listed.rows);
-            }
-            else if (!anySweeps)
-            {
-                rowsToRenew.count = 0;
             }
         }
 

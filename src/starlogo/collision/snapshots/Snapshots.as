@@ -36,8 +36,8 @@ package starlogo.collision.snapshots
      */
     public final class Snapshots
     {
-        // "SLF5"
-        private static const MARK:uint = 0x534C4635;
+        // "SLF6"
+        private static const MARK:uint = 0x534C4636;
 
         // What is in a snapshot, as a sum: traits; whether there was ground; the ground's heights.
         private static const HAS_TRAITS:int = 1;

@@ -171,7 +171,7 @@ package starlogo.handlers
             touch.second = second;
             touch.firstBreed = firstBreed;
             touch.secondBreed = secondBreed;
-            touch.isComplete = false;
+            touch.hasReachedSecond = false;
             touch.order = _startedCount;
             _lastFrames[touch.index] = frame;
             _startedCount++;
@@ -232,7 +232,7 @@ package starlogo.handlers
                 return FoundPairs.NO_TOUCH;
             }
             var touch:Touch = find(_pairs.firstOf(pair), _pairs.secondOf(pair));
-            var goesOn:Boolean = touch != null && touch.isComplete && touch.firstBreed == touch.first.breedNumber
+            var goesOn:Boolean = touch != null && touch.hasReachedSecond && touch.firstBreed == touch.first.breedNumber
                 && touch.secondBreed == touch.second.breedNumber;
             return goesOn ? touch.index : FoundPairs.NO_TOUCH;
         }

@@ -83,7 +83,7 @@ package starlogo.search
         {
             var number:int = Breeds.NAMES.knownNumberOf(breed);
             // no pair names an unknown breed
-            return representativeOf(number < 0 ? Breeds.ANY_NUMBER : number);
+            return matchingBreedOf(number < 0 ? Breeds.ANY_NUMBER : number);
         }
 
         /** Whether a pair of breeds is of interest. Pass their numbers; the answer is false if one of them is -1. */
@@ -99,7 +99,7 @@ package starlogo.search
          * @private The breed that stands for a breed in the pairs, both by their numbers in the class Breeds: the breed itself if a pair names it,
          *     Breeds.ANY_NUMBER if not and a pair has ANY_BREED, or -1.
          */
-        engine function representativeOf(breed:int):int
+        engine function matchingBreedOf(breed:int):int
         {
             if (isNamed(breed))
             {
@@ -118,7 +118,7 @@ package starlogo.search
          */
         internal function keepOfInterest(breeds:Vector.<int>, row:int, others:Vector.<int>, count:int):int
         {
-            var own:int = representativeOf(breeds[row]);
+            var own:int = matchingBreedOf(breeds[row]);
             // ANY_BREED does not stand for the ground or the edges
             var mayBeAny:Boolean = isNamed(Breeds.ANY_NUMBER) && !Breeds.isEnvironment(own);
             if (hasPair(own, Breeds.ANY_NUMBER) || mayBeAny && hasPair(Breeds.ANY_NUMBER, Breeds.ANY_NUMBER))

@@ -143,7 +143,7 @@ package starlogo.search
             // a field would be read again for each candidate
             var table:AgentTable = _table;
             var narrowPhase:NarrowPhase = _narrowPhase;
-            if (narrowPhase.choice.areSpheres && row >= ListedAgents.FIRST_LISTED)
+            if (narrowPhase.shapeChoice.areSpheres && row >= ListedAgents.FIRST_LISTED)
             {
                 return narrowPhase.sphereTests.keepTouchingSpheres(table, row, others, count, level);
             }

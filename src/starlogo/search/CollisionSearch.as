@@ -46,7 +46,7 @@ package starlogo.search
         private var _candidateTests:CandidateTests;
         private var _motions:RowMotions;
         private var _changedRows:ChangedRows;
-        private var _order:PairOrder = new PairOrder();
+        private var _pairOrder:PairOrder = new PairOrder();
 
         // The pairs of the search.
         private var _pairs:FoundPairs;
@@ -75,7 +75,7 @@ package starlogo.search
         public function CollisionSearch(narrowPhase:NarrowPhase)
         {
             this.narrowPhase = narrowPhase;
-            table = new AgentTable(narrowPhase.choice);
+            table = new AgentTable(narrowPhase.shapeChoice);
             _motions = new RowMotions(table);
             _candidateTests = new CandidateTests(table, narrowPhase, _motions);
             _changedRows = new ChangedRows(table, _motions, _bins.levels);
@@ -94,7 +94,7 @@ package starlogo.search
          */
         public function find(input:SearchInput):FoundPairs
         {
-            if (narrowPhase.choice.isBinding)
+            if (narrowPhase.shapeChoice.isBinding)
             {
                 throw new IllegalOperationError("findCollisions must not be called from bind(), while the collider searches");
             }
@@ -196,7 +196,7 @@ package starlogo.search
         private function readInput(input:SearchInput):void
         {
             table.setList(input.agents);
-            _motions.read(isAnySweeping(input.agents));
+            _motions.read(doesAnySweep(input.agents));
             table.readChanges();
             table.readEnvironment(input.ground, input.edges);
         }
@@ -218,7 +218,7 @@ package starlogo.search
         // How many rows may have other pairs: they were read again, have left or have another place in the list.
         private function get changeCount():int
         {
-            return table.changed.count + table.listed.leftOrReordered.count + _motions.rowsToRenew.count;
+            return table.changed.count + table.listed.leftOrReordered.count + _motions.rowsToRetest.count;
         }
 
         // Whether so few rows have changed that a search of these is faster than a search of all.
@@ -236,7 +236,7 @@ package starlogo.search
             _bins.findPairs(_motions.searchExtents, members, _candidateTests);
             _candidateTests.testWithEnvironment(ListedAgents.GROUND_ROW, members);
             _candidateTests.testWithEnvironment(ListedAgents.EDGES_ROW, members);
-            _order.putInOrder(_pairs, _candidateTests.times);
+            _pairOrder.putInOrder(_pairs, _candidateTests.times);
             _pairs.forgetTouches();
             narrowPhase.counts.members = members.count;
             return members;
@@ -250,13 +250,13 @@ package starlogo.search
             _changedRows.findPairs(_candidateTests);
             _candidateTests.testWithEnvironment(ListedAgents.GROUND_ROW, _changedRows.rowsToTestWith(ListedAgents.GROUND_ROW));
             _candidateTests.testWithEnvironment(ListedAgents.EDGES_ROW, _changedRows.rowsToTestWith(ListedAgents.EDGES_ROW));
-            var earlyCount:int = _order.putInOrder(_pairsOfChanged, _candidateTests.times);
+            var earlyCount:int = _pairOrder.putInOrder(_pairsOfChanged, _candidateTests.times);
             _pairs.replacePairsOf(_changedRows.invalidRows, _pairsOfChanged, earlyCount);
             narrowPhase.counts.members = _changedRows.memberCount;
         }
 
         // Whether an agent of the list sweeps. No entry is null.
-        private static function isAnySweeping(agents:Vector.<Agent>):Boolean
+        private static function doesAnySweep(agents:Vector.<Agent>):Boolean
         {
             for (var i:int = 0; i < agents.length; i++)
             {

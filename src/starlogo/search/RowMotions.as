@@ -26,13 +26,13 @@ package starlogo.search
          * By row: whether the agent sweeps, and has not come without a motion. It has if it is new, has jumped, or has the shape of another model. The
          * ground and the edges of the world do not sweep.
          */
-        internal var sweepsOnMotion:Vector.<Boolean> = new Vector.<Boolean>();
+        internal var areSweeping:Vector.<Boolean> = new Vector.<Boolean>();
 
         /**
          * The rows whose pairs this search can't keep, because they belong to motions of the search before. They are all rows if an agent sweeps in only
          * one of the two searches. Read only.
          */
-        internal var rowsToRenew:IntList = new IntList();
+        internal var rowsToRetest:IntList = new IntList();
 
         // The rows whose motions this search has read.
         private var _changed:IntList = new IntList();
@@ -46,6 +46,7 @@ package starlogo.search
         public function RowMotions(table:AgentTable)
         {
             _table = table;
+            _sweptExtents.offsets = table.extents.offsets;
         }
 
         /**
@@ -60,31 +61,31 @@ package starlogo.search
             this.anySweeps = anySweeps;
             if (!isLikeBefore)
             {
-                rowsToRenew.copyFrom(_table.listed.rows);
+                rowsToRetest.copyFrom(_table.listed.rows);
             }
             else if (anySweeps)
             {
-                rowsToRenew.copyFrom(_changed);
+                rowsToRetest.copyFrom(_changed);
             }
             else
             {
-                rowsToRenew.count = 0;
+                rowsToRetest.count = 0;
             }
             if (anySweeps)
             {
                 makeRoom(_table.listed.rowCapacity);
                 _changed.copyFrom(_table.changed);
                 // rows that have not changed since stand still
-                readMotions(rowsToRenew);
+                readMotions(rowsToRetest);
                 readMotions(_changed);
             }
         }
 
         private function makeRoom(length:int):void
         {
-            if (length > sweepsOnMotion.length)
+            if (length > areSweeping.length)
             {
-                sweepsOnMotion.length = length;
+                areSweeping.length = length;
                 displacements.grow(length);
                 _sweptExtents.grow(length);
             }
@@ -98,11 +99,11 @@ package starlogo.search
             {
                 var row:int = rows.values[i];
                 var agent:Agent = _table.listed.agentsByRow[row];
-                sweepsOnMotion[row] = false;
+                areSweeping[row] = false;
                 displacements.x[row] = displacements.y[row] = displacements.z[row] = 0;
                 if (agent != null && _table.isMotionStart(row))
                 {
-                    sweepsOnMotion[row] = agent.isSweeping;
+                    areSweeping[row] = agent.isSweeping;
                     displacements.x[row] = agent.placement.x - from.x[row];
                     displacements.y[row] = agent.placement.y - from.y[row];
                     displacements.z[row] = agent.placement.z - from.z[row];
@@ -144,7 +145,6 @@ package starlogo.search
                 swept.halfY[row] = halfY;
                 swept.halfZ[row] = standing.halfZ[row] + Math.abs(motionZ) / 2;
                 swept.radiusXY[row] = Math.sqrt(halfX * halfX + halfY * halfY);
-                swept.distanceFromPlace[row] = standing.distanceFromPlace[row];
                 swept.assignLevel(row);
             }
         }
@@ -164,7 +164,7 @@ package starlogo.search
         /** Whether one of two rows sweeps, and has not come without a motion. */
         public function eitherSweeps(a:int, b:int):Boolean
         {
-            return sweepsOnMotion[a] || sweepsOnMotion[b];
+            return areSweeping[a] || areSweeping[b];
         }
     }
 }

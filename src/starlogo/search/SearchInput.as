@@ -123,7 +123,7 @@ package starlogo.search
         /** Whether a row of a table is a member of the search: it has a shape, its breed is of interest, and its agent takes part. */
         public function isMember(row:int, table:AgentTable):Boolean
         {
-            return table.shapes[row] != null && interests.representativeOf(table.breeds[row]) >= 0
+            return table.shapes[row] != null && interests.matchingBreedOf(table.breeds[row]) >= 0
                 && (admitted == null || admitted[table.listed.listIndices[row]]);
         }
 

@@ -160,6 +160,15 @@ package starlogo.collision
             return pairs;
         }
 
+        /** @private Lets no agent have a motion in the next frame. */
+        engine function forgetMotions():void
+        {
+            if (innerSystem != null)
+            {
+                innerSystem.forgetMotions();
+            }
+        }
+
         /** @private Called when a Collision's frame is over, handlers included, with the Collision's statistics. */
         engine function onFrame(statistics:CollisionStatistics):void
         {

@@ -211,8 +211,8 @@ package starlogo.collision
             _owner = owner;
         }
 
-        /** @private Lets no agent have a motion in the next frame. */
-        engine function forgetMotions():void
+        /** @private */
+        override engine function forgetMotions():void
         {
             search.table.forgetMotionStarts();
         }

@@ -188,7 +188,7 @@ package starlogo.collision
                 }
                 touch = _tracker.startAt(pair);
             }
-            // a touch that was not complete has ended
+            // a touch of an earlier frame that has not reached the second agent has ended
             var isStarting:Boolean = !touch.hasReachedSecond;
             callUntil(pair, first, second, isStarting ? CollisionHandler.EVERY_FRAME | CollisionHandler.START : CollisionHandler.EVERY_FRAME, end);
             if (isStarting)

@@ -64,9 +64,6 @@ package starlogo.search
         // Whether ChangedRows has the cells of the members, so that the next search may begin with these pairs.
         private var _areCellsCurrent:Boolean = false;
 
-        // The members of a search in which some rows are no members.
-        private var _members:IntList = new IntList();
-
         // The bodies of agents that have changed since the search.
         private var _bodyA:Body = new Body();
         private var _bodyB:Body = new Body();
@@ -230,7 +227,7 @@ package starlogo.search
         // Finds the pairs of all members. Returns the members.
         private function findOfAll(input:SearchInput):IntList
         {
-            var members:IntList = input.allMembers(table, _members);
+            var members:IntList = input.membersOf(table);
             _motions.findExtents(table.listed.rows);
             _candidateTests.begin(input, _pairs);
             _bins.findPairs(_motions.searchExtents, members, _candidateTests);

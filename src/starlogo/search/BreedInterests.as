@@ -96,7 +96,7 @@ package starlogo.search
         }
 
         /**
-         * @private The breed that stands for a breed in the pairs, both by their numbers in the class Breeds: the breed itself if a pair names it,
+         * @private The breed of the pairs that matches a breed, both by their numbers in the class Breeds: the breed itself if a pair names it,
          *     Breeds.ANY_NUMBER if not and a pair has ANY_BREED, or -1.
          */
         engine function matchingBreedOf(breed:int):int

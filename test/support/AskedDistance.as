@@ -28,7 +28,7 @@ package support
         public function AskedDistance(pairs:NarrowPhase)
         {
             _pairs = pairs;
-            _table = new AgentTable(pairs.choice);
+            _table = new AgentTable(pairs.shapeChoice);
         }
 
         /** How far two agents are apart. */

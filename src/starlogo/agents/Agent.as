@@ -52,9 +52,6 @@ package starlogo.agents
         /** @private Names of structures. The index is the number of a kind in BoundingStructure. */
         engine static const STRUCTURE_NAMES:Vector.<String> = new <String>[SPHERE, CAPSULE, BOX, HULL];
 
-        /** @private Whether any agent has ever swept. As long as none has, colliders need not look for sweeping agents. */
-        engine static var haveSwept:Boolean = false;
-
         /** @private For <code>structureKind</code>: the tightest structure of any kind. */
         engine static const ANY_KIND:int = -1;
 
@@ -517,7 +514,6 @@ package starlogo.agents
             if (value != isSweeping)
             {
                 isSweeping = value;
-                haveSwept = true;
                 revision++;
             }
         }

@@ -20,8 +20,8 @@ package starlogo.broadphase
         /** Half the length along z. */
         public var halfZ:Vector.<Number> = new Vector.<Number>();
 
-        /** How far the middle is from the place that it was computed from. That place is rounded too, and may be farther from the origin. */
-        public var distanceFromPlace:Vector.<Number> = new Vector.<Number>();
+        /** The way to the middle from the place that it was computed from. That place is rounded too, and may be farther from the origin. */
+        public var offsets:Points = new Points();
 
         /** The index of the row's level, from 1 on; 0 if it is not known yet. */
         public var levelIndices:Vector.<int> = new Vector.<int>();
@@ -33,7 +33,8 @@ package starlogo.broadphase
         override public function grow(length:int):void
         {
             super.grow(length);
-            radiusXY.length = halfX.length = halfY.length = halfZ.length = distanceFromPlace.length = levelIndices.length = length;
+            offsets.grow(length);
+            radiusXY.length = halfX.length = halfY.length = halfZ.length = levelIndices.length = length;
         }
 
         /**
@@ -61,6 +62,23 @@ package starlogo.broadphase
             return distance <= maxDistance && distance >= -maxDistance;
         }
 
+        /** Moves the middle of a row's extents with the row's place. */
+        public function follow(places:Points, row:int):void
+        {
+            x[row] = places.x[row] + offsets.x[row];
+            y[row] = places.y[row] + offsets.y[row];
+            z[row] = places.z[row] + offsets.z[row];
+        }
+
+        /** How far the middle of a row's extents is from the row's place. */
+        public function distanceFromPlace(row:int):Number
+        {
+            var offsetX:Number = offsets.x[row];
+            var offsetY:Number = offsets.y[row];
+            var offsetZ:Number = offsets.z[row];
+            return Math.sqrt(offsetX * offsetX + offsetY * offsetY + offsetZ * offsetZ);
+        }
+
         /** Finds the level for a row's extents, and for the distances of their middle from the world's origin and from the row's place. */
         public function assignLevel(row:int):void
         {
@@ -73,7 +91,7 @@ package starlogo.broadphase
             var middleX:Number = x[row];
             var middleY:Number = y[row];
             var middleZ:Number = z[row];
-            var fromPlace:Number = distanceFromPlace[row];
+            var fromPlace:Number = distanceFromPlace(row);
             var distanceSquared:Number = Math.max(middleX * middleX + middleY * middleY + middleZ * middleZ, fromPlace * fromPlace);
             var minWidth:Number = Math.max(2 * half, Math.sqrt(distanceSquared) / BinLevel.MAX_DISTANCE);
             levelIndices[row] = finestIndexFor(minWidth, levelIndices[row]);

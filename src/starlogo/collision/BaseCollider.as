@@ -21,15 +21,6 @@ package starlogo.collision
      */
     public class BaseCollider extends QuerySource implements CollisionSystem
     {
-        /** @private The engine's collider that this one is or contains, which one Collision at most owns; null if there is none. Read only. */
-        engine var innerCollider:Collider = null;
-
-        /**
-         * @private The same if it finds the same pairs as this one, so that snapshots and questions can use it; or else null, as for a system of the
-         * game's own around a collider. Read only.
-         */
-        engine var samePairsCollider:Collider = null;
-
         private var _collisionSystem:CollisionSystem;
         private var _foundAgents:Vector.<Agent> = new Vector.<Agent>();
 
@@ -42,10 +33,6 @@ package starlogo.collision
         public function BaseCollider(collisionSystem:CollisionSystem = null)
         {
             _collisionSystem = collisionSystem;
-            if (innerSystem != null)
-            {
-                innerCollider = innerSystem.innerCollider;
-            }
         }
 
         /** @private Returns the system itself if it is a BaseCollider, otherwise a BaseCollider around it. */
@@ -53,6 +40,21 @@ package starlogo.collision
         {
             warnOfUnknownProperties(system);
             return system as BaseCollider || new BaseCollider(system);
+        }
+
+        /** @private The engine's collider that this one is or contains, which one Collision at most owns; null if there is none. */
+        engine function get innerCollider():Collider
+        {
+            return innerSystem == null ? null : innerSystem.innerCollider;
+        }
+
+        /**
+         * @private The same if it finds the same pairs as this one, so that snapshots and questions can use it; or else null, as for a system of the
+         * game's own around a collider.
+         */
+        engine function get samePairsCollider():Collider
+        {
+            return null;
         }
 
         /** The collision system that does the work that a subclass does not override; null if there is none. */
@@ -156,6 +158,15 @@ package starlogo.collision
             counts.collisions = pairs.count;
             counts.findMs = getTimer() - start;
             return pairs;
+        }
+
+        /** @private Lets no agent have a motion in the next frame. */
+        engine function forgetMotions():void
+        {
+            if (innerSystem != null)
+            {
+                innerSystem.forgetMotions();
+            }
         }
 
         /** @private Called when a Collision's frame is over, handlers included, with the Collision's statistics. */

@@ -77,9 +77,20 @@ package starlogo.collision
         public function Collider(choice:BaseShapeChoice)
         {
             super();
-            innerCollider = samePairsCollider = this;
             search = new CollisionSearch(narrowPhaseFor(choice));
             contactSearch = search;
+        }
+
+        /** @private */
+        override engine function get innerCollider():Collider
+        {
+            return this;
+        }
+
+        /** @private */
+        override engine function get samePairsCollider():Collider
+        {
+            return this;
         }
 
         /** @private The tests of pairs that a choice of shapes needs. */
@@ -200,8 +211,8 @@ package starlogo.collision
             _owner = owner;
         }
 
-        /** @private Lets no agent have a motion in the next frame. */
-        engine function forgetMotions():void
+        /** @private */
+        override engine function forgetMotions():void
         {
             search.table.forgetMotionStarts();
         }

@@ -273,16 +273,8 @@ package starlogo.collision
         {
             _handlers.clear();
             _lastFrame = new LastFrame();
-            forgetMotions(_system);
-            forgetMotions(systemOfFrame);
-        }
-
-        private static function forgetMotions(system:BaseCollider):void
-        {
-            if (system.innerCollider != null)
-            {
-                system.innerCollider.forgetMotions();
-            }
+            _system.forgetMotions();
+            systemOfFrame.forgetMotions();
         }
 
         /**

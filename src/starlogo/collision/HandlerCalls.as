@@ -154,12 +154,12 @@ package starlogo.collision
 
         private function callForEnded(touch:Touch):void
         {
-            findHandlersOnce(touch.firstBreed, touch.secondBreed);
-            callRest(NO_PAIR, touch.first, touch.second, CollisionHandler.END, touch.isComplete ? _handlersOfPair.handlers.length : _handlersOfPair.firstCount);
+            beginCalls(touch.firstBreed, touch.secondBreed);
+            callUntil(NO_PAIR, touch.first, touch.second, CollisionHandler.END, touch.hasReachedSecond ? _handlersOfPair.handlers.length : _handlersOfPair.countForFirst);
         }
 
         // Finds the handlers of a pair or ended touch, unless its calls have begun. The breeds count as they are when the calls begin.
-        private function findHandlersOnce(firstBreed:int, secondBreed:int):void
+        private function beginCalls(firstBreed:int, secondBreed:int):void
         {
             if (_handlersOfPair == null)
             {
@@ -172,11 +172,11 @@ package starlogo.collision
         {
             var first:Agent = _pairs.firstOf(pair);
             var second:Agent = _pairs.secondOf(pair);
-            findHandlersOnce(first.breedNumber, second.breedNumber);
+            beginCalls(first.breedNumber, second.breedNumber);
             var end:int = _handlersOfPair.handlers.length;
             if (!_handlersOfPair.tracksTouches)
             {
-                callRest(pair, first, second, CollisionHandler.EVERY_FRAME, end);
+                callUntil(pair, first, second, CollisionHandler.EVERY_FRAME, end);
                 return;
             }
             var touch:Touch = _tracker.touchAt(pair);
@@ -188,13 +188,13 @@ package starlogo.collision
                 }
                 touch = _tracker.startAt(pair);
             }
-            // a touch that was not complete has ended
-            var isStarting:Boolean = !touch.isComplete;
-            callRest(pair, first, second, isStarting ? CollisionHandler.EVERY_FRAME | CollisionHandler.START : CollisionHandler.EVERY_FRAME, end);
+            // a touch of an earlier frame that has not reached the second agent has ended
+            var isStarting:Boolean = !touch.hasReachedSecond;
+            callUntil(pair, first, second, isStarting ? CollisionHandler.EVERY_FRAME | CollisionHandler.START : CollisionHandler.EVERY_FRAME, end);
             if (isStarting)
             {
-                touch.isComplete = _nextHandler > _handlersOfPair.firstCount || _nextHandler == end;
-                if (!touch.isComplete)
+                touch.hasReachedSecond = _nextHandler > _handlersOfPair.countForFirst || _nextHandler == end;
+                if (!touch.hasReachedSecond)
                 {
                     _tracker.dropAt(pair);
                 }
@@ -203,10 +203,10 @@ package starlogo.collision
 
         // Calls the handlers of the phases from the next one to an index. In the first frame of a touch, those for starts come before those for every
         // frame. An ended touch has no contact, and its agents may have left the list: pass NO_PAIR. For a pair it stops when one of the two has left.
-        private function callRest(pair:int, first:Agent, second:Agent, phases:int, end:int):void
+        private function callUntil(pair:int, first:Agent, second:Agent, phases:int, end:int):void
         {
             var handlers:Vector.<CollisionHandler> = _handlersOfPair.handlers;
-            var firstCount:int = _handlersOfPair.firstCount;
+            var countForFirst:int = _handlersOfPair.countForFirst;
             while (_nextHandler < end)
             {
                 var handler:CollisionHandler = handlers[_nextHandler];
@@ -215,7 +215,7 @@ package starlogo.collision
                 {
                     return;
                 }
-                var isSecondCollider:Boolean = _nextHandler >= firstCount;
+                var isSecondCollider:Boolean = _nextHandler >= countForFirst;
                 _nextHandler++;
                 if (isOfPhases && !handler.isRemoved)
                 {

@@ -63,7 +63,7 @@ package starlogo.debug
         {
             requireGiven("agent", agent);
             var collider:Collider = BaseCollider.wrap(system).samePairsCollider;
-            var choice:BaseShapeChoice = collider == null ? _tightest : collider.narrowPhase.choice;
+            var choice:BaseShapeChoice = collider == null ? _tightest : collider.narrowPhase.shapeChoice;
             var all:Vector.<Number> = out || new Vector.<Number>();
             // a BinCollider may be without models, and its agents have any shapes
             if (agent.isEnvironment || choice.greatLand != null && !choice.greatLand.hasModel(agent.shape))

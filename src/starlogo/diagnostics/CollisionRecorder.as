@@ -3,6 +3,7 @@ package starlogo.diagnostics
     import flash.utils.getTimer;
     import starlogo.agents.Agent;
     import starlogo.collision.BaseCollider;
+    import starlogo.collision.Collider;
     import starlogo.collision.CollisionStatistics;
     import starlogo.collision.CollisionSystem;
     import starlogo.data.IntPairMap;
@@ -57,7 +58,12 @@ package starlogo.diagnostics
             super(collisionSystem);
             requireGiven("collisionSystem", collisionSystem);
             _system = BaseCollider.wrap(collisionSystem);
-            samePairsCollider = _system.samePairsCollider;
+        }
+
+        /** @private */
+        override engine function get samePairsCollider():Collider
+        {
+            return _system.samePairsCollider;
         }
 
         /** The number of recorded frames. */

@@ -12,7 +12,7 @@ package starlogo.handlers
         public var handlers:Vector.<CollisionHandler>;
 
         /** The number of handlers whose collider is the first agent. */
-        public var firstCount:int;
+        public var countForFirst:int;
 
         /** The phases of the handlers that take the contact of a touch: a sum of CollisionHandler.START and EVERY_FRAME. */
         public var contactPhases:int = 0;
@@ -27,7 +27,7 @@ package starlogo.handlers
         public function PairHandlers(ofFirst:Vector.<CollisionHandler>, ofSecond:Vector.<CollisionHandler>)
         {
             handlers = ofFirst.sort(compare).concat(ofSecond.sort(compare));
-            firstCount = ofFirst.length;
+            countForFirst = ofFirst.length;
             for each (var handler:CollisionHandler in handlers)
             {
                 phases |= handler.phase;

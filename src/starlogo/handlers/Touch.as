@@ -31,6 +31,6 @@ package starlogo.handlers
          * Whether the calls of its first frame have come to the second agent's handlers, or there are none. Otherwise it is a touch of the first agent
          * only, and ends in the next frame.
          */
-        public var isComplete:Boolean;
+        public var hasReachedSecond:Boolean;
     }
 }

@@ -25,9 +25,6 @@ package starlogo.handlers
         /** The number of the frame, from 1 on. */
         public var frame:int = 0;
 
-        /** The number of touches that have not ended. Read only. */
-        public var count:int = 0;
-
         // By index: all touches that there are, and objects for later ones, which have no agents.
         private var _all:Vector.<Touch> = new Vector.<Touch>();
 
@@ -102,11 +99,16 @@ package starlogo.handlers
                     var touch:Touch = _all[index];
                     _indices.remove(touch.first.idNumber, touch.second.idNumber);
                     _lastFrames[index] = NO_FRAME;
-                    count--;
                     _ended.add(index, touch.order);
                 }
             }
             _ended.sortFirst(_ended.count);
+        }
+
+        /** The number of touches that have not ended. */
+        public function get count():int
+        {
+            return _all.length - _free.count - _ended.count;
         }
 
         /** The number of touches that ended in this frame. */
@@ -169,11 +171,10 @@ package starlogo.handlers
             touch.second = second;
             touch.firstBreed = firstBreed;
             touch.secondBreed = secondBreed;
-            touch.isComplete = false;
+            touch.hasReachedSecond = false;
             touch.order = _startedCount;
             _lastFrames[touch.index] = frame;
             _startedCount++;
-            count++;
             _indices.set (first.idNumber, second.idNumber, touch.index);
             return touch;
         }
@@ -231,7 +232,7 @@ package starlogo.handlers
                 return FoundPairs.NO_TOUCH;
             }
             var touch:Touch = find(_pairs.firstOf(pair), _pairs.secondOf(pair));
-            var goesOn:Boolean = touch != null && touch.isComplete && touch.firstBreed == touch.first.breedNumber
+            var goesOn:Boolean = touch != null && touch.hasReachedSecond && touch.firstBreed == touch.first.breedNumber
                 && touch.secondBreed == touch.second.breedNumber;
             return goesOn ? touch.index : FoundPairs.NO_TOUCH;
         }

@@ -29,7 +29,7 @@ package starlogo.queries
         public function LevelChoice()
         {
             super(null);
-            systemNumber = LEVEL;
+            systemName = "a LevelCollider";
             narrowPhase = new NarrowPhase(this);
         }
 

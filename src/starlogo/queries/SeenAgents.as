@@ -86,7 +86,7 @@ package starlogo.queries
                 throw QuerySource.errorAbout(collisionOrShapes);
             }
             narrowPhase = _source.findNarrowPhase();
-            table = new AgentTable(narrowPhase.choice);
+            table = new AgentTable(narrowPhase.shapeChoice);
             _collectorPool = new NestedPool(this, Collector);
         }
 
@@ -133,7 +133,7 @@ package starlogo.queries
             var newNarrowPhase:NarrowPhase = _source.findNarrowPhase();
             var isOtherNarrowPhase:Boolean = newNarrowPhase !== narrowPhase;
             // another table has the same rows
-            var next:AgentTable = isOtherNarrowPhase ? new AgentTable(newNarrowPhase.choice, table.listed) : table;
+            var next:AgentTable = isOtherNarrowPhase ? new AgentTable(newNarrowPhase.shapeChoice, table.listed) : table;
             next.read(agents);
             next.readEnvironment(terrain == null ? null : terrain.environmentAgent, null);
             table = next;

@@ -22,31 +22,11 @@ package starlogo.search
      */
     public class BaseShapeChoice
     {
-        // These numbers stand in snapshots: never renumber. Snapshots.SYSTEMS has their names in this order.
-
-        /** @private For <code>systemNumber</code>: a collider of the game's own. */
-        engine static const OWN:int = 0;
-
-        /** @private For <code>systemNumber</code>: a BinCollider. */
-        engine static const BIN:int = 1;
-
-        /** @private For <code>systemNumber</code>: a TightestFitCollider. */
-        engine static const TIGHTEST_FIT:int = 2;
-
-        /** @private For <code>systemNumber</code>: a HierarchicalCollider. */
-        engine static const HIERARCHICAL:int = 3;
-
-        /** @private For <code>systemNumber</code>: a CombinationCollider. */
-        engine static const COMBINATION:int = 4;
-
-        /** @private For <code>systemNumber</code>: a LevelCollider. */
-        engine static const LEVEL:int = 5;
-
         /** The models, or null if the shapes need no models. */
         public var greatLand:GreatLand;
 
-        /** @private The collision system that the shapes belong to: OWN, BIN and so on. Snapshots have this number. */
-        engine var systemNumber:int = OWN;
+        /** @private What errors call a collision system with such shapes. Snapshots have its index in <code>Snapshots.SYSTEMS</code>. */
+        engine var systemName:String = "a collider of the game's own";
 
         /** @private Whether all shapes so far are spheres. */
         engine var areSpheres:Boolean = true;
@@ -54,13 +34,13 @@ package starlogo.search
         /** @private Whether <code>bind()</code> runs. Read only. */
         engine var isBinding:Boolean = false;
 
-        // The shapes that are not void.
+        // The shapes that are not stale.
         private var _shapes:Vector.<ModelShape> = new Vector.<ModelShape>();
 
         // By the number of the model's name and the variant: the index of the shape.
         private var _indices:IntPairMap = new IntPairMap();
 
-        // The revision of all models at which void shapes were forgotten.
+        // The revision of all models at which stale shapes were forgotten.
         private var _seenRevision:int = -1;
 
         /**
@@ -84,7 +64,7 @@ package starlogo.search
             throw new ArgumentError("a Collider needs a ShapeChoice, not " + this + ", which gives no tests of its shapes");
         }
 
-        /** @private Increased whenever data of any model is replaced, removed or posed. Shapes made from the data are then void. */
+        /** @private Increased whenever data of any model is replaced, removed or posed. Shapes made from the data are then stale. */
         engine function get revision():int
         {
             return greatLand == null ? 0 : greatLand.revision;
@@ -196,7 +176,7 @@ package starlogo.search
             requireInWorld("half of the length of its model's structure", extents[3], extents[4], extents[5], agent);
         }
 
-        /** @private Forgets the shapes of models that were replaced, removed or posed. They are void then. */
+        /** @private Forgets the shapes of models that were replaced, removed or posed. They are stale then. */
         engine function forgetReplaced():void
         {
             if (revision == _seenRevision)
@@ -209,8 +189,8 @@ package starlogo.search
             for (var i:int = 0; i < _shapes.length; i++)
             {
                 var shape:ModelShape = _shapes[i];
-                shape.isVoid = shape.revision != revisionOf(shape.modelName);
-                if (!shape.isVoid)
+                shape.isStale = shape.revision != revisionOf(shape.modelName);
+                if (!shape.isStale)
                 {
                     _indices.set (Agent.MODEL_NAMES.numberOf(shape.modelName), shape.variant, kept);
                     _shapes[kept] = shape;

@@ -28,9 +28,6 @@ package starlogo.search
         /** The shape; null while the agent's model is loading. */
         public var shape:ModelShape = null;
 
-        /** The shape's kind. */
-        public var kind:int = 0;
-
         /** The shape's place, rotation and size in the world. */
         public var placement:Placement = new Placement();
 
@@ -96,7 +93,6 @@ package starlogo.search
         public function copyFrom(other:Body):void
         {
             shape = other.shape;
-            kind = other.kind;
             orderKey = other.orderKey;
             depthLimit = other.depthLimit;
             placement.copyFrom(other.placement);
@@ -173,6 +169,12 @@ package starlogo.search
                 placement.z = place.z;
                 _isPlaced = false;
             }
+        }
+
+        /** The shape's kind. */
+        public function get kind():int
+        {
+            return shape.kind;
         }
 
         /** Whether it is the body of the ground or of the edges of the world. */
@@ -284,7 +286,6 @@ package starlogo.search
         {
             _isPlaced = false;
             this.shape = shape;
-            kind = shape.kind;
         }
 
         // Finds the extents of the shape, turned and scaled as the placement says.

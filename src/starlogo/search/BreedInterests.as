@@ -24,9 +24,6 @@ package starlogo.search
         /** @private All pairs of breeds of agents. It must not be changed. */
         engine static const ALL:BreedInterests = newOfAll();
 
-        /** @private Whether all pairs of two breeds of agents that have numbers here are of interest. The ground and the edges do not count. */
-        engine var includesAllOfAgents:Boolean = true;
-
         /** @private The number of pairs. It grows with each pair that is added, because none is ever removed. */
         engine var pairCount:int = 0;
 
@@ -35,12 +32,6 @@ package starlogo.search
 
         // By the number of a breed: whether a pair names it.
         private var _isNamed:Vector.<Boolean> = new Vector.<Boolean>(Breeds.ANY_NUMBER + 1);
-
-        // How many breeds of agents the pairs name.
-        private var _agentBreedCount:int = 0;
-
-        // How many pairs are of two of these breeds.
-        private var _agentPairCount:int = 0;
 
         private static function newOfAll():BreedInterests
         {
@@ -82,11 +73,7 @@ package starlogo.search
                 pairCount++;
                 _pairs.set (number, other, 0);
                 _pairs.set (other, number, 0);
-                _agentPairCount += number > Breeds.ANY_NUMBER && other > Breeds.ANY_NUMBER ? 1 : 0;
             }
-            // the breeds that no pair names are told apart from the others once a pair has ANY_BREED
-            includesAllOfAgents = isNamed(Breeds.ANY_NUMBER) ? hasPair(Breeds.ANY_NUMBER, Breeds.ANY_NUMBER)
-                : 2 * _agentPairCount == _agentBreedCount * (_agentBreedCount + 1);
         }
 
         /**
@@ -96,7 +83,7 @@ package starlogo.search
         {
             var number:int = Breeds.NAMES.knownNumberOf(breed);
             // no pair names an unknown breed
-            return representativeOf(number < 0 ? Breeds.ANY_NUMBER : number);
+            return matchingBreedOf(number < 0 ? Breeds.ANY_NUMBER : number);
         }
 
         /** Whether a pair of breeds is of interest. Pass their numbers; the answer is false if one of them is -1. */
@@ -109,10 +96,10 @@ package starlogo.search
         }
 
         /**
-         * @private The breed that stands for a breed in the pairs, both by their numbers in the class Breeds: the breed itself if a pair names it,
+         * @private The breed of the pairs that matches a breed, both by their numbers in the class Breeds: the breed itself if a pair names it,
          *     Breeds.ANY_NUMBER if not and a pair has ANY_BREED, or -1.
          */
-        engine function representativeOf(breed:int):int
+        engine function matchingBreedOf(breed:int):int
         {
             if (isNamed(breed))
             {
@@ -131,19 +118,26 @@ package starlogo.search
          */
         internal function keepOfInterest(breeds:Vector.<int>, row:int, others:Vector.<int>, count:int):int
         {
-            var own:int = representativeOf(breeds[row]);
-            if (hasPair(own, Breeds.ANY_NUMBER))
+            var own:int = matchingBreedOf(breeds[row]);
+            // ANY_BREED does not stand for the ground or the edges
+            var mayBeAny:Boolean = isNamed(Breeds.ANY_NUMBER) && !Breeds.isEnvironment(own);
+            if (hasPair(own, Breeds.ANY_NUMBER) || mayBeAny && hasPair(Breeds.ANY_NUMBER, Breeds.ANY_NUMBER))
             {
                 return count;
             }
-            // ANY_BREED does not stand for the ground or the edges
-            var mayBeAny:Boolean = isNamed(Breeds.ANY_NUMBER) && !Breeds.isEnvironment(own);
             var kept:int = 0;
+            // candidates often have the breed of the one before
+            var last:int = -1;
+            var isWanted:Boolean = false;
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = others[i];
-                var breed:int = breeds[other];
-                if (hasPair(own, breed) || mayBeAny && hasPair(Breeds.ANY_NUMBER, breed))
+                if (breeds[other] != last)
+                {
+                    last = breeds[other];
+                    isWanted = hasPair(own, last) || mayBeAny && hasPair(Breeds.ANY_NUMBER, last);
+                }
+                if (isWanted)
                 {
                     others[kept] = other;
                     kept++;
@@ -170,11 +164,7 @@ package starlogo.search
                 // room for all breeds at once, because Adobe's VM copies a vector whenever its length is set
                 _isNamed.length = Breeds.NAMES.count;
             }
-            if (!_isNamed[breed])
-            {
-                _isNamed[breed] = true;
-                _agentBreedCount += breed > Breeds.ANY_NUMBER ? 1 : 0;
-            }
+            _isNamed[breed] = true;
         }
     }
 }

@@ -1,31 +1,41 @@
 package starlogo.search
 {
+    import starlogo.bounding.BoundingStructure;
     import starlogo.broadphase.BinLevel;
     import starlogo.broadphase.PairSink;
     import starlogo.broadphase.Extents;
+    import starlogo.broadphase.Points;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
     import starlogo.data.IntList;
     import starlogo.engine;
+    import starlogo.intersection.boxes.ContactInterval;
+    import starlogo.search.pairs.PairTests;
     import starlogo.search.table.AgentTable;
     import starlogo.search.table.ListedAgents;
 
     use namespace engine;
 
     /**
-     * Tests the candidates that the broad phase has found, and all members with the ground and the edges of the world. It adds the pairs that touch, and
-     * whose breeds are of interest, to the found ones.
+     * Tests the candidates that the broad phase has found, and all members with the ground and the edges of the world: where they are, or on their
+     * motions if an agent of the search sweeps. It adds the pairs that touch, and whose breeds are of interest, to the found ones.
      */
     internal final class CandidateTests extends PairSink
     {
         private var _table:AgentTable;
         private var _narrowPhase:NarrowPhase;
-        private var _sweptTests:SweptTests;
+        private var _motions:RowMotions;
 
-        // The input of the search under way.
+        // The input of the search under way, and what takes its pairs.
         private var _input:SearchInput = null;
-
-        // Takes the pairs of this search, and their times if an agent sweeps.
         private var _out:FoundPairs = null;
-        private var _times:Vector.<Number> = null;
+
+        // By pair, as they are found: the time of the touch.
+        private var _times:Vector.<Number> = new Vector.<Number>();
+
+        // The motion of a pair that is tested, and when its extents overlap, in all directions so far.
+        private var _motion:RelativeMotion = new RelativeMotion();
+        private var _interval:ContactInterval = new ContactInterval();
 
         // The members that are tested with the ground or the edges of the world.
         private var _environmentCandidates:IntList = new IntList();
@@ -33,37 +43,33 @@ package starlogo.search
         /**
          * @param table has the rows
          * @param narrowPhase tests their bodies
-         * @param sweptTests tests rows on their motions, if an agent sweeps. Otherwise rows are tested where they are
+         * @param motions those of the rows
          */
-        public function CandidateTests(table:AgentTable, narrowPhase:NarrowPhase, sweptTests:SweptTests)
+        public function CandidateTests(table:AgentTable, narrowPhase:NarrowPhase, motions:RowMotions)
         {
             _table = table;
             _narrowPhase = narrowPhase;
-            _sweptTests = sweptTests;
+            _motions = motions;
         }
 
-        /**
-         * Begins a search.
-         *
-         * @param out receives the pairs, row by row. They are not in order then
-         * @param times receives by pair the time of the touch; null if no agent sweeps
-         */
-        public function begin(input:SearchInput, out:FoundPairs, times:Vector.<Number>):void
+        /** Begins a search. @param out receives the pairs, row by row. They are not in order then */
+        public function begin(input:SearchInput, out:FoundPairs):void
         {
             out.count = 0;
             _input = input;
             _out = out;
-            _times = times;
+        }
+
+        /** By pair, as they were found: the time of the touch; null if no agent sweeps. */
+        public function get times():Vector.<Number>
+        {
+            return _motions.anySweeps ? _times : null;
         }
 
         /** @inheritDoc */
         override public function onCandidates(row:int, others:Vector.<int>, count:int, level:BinLevel):void
         {
-            var interests:BreedInterests = _input.interests;
-            if (!interests.includesAllOfAgents)
-            {
-                count = interests.keepOfInterest(_table.breeds, row, others, count);
-            }
+            count = _input.interests.keepOfInterest(_table.breeds, row, others, count);
             _narrowPhase.counts.candidatePairs += count;
             addTouching(row, others, count, level);
         }
@@ -86,11 +92,48 @@ package starlogo.search
             addTouching(environmentRow, others, count, BinLevel.ANY_GAP);
         }
 
+        /**
+         * Finds the contact of two rows that touch, which separates them: on their motions if one of the two sweeps, or else where they are.
+         *
+         * @param b may be the ground or the edges of the world
+         * @param motion receives the motion of the first relative to the second, with the time
+         * @param out receives the contact at that time
+         */
+        public function findContact(a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
+        {
+            var bodyA:Body = _table.bodyOf(a);
+            var bodyB:Body = _table.bodyOf(b);
+            var tests:PairTests = _narrowPhase.pairTestsFor(bodyA, bodyB);
+            _motions.setRelativeMotion(a, b, motion);
+            if (_motions.eitherSweeps(a, b))
+            {
+                if (!motion.isStill)
+                {
+                    tests.findFirstTouch(bodyA, bodyB, motion, out);
+                }
+                else if (tests.areTouching(bodyA, bodyB))
+                {
+                    motion.time = timeOfCommonMotion(a);
+                    tests.findContactOfParts(bodyA, bodyB, motion, out);
+                }
+            }
+            if (motion.time == RelativeMotion.NEVER)
+            {
+                tests.findContact(bodyA, bodyB, motion, out);
+                return;
+            }
+            tests.separate(bodyA, bodyB, motion, out);
+            // the motion was relative to b at its present place, so the point is moved back to where b was at that time
+            var back:Number = motion.time - 1;
+            out.x += back * _motions.displacements.x[b];
+            out.y += back * _motions.displacements.y[b];
+            out.z += back * _motions.displacements.z[b];
+        }
+
         // Adds the pairs of a row with those candidates that touch it.
         private function addTouching(row:int, others:Vector.<int>, count:int, level:BinLevel):void
         {
-            count = _times == null ? keepTouching(row, others, count, level)
-                : _sweptTests.keepTouchingOnMotions(row, others, count, level, _times, _out.count);
+            count = _motions.anySweeps ? keepTouchingOnMotions(row, others, count, level) : keepTouching(row, others, count, level);
             _out.addPairs(row, others, count);
         }
 
@@ -100,7 +143,7 @@ package starlogo.search
             // a field would be read again for each candidate
             var table:AgentTable = _table;
             var narrowPhase:NarrowPhase = _narrowPhase;
-            if (narrowPhase.choice.areSpheres && row >= ListedAgents.FIRST_LISTED)
+            if (narrowPhase.shapeChoice.areSpheres && row >= ListedAgents.FIRST_LISTED)
             {
                 return narrowPhase.sphereTests.keepTouchingSpheres(table, row, others, count, level);
             }
@@ -118,6 +161,101 @@ package starlogo.search
                 }
             }
             return kept;
+        }
+
+        // Keeps the rows that touch a row on their motions, moves them to the beginning of the list, and notes the times of their touches. The level has the
+        // slack of the rows' extents. It is no Number, because V8 would make an object for each row.
+        private function keepTouchingOnMotions(row:int, others:Vector.<int>, count:int, level:BinLevel):int
+        {
+            var listIndices:Vector.<int> = _table.listed.listIndices;
+            var index:int = listIndices[row];
+            var kept:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var other:int = others[i];
+                // the time belongs to the motion of the agent that comes first in the list, relative to the other
+                var isFirst:Boolean = index < listIndices[other];
+                findTime(isFirst ? row : other, isFirst ? other : row, level, _motion);
+                if (_motion.time != RelativeMotion.NEVER)
+                {
+                    others[kept] = other;
+                    _times[int(_out.count + kept)] = _motion.time;
+                    kept++;
+                }
+            }
+            return kept;
+        }
+
+        // Finds the time at which two rows first touch, from 0 to 1, or RelativeMotion.NEVER. If neither of the two sweeps, they are tested where they are
+        // now. The motion becomes that of the first relative to the second, with the time.
+        private function findTime(a:int, b:int, level:BinLevel, motion:RelativeMotion):void
+        {
+            _motions.setRelativeMotion(a, b, motion);
+            if (!_motions.eitherSweeps(a, b))
+            {
+                motion.time = _table.extents.areNear(a, b, level.slack) && areTouching(a, b) ? 1 : RelativeMotion.NEVER;
+            }
+            else if (motion.isStill)
+            {
+                motion.time = areTouching(a, b) ? timeOfCommonMotion(a) : RelativeMotion.NEVER;
+            }
+            else
+            {
+                sweep(a, b, level, motion);
+            }
+        }
+
+        // The time at which two rows that touch first do, if the first does not move relative to the second: from the beginning on if they move alike,
+        // and where they are if they have not moved.
+        private function timeOfCommonMotion(a:int):int
+        {
+            var displacements:Points = _motions.displacements;
+            return displacements.x[a] != 0 || displacements.y[a] != 0 || displacements.z[a] != 0 ? 0 : 1;
+        }
+
+        // Whether two rows touch where they are. Only the second may be the ground or the edges.
+        private function areTouching(a:int, b:int):Boolean
+        {
+            return _narrowPhase.areTouching(_table.bodyOf(a), _table.bodyOf(b));
+        }
+
+        private function sweep(a:int, b:int, level:BinLevel, motion:RelativeMotion):void
+        {
+            var areSpheres:Boolean = _table.shapes[a].kind == BoundingStructure.SPHERE && _table.shapes[b].kind == BoundingStructure.SPHERE;
+            if (!areSpheres && !overlapOnMotions(a, b, level))
+            {
+                return;
+            }
+            _narrowPhase.counts.sweptPairs++;
+            if (areSpheres)
+            {
+                _narrowPhase.sphereTests.findTimeOfRows(_table, a, b, motion);
+                return;
+            }
+            var bodyA:Body = _table.bodyOf(a);
+            var bodyB:Body = _table.bodyOf(b);
+            _narrowPhase.pairTestsFor(bodyA, bodyB).findFirstTouch(bodyA, bodyB, motion, null);
+        }
+
+        // Whether the extents of two rows overlap in all directions at the same time, on their motions.
+        private function overlapOnMotions(a:int, b:int, level:BinLevel):Boolean
+        {
+            var standing:Extents = _table.extents;
+            _interval.reset(1);
+            _interval.margin = level.slack;
+            return narrow(standing.x, standing.halfX, _motions.displacements.x, a, b) && narrow(standing.y, standing.halfY, _motions.displacements.y, a, b)
+                && narrow(standing.z, standing.halfZ, _motions.displacements.z, a, b);
+        }
+
+        // Narrows the interval by one direction. It gets the places at the end of the motions, half the lengths, and the motions.
+        private function narrow(at:Vector.<Number>, half:Vector.<Number>, motion:Vector.<Number>, a:int, b:int):Boolean
+        {
+            // The reverse of what ContactInterval names: row a seen from row b. The interval is the same.
+            var speed:Number = motion[a] - motion[b];
+            _interval.offset = at[a] - at[b] - speed;
+            _interval.speed = speed;
+            _interval.halfExtents = half[a] + half[b];
+            return _interval.narrow();
         }
     }
 }

@@ -68,7 +68,7 @@ package starlogo.search
             _cells.makeRoom(length);
             addAll(_table.changed);
             addAll(_table.listed.leftOrReordered);
-            addAll(_motions.rowsToRenew);
+            addAll(_motions.rowsToRetest);
             if (input.admitted != null)
             {
                 addJoinedOrLeft(input);

@@ -2,8 +2,7 @@
 // 1. AgentTable (table/) reads the agents into rows. If an agent sweeps, RowMotions reads their motions.
 // 2. The Bins of the room broadphase find rows that are near each other. If few rows have changed since the last search, ChangedRows finds these rows
 // and what is near them.
-// 3. CandidateTests keeps the pairs that touch, or SweptTests those that touch on their motions. The NarrowPhase has a PairTests for each kind of
-// pairs (pairs/).
+// 3. CandidateTests keeps the pairs that touch, where they are or on their motions. The NarrowPhase has a PairTests for each kind of pairs (pairs/).
 // 4. PairOrder puts the FoundPairs into the order of the list. The pairs of changed rows are put between those of the last search.
 // A Body is a shape (ModelShape) at a place. A BaseShapeChoice says which shape a model has, SearchInput who takes part, BreedInterests which breeds
 // count.
@@ -46,18 +45,14 @@ package starlogo.search
         private var _bins:Bins = new Bins();
         private var _candidateTests:CandidateTests;
         private var _motions:RowMotions;
-        private var _sweptTests:SweptTests;
         private var _changedRows:ChangedRows;
-        private var _order:PairOrder = new PairOrder();
+        private var _pairOrder:PairOrder = new PairOrder();
 
         // The pairs of the search.
         private var _pairs:FoundPairs;
 
         // If few rows have changed: their pairs, which are put between the others.
         private var _pairsOfChanged:FoundPairs;
-
-        // If an agent sweeps: by pair, as they are found, the time of the touch.
-        private var _times:Vector.<Number> = new Vector.<Number>();
 
         // What the pairs of the last search depend on, besides agents, ground and edges: the pairs of breeds that count, their number, because a game that
         // calls findCollisionsAmong() may add some, how deep trees are tested, and whether there is a filter.
@@ -69,9 +64,6 @@ package starlogo.search
         // Whether ChangedRows has the cells of the members, so that the next search may begin with these pairs.
         private var _areCellsCurrent:Boolean = false;
 
-        // The members of a search in which some rows are no members.
-        private var _members:IntList = new IntList();
-
         // The bodies of agents that have changed since the search.
         private var _bodyA:Body = new Body();
         private var _bodyB:Body = new Body();
@@ -80,10 +72,9 @@ package starlogo.search
         public function CollisionSearch(narrowPhase:NarrowPhase)
         {
             this.narrowPhase = narrowPhase;
-            table = new AgentTable(narrowPhase.choice);
+            table = new AgentTable(narrowPhase.shapeChoice);
             _motions = new RowMotions(table);
-            _sweptTests = new SweptTests(table, narrowPhase, _motions);
-            _candidateTests = new CandidateTests(table, narrowPhase, _sweptTests);
+            _candidateTests = new CandidateTests(table, narrowPhase, _motions);
             _changedRows = new ChangedRows(table, _motions, _bins.levels);
             _pairs = new FoundPairs(table.listed);
             _pairsOfChanged = new FoundPairs(table.listed);
@@ -100,7 +91,7 @@ package starlogo.search
          */
         public function find(input:SearchInput):FoundPairs
         {
-            if (narrowPhase.choice.isBinding)
+            if (narrowPhase.shapeChoice.isBinding)
             {
                 throw new IllegalOperationError("findCollisions must not be called from bind(), while the collider searches");
             }
@@ -177,7 +168,7 @@ package starlogo.search
                 table.followPose(rowB);
                 if (_motions.anySweeps)
                 {
-                    _sweptTests.findContact(rowA, rowB, motion, out);
+                    _candidateTests.findContact(rowA, rowB, motion, out);
                     return;
                 }
             }
@@ -202,10 +193,7 @@ package starlogo.search
         private function readInput(input:SearchInput):void
         {
             table.setList(input.agents);
-            if (Agent.haveSwept)
-            {
-                _motions.read(isAnySweeping(input.agents));
-            }
+            _motions.read(doesAnySweep(input.agents));
             table.readChanges();
             table.readEnvironment(input.ground, input.edges);
         }
@@ -227,7 +215,7 @@ package starlogo.search
         // How many rows may have other pairs: they were read again, have left or have another place in the list.
         private function get changeCount():int
         {
-            return table.changed.count + table.listed.leftOrReordered.count + _motions.rowsToRenew.count;
+            return table.changed.count + table.listed.leftOrReordered.count + _motions.rowsToRetest.count;
         }
 
         // Whether so few rows have changed that a search of these is faster than a search of all.
@@ -239,13 +227,13 @@ package starlogo.search
         // Finds the pairs of all members. Returns the members.
         private function findOfAll(input:SearchInput):IntList
         {
-            var members:IntList = input.allMembers(table, _members);
+            var members:IntList = input.membersOf(table);
             _motions.findExtents(table.listed.rows);
-            _candidateTests.begin(input, _pairs, times);
+            _candidateTests.begin(input, _pairs);
             _bins.findPairs(_motions.searchExtents, members, _candidateTests);
             _candidateTests.testWithEnvironment(ListedAgents.GROUND_ROW, members);
             _candidateTests.testWithEnvironment(ListedAgents.EDGES_ROW, members);
-            _order.putInOrder(_pairs, times);
+            _pairOrder.putInOrder(_pairs, _candidateTests.times);
             _pairs.forgetTouches();
             narrowPhase.counts.members = members.count;
             return members;
@@ -255,23 +243,17 @@ package starlogo.search
         // all members. Here the row that has changed comes first, but a test gives the same answer in either order of the two.
         private function findOfChanged(input:SearchInput):void
         {
-            _candidateTests.begin(input, _pairsOfChanged, times);
+            _candidateTests.begin(input, _pairsOfChanged);
             _changedRows.findPairs(_candidateTests);
             _candidateTests.testWithEnvironment(ListedAgents.GROUND_ROW, _changedRows.rowsToTestWith(ListedAgents.GROUND_ROW));
             _candidateTests.testWithEnvironment(ListedAgents.EDGES_ROW, _changedRows.rowsToTestWith(ListedAgents.EDGES_ROW));
-            var earlyCount:int = _order.putInOrder(_pairsOfChanged, times);
+            var earlyCount:int = _pairOrder.putInOrder(_pairsOfChanged, _candidateTests.times);
             _pairs.replacePairsOf(_changedRows.invalidRows, _pairsOfChanged, earlyCount);
             narrowPhase.counts.members = _changedRows.memberCount;
         }
 
-        // The times of the pairs, or null if no agent sweeps.
-        private function get times():Vector.<Number>
-        {
-            return _motions.anySweeps ? _times : null;
-        }
-
         // Whether an agent of the list sweeps. No entry is null.
-        private static function isAnySweeping(agents:Vector.<Agent>):Boolean
+        private static function doesAnySweep(agents:Vector.<Agent>):Boolean
         {
             for (var i:int = 0; i < agents.length; i++)
             {

@@ -40,8 +40,8 @@ package starlogo.search
         /** @private The revision of the model in the GreatLand. */
         internal var revision:int;
 
-        /** @private Whether the model has a newer revision, so that this shape is void. */
-        engine var isVoid:Boolean = false;
+        /** @private Whether the model has a newer revision, so that this shape is stale. */
+        engine var isStale:Boolean = false;
 
         /** @private The kind of the structure, or TREE, GROUND or EDGES. */
         engine var kind:int = -1;

@@ -49,12 +49,12 @@ package starlogo.search
         public var counts:SearchCounts = new SearchCounts();
 
         /** Says which shape each agent has. */
-        public var choice:BaseShapeChoice;
+        public var shapeChoice:BaseShapeChoice;
 
-        /** @param choice gives the agents their shapes */
-        public function NarrowPhase(choice:BaseShapeChoice)
+        /** @param shapeChoice gives the agents their shapes */
+        public function NarrowPhase(shapeChoice:BaseShapeChoice)
         {
-            this.choice = choice;
+            this.shapeChoice = shapeChoice;
         }
 
         /** Whether two bodies touch. They may come in either order, the ground and the edges of the world too. */

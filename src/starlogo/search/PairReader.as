@@ -13,8 +13,7 @@ package starlogo.search
      */
     public final class PairReader
     {
-        private var _listed:ListedAgents = new ListedAgents();
-        private var _pairs:FoundPairs = new FoundPairs(_listed);
+        private var _pairs:FoundPairs = new FoundPairs(new ListedAgents());
 
         // The pairs that have been read, by their rows, the lesser first.
         private var _known:IntPairMap = new IntPairMap();
@@ -26,8 +25,8 @@ package starlogo.search
          */
         public function begin(list:Vector.<Agent>):void
         {
-            _listed.propose(list);
-            _listed.accept(list);
+            _pairs.listed.propose(list);
+            _pairs.listed.accept(list);
         }
 
         /**
@@ -74,7 +73,7 @@ package starlogo.search
             {
                 throw new ArgumentError("the collision system has found no agent: " + index + " of what it has found is null");
             }
-            var row:int = _listed.rowOf(agent);
+            var row:int = _pairs.listed.rowOf(agent);
             if (row < 0)
             {
                 throw new ArgumentError("the collision system has found " + agent + ", which is not in the list of the frame");

@@ -12,7 +12,7 @@ package starlogo.search
 
     /**
      * The motions of the rows of a table since the search before. They are used only if an agent sweeps. Then the motions of all rows count, because a
-     * sweeping agent may touch any other one on its way. SweptTests tests the rows on their motions.
+     * sweeping agent may touch any other one on its way. CandidateTests tests the rows on their motions.
      */
     internal final class RowMotions
     {
@@ -26,13 +26,13 @@ package starlogo.search
          * By row: whether the agent sweeps, and has not come without a motion. It has if it is new, has jumped, or has the shape of another model. The
          * ground and the edges of the world do not sweep.
          */
-        internal var sweepsOnMotion:Vector.<Boolean> = new Vector.<Boolean>();
+        internal var areSweeping:Vector.<Boolean> = new Vector.<Boolean>();
 
         /**
          * The rows whose pairs this search can't keep, because they belong to motions of the search before. They are all rows if an agent sweeps in only
          * one of the two searches. Read only.
          */
-        internal var rowsToRenew:IntList = new IntList();
+        internal var rowsToRetest:IntList = new IntList();
 
         // The rows whose motions this search has read.
         private var _changed:IntList = new IntList();
@@ -46,39 +46,48 @@ package starlogo.search
         public function RowMotions(table:AgentTable)
         {
             _table = table;
+            _sweptExtents.offsets = table.extents.offsets;
         }
 
         /**
-         * Reads the motions of the rows that have changed. Call it in each search once an agent has swept, after the table has found the rows, and
-         * before it reads their places.
+         * Reads the motions of the rows that have changed, if an agent of the search sweeps. Call it after the table has found the rows, and before it reads
+         * their places.
          *
          * @param anySweeps whether an agent of the search sweeps
          */
         public function read(anySweeps:Boolean):void
         {
-            var swept:Boolean = this.anySweeps;
+            var isLikeBefore:Boolean = anySweeps == this.anySweeps;
             this.anySweeps = anySweeps;
-            var length:int = _table.listed.rowCapacity;
-            if (length > sweepsOnMotion.length)
+            if (!isLikeBefore)
             {
-                sweepsOnMotion.length = length;
+                rowsToRetest.copyFrom(_table.listed.rows);
+            }
+            else if (anySweeps)
+            {
+                rowsToRetest.copyFrom(_changed);
+            }
+            else
+            {
+                rowsToRetest.count = 0;
+            }
+            if (anySweeps)
+            {
+                makeRoom(_table.listed.rowCapacity);
+                _changed.copyFrom(_table.changed);
+                // rows that have not changed since stand still
+                readMotions(rowsToRetest);
+                readMotions(_changed);
+            }
+        }
+
+        private function makeRoom(length:int):void
+        {
+            if (length > areSweeping.length)
+            {
+                areSweeping.length = length;
                 displacements.grow(length);
                 _sweptExtents.grow(length);
-            }
-            var spare:IntList = rowsToRenew;
-            rowsToRenew = _changed;
-            _changed = spare;
-            spare.copyFrom(_table.changed);
-            // rows that have not changed since stand still
-            readMotions(rowsToRenew);
-            readMotions(_changed);
-            if (anySweeps != swept)
-            {
-                rowsToRenew.copyFrom(_table.listed.rows);
-            }
-            else if (!anySweeps)
-            {
-                rowsToRenew.count = 0;
             }
         }
 
@@ -90,11 +99,11 @@ package starlogo.search
             {
                 var row:int = rows.values[i];
                 var agent:Agent = _table.listed.agentsByRow[row];
-                sweepsOnMotion[row] = false;
+                areSweeping[row] = false;
                 displacements.x[row] = displacements.y[row] = displacements.z[row] = 0;
                 if (agent != null && _table.isMotionStart(row))
                 {
-                    sweepsOnMotion[row] = agent.isSweeping;
+                    areSweeping[row] = agent.isSweeping;
                     displacements.x[row] = agent.placement.x - from.x[row];
                     displacements.y[row] = agent.placement.y - from.y[row];
                     displacements.z[row] = agent.placement.z - from.z[row];
@@ -136,7 +145,6 @@ package starlogo.search
                 swept.halfY[row] = halfY;
                 swept.halfZ[row] = standing.halfZ[row] + Math.abs(motionZ) / 2;
                 swept.radiusXY[row] = Math.sqrt(halfX * halfX + halfY * halfY);
-                swept.distanceFromPlace[row] = standing.distanceFromPlace[row];
                 swept.assignLevel(row);
             }
         }
@@ -156,7 +164,7 @@ package starlogo.search
         /** Whether one of two rows sweeps, and has not come without a motion. */
         public function eitherSweeps(a:int, b:int):Boolean
         {
-            return sweepsOnMotion[a] || sweepsOnMotion[b];
+            return areSweeping[a] || areSweeping[b];
         }
     }
 }

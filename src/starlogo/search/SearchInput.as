@@ -39,6 +39,9 @@ package starlogo.search
         // The answers of a filter, by index in the list.
         private var _answers:Vector.<Boolean> = new Vector.<Boolean>();
 
+        // The members, if some rows are none.
+        private var _members:IntList = new IntList();
+
         /**
          * Begins a search: takes its input, and asks the filter.
          *
@@ -90,21 +93,16 @@ package starlogo.search
             }
         }
 
-        /**
-         * The members of the search among all rows of a table.
-         *
-         * @param spare receives them if some rows are no members
-         * @return the members: all rows, or spare
-         */
-        public function allMembers(table:AgentTable, spare:IntList):IntList
+        /** The members of the search among all rows of a table, until the next call. */
+        public function membersOf(table:AgentTable):IntList
         {
             var rows:IntList = table.listed.rows;
             if (table.loadingCount == 0 && admitted == null && interests.isNamed(Breeds.ANY_NUMBER))
             {
                 return rows;
             }
-            copyMembers(rows, table, spare);
-            return spare;
+            copyMembers(rows, table, _members);
+            return _members;
         }
 
         /** Copies the members among some rows of a table. @param out receives them */
@@ -123,7 +121,7 @@ package starlogo.search
         /** Whether a row of a table is a member of the search: it has a shape, its breed is of interest, and its agent takes part. */
         public function isMember(row:int, table:AgentTable):Boolean
         {
-            return table.shapes[row] != null && interests.representativeOf(table.breeds[row]) >= 0
+            return table.shapes[row] != null && interests.matchingBreedOf(table.breeds[row]) >= 0
                 && (admitted == null || admitted[table.listed.listIndices[row]]);
         }
 

@@ -20,7 +20,7 @@ package starlogo.search
         public function SphereChoice(greatLand:GreatLand)
         {
             super(greatLand);
-            systemNumber = BIN;
+            systemName = "a BinCollider";
         }
 
         /** @private */

@@ -23,7 +23,7 @@ package starlogo.search
         public function TightestFitChoice(greatLand:GreatLand)
         {
             super(greatLand);
-            systemNumber = TIGHTEST_FIT;
+            systemName = "a TightestFitCollider";
         }
 
         /** The kind of structure that the agent has chosen, or Agent.ANY_KIND. @inheritDoc */

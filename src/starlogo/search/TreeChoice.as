@@ -28,7 +28,7 @@ package starlogo.search
         public function TreeChoice(greatLand:GreatLand, fits:TightestFitChoice = null)
         {
             super(greatLand);
-            systemNumber = fits == null ? HIERARCHICAL : COMBINATION;
+            systemName = fits == null ? "a HierarchicalCollider" : "a CombinationCollider";
             _fits = fits;
         }
 

@@ -79,7 +79,7 @@ package starlogo.handlers
                     if (known == null)
                     {
                         known = _tracker.startAt(i);
-                        known.isComplete = true;
+                        known.hasReachedSecond = true;
                         assertStrictlyEquals("either way round it is the same", known, _tracker.find(b, a));
                         assertStrictlyEquals(known, _tracker.touchAt(i));
                         if (left.indexOf(name) < 0)
@@ -175,7 +175,7 @@ package starlogo.handlers
                     if (touch == null)
                     {
                         touch = _tracker.startAt(i);
-                        touch.isComplete = true;
+                        touch.hasReachedSecond = true;
                         begun.push(pairs[i]);
                     }
                     assertEquals(pairs[i], nameOf(touch.first, touch.second));
@@ -197,7 +197,7 @@ package starlogo.handlers
             begin(false);
             for (var pair:int = 0; pair < 2; pair++)
             {
-                _tracker.startAt(pair).isComplete = pair == 0;
+                _tracker.startAt(pair).hasReachedSecond = pair == 0;
             }
             _tracker.dropAt(1);
             _tracker.endFrame();
@@ -252,7 +252,7 @@ package starlogo.handlers
         private function startBothWays(a:Agent, b:Agent):Touch
         {
             var touch:Touch = _tracker.start(a, b, a.breedNumber, b.breedNumber);
-            touch.isComplete = true;
+            touch.hasReachedSecond = true;
             return touch;
         }
 

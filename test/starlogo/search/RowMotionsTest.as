@@ -16,7 +16,7 @@ package starlogo.search
     public class RowMotionsTest
     {
         private var _tests:NarrowPhase = new NarrowPhase(new TightestFitChoice(landOf(BuiltInModel.cube())));
-        private var _table:AgentTable = new AgentTable(_tests.choice);
+        private var _table:AgentTable = new AgentTable(_tests.shapeChoice);
         private var _motions:RowMotions = new RowMotions(_table);
         private var _agents:Vector.<Agent> = new Vector.<Agent>();
 
@@ -73,7 +73,7 @@ package starlogo.search
                 {
                     var row:int = _table.listed.rowOf(agent);
                     var wasListed:Boolean = lastList.indexOf(agent) >= 0;
-                    assertEquals("has a motion", wasListed, _motions.sweepsOnMotion[row]);
+                    assertEquals("has a motion", wasListed, _motions.areSweeping[row]);
                     if (wasListed)
                     {
                         assertEquals("where the motion begins", agent.x - seen[agent.id], _motions.displacements.x[row]);

@@ -133,7 +133,7 @@ function $typeOf(collisionSystem) {
 
 /** The GreatLand with the models of a collision system of the engine's own. */
 function $greatLandOf(collisionSystem) {
-	return collisionSystem.$search?.narrowPhase.choice.greatLand;
+	return collisionSystem.$search?.narrowPhase.shapeChoice.greatLand;
 }
 
 /** How many units of its source a model's patch is long. */

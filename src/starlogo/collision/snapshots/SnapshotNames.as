@@ -3,84 +3,67 @@ package starlogo.collision.snapshots
     import flash.utils.ByteArray;
     import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
+    import starlogo.agents.NameNumbers;
     import starlogo.engine;
 
     use namespace engine;
 
     /**
-     * The names of breeds and models in a snapshot. Other parts of the snapshot mention a name by its index.
+     * The names of breeds and models in a snapshot. Other parts of the snapshot mention a name by its number here.
      *
      * @private
      */
     internal final class SnapshotNames
     {
-        private var _names:Vector.<String> = new Vector.<String>();
+        private var _numbers:NameNumbers = new NameNumbers(new Vector.<String>());
 
-        // By the number of a breed's or a model's name: the index of the name, plus 1.
-        private var _ofBreeds:Vector.<int> = new Vector.<int>();
-        private var _ofModels:Vector.<int> = new Vector.<int>();
-
-        /** The index of a breed's name. */
-        public function ofBreed(number:int):int
+        /** The number here of a breed's name. */
+        public function ofBreed(breed:int):int
         {
-            return indexOf(Breeds.NAMES.nameOf(number), _ofBreeds, number);
+            return _numbers.numberOf(Breeds.NAMES.nameOf(breed));
         }
 
-        /** The index of a model's name. */
-        public function ofModel(number:int):int
+        /** The number here of a model's name. */
+        public function ofModel(model:int):int
         {
-            return indexOf(Agent.MODEL_NAMES.nameOf(number), _ofModels, number);
+            return _numbers.numberOf(Agent.MODEL_NAMES.nameOf(model));
         }
 
-        /** The name with an index. @throws RangeError if there is none */
-        public function nameAt(index:uint):String
+        /** The name with a number. @throws RangeError if there is none */
+        public function nameAt(number:uint):String
         {
-            if (index >= _names.length)
+            if (number >= _numbers.count)
             {
-                throw new RangeError("there is no name with the index " + index);
+                throw new RangeError("there is no name with the number " + number);
             }
-            return _names[index];
+            return _numbers.nameOf(number);
         }
 
         /** Writes the names. */
         public function write(bytes:ByteArray):void
         {
-            bytes.writeInt(_names.length);
-            for (var i:int = 0; i < _names.length; i++)
+            bytes.writeInt(_numbers.count);
+            for (var number:int = 0; number < _numbers.count; number++)
             {
                 var name:ByteArray = new ByteArray();
-                name.writeUTFBytes(_names[i]);
+                name.writeUTFBytes(_numbers.nameOf(number));
                 bytes.writeInt(name.length);
                 bytes.writeBytes(name);
             }
         }
 
-        /** Reads names. @throws RangeError if one is empty */
+        /** Reads names. @throws RangeError if one is empty, or there twice */
         public function read(bytes:ByteArray):void
         {
-            for (var left:uint = bytes.readUnsignedInt(); left > 0; left--)
+            var count:uint = bytes.readUnsignedInt();
+            for (var number:uint = 0; number < count; number++)
             {
                 var name:String = bytes.readUTFBytes(bytes.readUnsignedInt());
-                if (name == "")
+                if (name == "" || _numbers.numberOf(name) != number)
                 {
-                    throw new RangeError("a name is empty");
+                    throw new RangeError("a name is empty, or there twice");
                 }
-                _names.push(name);
             }
-        }
-
-        // The index of a name, which it gets here if it is new.
-        private function indexOf(name:String, indices:Vector.<int>, number:int):int
-        {
-            if (number >= indices.length)
-            {
-                indices.length = number + 1;
-            }
-            if (indices[number] == 0)
-            {
-                indices[number] = _names.push(name);
-            }
-            return indices[number] - 1;
         }
     }
 }

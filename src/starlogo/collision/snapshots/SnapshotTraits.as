@@ -74,7 +74,6 @@ package starlogo.collision.snapshots
                     agent.countBodyChange();
                 }
                 Breeds.changes += int(breed != agent.breedNumber);
-                Agent.haveSwept ||= isSweeping;
                 agent.modelNumber = model;
                 agent.breedNumber = breed;
                 agent.isSweeping = isSweeping;

@@ -44,10 +44,10 @@ package starlogo.collision.snapshots
         private static const HAS_GROUND:int = 2;
         private static const HAS_HEIGHTS:int = 4;
 
-        // The factor of the number of the collision system (BaseShapeChoice.systemNumber), which is in the bits above these.
+        // The factor of the number of the collision system, which is in the bits above these.
         private static const SYSTEM_FACTOR:int = 8;
 
-        // The names of the collision systems, by BaseShapeChoice.systemNumber.
+        // The names of the collision systems (BaseShapeChoice.systemName). Their indices stand in snapshots, so they keep this order.
         private static const SYSTEMS:Array = ["a collider of the game's own", "a BinCollider", "a TightestFitCollider", "a HierarchicalCollider", "a CombinationCollider",
                 "a LevelCollider"];
 
@@ -95,7 +95,7 @@ package starlogo.collision.snapshots
             }
             var bytes:ByteArray = newBytes();
             bytes.writeUnsignedInt(MARK);
-            bytes.writeByte(int(withTraits) * HAS_TRAITS + int(ground != null) * HAS_GROUND + int(hasHeights) * HAS_HEIGHTS + search.narrowPhase.choice.systemNumber * SYSTEM_FACTOR);
+            bytes.writeByte(int(withTraits) * HAS_TRAITS + int(ground != null) * HAS_GROUND + int(hasHeights) * HAS_HEIGHTS + SYSTEMS.indexOf(search.narrowPhase.shapeChoice.systemName) * SYSTEM_FACTOR);
             bytes.writeInt(agents.length);
             names.write(bytes);
             bytes.writeBytes(rest);
@@ -127,7 +127,7 @@ package starlogo.collision.snapshots
             var names:SnapshotNames = new SnapshotNames();
             try
             {
-                var contents:int = readContents(copy, search.narrowPhase.choice.systemNumber, ground != null);
+                var contents:int = readContents(copy, search.narrowPhase.shapeChoice.systemName, ground != null);
                 var count:uint = copy.readUnsignedInt();
                 requireIntact(count <= copy.bytesAvailable / SnapshotPlaces.SIZE);
                 var formerEnvironment:Vector.<Agent> = _register.recallFormerEnvironment(copy, count, agents) || _unknownEnvironment;
@@ -226,20 +226,20 @@ package starlogo.collision.snapshots
                 bytes.writeInt(second);
                 bytes.writeInt(names.ofBreed(touch.firstBreed));
                 bytes.writeInt(names.ofBreed(touch.secondBreed));
-                bytes.writeBoolean(touch.isComplete);
+                bytes.writeBoolean(touch.hasReachedSecond);
             }
             return formerEnvironment;
         }
 
         // Reads what is in a snapshot. It has to be of the same kind of collision system, and with ground or without, as the Collision is.
-        private static function readContents(bytes:ByteArray, systemNumber:int, isGroundThere:Boolean):int
+        private static function readContents(bytes:ByteArray, systemName:String, isGroundThere:Boolean):int
         {
             var contents:int = bytes.readUnsignedByte();
             var writtenBy:int = contents / SYSTEM_FACTOR;
             requireIntact(writtenBy < SYSTEMS.length && (contents & (HAS_GROUND | HAS_HEIGHTS)) != HAS_HEIGHTS);
-            if (writtenBy != systemNumber)
+            if (SYSTEMS[writtenBy] != systemName)
             {
-                throw new ArgumentError("bytes are no snapshot of a Collision with " + SYSTEMS[systemNumber] + ": that one had " + SYSTEMS[writtenBy]);
+                throw new ArgumentError("bytes are no snapshot of a Collision with " + systemName + ": that one had " + SYSTEMS[writtenBy]);
             }
             if (isGroundThere != ((contents & HAS_GROUND) != 0))
             {
@@ -273,7 +273,7 @@ package starlogo.collision.snapshots
                 requireIntact(firstBreed > Breeds.ANY_NUMBER && (partner.isEnvironment ? secondBreed == partner.breedNumber : secondBreed > Breeds.ANY_NUMBER));
                 // each pair is there once
                 requireIntact(touches.find(agents[first], partner) == null);
-                touches.start(agents[first], partner, firstBreed, secondBreed).isComplete = flag == 1;
+                touches.start(agents[first], partner, firstBreed, secondBreed).hasReachedSecond = flag == 1;
             }
             return touches;
         }

@@ -281,7 +281,7 @@ package starlogo.queries.trees
                 halfZ = _halves.halfZ[row];
                 var halves:Number = halfX + halfY + halfZ;
                 maxExtent = 2 * halves > maxExtent ? 2 * halves : maxExtent;
-                var slack:Number = slackOf(x, y, z, halves, _halves.distanceFromPlace[row]);
+                var slack:Number = slackOf(x, y, z, halves, _halves.distanceFromPlace(row));
                 halfX += slack;
                 halfY += slack;
                 halfZ += slack;

@@ -21,7 +21,7 @@ package starlogo.search.table
      * tests.
      *
      * <p>A row stays as the last search has read it, even if the agent has changed since: its place, its rotation and its shape. docs/state.md
-     * lists the changes that make a part of a row void.</p>
+     * lists the changes that make a part of a row stale.</p>
      *
      * @private
      */
@@ -68,9 +68,6 @@ package starlogo.search.table
         // stands for no motion.
         private var _startRevisions:Vector.<int> = new Vector.<int>();
 
-        // By row: the way from the agent's place to the middle of its extents.
-        private var _offsets:Points = new Points();
-
         // By row: the body, and the agent's bodyRevision at which it was read.
         private var _bodies:Vector.<Body> = new Vector.<Body>();
         private var _bodyRevisions:Vector.<int> = new Vector.<int>();
@@ -115,12 +112,12 @@ package starlogo.search.table
                 requireShapes(agents);
                 listed.accept(agents);
                 makeRoom();
-                followList();
+                applyListChanges();
                 // always finds them, because the rows are those of the agents
                 tryFindChanged(agents);
             }
             findShapes();
-            forgetOtherModels();
+            forgetStartsOfOtherModels();
         }
 
         /** Reads the rows that have changed. Throws nothing. */
@@ -254,7 +251,7 @@ package starlogo.search.table
         public function followPose(row:int):void
         {
             _choice.forgetReplaced();
-            if (shapes[row].isVoid)
+            if (shapes[row].isStale)
             {
                 _bodies[row].followPose();
             }
@@ -271,7 +268,7 @@ package starlogo.search.table
         // Whether a row's body is as its agent is now, except for the place.
         private function isBodyCurrent(row:int):Boolean
         {
-            return shapes[row] != null && !shapes[row].isVoid && listed.agentsByRow[row].bodyRevision == _bodyRevisions[row];
+            return shapes[row] != null && !shapes[row].isStale && listed.agentsByRow[row].bodyRevision == _bodyRevisions[row];
         }
 
         // Finds the rows whose agents have changed since the last search, and those whose bodies have (_reshaped). If a row is another agent's, it stops
@@ -297,10 +294,10 @@ package starlogo.search.table
                 }
                 // isBodyCurrent(), written out for the loop
                 var shape:ModelShape = shapesSeen[row];
-                var isShapeVoid:Boolean = shape == null || shape.isVoid;
-                if (agent.revision != seen[row] || isShapeVoid)
+                var isShapeStale:Boolean = shape == null || shape.isStale;
+                if (agent.revision != seen[row] || isShapeStale)
                 {
-                    if (agent.bodyRevision != bodiesSeen[row] || isShapeVoid)
+                    if (agent.bodyRevision != bodiesSeen[row] || isShapeStale)
                     {
                         reshaped.add(row);
                     }
@@ -311,7 +308,7 @@ package starlogo.search.table
         }
 
         // Takes the order of an accepted list, and empties the rows of agents that have left. So a new agent finds an empty row.
-        private function followList():void
+        private function applyListChanges():void
         {
             var changes:IntList = listed.leftOrReordered;
             for (var i:int = 0; i < changes.count; i++)
@@ -342,7 +339,6 @@ package starlogo.search.table
             breeds.length = revisions.length = _startRevisions.length = _bodyRevisions.length = length;
             places.grow(length);
             extents.grow(length);
-            _offsets.grow(length);
             for (; row < length; row++)
             {
                 _bodies[row] = new Body();
@@ -372,7 +368,7 @@ package starlogo.search.table
         }
 
         // Lets no motion begin where a row had the shape of another model, or none.
-        private function forgetOtherModels():void
+        private function forgetStartsOfOtherModels():void
         {
             for (var i:int = 0; i < _reshaped.count; i++)
             {
@@ -410,29 +406,21 @@ package starlogo.search.table
             places.x[row] = agent.placement.x;
             places.y[row] = agent.placement.y;
             places.z[row] = agent.placement.z;
-            moveExtents(row);
+            extents.follow(places, row);
         }
 
         // Writes the extents of a row's body, which has another shape, turn or size than before.
         private function writeExtents(row:int, body:Body):void
         {
-            _offsets.x[row] = body.offsetX;
-            _offsets.y[row] = body.offsetY;
-            _offsets.z[row] = body.offsetZ;
+            extents.offsets.x[row] = body.offsetX;
+            extents.offsets.y[row] = body.offsetY;
+            extents.offsets.z[row] = body.offsetZ;
             extents.halfX[row] = body.halfX;
             extents.halfY[row] = body.halfY;
             extents.halfZ[row] = body.halfZ;
             extents.radiusXY[row] = body.radiusXY;
-            extents.distanceFromPlace[row] = body.distanceFromPlace;
-            moveExtents(row);
+            extents.follow(places, row);
             extents.assignLevel(row);
-        }
-
-        private function moveExtents(row:int):void
-        {
-            extents.x[row] = places.x[row] + _offsets.x[row];
-            extents.y[row] = places.y[row] + _offsets.y[row];
-            extents.z[row] = places.z[row] + _offsets.z[row];
         }
 
         // Gives rows the shapes that findShapes has found, and reads their bodies. Rows whose models are loading are read again in every search.

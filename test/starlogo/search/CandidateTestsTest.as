@@ -8,7 +8,7 @@ package starlogo.search
     import support.landOf;
 
     /** The times at which agents that sweep first touch. */
-    public class SweptTestsTest
+    public class CandidateTestsTest
     {
         [Test]
         public function whatMovesAlikeTouchesFromTheBeginningOn():void

@@ -106,9 +106,17 @@ package starlogo.convex
             var x:Number = uy * vz - uz * vy;
             var y:Number = uz * vx - ux * vz;
             var z:Number = ux * vy - uy * vx;
-            var least:Number = Tolerances.DIRECTION * Tolerances.DIRECTION * (ux * ux + uy * uy + uz * uz) * (vx * vx + vy * vy + vz * vz) + SMALL;
-            var isParallel:Boolean = !(x * x + y * y + z * z > least);
-            out.setTo(isParallel ? 0 : x, isParallel ? 0 : y, isParallel ? 0 : z);
+            var uu:Number = ux * ux + uy * uy + uz * uz;
+            var vv:Number = vx * vx + vy * vy + vz * vz;
+            var squared:Number = x * x + y * y + z * z;
+            if (!(squared > Tolerances.DIRECTION * Tolerances.DIRECTION * uu * vv + SMALL))
+            {
+                out.setTo(0, 0, 0);
+                return;
+            }
+            // If the two are nearly parallel, rounding has tilted the axis towards both.
+            var along:Number = squared < Tolerances.NEARLY_PARALLEL * uu * vv ? (x * ux + y * uy + z * uz) / uu : 0;
+            out.setTo(x - along * ux, y - along * uy, z - along * uz);
         }
 
         private function considerEdges(cores:CorePair, out:SeparatingAxis):void

@@ -40,9 +40,6 @@ package starlogo.diagnostics
         private var _pairs:Vector.<Tally> = new Vector.<Tally>();
         private var _indices:IntPairMap = new IntPairMap();
 
-        // The tallies of pairs that collide in the present frame.
-        private var _found:Vector.<Tally> = new Vector.<Tally>();
-
         private var _findTimes:FrameTimes = new FrameTimes();
         private var _frameTimes:FrameTimes = new FrameTimes();
 
@@ -179,10 +176,7 @@ package starlogo.diagnostics
                 index = _pairs.push(new Tally([a.breed, b.breed])) - 1;
                 _indices.set (lesser, greater, index);
             }
-            if (_pairs[index].inFrame++ == 0)
-            {
-                _found.push(_pairs[index]);
-            }
+            _pairs[index].inFrame++;
         }
 
         private function endFrame(collisions:int):void
@@ -190,11 +184,10 @@ package starlogo.diagnostics
             _frames++;
             _all.inFrame = collisions;
             _all.endFrame();
-            for each (var pair:Tally in _found)
+            for each (var pair:Tally in _pairs)
             {
                 pair.endFrame();
             }
-            _found.length = 0;
         }
     }
 }

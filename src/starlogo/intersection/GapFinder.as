@@ -122,13 +122,13 @@ package starlogo.intersection
             segment.move(box, motion);
             segment.findClosest(box);
             var fraction:Number = segment.fraction;
-            place.x = segment.signX * (segment.x + fraction * segment.alongX);
-            place.y = segment.signY * (segment.y + fraction * segment.alongY);
-            place.z = segment.signZ * (segment.z + fraction * segment.alongZ);
+            place.x = segment.x + fraction * segment.alongX;
+            place.y = segment.y + fraction * segment.alongY;
+            place.z = segment.z + fraction * segment.alongZ;
             measureToBox(place, box, motion, out);
             setPoint(capsule, fraction, out);
             out.radiusA = capsule.radius;
-            out.extent = segment.alongX + segment.alongY + segment.alongZ + box.halfX + box.halfY + box.halfZ + capsule.radius;
+            out.extent = Math.abs(segment.alongX) + Math.abs(segment.alongY) + Math.abs(segment.alongZ) + box.halfX + box.halfY + box.halfZ + capsule.radius;
         }
 
         // Computes the gap between a place and the nearest point of a box, its squared length, and how a motion of the place closes it.

@@ -47,9 +47,8 @@ package starlogo.intersection.ray
         private var _shearV:Number = 0;
         private var _inverseSpeed:Number = 0;
 
-        // How far from a triangle the ray may pass. Twice the area of a triangle of that height and of the greatest possible width.
-        private var _tolerance:Number = 0;
-        private var _areaTolerance:Number = 0;
+        // The radius of a sphere around all triangles that come next.
+        private var _radius:Number = 0;
 
         /** The first crossing so far: see <code>findEarlier()</code>. Read only. */
         public var first:TriangleCrossing = new TriangleCrossing();
@@ -94,9 +93,7 @@ package starlogo.intersection.ray
         /** Changes the radius of a sphere around all triangles that come next. Their rounding errors are relative to it. */
         public function setRadius(radius:Number):void
         {
-            _tolerance = Tolerances.SURFACES * radius;
-            // Shearing may make a side longer than the diameter, by a factor of at most the root of eight.
-            _areaTolerance = 6 * _tolerance * radius;
+            _radius = radius;
         }
 
         /**
@@ -176,7 +173,11 @@ package starlogo.intersection.ray
             var originW:Number = _originW;
             var shearU:Number = _shearU;
             var shearV:Number = _shearV;
-            var areaTolerance:Number = _areaTolerance;
+            // how far from the triangle the ray may pass
+            var tolerance:Number = Tolerances.SURFACES * _radius;
+            // Twice the area of a triangle of that height and of the greatest possible width. Shearing may make a side longer than the diameter, by a
+            // factor of at most the root of eight.
+            var areaTolerance:Number = 6 * tolerance * _radius;
             var aW:Number = points[int(a + w)] - originW;
             var aU:Number = points[int(a + u)] - originU - shearU * aW;
             var aV:Number = points[int(a + v)] - originV - shearV * aW;
@@ -195,13 +196,13 @@ package starlogo.intersection.ray
             }
             var sum:Number = sideA + sideB + sideC;
             var width:Number = Math.abs(aU) + Math.abs(aV) + Math.abs(bU) + Math.abs(bV) + Math.abs(cU) + Math.abs(cV);
-            var isEdgeOn:Boolean = Math.abs(sum) <= EDGE_ON_TOLERANCES * _tolerance * width;
+            var isEdgeOn:Boolean = Math.abs(sum) <= EDGE_ON_TOLERANCES * tolerance * width;
             var isInside:Boolean = sum != 0 && (sideA >= 0 && sideB >= 0 && sideC >= 0 || sideA <= 0 && sideB <= 0 && sideC <= 0);
             if (isInside && !isEdgeOn)
             {
                 out.distance = _inverseSpeed * (sideA * aW + sideB * bW + sideC * cW) / sum;
             }
-            else if (!passEdges(points, a, b, c, isInside ? EDGE_ON_HEIGHT * _tolerance : _tolerance, out))
+            else if (!passEdges(points, a, b, c, isInside ? EDGE_ON_HEIGHT * tolerance : tolerance, out))
             {
                 return false;
             }
@@ -212,7 +213,7 @@ package starlogo.intersection.ray
             }
             if (isEdgeOn)
             {
-                out.rounding = Tolerances.ROUNDING * Math.abs(out.distance) + PLACE_TOLERANCES * EDGE_ON_TOLERANCES * _tolerance;
+                out.rounding = Tolerances.ROUNDING * Math.abs(out.distance) + PLACE_TOLERANCES * EDGE_ON_TOLERANCES * tolerance;
                 out.end = Math.max(out.end, out.distance) + out.rounding;
                 out.side = RayCrossings.EDGE_ON;
                 return true;
@@ -221,7 +222,7 @@ package starlogo.intersection.ray
             // along the ray.
             var depth:Number = Math.abs(_inverseSpeed) * (Math.abs(aW - bW) + Math.abs(bW - cW));
             out.end = out.distance;
-            out.rounding = Tolerances.ROUNDING * Math.abs(out.distance) + PLACE_TOLERANCES * _tolerance * (1 + width * depth / Math.abs(sum));
+            out.rounding = Tolerances.ROUNDING * Math.abs(out.distance) + PLACE_TOLERANCES * tolerance * (1 + width * depth / Math.abs(sum));
             out.side = _inverseSpeed * sum > 0 ? RayCrossings.FRONT : RayCrossings.BACK;
             return true;
         }

@@ -24,7 +24,7 @@ package starlogo.intersection.ray
     public final class SpanFinder
     {
         // The part of a line in the ball around an end of a capsule.
-        private static var sBall:RaySpan = new RaySpan();
+        private static const BALL:RaySpan = new RaySpan();
 
         /**
          * Finds the part of the line inside of a structure.
@@ -41,7 +41,7 @@ package starlogo.intersection.ray
             switch (structure.kind)
             {
                 case BoundingStructure.SPHERE:
-                    return findInSphere(ray, Sphere(structure), out);
+                    return findInBall(ray, Sphere(structure).center, Sphere(structure).radius * Tolerances.TOUCHING, out);
                 case BoundingStructure.CAPSULE:
                     return findInCapsule(ray, Capsule(structure), out);
                 case BoundingStructure.BOX:
@@ -60,11 +60,6 @@ package starlogo.intersection.ray
                     break;
             }
             throw new ArgumentError("there is no test of rays for " + structure);
-        }
-
-        private static function findInSphere(ray:Ray, sphere:Sphere, out:RaySpan):Boolean
-        {
-            return findInBall(ray, sphere.center, sphere.radius * Tolerances.TOUCHING, out);
         }
 
         private static function findInBall(ray:Ray, center:Vector3D, radius:Number, out:RaySpan):Boolean
@@ -140,15 +135,15 @@ package starlogo.intersection.ray
             var farFraction:Number = fraction + out.far.touchDistance * speed;
             var isNearOnSide:Boolean = nearFraction >= 0 && nearFraction <= 1;
             var isFarOnSide:Boolean = farFraction >= 0 && farFraction <= 1;
-            var isInNearBall:Boolean = !isNearOnSide && findInBall(ray, nearFraction > 1 ? end : start, radius, sBall);
+            var isInNearBall:Boolean = !isNearOnSide && findInBall(ray, nearFraction > 1 ? end : start, radius, BALL);
             if (isInNearBall)
             {
-                out.near.copyFrom(sBall.near);
+                out.near.copyFrom(BALL.near);
             }
-            var isInFarBall:Boolean = !isFarOnSide && (isNearOnSide || isInNearBall) && findInBall(ray, farFraction > 1 ? end : start, radius, sBall);
+            var isInFarBall:Boolean = !isFarOnSide && (isNearOnSide || isInNearBall) && findInBall(ray, farFraction > 1 ? end : start, radius, BALL);
             if (isInFarBall)
             {
-                out.far.copyFrom(sBall.far);
+                out.far.copyFrom(BALL.far);
             }
             // A line through the side meets the ball too that it passes at its other end. If rounding says no, that is at the rim: the cylinder's end stays.
             return isNearOnSide || isFarOnSide || isInFarBall;

@@ -3,8 +3,11 @@ package starlogo.intersection.boxes
     import flash.geom.Vector3D;
     import starlogo.bounding.Box;
     import starlogo.convex.RelativeMotion;
+    import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
+
+    use namespace engine;
 
     /**
      * Finds when two moving boxes first touch, by separating axes over time (Eberly, "Intersection of convex objects: the method of separating axes",
@@ -21,9 +24,9 @@ package starlogo.intersection.boxes
         // For areTouching().
         private static const SCRATCH:BoxSweep = new BoxSweep();
 
-        // The directions of b's edges, and half of each edge as a vector: along axisX, axisY, axisZ.
-        private var _edges:Vector.<Number> = new Vector.<Number>(9, true);
-        private var _halves:Vector.<Number> = new Vector.<Number>(9, true);
+        // The rotation of b, row by row: its columns are the directions of b's edges. And the half-extents of b.
+        private var _rows:Vector.<Number> = new Vector.<Number>(9, true);
+        private var _halves:Vector.<Number> = new Vector.<Number>(3, true);
 
         private var _times:ContactInterval = new ContactInterval();
 
@@ -149,42 +152,29 @@ package starlogo.intersection.boxes
         // rounding would break it.
         private function narrowByEdges(pair:BoxPair, motion:RelativeMotion):Boolean
         {
-            var turn:Placement = pair.rotation;
-            var edges:Vector.<Number> = _edges;
-            edges[0] = turn.r00;
-            edges[1] = turn.r10;
-            edges[2] = turn.r20;
-            edges[3] = turn.r01;
-            edges[4] = turn.r11;
-            edges[5] = turn.r21;
-            edges[6] = turn.r02;
-            edges[7] = turn.r12;
-            edges[8] = turn.r22;
-            var halves:Vector.<Number> = _halves;
-            for (var i:int = 0; i < 3; i++)
-            {
-                halves[i] = pair.bHalfX * edges[i];
-                halves[int(i + 3)] = pair.bHalfY * edges[int(i + 3)];
-                halves[int(i + 6)] = pair.bHalfZ * edges[int(i + 6)];
-            }
-            return narrowAcross(pair, motion, 0, 3, 6) && narrowAcross(pair, motion, 3, 6, 0) && narrowAcross(pair, motion, 6, 0, 3);
+            pair.rotation.readRows(_rows, 0);
+            _halves[0] = pair.bHalfX;
+            _halves[1] = pair.bHalfY;
+            _halves[2] = pair.bHalfZ;
+            return narrowAcross(pair, motion, 0, 1, 2) && narrowAcross(pair, motion, 1, 2, 0) && narrowAcross(pair, motion, 2, 0, 1);
         }
 
         // Narrows the interval by the cross products of edge p of b and the three edges of a, which are the coordinate axes. q and r are b's other edges.
-        // All three are indices into the lists of edges. Returns whether anything is left.
+        // All three are columns of the rotation. Returns whether anything is left.
         private function narrowAcross(pair:BoxPair, motion:RelativeMotion, p:int, q:int, r:int):Boolean
         {
-            var edges:Vector.<Number> = _edges;
-            var halves:Vector.<Number> = _halves;
-            var pX:Number = edges[p];
-            var pY:Number = edges[int(p + 1)];
-            var pZ:Number = edges[int(p + 2)];
-            var qX:Number = halves[q];
-            var qY:Number = halves[int(q + 1)];
-            var qZ:Number = halves[int(q + 2)];
-            var rX:Number = halves[r];
-            var rY:Number = halves[int(r + 1)];
-            var rZ:Number = halves[int(r + 2)];
+            var rows:Vector.<Number> = _rows;
+            var halfQ:Number = _halves[q];
+            var halfR:Number = _halves[r];
+            var pX:Number = rows[p];
+            var pY:Number = rows[int(p + 3)];
+            var pZ:Number = rows[int(p + 6)];
+            var qX:Number = halfQ * rows[q];
+            var qY:Number = halfQ * rows[int(q + 3)];
+            var qZ:Number = halfQ * rows[int(q + 6)];
+            var rX:Number = halfR * rows[r];
+            var rY:Number = halfR * rows[int(r + 3)];
+            var rZ:Number = halfR * rows[int(r + 6)];
             var sizeX:Number = Math.abs(pX);
             var sizeY:Number = Math.abs(pY);
             var sizeZ:Number = Math.abs(pZ);

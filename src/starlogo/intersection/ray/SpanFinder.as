@@ -15,7 +15,7 @@ package starlogo.intersection.ray
     use namespace engine;
 
     /**
-     * Finds which part of a ray's line is inside of a structure. RayEntry derives from it where the ray enters,
+     * Finds which part of a ray's line is inside of a structure. RayCrossing derives from it where the ray enters,
      * and RayCrossings where it enters and leaves. Each kind has a formula. Touching counts, to within a factor on the structure's extents, which is
      * Tolerances.TOUCHING. Nothing is allocated, except at the first ray that meets a hull where it is.
      *

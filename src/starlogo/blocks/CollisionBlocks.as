@@ -144,7 +144,7 @@ package starlogo.blocks
          * @param otherBreed the breed that it collides with, or Collision.ANY_BREED
          * @param script called with the collider and the collidee in every frame in which they touch
          * @throws BlockError if something is missing
-         * @throws ArgumentError if the script takes another number of arguments than a handler of Collision.onCollision
+         * @throws ArgumentError as Collision.onCollision
          */
         public function onCollision(breed:String, otherBreed:String, script:Function):void
         {

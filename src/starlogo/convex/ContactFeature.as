@@ -47,7 +47,7 @@ package starlogo.convex
                 most = projection > most ? projection : most;
             }
             farthest = most;
-            _cornerTolerance = Tolerances.DIRECTION * shape.extent;
+            _cornerTolerance = Tolerances.DIRECTION * shape.boundingRadius;
             most -= _cornerTolerance;
             length = 0;
             for (var k:int = 0; k < shape.pointsEnd; k += 3)

@@ -121,7 +121,7 @@ package starlogo.convex
             balls.x = side * cores.x;
             balls.y = side * cores.y;
             balls.z = side * cores.z;
-            balls.radiusA = Tolerances.OUTER * (cores.searchLimit + cores.first.extent + cores.second.extent);
+            balls.radiusA = Tolerances.OUTER * (cores.searchLimit + cores.first.boundingRadius + cores.second.boundingRadius);
             balls.radiusB = 0;
             findTimeOfSpheres(balls, motion);
             motion.time = motion.earliestTime > motion.time ? motion.earliestTime : motion.time;
@@ -172,7 +172,7 @@ package starlogo.convex
             beginContact(a, b, motion);
             _gjk.find(_cores, _result);
             var distance:Number = _result.distance;
-            if (distance > Tolerances.PERPENDICULAR_GAP * (a.extent + b.extent))
+            if (distance > Tolerances.PERPENDICULAR_GAP * (a.boundingRadius + b.boundingRadius))
             {
                 _result.axis.setTo(_result.gap.x / distance, _result.gap.y / distance, _result.gap.z / distance, distance);
             }

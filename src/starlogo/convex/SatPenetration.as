@@ -97,7 +97,7 @@ package starlogo.convex
         // The factor on the edges of a shape.
         private static function scaleOf(shape:ConvexShape):Number
         {
-            return shape.extent > LARGE ? 1 / shape.extent : 1;
+            return shape.boundingRadius > LARGE ? 1 / shape.boundingRadius : 1;
         }
 
         // Finds the axis across two vectors. It is 0 if they are parallel: then a face has no area, and two edges have no common perpendicular.
@@ -214,7 +214,7 @@ package starlogo.convex
             turnUpwards(axis);
             projectDifferences(axis, cores, _differences);
             // rounding hides on which side they are
-            var isDown:Boolean = _differences.max < -_differences.min - Tolerances.ROUNDING * (cores.first.extent + cores.second.extent);
+            var isDown:Boolean = _differences.max < -_differences.min - Tolerances.ROUNDING * (cores.first.boundingRadius + cores.second.boundingRadius);
             var side:int = isDown ? -1 : 1;
             out.setTo(side * axis.x, side * axis.y, side * axis.z, isDown ? -_differences.max : _differences.min);
         }
@@ -284,7 +284,7 @@ package starlogo.convex
             axis.z /= length;
             back /= length;
             forth /= length;
-            var rounding:Number = Tolerances.ROUNDING * (cores.first.extent + cores.second.extent);
+            var rounding:Number = Tolerances.ROUNDING * (cores.first.boundingRadius + cores.second.boundingRadius);
             var side:int = back < forth ? -1 : 1;
             if (back - forth <= rounding && forth - back <= rounding)
             {

@@ -45,7 +45,7 @@ package starlogo.intersection
                 var touchingDistance:Number = radii * Tolerances.TOUCHING + margins;
                 var length:Number = Math.sqrt(gap.squaredLength);
                 step.isTouching = gap.squaredLength <= touchingDistance * touchingDistance;
-                if (!step.isTouching && radii < Tolerances.DIRECTION * gap.extent)
+                if (!step.isTouching && radii < Tolerances.DIRECTION * gap.size)
                 {
                     _convex.findTimeOfImpactInOrder(first, second, motion);
                     return;
@@ -62,7 +62,7 @@ package starlogo.intersection
             var gap:CoreGap = _gap;
             _finder.find(first, second, motion, gap);
             // If the gap is longer than this, it has a direction in spite of rounding.
-            var least:Number = Tolerances.DIRECTION * gap.extent;
+            var least:Number = Tolerances.DIRECTION * gap.size;
             if (gap.squaredLength > least * least)
             {
                 _finder.centerLastGap(first, second, gap);

@@ -52,7 +52,10 @@ package starlogo.intersection.ray
             var exit:RayCrossing = add();
             exit.side = RayCrossing.LEAVES;
             exit.rounding = rounding;
-            count -= exit.setToExit(ray, span, entry) ? 0 : 1;
+            if (!exit.setToExit(ray, span, entry))
+            {
+                count--;
+            }
         }
     }
 }

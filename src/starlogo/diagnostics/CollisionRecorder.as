@@ -40,6 +40,9 @@ package starlogo.diagnostics
         private var _pairs:Vector.<Tally> = new Vector.<Tally>();
         private var _indices:IntPairMap = new IntPairMap();
 
+        // The tallies of pairs that collide in the present frame.
+        private var _found:Vector.<Tally> = new Vector.<Tally>();
+
         private var _findTimes:FrameTimes = new FrameTimes();
         private var _frameTimes:FrameTimes = new FrameTimes();
 
@@ -176,7 +179,10 @@ package starlogo.diagnostics
                 index = _pairs.push(new Tally([a.breed, b.breed])) - 1;
                 _indices.set (lesser, greater, index);
             }
-            _pairs[index].inFrame++;
+            if (_pairs[index].inFrame++ == 0)
+            {
+                _found.push(_pairs[index]);
+            }
         }
 
         private function endFrame(collisions:int):void
@@ -184,10 +190,11 @@ package starlogo.diagnostics
             _frames++;
             _all.inFrame = collisions;
             _all.endFrame();
-            for each (var pair:Tally in _pairs)
+            for each (var pair:Tally in _found)
             {
                 pair.endFrame();
             }
+            _found.length = 0;
         }
     }
 }

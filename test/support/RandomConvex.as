@@ -78,7 +78,7 @@ package support
             out.z = shape.z + z;
             out.radius = shape.radius;
             out.margin = shape.margin;
-            out.extent = shape.extent;
+            out.boundingRadius = shape.boundingRadius;
             out.points = shape.points;
             out.pointsEnd = shape.pointsEnd;
             out.faces = shape.faces;

@@ -46,7 +46,6 @@ package starlogo.blocks
         private var _greatLand:GreatLand;
         private var _agents:Vector.<Agent>;
         private var _systems:Object = {};
-        private var _systemName:String = TIGHTEST_FITS;
         private var _collision:Collision;
 
         // A search of the system that was in use when it was made, for present places; null before the first. It never gets a list of agents, so it takes
@@ -73,7 +72,7 @@ package starlogo.blocks
             _systems[HIERARCHIES] = new HierarchicalCollider(greatLand);
             _systems[COMBINATION] = new CombinationCollider(greatLand);
             _systems[EXACT] = exact;
-            _collision = new Collision(systemNamed(_systemName));
+            _collision = new Collision(systemNamed(TIGHTEST_FITS));
         }
 
         /** The names that "use collision system" offers. */
@@ -100,10 +99,17 @@ package starlogo.blocks
             return _collision;
         }
 
-        /** The name of the collision system in use. */
+        /** The name of the collision system in use; null if the game has given its Collision one of its own. */
         public function get systemName():String
         {
-            return _systemName;
+            for each (var name:String in NAMES)
+            {
+                if (_systems[name] === _collision.collisionSystem)
+                {
+                    return name;
+                }
+            }
+            return null;
         }
 
         /**
@@ -129,7 +135,6 @@ package starlogo.blocks
         public function useCollisionSystem(name:String):void
         {
             _collision.collisionSystem = systemNamed(name);
-            _systemName = name;
         }
 
         /**
@@ -139,7 +144,7 @@ package starlogo.blocks
          * @param otherBreed the breed that it collides with, or Collision.ANY_BREED
          * @param script called with the collider and the collidee in every frame in which they touch
          * @throws BlockError if something is missing
-         * @throws ArgumentError if the script takes another number of arguments than a handler of Collision.onCollision
+         * @throws ArgumentError as Collision.onCollision
          */
         public function onCollision(breed:String, otherBreed:String, script:Function):void
         {

@@ -28,10 +28,6 @@ package starlogo.blocks
         // What is in the way: the ground and the solid breeds.
         private var _obstacles:AgentFilter = AgentFilter.ofBreeds(Collision.TERRAIN);
 
-        // How agents walk, without a fall, and how they fall.
-        private var _walking:WalkOptions = new WalkOptions();
-        private var _falling:WalkOptions = new WalkOptions();
-
         private var _footing:Footing = new Footing();
 
         /**
@@ -44,8 +40,6 @@ package starlogo.blocks
         {
             requireGiven("detection", detection);
             _detection = detection;
-            _walking.filter = _falling.filter = _obstacles;
-            _walking.fall = 0;
         }
 
         /** By how much falling gets faster in each frame, in patches a frame; 0.01. @throws RangeError if it is not more than 0, or more than 1e9 */
@@ -141,7 +135,7 @@ package starlogo.blocks
         public function walk(agent:Agent, steps:Number):void
         {
             checkNumber("walk", agent, steps, "steps");
-            _detection.queries.walk(agent, steps * Trigonometry.cosine(agent.heading), steps * Trigonometry.sine(agent.heading), _walking, _footing);
+            _detection.queries.walk(agent, steps * Trigonometry.cosine(agent.heading), steps * Trigonometry.sine(agent.heading), optionsOf(0), _footing);
         }
 
         /**
@@ -160,9 +154,9 @@ package starlogo.blocks
             {
                 return _detection.queries.moveUntilTouch(agent, 0, 0, speed, _obstacles) < 1 ? 0 : speed - _gravity;
             }
-            _falling.fall = Math.min(_gravity - speed, Agent.LARGEST_COORDINATE);
-            _detection.queries.walk(agent, 0, 0, _falling, _footing);
-            return _footing.stands ? 0 : -_falling.fall;
+            var fall:Number = Math.min(_gravity - speed, Agent.LARGEST_COORDINATE);
+            _detection.queries.walk(agent, 0, 0, optionsOf(fall), _footing);
+            return _footing.stands ? 0 : -fall;
         }
 
         /**
@@ -212,7 +206,16 @@ package starlogo.blocks
         public function standsOn(agent:Agent):Agent
         {
             BlockChecks.requirePlacedAgent("what I stand on", agent);
-            return _detection.queries.moves.findFooting(agent, _walking, _footing).on;
+            return _detection.queries.moves.findFooting(agent, optionsOf(0), _footing).on;
+        }
+
+        // How an agent walks that falls so far meanwhile.
+        private function optionsOf(fall:Number):WalkOptions
+        {
+            var options:WalkOptions = new WalkOptions();
+            options.filter = _obstacles;
+            options.fall = fall;
+            return options;
         }
 
         private static function checkNumber(block:String, agent:Agent, value:Number, what:String):void

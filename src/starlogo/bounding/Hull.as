@@ -57,8 +57,8 @@ package starlogo.bounding
         // Empty until they are needed.
         private var _halfSpaces:Vector.<Number> = new Vector.<Number>();
 
-        // The extent of a shape of these corners; -1 until it is needed. So a body's hull finds it once, not once for each pair.
-        private var _extent:Number = -1;
+        // The bounding radius of a shape of these corners; -1 until it is needed. So a body's hull finds it once, not once for each pair.
+        private var _boundingRadius:Number = -1;
 
         /**
          * Creates the hull of points. The cost is n log n for n points.
@@ -249,9 +249,9 @@ package starlogo.bounding
         override engine function setShape(out:ConvexShape):void
         {
             // a field, because V8 would make an object for an argument
-            out.extent = _extent;
-            out.setHull(center, relativeCorners, topology.faces, topology.edges, _extent >= 0);
-            _extent = out.extent;
+            out.boundingRadius = _boundingRadius;
+            out.setHull(center, relativeCorners, topology.faces, topology.edges, _boundingRadius >= 0);
+            _boundingRadius = out.boundingRadius;
             out.radius = radius;
         }
 
@@ -368,7 +368,7 @@ package starlogo.bounding
         // Forgets what was found of the corners, after they have changed.
         private function forgetShape():void
         {
-            _extent = -1;
+            _boundingRadius = -1;
             if (_halfSpaces.length > 0)
             {
                 _halfSpaces.length = 0;

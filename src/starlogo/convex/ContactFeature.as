@@ -18,9 +18,6 @@ package starlogo.convex
         // The rounding error of the corners that findFarthest() has found: how far from the farthest, from a line or from each other they still count.
         private var _cornerTolerance:Number = 0;
 
-        // How far outside of a side of a face corners may be that clip() keeps.
-        private var _clipTolerance:Number = 0;
-
         // A second list. An outline or the result of a cut is written to it, and then it takes the place of the first.
         private var _spare:Vector.<Number> = new Vector.<Number>();
 
@@ -50,7 +47,7 @@ package starlogo.convex
                 most = projection > most ? projection : most;
             }
             farthest = most;
-            _cornerTolerance = Tolerances.DIRECTION * shape.extent;
+            _cornerTolerance = Tolerances.DIRECTION * shape.boundingRadius;
             most -= _cornerTolerance;
             length = 0;
             for (var k:int = 0; k < shape.pointsEnd; k += 3)
@@ -112,15 +109,11 @@ package starlogo.convex
          */
         public function clip(face:ContactFeature, contact:ContactPoint):void
         {
-            var sides:Vector.<Number> = face.points;
-            // rounding is relative to the face's extent, which two of its sides tell
-            _clipTolerance = Tolerances.ROUNDING * (Math.abs(sides[3] - sides[0]) + Math.abs(sides[4] - sides[1]) + Math.abs(sides[5] - sides[2])
-                    + Math.abs(sides[6] - sides[3]) + Math.abs(sides[7] - sides[4]) + Math.abs(sides[8] - sides[5]));
             var hasCommonPart:Boolean = true;
             var last:int = face.length - 3;
             for (var at:int = 0; at < face.length; at += 3)
             {
-                hasCommonPart = cut(sides, last, at, contact, false) && hasCommonPart;
+                hasCommonPart = cut(face, last, at, contact, false) && hasCommonPart;
                 last = at;
             }
             if (hasCommonPart)
@@ -130,7 +123,7 @@ package starlogo.convex
             // what is nearest to a side may be beside the face, so these sides come last
             for (at = 0; at < face.length; at += 3)
             {
-                cut(sides, last, at, contact, true);
+                cut(face, last, at, contact, true);
                 last = at;
             }
         }
@@ -227,8 +220,9 @@ package starlogo.convex
 
         // Keeps the part on the inner side of a side of a face. If there is none, keeps all or only what is nearest to the side. Returns whether something
         // is inside.
-        private function cut(sides:Vector.<Number>, sideFrom:int, sideTo:int, contact:ContactPoint, keepsNearest:Boolean):Boolean
+        private function cut(face:ContactFeature, sideFrom:int, sideTo:int, contact:ContactPoint, keepsNearest:Boolean):Boolean
         {
+            var sides:Vector.<Number> = face.points;
             var sideX:Number = sides[sideTo] - sides[sideFrom];
             var sideY:Number = sides[int(sideTo + 1)] - sides[int(sideFrom + 1)];
             var sideZ:Number = sides[int(sideTo + 2)] - sides[int(sideFrom + 2)];
@@ -246,7 +240,10 @@ package starlogo.convex
                 var projection:Number = inX * before[i] + inY * before[int(i + 1)] + inZ * before[int(i + 2)];
                 innermost = projection > innermost ? projection : innermost;
             }
-            var rounding:Number = _clipTolerance * Math.sqrt(inX * inX + inY * inY + inZ * inZ);
+            // rounding is relative to the face's extent, which two of its sides tell
+            var rounding:Number = Tolerances.ROUNDING * (Math.abs(sides[3] - sides[0]) + Math.abs(sides[4] - sides[1]) + Math.abs(sides[5] - sides[2])
+                    + Math.abs(sides[6] - sides[3]) + Math.abs(sides[7] - sides[4]) + Math.abs(sides[8] - sides[5]))
+                * Math.sqrt(inX * inX + inY * inY + inZ * inZ);
             var isAllOutside:Boolean = innermost < border - rounding;
             if (isAllOutside)
             {

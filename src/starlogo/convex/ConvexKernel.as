@@ -1,6 +1,6 @@
 // The package convex decides about two convex shapes. A shape is a core of points with a radius (ConvexShape). A ConvexKernel answers: GjkDistance
-// finds the distance of two cores with the help of Simplex, ConvexSweep the time of impact, SatPenetration the shortest displacement out of an overlap,
-// ContactPointFinder the point of a contact. Read ConvexShape first, then ConvexKernel from the top, then CorePair, GjkDistance, Simplex and
+// finds the distance of two cores with the help of Simplex, ConservativeAdvancement steps to the time of impact, SatPenetration finds the shortest
+// displacement out of an overlap, ContactPointFinder the point of a contact. Read ConvexShape first, then ConvexKernel from the top, then CorePair, GjkDistance, Simplex and
 // SimplexPart.
 // 
 // In all packages a kernel decides about two shapes or structures, and a pair is two of them. The records of questions and answers (RelativeMotion,
@@ -26,9 +26,12 @@ package starlogo.convex
         private var _gjk:GjkDistance = new GjkDistance();
         private var _sat:SatPenetration = new SatPenetration();
         private var _pointFinder:ContactPointFinder = new ContactPointFinder();
-        private var _sweep:ConvexSweep = new ConvexSweep(_gjk, _sat);
+        private var _step:ConservativeAdvancement = new ConservativeAdvancement();
         private var _cores:CorePair = new CorePair();
         private var _result:GjkResult = new GjkResult();
+
+        // Balls around the two shapes of a sweep.
+        private var _balls:CoreGap = new CoreGap();
 
         /** Whether two shapes touch or overlap. */
         public function areTouching(a:ConvexShape, b:ConvexShape):Boolean
@@ -80,14 +83,81 @@ package starlogo.convex
         }
 
         /**
-         * Finds when a moving shape first touches another one.
+         * Finds when a moving shape first touches another one, step by step: see ConservativeAdvancement.
          *
          * @param motion the motion of a; receives the time
          */
         public function findTimeOfImpact(a:ConvexShape, b:ConvexShape, motion:RelativeMotion):void
         {
-            _cores.setShapes(a, b);
-            _sweep.findTimeOfImpact(_cores, motion);
+            var cores:CorePair = _cores;
+            cores.setShapes(a, b);
+            beginSweep(motion);
+            if (!(motion.time <= motion.latestTime))
+            {
+                motion.time = RelativeMotion.NEVER;
+                return;
+            }
+            cores.moveTo(motion);
+            _gjk.find(cores, _result);
+            while (measureStep().advance(motion))
+            {
+                cores.moveTo(motion);
+                _gjk.findAfterMove(cores, _result);
+            }
+        }
+
+        // Begins at the motion's earliest time, or when balls around the two first meet if that is later.
+        private function beginSweep(motion:RelativeMotion):void
+        {
+            var cores:CorePair = _cores;
+            _step.reset();
+            motion.time = 0;
+            cores.setMotion(motion);
+            cores.limitToTouching();
+            cores.searchLimit += motion.margin;
+            var balls:CoreGap = _balls;
+            // the motion is that of a
+            var side:int = cores.isSwapped ? -1 : 1;
+            balls.x = side * cores.x;
+            balls.y = side * cores.y;
+            balls.z = side * cores.z;
+            balls.radiusA = Tolerances.OUTER * (cores.searchLimit + cores.first.boundingRadius + cores.second.boundingRadius);
+            balls.radiusB = 0;
+            findTimeOfSpheres(balls, motion);
+            motion.time = motion.earliestTime > motion.time ? motion.earliestTime : motion.time;
+        }
+
+        // Returns the step from what was found at the motion's time. Two steps are possible, neither of which leads past a touch, and the longer one counts.
+        // One closes the separation along the axis. The other closes the distance at the motion's full speed, because no shape comes nearer faster than
+        // that. It is needed only where no axis proves much of a gap.
+        private function measureStep():ConservativeAdvancement
+        {
+            var cores:CorePair = _cores;
+            var axis:SeparatingAxis = _result.axis;
+            var step:ConservativeAdvancement = _step;
+            step.isTouching = _result.isWithinLimit(cores);
+            var isProven:Boolean = step.isTouching || axis.separation > cores.searchLimit;
+            if (!isProven)
+            {
+                // A short line between two points is too imprecise a direction where an edge or a face is nearly perpendicular to it. The normals of
+                // faces and pairs of edges are precise.
+                _sat.considerNormals(cores, axis);
+            }
+            var x:Number = cores.motionX;
+            var y:Number = cores.motionY;
+            var z:Number = cores.motionZ;
+            var radii:Number = cores.first.radius + cores.second.radius;
+            step.separation = axis.separation - radii;
+            step.speed = -(axis.x * x + axis.y * y + axis.z * z);
+            if (!isProven)
+            {
+                var fullSpeed:Number = Math.sqrt(x * x + y * y + z * z);
+                var distance:Number = _result.distance - radii;
+                var isAxisLonger:Boolean = step.separation > 0 && step.separation * fullSpeed >= distance * step.speed;
+                step.separation = isAxisLonger ? step.separation : distance;
+                step.speed = isAxisLonger ? step.speed : fullSpeed;
+            }
+            return step;
         }
 
         /**
@@ -102,7 +172,7 @@ package starlogo.convex
             beginContact(a, b, motion);
             _gjk.find(_cores, _result);
             var distance:Number = _result.distance;
-            if (distance > Tolerances.PERPENDICULAR_GAP * (a.extent + b.extent))
+            if (distance > Tolerances.PERPENDICULAR_GAP * (a.boundingRadius + b.boundingRadius))
             {
                 _result.axis.setTo(_result.gap.x / distance, _result.gap.y / distance, _result.gap.z / distance, distance);
             }

@@ -52,10 +52,10 @@ package starlogo.convex
         public var margin:Number = 0;
 
         /**
-         * The extent of the core, to which rounding is relative: twice the largest coordinate of a point, relative to the origin. Twice the sum of the
-         * half-extents for a box, 0 for a sphere. No point is farther from the origin.
+         * No point of the core is farther from the origin, and rounding is relative to it: twice the largest coordinate of a point, relative to the
+         * origin. Twice the sum of the half-extents for a box, 0 for a sphere.
          */
-        public var extent:Number = 0;
+        public var boundingRadius:Number = 0;
 
         /** The points: x, y, z of each. The list may be longer than <code>pointsEnd</code>, the count of these numbers. */
         public var points:Vector.<Number>;
@@ -97,7 +97,7 @@ package starlogo.convex
             setOrigin(at);
             reset(POINT, 3, NONE, NONE);
             points[0] = points[1] = points[2] = 0;
-            extent = 0;
+            boundingRadius = 0;
         }
 
         /** Sets the core to a segment. */
@@ -109,7 +109,7 @@ package starlogo.convex
             points[3] = end.x - x;
             points[4] = end.y - y;
             points[5] = end.z - z;
-            setExtent();
+            setBoundingRadius();
         }
 
         /**
@@ -122,7 +122,7 @@ package starlogo.convex
         {
             setOrigin(center);
             reset(BOX, 24, BOX_FACES, BOX_EDGES);
-            extent = 2 * (halves.x + halves.y + halves.z);
+            boundingRadius = 2 * (halves.x + halves.y + halves.z);
             // half of each edge first, in the place of the corner at its end
             var p:Vector.<Number> = points;
             p[3] = halves.x * axisX.x;
@@ -155,7 +155,7 @@ package starlogo.convex
             p[6] = corners[int(at + 6)] - x;
             p[7] = corners[int(at + 7)] - y;
             p[8] = corners[int(at + 8)] - z;
-            setExtent();
+            setBoundingRadius();
         }
 
         /**
@@ -164,19 +164,19 @@ package starlogo.convex
          *
          * @param faces three points of each face, counter-clockwise as seen from outside, as indices of their first numbers
          * @param edges of each edge both ends, and one more point of each of its two faces
-         * @param isExtentKnown whether <code>extent</code> has what an earlier call found for the same points. To find it takes long beside a test
+         * @param isRadiusKnown whether <code>boundingRadius</code> has what an earlier call found for the same points. To find it takes long beside a test
          */
-        public function setHull(center:Vector3D, points:Vector.<Number>, faces:Vector.<int>, edges:Vector.<int>, isExtentKnown:Boolean = false):void
+        public function setHull(center:Vector3D, points:Vector.<Number>, faces:Vector.<int>, edges:Vector.<int>, isRadiusKnown:Boolean = false):void
         {
             setOrigin(center);
             reset(HULL, points.length, faces, edges);
             this.points = points;
-            if (!isExtentKnown)
+            if (!isRadiusKnown)
             {
-                setExtent();
+                setBoundingRadius();
             }
-            // half of the extent counts as a radius: see Touching
-            margin = (Tolerances.TOUCHING - 1) * extent / 2;
+            // the largest coordinate counts as a radius: see Touching
+            margin = (Tolerances.TOUCHING - 1) * boundingRadius / 2;
         }
 
         /**
@@ -292,7 +292,7 @@ package starlogo.convex
             p[at] = -p[int(at + 21)];
         }
 
-        private function setExtent():void
+        private function setBoundingRadius():void
         {
             var most:Number = 0;
             for (var i:int = 0; i < pointsEnd; i++)
@@ -300,7 +300,7 @@ package starlogo.convex
                 var coordinate:Number = points[i] < 0 ? -points[i] : points[i];
                 most = coordinate > most ? coordinate : most;
             }
-            extent = 2 * most;
+            boundingRadius = 2 * most;
         }
     }
 }

@@ -31,7 +31,7 @@ package starlogo.convex
         /** How fast the motion closes the gap, times the length of the gap. */
         public var closingSpeedTimesLength:Number = 0;
 
-        /** The extent of both structures together, which the rounding error of the gap is relative to. */
-        public var extent:Number = 0;
+        /** The size of both structures together, which the rounding error of the gap is relative to. */
+        public var size:Number = 0;
     }
 }

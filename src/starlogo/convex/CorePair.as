@@ -50,7 +50,7 @@ package starlogo.convex
         public function limitToTouching():void
         {
             searchLimit = (first.radius + second.radius) * Tolerances.TOUCHING + (first.margin + second.margin)
-                + Tolerances.CORES * (first.extent + second.extent);
+                + Tolerances.CORES * (first.boundingRadius + second.boundingRadius);
         }
 
         /** Sets the motion of a, and moves the first shape to where it is at the motion's time. */

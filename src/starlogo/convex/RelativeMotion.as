@@ -31,7 +31,7 @@ package starlogo.convex
         public var y:Number = 0;
         public var z:Number = 0;
 
-        /** The shapes are known not to touch before. ConvexSweep alone reads it and begins there; all other tests begin at 0. */
+        /** The shapes are known not to touch before. ConvexKernel alone reads it and begins there; all other tests begin at 0. */
         public var earliestTime:Number = 0;
 
         /** Where the part of the motion that is asked about ends, from 0 to 1. No answer is later. */

@@ -97,7 +97,7 @@ package starlogo.convex
         // The factor on the edges of a shape.
         private static function scaleOf(shape:ConvexShape):Number
         {
-            return shape.extent > LARGE ? 1 / shape.extent : 1;
+            return shape.boundingRadius > LARGE ? 1 / shape.boundingRadius : 1;
         }
 
         // Finds the axis across two vectors. It is 0 if they are parallel: then a face has no area, and two edges have no common perpendicular.
@@ -106,9 +106,17 @@ package starlogo.convex
             var x:Number = uy * vz - uz * vy;
             var y:Number = uz * vx - ux * vz;
             var z:Number = ux * vy - uy * vx;
-            var least:Number = Tolerances.DIRECTION * Tolerances.DIRECTION * (ux * ux + uy * uy + uz * uz) * (vx * vx + vy * vy + vz * vz) + SMALL;
-            var isParallel:Boolean = !(x * x + y * y + z * z > least);
-            out.setTo(isParallel ? 0 : x, isParallel ? 0 : y, isParallel ? 0 : z);
+            var uu:Number = ux * ux + uy * uy + uz * uz;
+            var vv:Number = vx * vx + vy * vy + vz * vz;
+            var squared:Number = x * x + y * y + z * z;
+            if (!(squared > Tolerances.DIRECTION * Tolerances.DIRECTION * uu * vv + SMALL))
+            {
+                out.setTo(0, 0, 0);
+                return;
+            }
+            // If the two are nearly parallel, rounding has tilted the axis towards both.
+            var along:Number = squared < Tolerances.NEARLY_PARALLEL * uu * vv ? (x * ux + y * uy + z * uz) / uu : 0;
+            out.setTo(x - along * ux, y - along * uy, z - along * uz);
         }
 
         private function considerEdges(cores:CorePair, out:SeparatingAxis):void
@@ -206,7 +214,7 @@ package starlogo.convex
             turnUpwards(axis);
             projectDifferences(axis, cores, _differences);
             // rounding hides on which side they are
-            var isDown:Boolean = _differences.max < -_differences.min - Tolerances.ROUNDING * (cores.first.extent + cores.second.extent);
+            var isDown:Boolean = _differences.max < -_differences.min - Tolerances.ROUNDING * (cores.first.boundingRadius + cores.second.boundingRadius);
             var side:int = isDown ? -1 : 1;
             out.setTo(side * axis.x, side * axis.y, side * axis.z, isDown ? -_differences.max : _differences.min);
         }
@@ -276,7 +284,7 @@ package starlogo.convex
             axis.z /= length;
             back /= length;
             forth /= length;
-            var rounding:Number = Tolerances.ROUNDING * (cores.first.extent + cores.second.extent);
+            var rounding:Number = Tolerances.ROUNDING * (cores.first.boundingRadius + cores.second.boundingRadius);
             var side:int = back < forth ? -1 : 1;
             if (back - forth <= rounding && forth - back <= rounding)
             {

@@ -36,7 +36,7 @@ package starlogo.convex
         /** Begins without corners. */
         public function begin(cores:CorePair):void
         {
-            rounding = Tolerances.CORE_POINTS * (cores.first.extent + cores.second.extent + Math.abs(cores.x) + Math.abs(cores.y) + Math.abs(cores.z));
+            rounding = Tolerances.CORE_POINTS * (cores.first.boundingRadius + cores.second.boundingRadius + Math.abs(cores.x) + Math.abs(cores.y) + Math.abs(cores.z));
             count = 0;
         }
 

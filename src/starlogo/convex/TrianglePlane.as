@@ -113,7 +113,7 @@ package starlogo.convex
          */
         public function areApart(shape:ConvexShape, motion:RelativeMotion):Boolean
         {
-            var size:Number = shape.extent + Math.abs(shape.x) + Math.abs(shape.y) + Math.abs(shape.z) + Math.abs(offset)
+            var size:Number = shape.boundingRadius + Math.abs(shape.x) + Math.abs(shape.y) + Math.abs(shape.z) + Math.abs(offset)
                 + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z);
             cullDistance = (shape.radius + shape.margin) * Tolerances.OUTER + Tolerances.EXTENTS * size;
             return timeOfEntry(shape, motion) > motion.latestTime;

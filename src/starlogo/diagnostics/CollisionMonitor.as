@@ -72,9 +72,8 @@ package starlogo.diagnostics
         private var _frames:int = 0;
         private var _startMs:int;
 
-        // since the monitor was created
-        private var _ownMs:Number = 0;
-        private var _ownFrames:int = 0;
+        // what the monitor itself costs
+        private var _ownTimes:FrameTimes = new FrameTimes();
 
         /**
          * Creates a monitor. It starts as soon as it is on the stage.
@@ -125,10 +124,10 @@ package starlogo.diagnostics
             }
         }
 
-        /** The cost of the monitor itself: the mean milliseconds per frame since it was created. */
+        /** The cost of the monitor itself: the mean milliseconds per frame, of the last 10,000 frames. */
         public function get ownMsPerFrame():Number
         {
-            return _ownFrames == 0 ? 0 : _ownMs / _ownFrames;
+            return _ownTimes.mean;
         }
 
         private function onAdded(event:Event):void
@@ -175,8 +174,7 @@ package starlogo.diagnostics
                 restart();
             }
             // The clock counts whole milliseconds. Over many frames the mean is right.
-            _ownMs += getTimer() - start;
-            _ownFrames++;
+            _ownTimes.add(getTimer() - start);
         }
 
         private function restart():void

@@ -31,52 +31,45 @@ package starlogo.geometry
         /** On how many planes the displacement ends: the half-spaces of these decide. Read only. */
         public var planeCount:int = 0;
 
-        // The number of half-spaces, and of each the normal and the depth.
-        private var _count:int = 0;
-        private var _xs:Vector.<Number> = new Vector.<Number>();
-        private var _ys:Vector.<Number> = new Vector.<Number>();
-        private var _zs:Vector.<Number> = new Vector.<Number>();
-        private var _depths:Vector.<Number> = new Vector.<Number>();
+        // Four numbers for each half-space: x, y, z of the normal, and the depth. _end is the count of these numbers.
+        private var _planes:Vector.<Number> = new Vector.<Number>();
+        private var _end:int = 0;
 
-        // How much less than required every displacement may go along a normal, how long it may be, and the one that is tried.
+        // How much less than required every displacement may go along a normal, and the displacement that is tried.
         private var _slack:Number = 0;
-        private var _longest:Number = 0;
         private var _tried:Vector3D = new Vector3D();
 
         /** Begins without half-spaces. */
         public function clear():void
         {
-            _count = 0;
+            _end = 0;
             setToNone();
         }
 
         /** Adds a half-space: a unit normal, and the depth along it. */
         public function add(x:Number, y:Number, z:Number, depth:Number):void
         {
-            _xs[_count] = x;
-            _ys[_count] = y;
-            _zs[_count] = z;
-            _depths[_count] = depth;
-            _count++;
+            _planes[_end] = x;
+            _planes[int(_end + 1)] = y;
+            _planes[int(_end + 2)] = z;
+            _planes[int(_end + 3)] = depth;
+            _end += 4;
         }
 
         /** Removes the half-spaces that the displacement leads out of farther than required: they did not decide about it. */
         public function keepDeciding():void
         {
+            var planes:Vector.<Number> = _planes;
             var slack:Number = DECIDING_SLACK * displacement.length;
-            var kept:int = 0;
-            for (var i:int = 0; i < _count; i++)
+            var end:int = _end;
+            _end = 0;
+            for (var i:int = 0; i < end; i += 4)
             {
-                if (displacement.x * _xs[i] + displacement.y * _ys[i] + displacement.z * _zs[i] <= _depths[i] + slack)
+                if (displacement.x * planes[i] + displacement.y * planes[int(i + 1)] + displacement.z * planes[int(i + 2)] <= planes[int(i + 3)] + slack)
                 {
-                    _xs[kept] = _xs[i];
-                    _ys[kept] = _ys[i];
-                    _zs[kept] = _zs[i];
-                    _depths[kept] = _depths[i];
-                    kept++;
+                    add(planes[i], planes[int(i + 1)], planes[int(i + 2)], planes[int(i + 3)]);
                 }
             }
-            _count = kept;
         }
 
         /**
@@ -88,6 +81,7 @@ package starlogo.geometry
          */
         public function solve(maxPlanes:int = 3, slack:Number = 0):Boolean
         {
+            var planes:Vector.<Number> = _planes;
             _slack = slack;
             _tried.setTo(0, 0, 0);
             setToNone();
@@ -95,22 +89,29 @@ package starlogo.geometry
             {
                 return true;
             }
-            distance = Infinity;
-            _longest = 0;
-            for (var i:int = 0; i < _count; i++)
+            for (var i:int = 0; i < _end; i += 4)
             {
-                _longest = Math.max(_longest, MAX_LENGTH_RATIO * _depths[i]);
-                _tried.setTo(_depths[i] * _xs[i], _depths[i] * _ys[i], _depths[i] * _zs[i]);
-                keepShorter(1);
+                // at first, what no displacement may be longer than
+                distance = Math.max(distance, MAX_LENGTH_RATIO * planes[int(i + 3)]);
             }
-            for (i = 1; i < _count && maxPlanes > 1; i++)
+            for (i = 0; i < _end; i += 4)
             {
-                for (var j:int = 0; j < i; j++)
+                var depth:Number = planes[int(i + 3)];
+                if (depth > 0)
+                {
+                    _tried.setTo(depth * planes[i], depth * planes[int(i + 1)], depth * planes[int(i + 2)]);
+                    keepShorter(1);
+                }
+            }
+            for (i = 4; i < _end && maxPlanes > 1; i += 4)
+            {
+                for (var j:int = 0; j < i; j += 4)
                 {
                     tryLine(i, j, maxPlanes);
                 }
             }
-            return distance < Infinity;
+            distance = planeCount == 0 ? Infinity : distance;
+            return planeCount > 0;
         }
 
         private function setToNone():void
@@ -120,17 +121,19 @@ package starlogo.geometry
         }
 
         // Tries the nearest point of the line in which two planes meet, then the points where this line meets planes before them. The sum and the
-        // difference of two unit normals are perpendicular, so no digits are lost, even if the planes are nearly parallel.
+        // difference of two unit normals are perpendicular, so no digits are lost, even if the planes are nearly parallel. Planes are given by their
+        // first numbers.
         private function tryLine(i:int, j:int, maxPlanes:int):void
         {
-            var sumX:Number = _xs[i] + _xs[j];
-            var sumY:Number = _ys[i] + _ys[j];
-            var sumZ:Number = _zs[i] + _zs[j];
-            var differenceX:Number = _xs[i] - _xs[j];
-            var differenceY:Number = _ys[i] - _ys[j];
-            var differenceZ:Number = _zs[i] - _zs[j];
-            var along:Number = (_depths[i] + _depths[j]) / (sumX * sumX + sumY * sumY + sumZ * sumZ);
-            var across:Number = (_depths[i] - _depths[j]) / (differenceX * differenceX + differenceY * differenceY + differenceZ * differenceZ);
+            var planes:Vector.<Number> = _planes;
+            var sumX:Number = planes[i] + planes[j];
+            var sumY:Number = planes[int(i + 1)] + planes[int(j + 1)];
+            var sumZ:Number = planes[int(i + 2)] + planes[int(j + 2)];
+            var differenceX:Number = planes[i] - planes[j];
+            var differenceY:Number = planes[int(i + 1)] - planes[int(j + 1)];
+            var differenceZ:Number = planes[int(i + 2)] - planes[int(j + 2)];
+            var along:Number = (planes[int(i + 3)] + planes[int(j + 3)]) / (sumX * sumX + sumY * sumY + sumZ * sumZ);
+            var across:Number = (planes[int(i + 3)] - planes[int(j + 3)]) / (differenceX * differenceX + differenceY * differenceY + differenceZ * differenceZ);
             var x:Number = along * sumX + across * differenceX;
             var y:Number = along * sumY + across * differenceY;
             var z:Number = along * sumZ + across * differenceZ;
@@ -139,9 +142,10 @@ package starlogo.geometry
             var lineX:Number = sumY * differenceZ - sumZ * differenceY;
             var lineY:Number = sumZ * differenceX - sumX * differenceZ;
             var lineZ:Number = sumX * differenceY - sumY * differenceX;
-            for (var k:int = 0; k < j && maxPlanes > 2; k++)
+            for (var k:int = 0; k < j && maxPlanes > 2; k += 4)
             {
-                var far:Number = (_depths[k] - (x * _xs[k] + y * _ys[k] + z * _zs[k])) / (lineX * _xs[k] + lineY * _ys[k] + lineZ * _zs[k]);
+                var far:Number = (planes[int(k + 3)] - (x * planes[k] + y * planes[int(k + 1)] + z * planes[int(k + 2)]))
+                    / (lineX * planes[k] + lineY * planes[int(k + 1)] + lineZ * planes[int(k + 2)]);
                 _tried.setTo(x + far * lineX, y + far * lineY, z + far * lineZ);
                 keepShorter(3);
             }
@@ -151,7 +155,7 @@ package starlogo.geometry
         private function keepShorter(planeCount:int):void
         {
             var length:Number = Math.sqrt(_tried.x * _tried.x + _tried.y * _tried.y + _tried.z * _tried.z);
-            if (length < distance && length <= _longest && leadsOut(length))
+            if (length < distance && leadsOut(length))
             {
                 displacement.copyFrom(_tried);
                 distance = length;
@@ -161,10 +165,11 @@ package starlogo.geometry
 
         private function leadsOut(length:Number):Boolean
         {
+            var planes:Vector.<Number> = _planes;
             var slack:Number = _slack + RELATIVE_SLACK * length;
-            for (var i:int = 0; i < _count; i++)
+            for (var i:int = 0; i < _end; i += 4)
             {
-                if (_tried.x * _xs[i] + _tried.y * _ys[i] + _tried.z * _zs[i] < _depths[i] - slack)
+                if (_tried.x * planes[i] + _tried.y * planes[int(i + 1)] + _tried.z * planes[int(i + 2)] < planes[int(i + 3)] - slack)
                 {
                     return false;
                 }

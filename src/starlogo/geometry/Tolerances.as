@@ -63,7 +63,7 @@ package starlogo.geometry
         public static const SURFACES:Number = 1e-14;
 
         /**
-         * The rounding of the distance of two convex cores, as a fraction of the sum of their extents. It is part of the distance at which they
+         * The rounding of the distance of two convex cores, as a fraction of the sum of their bounding radii. It is part of the distance at which they
          * touch: see Touching. Smaller than 4e-16: shapes that touch do not collide if one of them is much larger than the gaps of the two. Larger:
          * shapes with a gap collide.
          */

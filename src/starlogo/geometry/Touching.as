@@ -15,7 +15,7 @@ package starlogo.geometry
      * <li>a ray is a shape without a radius. At a sphere and a capsule the radius counts, at a box and a hull the half-extents or the distances of the
      *     faces from the centre, times Tolerances.TOUCHING; at triangles the margin of the surface. The place of a hit at a box, a hull or a triangle
      *     includes no tolerance</li>
-     * <li>where the package convex decides, Tolerances.CORES of the extents of both cores</li>
+     * <li>where the package convex decides, Tolerances.CORES of the bounding radii of both cores</li>
      * </ul>
      *
      * <p>These lengths decide whether two shapes touch at all. The other answers leave them out: they are the time at which the distance of the cores is

@@ -3,8 +3,8 @@ package starlogo.ground
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.intersection.ray.Ray;
+    import starlogo.intersection.ray.RayCrossing;
     import starlogo.intersection.ray.RayCrossings;
-    import starlogo.intersection.ray.RayEntry;
     import starlogo.intersection.ray.ShearedRay;
 
     use namespace engine;
@@ -34,7 +34,7 @@ package starlogo.ground
          * @param out receives the distance and the normal
          * @return whether it meets the ground
          */
-        public function find(grid:HeightGrid, ray:Ray, out:RayEntry):Boolean
+        public function find(grid:HeightGrid, ray:Ray, out:RayCrossing):Boolean
         {
             out.setToStart(ray);
             if (beginsInside(grid, ray))
@@ -47,7 +47,7 @@ package starlogo.ground
                 if (_sheared.findEarlier(_triangle.corners, 0, 3, 6))
                 {
                     _search.motion.latestTime = _sheared.first.distance;
-                    _sheared.writeEntry(_triangle.corners, _sheared.first, -1, out);
+                    _sheared.writeFirst(_triangle.corners, -1, out);
                 }
             }
             return _sheared.first.distance < Infinity;

@@ -34,7 +34,7 @@ package starlogo.ground
             }
             shape.project(direction, _ofShape);
             var distance:Number = direction.x * (shape.x - square.x) + direction.y * (shape.y - square.y) + direction.z * (shape.z - square.z)
-                + _ofShape.min - (shape.radius + shape.margin) * Tolerances.OUTER - Tolerances.EXTENTS * shape.extent
+                + _ofShape.min - (shape.radius + shape.margin) * Tolerances.OUTER - Tolerances.EXTENTS * shape.boundingRadius
                 - Math.abs(direction.x) * square.halfX - Math.abs(direction.y) * square.halfY - Math.abs(direction.z) * square.halfZ;
             var motion:RelativeMotion = search.motion;
             var travel:Number = motion.latestTime * (direction.x * motion.x + direction.y * motion.y + direction.z * motion.z);

@@ -7,8 +7,7 @@ package starlogo.intersection
     import starlogo.geometry.Tolerances;
 
     /**
-     * A capsule's axis as seen from a box, and its point that is nearest to the box. All numbers are in the box's axes, mirrored so that no component
-     * of the segment is negative. Its fields are read only.
+     * A capsule's axis as seen from a box, and its point that is nearest to the box. All numbers are in the box's axes. Its fields are read only.
      *
      * <p>The squared distance to the box is convex along the segment, and quadratic between the points where the segment crosses the planes of
      * the box's faces. So its minimum has a closed form.</p>
@@ -27,11 +26,6 @@ package starlogo.intersection
         public var alongX:Number = 0;
         public var alongY:Number = 0;
         public var alongZ:Number = 0;
-
-        /** -1 for each axis that is mirrored, 1 for the others. */
-        public var signX:int = 1;
-        public var signY:int = 1;
-        public var signZ:int = 1;
 
         /** Where the segment's closest point is: from 0 at its start to 1 at its end. */
         public var fraction:Number = 0;
@@ -52,20 +46,14 @@ package starlogo.intersection
             var toY:Number = end.y - start.y;
             var toZ:Number = end.z - start.z;
             var axis:Vector3D = box.axisX;
-            var along:Number = axis.x * toX + axis.y * toY + axis.z * toZ;
-            signX = along < 0 ? -1 : 1;
-            alongX = signX * along;
-            x = signX * (axis.x * fromX + axis.y * fromY + axis.z * fromZ);
+            x = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
+            alongX = axis.x * toX + axis.y * toY + axis.z * toZ;
             axis = box.axisY;
-            along = axis.x * toX + axis.y * toY + axis.z * toZ;
-            signY = along < 0 ? -1 : 1;
-            alongY = signY * along;
-            y = signY * (axis.x * fromX + axis.y * fromY + axis.z * fromZ);
+            y = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
+            alongY = axis.x * toX + axis.y * toY + axis.z * toZ;
             axis = box.axisZ;
-            along = axis.x * toX + axis.y * toY + axis.z * toZ;
-            signZ = along < 0 ? -1 : 1;
-            alongZ = signZ * along;
-            z = signZ * (axis.x * fromX + axis.y * fromY + axis.z * fromZ);
+            z = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
+            alongZ = axis.x * toX + axis.y * toY + axis.z * toZ;
         }
 
         /** Moves the segment to where the capsule is at its motion's time. */
@@ -73,14 +61,14 @@ package starlogo.intersection
         {
             var time:Number = motion.time;
             var axis:Vector3D = box.axisX;
-            x += signX * (axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ);
-            x += time * (signX * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z));
+            x += axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ;
+            x += time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
             axis = box.axisY;
-            y += signY * (axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ);
-            y += time * (signY * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z));
+            y += axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ;
+            y += time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
             axis = box.axisZ;
-            z += signZ * (axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ);
-            z += time * (signZ * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z));
+            z += axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ;
+            z += time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
         }
 
         /** Finds <code>fraction</code> and <code>isInside</code>. First it finds where the segment's line enters and leaves each slab of the box. */
@@ -92,15 +80,16 @@ package starlogo.intersection
             var ux:Number = alongX;
             var uy:Number = alongY;
             var uz:Number = alongZ;
-            var halfX:Number = box.halfX;
-            var halfY:Number = box.halfY;
-            var halfZ:Number = box.halfZ;
-            var inX:Number = ux > 0 ? (-halfX - px) / ux : -Infinity;
-            var outX:Number = ux > 0 ? (halfX - px) / ux : Infinity;
-            var inY:Number = uy > 0 ? (-halfY - py) / uy : -Infinity;
-            var outY:Number = uy > 0 ? (halfY - py) / uy : Infinity;
-            var inZ:Number = uz > 0 ? (-halfZ - pz) / uz : -Infinity;
-            var outZ:Number = uz > 0 ? (halfZ - pz) / uz : Infinity;
+            // the half-extents, negative along axes that the segment runs against: it leaves a slab where it reaches them
+            var halfX:Number = ux < 0 ? -box.halfX : box.halfX;
+            var halfY:Number = uy < 0 ? -box.halfY : box.halfY;
+            var halfZ:Number = uz < 0 ? -box.halfZ : box.halfZ;
+            var inX:Number = ux != 0 ? (-halfX - px) / ux : -Infinity;
+            var outX:Number = ux != 0 ? (halfX - px) / ux : Infinity;
+            var inY:Number = uy != 0 ? (-halfY - py) / uy : -Infinity;
+            var outY:Number = uy != 0 ? (halfY - py) / uy : Infinity;
+            var inZ:Number = uz != 0 ? (-halfZ - pz) / uz : -Infinity;
+            var outZ:Number = uz != 0 ? (halfZ - pz) / uz : Infinity;
             var lastIn:Number = inX > inY ? inX : inY;
             lastIn = lastIn > inZ ? lastIn : inZ;
             var firstOut:Number = outX < outY ? outX : outY;
@@ -153,23 +142,26 @@ package starlogo.intersection
          */
         public function middleIn(box:Box):Number
         {
-            var least:Number = Tolerances.DIRECTION * (alongX + alongY + alongZ);
+            var least:Number = Tolerances.DIRECTION * (Math.abs(alongX) + Math.abs(alongY) + Math.abs(alongZ));
             var begin:Number = 0;
             var end:Number = 1;
-            if (alongX > least)
+            if (Math.abs(alongX) > least)
             {
-                begin = Math.max(begin, (-box.halfX - x) / alongX);
-                end = Math.min(end, (box.halfX - x) / alongX);
+                var half:Number = alongX < 0 ? -box.halfX : box.halfX;
+                begin = Math.max(begin, (-half - x) / alongX);
+                end = Math.min(end, (half - x) / alongX);
             }
-            if (alongY > least)
+            if (Math.abs(alongY) > least)
             {
-                begin = Math.max(begin, (-box.halfY - y) / alongY);
-                end = Math.min(end, (box.halfY - y) / alongY);
+                half = alongY < 0 ? -box.halfY : box.halfY;
+                begin = Math.max(begin, (-half - y) / alongY);
+                end = Math.min(end, (half - y) / alongY);
             }
-            if (alongZ > least)
+            if (Math.abs(alongZ) > least)
             {
-                begin = Math.max(begin, (-box.halfZ - z) / alongZ);
-                end = Math.min(end, (box.halfZ - z) / alongZ);
+                half = alongZ < 0 ? -box.halfZ : box.halfZ;
+                begin = Math.max(begin, (-half - z) / alongZ);
+                end = Math.min(end, (half - z) / alongZ);
             }
             return begin < end ? (begin + end) / 2 : fraction;
         }

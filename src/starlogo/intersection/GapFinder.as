@@ -87,7 +87,7 @@ package starlogo.intersection
             out.pointY = start.y + segments.fractionOfU * segments.uY;
             out.pointZ = start.z + segments.fractionOfU * segments.uZ;
             out.radiusB = b.radius;
-            out.extent = Math.abs(segments.uX) + Math.abs(segments.uY) + Math.abs(segments.uZ) + (Math.abs(segments.vX) + Math.abs(segments.vY) + Math.abs(segments.vZ))
+            out.size = Math.abs(segments.uX) + Math.abs(segments.uY) + Math.abs(segments.uZ) + (Math.abs(segments.vX) + Math.abs(segments.vY) + Math.abs(segments.vZ))
                 + (out.radiusA + out.radiusB);
         }
 
@@ -111,7 +111,7 @@ package starlogo.intersection
             out.pointY = center.y;
             out.pointZ = center.z;
             out.radiusA = sphere.radius;
-            out.extent = box.halfX + box.halfY + box.halfZ + sphere.radius;
+            out.size = box.halfX + box.halfY + box.halfZ + sphere.radius;
         }
 
         private function findFromCapsuleToBox(capsule:Capsule, box:Box, motion:RelativeMotion, out:CoreGap):void
@@ -122,13 +122,13 @@ package starlogo.intersection
             segment.move(box, motion);
             segment.findClosest(box);
             var fraction:Number = segment.fraction;
-            place.x = segment.signX * (segment.x + fraction * segment.alongX);
-            place.y = segment.signY * (segment.y + fraction * segment.alongY);
-            place.z = segment.signZ * (segment.z + fraction * segment.alongZ);
+            place.x = segment.x + fraction * segment.alongX;
+            place.y = segment.y + fraction * segment.alongY;
+            place.z = segment.z + fraction * segment.alongZ;
             measureToBox(place, box, motion, out);
             setPoint(capsule, fraction, out);
             out.radiusA = capsule.radius;
-            out.extent = segment.alongX + segment.alongY + segment.alongZ + box.halfX + box.halfY + box.halfZ + capsule.radius;
+            out.size = Math.abs(segment.alongX) + Math.abs(segment.alongY) + Math.abs(segment.alongZ) + box.halfX + box.halfY + box.halfZ + capsule.radius;
         }
 
         // Computes the gap between a place and the nearest point of a box, its squared length, and how a motion of the place closes it.

@@ -10,7 +10,7 @@ package starlogo.intersection
 
     /**
      * The kernel of two structures of which at least one is a sphere or a capsule, except for two spheres. It answers by the gap between their cores
-     * and the radii. The GapFinder finds the gap. If the cores overlap, there is no gap, and the ConvexPairKernel finds the contact.
+     * and the radii. The GapFinder finds the gap. If the cores overlap, or if the gap is as short as rounding, the ConvexPairKernel finds the contact.
      *
      * <p>The steps to the time of impact are those of all convex shapes: see ConservativeAdvancement. Here a formula gives the gap of each. With hardly any
      * radius the last gaps are so short that rounding hides their direction, so the ConvexPairKernel finds the time.</p>
@@ -24,7 +24,7 @@ package starlogo.intersection
         private var _gap:CoreGap = new CoreGap();
         private var _step:ConservativeAdvancement = new ConservativeAdvancement();
 
-        /** @param convex finds the contact if the cores overlap, and the time of impact if there is hardly any radius */
+        /** @param convex finds the contact if there is hardly any gap, and the time of impact if there is hardly any radius */
         public function RoundKernel(convex:ConvexPairKernel)
         {
             _convex = convex;
@@ -45,7 +45,7 @@ package starlogo.intersection
                 var touchingDistance:Number = radii * Tolerances.TOUCHING + margins;
                 var length:Number = Math.sqrt(gap.squaredLength);
                 step.isTouching = gap.squaredLength <= touchingDistance * touchingDistance;
-                if (!step.isTouching && radii < Tolerances.DIRECTION * gap.extent)
+                if (!step.isTouching && radii < Tolerances.DIRECTION * gap.size)
                 {
                     _convex.findTimeOfImpactInOrder(first, second, motion);
                     return;
@@ -62,7 +62,7 @@ package starlogo.intersection
             var gap:CoreGap = _gap;
             _finder.find(first, second, motion, gap);
             // If the gap is longer than this, it has a direction in spite of rounding.
-            var least:Number = Tolerances.DIRECTION * gap.extent;
+            var least:Number = Tolerances.DIRECTION * gap.size;
             if (gap.squaredLength > least * least)
             {
                 _finder.centerLastGap(first, second, gap);
@@ -70,7 +70,7 @@ package starlogo.intersection
             }
             else
             {
-                _convex.findOverlapInOrder(first, second, motion, out);
+                _convex.findContactInOrder(first, second, motion, out);
             }
         }
 

@@ -21,7 +21,7 @@ package starlogo.intersection
     public class StructurePairKernel
     {
         // The motion of b while a stands still, for the kernel that takes b first. No kernel comes back here before it has answered.
-        private static var sReversed:RelativeMotion = new RelativeMotion();
+        private static const REVERSED:RelativeMotion = new RelativeMotion();
 
         /**
          * Finds when a moving structure first touches another one: the first moment at which <code>intersects()</code> would return true, except
@@ -39,9 +39,9 @@ package starlogo.intersection
                 findTimeOfImpactInOrder(a, b, motion);
                 return;
             }
-            sReversed.setReversed(motion);
-            findTimeOfImpactInOrder(b, a, sReversed);
-            motion.time = sReversed.time;
+            REVERSED.setReversed(motion);
+            findTimeOfImpactInOrder(b, a, REVERSED);
+            motion.time = REVERSED.time;
         }
 
         /**
@@ -74,8 +74,8 @@ package starlogo.intersection
                 findContactInOrder(a, b, motion, out);
                 return;
             }
-            sReversed.setReversed(motion);
-            findContactInOrder(b, a, sReversed, out);
+            REVERSED.setReversed(motion);
+            findContactInOrder(b, a, REVERSED, out);
             out.swap(motion);
         }
 

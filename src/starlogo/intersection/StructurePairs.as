@@ -17,8 +17,8 @@ package starlogo.intersection
      * This class alone chooses what answers for two kinds: a function tests whether they touch, and a kernel finds the rest.
      *
      * <p>Spheres, capsules and boxes have kernels of their own, because the package convex takes two to eleven times as long. That package decides
-     * about hulls. It also finds the distance of two boxes and their contact, and what RoundKernel leaves to it: the contact if cores overlap, and the
-     * time of impact if there is hardly any radius.</p>
+     * about hulls. It also finds the distance of two boxes and their contact, and what RoundKernel leaves to it: the contact if there is hardly any gap,
+     * and the time of impact if there is hardly any radius.</p>
      *
      * @private
      */

@@ -66,15 +66,14 @@ package starlogo.intersection
         pair.offsetX = x;
         pair.offsetY = y;
         pair.offsetZ = z;
-        pair.setHalves(a, b);
-        pair.axes.setTo(a, b);
+        pair.setBoxes(a, b);
         if (!BoxSeparation.overlapAlongFacesOfA(pair) || !BoxSeparation.overlapAlongFacesOfB(pair))
         {
             return false;
         }
-        if (pair.axes.areNearlyParallel)
+        if (pair.areNearlyParallel)
         {
-            return pair.axes.areZAxesParallel || BoxSweep.areTouching(a, b);
+            return pair.areZAxesParallel || BoxSweep.areTouching(a, b);
         }
         return BoxSeparation.overlapAcrossEdges(pair);
     }

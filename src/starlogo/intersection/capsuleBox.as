@@ -23,9 +23,12 @@ package starlogo.intersection
         var halfX:Number = box.halfX;
         var halfY:Number = box.halfY;
         var halfZ:Number = box.halfZ;
-        if (segment.x > halfX + radius || segment.x + segment.alongX < -halfX - radius
-                || segment.y > halfY + radius || segment.y + segment.alongY < -halfY - radius
-                || segment.z > halfZ + radius || segment.z + segment.alongZ < -halfZ - radius)
+        var endX:Number = segment.x + segment.alongX;
+        var endY:Number = segment.y + segment.alongY;
+        var endZ:Number = segment.z + segment.alongZ;
+        if (segment.x > halfX + radius && endX > halfX + radius || segment.x < -halfX - radius && endX < -halfX - radius
+                || segment.y > halfY + radius && endY > halfY + radius || segment.y < -halfY - radius && endY < -halfY - radius
+                || segment.z > halfZ + radius && endZ > halfZ + radius || segment.z < -halfZ - radius && endZ < -halfZ - radius)
         {
             return false;
         }
@@ -33,9 +36,9 @@ package starlogo.intersection
         // For slabs that the segment is known to be inside of no point is computed, because rounding might put it outside, and a radius of 0 allows no
         // error.
         var fraction:Number = segment.fraction;
-        var x:Number = segment.isInside && segment.alongX > 0 ? 0 : segment.x + fraction * segment.alongX;
-        var y:Number = segment.isInside && segment.alongY > 0 ? 0 : segment.y + fraction * segment.alongY;
-        var z:Number = segment.isInside && segment.alongZ > 0 ? 0 : segment.z + fraction * segment.alongZ;
+        var x:Number = segment.isInside && segment.alongX != 0 ? 0 : segment.x + fraction * segment.alongX;
+        var y:Number = segment.isInside && segment.alongY != 0 ? 0 : segment.y + fraction * segment.alongY;
+        var z:Number = segment.isInside && segment.alongZ != 0 ? 0 : segment.z + fraction * segment.alongZ;
         include "../geometry/squaredToBox.inc";
         return squaredDistance <= radius * radius;
     }

@@ -7,7 +7,7 @@ package starlogo.queries
     import starlogo.geometry.compareVectors;
     import starlogo.geometry.requireInWorld;
     import starlogo.intersection.ray.Ray;
-    import starlogo.intersection.ray.RayEntry;
+    import starlogo.intersection.ray.RayCrossing;
     import starlogo.queries.rays.HitPool;
     import starlogo.queries.rays.RayHits;
     import starlogo.queries.rays.RowRayTest;
@@ -28,7 +28,7 @@ package starlogo.queries
         private var _rowRays:RowRayTest;
         private var _rowSurfaces:RowSurfaceTest;
         private var _ray:Ray = new Ray();
-        private var _entry:RayEntry = new RayEntry();
+        private var _entry:RayCrossing = new RayCrossing();
 
         // How the ray of a question meets rows.
         private var _rayHitsPool:NestedPool;

@@ -6,7 +6,6 @@ package starlogo.solid
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.intersection.StructurePairs;
-    import starlogo.intersection.boxes.BoxAxes;
     import starlogo.intersection.boxes.BoxPair;
 
     /**
@@ -23,7 +22,7 @@ package starlogo.solid
         // An estimate is smaller than the distances below it by this fraction, which is more than the errors of rounding and nesting.
         private static const SLACK:Number = 1e-12;
 
-        // The axes of tree b, and the pair that is estimated.
+        // The rotation of tree b, and the pair that is estimated.
         private var _pair:BoxPair = new BoxPair();
 
         // The radii of the spheres about both origins that contain the trees, together. The rounding error is relative to it.
@@ -47,7 +46,7 @@ package starlogo.solid
         {
             var relative:Placement = trees.pose.placement;
             _radii = trees.a.radiusAboutOrigin + trees.b.radiusAboutOrigin * relative.size;
-            _pair.axes.setAxes(relative);
+            _pair.setRotation(relative);
             out.copyFrom(find(trees, kernel).points);
         }
 
@@ -60,22 +59,21 @@ package starlogo.solid
         override protected function estimate(trees:TreePair, a:int, b:int, out:BestPair):void
         {
             var pair:BoxPair = _pair;
-            var axes:BoxAxes = pair.axes;
             trees.readBoxes(a, b, pair);
             // measure() widens b's boxes as well
             pair.bHalfX += trees.pose.margin;
             pair.bHalfY += trees.pose.margin;
             pair.bHalfZ += trees.pose.margin;
             var distance:Number = pair.offsetX < 0 ? -pair.offsetX : pair.offsetX;
-            distance -= pair.aHalfX + axes.abs00 * pair.bHalfX + axes.abs01 * pair.bHalfY + axes.abs02 * pair.bHalfZ;
+            distance -= pair.aHalfX + pair.abs00 * pair.bHalfX + pair.abs01 * pair.bHalfY + pair.abs02 * pair.bHalfZ;
             distance = distance > 0 ? distance : 0;
             var squared:Number = distance * distance;
             distance = pair.offsetY < 0 ? -pair.offsetY : pair.offsetY;
-            distance -= pair.aHalfY + axes.abs10 * pair.bHalfX + axes.abs11 * pair.bHalfY + axes.abs12 * pair.bHalfZ;
+            distance -= pair.aHalfY + pair.abs10 * pair.bHalfX + pair.abs11 * pair.bHalfY + pair.abs12 * pair.bHalfZ;
             distance = distance > 0 ? distance : 0;
             squared += distance * distance;
             distance = pair.offsetZ < 0 ? -pair.offsetZ : pair.offsetZ;
-            distance -= pair.aHalfZ + axes.abs20 * pair.bHalfX + axes.abs21 * pair.bHalfY + axes.abs22 * pair.bHalfZ;
+            distance -= pair.aHalfZ + pair.abs20 * pair.bHalfX + pair.abs21 * pair.bHalfY + pair.abs22 * pair.bHalfZ;
             distance = distance > 0 ? distance : 0;
             squared += distance * distance;
             var far:Number = out.limit + 2 * SLACK * (out.limit + _radii);
@@ -95,20 +93,20 @@ package starlogo.solid
         // Raises the bound to the distance of two boxes along the axes of b's.
         private function estimateAlongAxesOfB(pair:BoxPair, out:BestPair):void
         {
-            var axes:BoxAxes = pair.axes;
-            var distance:Number = axes.m00 * pair.offsetX + axes.m10 * pair.offsetY + axes.m20 * pair.offsetZ;
+            var turn:Placement = pair.rotation;
+            var distance:Number = turn.r00 * pair.offsetX + turn.r10 * pair.offsetY + turn.r20 * pair.offsetZ;
             distance = distance < 0 ? -distance : distance;
-            distance -= axes.abs00 * pair.aHalfX + axes.abs10 * pair.aHalfY + axes.abs20 * pair.aHalfZ + pair.bHalfX;
+            distance -= pair.abs00 * pair.aHalfX + pair.abs10 * pair.aHalfY + pair.abs20 * pair.aHalfZ + pair.bHalfX;
             distance = distance > 0 ? distance : 0;
             var squared:Number = distance * distance;
-            distance = axes.m01 * pair.offsetX + axes.m11 * pair.offsetY + axes.m21 * pair.offsetZ;
+            distance = turn.r01 * pair.offsetX + turn.r11 * pair.offsetY + turn.r21 * pair.offsetZ;
             distance = distance < 0 ? -distance : distance;
-            distance -= axes.abs01 * pair.aHalfX + axes.abs11 * pair.aHalfY + axes.abs21 * pair.aHalfZ + pair.bHalfY;
+            distance -= pair.abs01 * pair.aHalfX + pair.abs11 * pair.aHalfY + pair.abs21 * pair.aHalfZ + pair.bHalfY;
             distance = distance > 0 ? distance : 0;
             squared += distance * distance;
-            distance = axes.m02 * pair.offsetX + axes.m12 * pair.offsetY + axes.m22 * pair.offsetZ;
+            distance = turn.r02 * pair.offsetX + turn.r12 * pair.offsetY + turn.r22 * pair.offsetZ;
             distance = distance < 0 ? -distance : distance;
-            distance -= axes.abs02 * pair.aHalfX + axes.abs12 * pair.aHalfY + axes.abs22 * pair.aHalfZ + pair.bHalfZ;
+            distance -= pair.abs02 * pair.aHalfX + pair.abs12 * pair.aHalfY + pair.abs22 * pair.aHalfZ + pair.bHalfZ;
             distance = distance > 0 ? distance : 0;
             squared += distance * distance;
             raiseBound(Math.sqrt(squared), out);
@@ -118,7 +116,7 @@ package starlogo.solid
         // nearer.
         private function estimateAlongLine(pair:BoxPair, out:BestPair):void
         {
-            var axes:BoxAxes = pair.axes;
+            var turn:Placement = pair.rotation;
             var points:ClosestPoints = out.points;
             var toX:Number = points.b.x - points.a.x;
             var toY:Number = points.b.y - points.a.y;
@@ -128,9 +126,9 @@ package starlogo.solid
             {
                 return;
             }
-            var alongX:Number = toX * axes.m00 + toY * axes.m10 + toZ * axes.m20;
-            var alongY:Number = toX * axes.m01 + toY * axes.m11 + toZ * axes.m21;
-            var alongZ:Number = toX * axes.m02 + toY * axes.m12 + toZ * axes.m22;
+            var alongX:Number = toX * turn.r00 + toY * turn.r10 + toZ * turn.r20;
+            var alongY:Number = toX * turn.r01 + toY * turn.r11 + toZ * turn.r21;
+            var alongZ:Number = toX * turn.r02 + toY * turn.r12 + toZ * turn.r22;
             alongX = alongX < 0 ? -alongX : alongX;
             alongY = alongY < 0 ? -alongY : alongY;
             alongZ = alongZ < 0 ? -alongZ : alongZ;

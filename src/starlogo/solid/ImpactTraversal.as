@@ -16,6 +16,9 @@ package starlogo.solid
         private var _sweep:BoxSweep = new BoxSweep();
         private var _pair:BoxPair = new BoxPair();
 
+        // The motion, up to the best time so far.
+        private var _motion:RelativeMotion = new RelativeMotion();
+
         /** @param counts counts the pairs of nodes that are visited */
         public function ImpactTraversal(counts:TreeCounts)
         {
@@ -32,11 +35,9 @@ package starlogo.solid
         public function findFirstPair(trees:TreePair, motion:RelativeMotion, kernel:TrianglePairKernel):BestPair
         {
             var relative:Placement = trees.pose.placement;
-            _pair.axes.setAxes(relative);
-            _pair.latestTime = motion.latestTime;
-            _pair.motionX = motion.x;
-            _pair.motionY = motion.y;
-            _pair.motionZ = motion.z;
+            _pair.setRotation(relative);
+            _motion.copyVector(motion);
+            _motion.latestTime = motion.latestTime;
             _pair.margin = trees.pose.margin + Touching.marginOfMotion(relative.x, relative.y, relative.z)
                 + Touching.marginOfMotion(motion.x, motion.y, motion.z);
             return find(trees, kernel);
@@ -50,8 +51,8 @@ package starlogo.solid
         override protected function estimate(trees:TreePair, a:int, b:int, out:BestPair):void
         {
             readBoxesInTime(trees, a, b, out);
-            _sweep.findTimeOfFaces(_pair);
-            out.bound = _pair.time;
+            _sweep.findTimeOfFaces(_pair, _motion);
+            out.bound = _motion.time;
         }
 
         /** @inheritDoc */
@@ -63,10 +64,10 @@ package starlogo.solid
                 return;
             }
             readBoxesInTime(trees, a, b, out);
-            _sweep.findTimeOfImpact(_pair);
-            if (_pair.time < out.limit)
+            _sweep.findTimeOfImpact(_pair, _motion);
+            if (_motion.time < out.limit)
             {
-                out.limit = out.time = _pair.time;
+                out.limit = out.time = _motion.time;
                 out.a = a;
                 out.b = b;
             }
@@ -76,9 +77,9 @@ package starlogo.solid
         private function readBoxesInTime(trees:TreePair, a:int, b:int, best:BestPair):void
         {
             trees.readBoxes(a, b, _pair);
-            if (best.limit < _pair.latestTime)
+            if (best.limit < _motion.latestTime)
             {
-                _pair.latestTime = best.limit;
+                _motion.latestTime = best.limit;
             }
         }
     }

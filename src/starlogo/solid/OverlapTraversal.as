@@ -35,7 +35,7 @@ package starlogo.solid
         // The pairs of nodes still to visit. The next one is last.
         private var _nodes:Vector.<int> = new Vector.<int>();
 
-        // The axes of tree b. Their absolute values are larger by a rounding error, because cross products of nearly parallel edges
+        // The rotation of tree b. Its absolute values are larger by a rounding error, because cross products of nearly parallel edges
         // cancel. And the vector from the middle of a's node to the middle of b's, of the last pair that was tested.
         private var _pair:BoxPair = new BoxPair();
 
@@ -65,7 +65,7 @@ package starlogo.solid
             var result:int = APART;
             var visits:int = 0;
             var top:int = 2;
-            pair.axes.setAxes(trees.pose.placement, Tolerances.ROUNDING);
+            pair.setRotation(trees.pose.placement, Tolerances.ROUNDING);
             stack[0] = 0;
             stack[1] = 0;
             while (top > 0 && result != OVERLAPPING)

@@ -8,8 +8,8 @@ package starlogo.solid
     import starlogo.hierarchy.NodeVisitor;
     import starlogo.hierarchy.TriangleMesh;
     import starlogo.intersection.ray.Ray;
+    import starlogo.intersection.ray.RayCrossing;
     import starlogo.intersection.ray.RayCrossings;
-    import starlogo.intersection.ray.RayEntry;
     import starlogo.intersection.ray.RaySpan;
     import starlogo.intersection.ray.ShearedRay;
     import starlogo.intersection.ray.SpanFinder;
@@ -48,7 +48,7 @@ package starlogo.solid
 
         // If nodes decide: the part of the ray in the current one, and where it enters that.
         private var _span:RaySpan = new RaySpan();
-        private var _entry:RayEntry = new RayEntry();
+        private var _entry:RayCrossing = new RayCrossing();
 
         /**
          * Finds where a ray first meets a model.
@@ -59,7 +59,7 @@ package starlogo.solid
          * @param out receives the distance, the normal and the triangle
          * @return whether there is a hit
          */
-        public function find(model:ModelTree, depth:int, ray:Ray, out:RayEntry):Boolean
+        public function find(model:ModelTree, depth:int, ray:Ray, out:RayCrossing):Boolean
         {
             out.setToStart(ray);
             return beginsInside(model, ray) || findOnSurface(model, depth, ray, out);
@@ -88,13 +88,13 @@ package starlogo.solid
         }
 
         /** Finds where a ray first meets the surface, wherever it begins. The parameters are those of <code>find()</code>. */
-        internal function findOnSurface(model:ModelTree, depth:int, ray:Ray, out:RayEntry):Boolean
+        internal function findOnSurface(model:ModelTree, depth:int, ray:Ray, out:RayCrossing):Boolean
         {
             search(model, depth, ray, null);
             if (_first >= 0 && _mesh != null)
             {
                 _mesh.readTriangle(_first, _corners);
-                _shearedRay.writeEntry(_corners, _shearedRay.first, model.boxTree.primitives[_first], out);
+                _shearedRay.writeFirst(_corners, model.boxTree.primitives[_first], out);
                 return true;
             }
             return _first >= 0 && enters(model.boxTree, _first, out);
@@ -171,7 +171,7 @@ package starlogo.solid
         }
 
         // Finds where the ray enters the box of a node. Returns whether it does.
-        private function enters(tree:BoxTree, node:int, out:RayEntry):Boolean
+        private function enters(tree:BoxTree, node:int, out:RayCrossing):Boolean
         {
             return SpanFinder.findInBox(_ray, tree.boxOf(node), NOT_WIDENED, _span) && out.setToEntry(_ray, _span);
         }

@@ -20,7 +20,7 @@ package starlogo.solid
      */
     internal final class TriangleContactFinder
     {
-        // The radius of the probe, as a fraction of the extent of the smaller triangle. Smaller: rounding decides. Larger: the probe meets what is
+        // The radius of the probe, as a fraction of the bounding radius of the smaller triangle. Smaller: rounding decides. Larger: the probe meets what is
         // not at the contact.
         private static const PROBE:Number = 1e-4;
 
@@ -68,9 +68,9 @@ package starlogo.solid
             b.mesh.readTriangle(best.b, _cornersOfB);
             placePoints(placement, _cornersOfB, 0, 9, _cornersOfB);
             _kernel.shape.setTriangle(_cornersOfA, 0);
-            var extentOfA:Number = _kernel.shape.extent;
+            var radiusOfA:Number = _kernel.shape.boundingRadius;
             _kernel.shape.setTriangle(_cornersOfB, 0);
-            _probe.radius = PROBE * Math.min(extentOfA, _kernel.shape.extent);
+            _probe.radius = PROBE * Math.min(radiusOfA, _kernel.shape.boundingRadius);
             _kernel.findContact(_cornersOfA, motion, out);
             Placement.invert(placement, _inB.placement);
             plane.setTriangle(_cornersOfA, 0);

@@ -1,6 +1,7 @@
 package starlogo.blocks
 {
     import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertNull;
     import org.flexunit.asserts.assertStrictlyEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
@@ -119,6 +120,15 @@ package starlogo.blocks
             _blocks.whenTouchingStarts("bears", "balls", note("again"));
             _blocks.collision.update(_agents);
             assertEquals("forget,again", _calls.join());
+        }
+
+        [Test]
+        public function theNameIsThatOfTheSystemInUse():void
+        {
+            _blocks.collision.collisionSystem = _blocks.systemNamed(CollisionBlocks.EXACT);
+            assertEquals(CollisionBlocks.EXACT, _blocks.systemName);
+            _blocks.collision.collisionSystem = new BinCollider();
+            assertNull(_blocks.systemName);
         }
 
         [Test]

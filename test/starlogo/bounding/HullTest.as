@@ -93,7 +93,7 @@ package starlogo.bounding
         {
             var shape:ConvexShape = new ConvexShape();
             hull.setShape(shape);
-            return shape.extent;
+            return shape.boundingRadius;
         }
 
         private static function checkTopology(hull:Hull, name:String):void

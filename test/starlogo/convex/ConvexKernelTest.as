@@ -88,7 +88,7 @@ package starlogo.convex
                     var areTouching:Boolean = _pair.areTouching(_a, _b);
                     _wrong.addIf(areTouching != (motion.time == 0), "standing and moving", _what + ": " + motion.time);
                     _pair.findClosest(_a, _b, _points);
-                    var reach:Number = 4e-14 * (_a.radius + _b.radius) + _a.margin + _b.margin + 1e-15 * (_a.extent + _b.extent);
+                    var reach:Number = 4e-14 * (_a.radius + _b.radius) + _a.margin + _b.margin + 1e-15 * (_a.boundingRadius + _b.boundingRadius);
                     _wrong.addIf(!areTouching && _points.distance < reach - 1e-15 * _size, "apart", _what + ": " + _points.distance);
                     _wrong.addIf(areTouching && _points.distance > reach + 1e-15 * _size, "touching", _what + ": " + _points.distance);
                     touching += areTouching ? 1 : 0;
@@ -107,7 +107,7 @@ package starlogo.convex
                         6500.596626, -6863.1672746, 16491.5794, -9687.1621265, 10227.4633945, -24575.6832]);
             _pair.findClosest(_a, _b, _points);
             // by exact arithmetic
-            assertTrue("distance " + _points.distance, Math.abs(_points.distance - 4.538187055952256e-7) < 1e-15 * (_a.extent + _b.extent));
+            assertTrue("distance " + _points.distance, Math.abs(_points.distance - 4.538187055952256e-7) < 1e-15 * (_a.boundingRadius + _b.boundingRadius));
             assertTrue("touch", !_pair.areTouching(_a, _b));
         }
 
@@ -297,7 +297,7 @@ package starlogo.convex
                     var normal:Vector3D = new Vector3D(_contact.normalX, _contact.normalY, _contact.normalZ);
                     _wrong.addIf(Math.abs(normal.length - 1) > 1e-12, "unit", _what);
                     // far away, places are rounded
-                    var extent:Number = Math.max(_a.extent / 2 + _a.radius, _b.extent / 2 + _b.radius) + 1e-6 * Math.abs(_b.x);
+                    var extent:Number = Math.max(_a.boundingRadius / 2 + _a.radius, _b.boundingRadius / 2 + _b.radius) + 1e-6 * Math.abs(_b.x);
                     if (extent == 0)
                     {
                         return;
@@ -415,7 +415,7 @@ package starlogo.convex
 
         private static function sizeOf(shape:ConvexShape):Number
         {
-            return shape.extent + shape.radius;
+            return shape.boundingRadius + shape.radius;
         }
 
         // Moves a along the line between the closest points until the gap is a fraction of the sizes, if the two are apart.

@@ -34,7 +34,7 @@ package starlogo.convex
                         _cores.setShapes(disc, needle);
                         _cores.searchLimit = Infinity;
                         search.find(_cores, _result);
-                        var most:Number = Math.max(0, _result.axis.separation) + 1e-14 * (disc.extent + needle.extent);
+                        var most:Number = Math.max(0, _result.axis.separation) + 1e-14 * (disc.boundingRadius + needle.boundingRadius);
                         _wrong.addIf(!(_result.distance <= most), "distance", count + " points, " + thickness + " thick: " + _result.distance + ", proven "
                                 + _result.axis.separation);
                         apart += _result.distance > 0.01 ? 1 : 0;

@@ -10,8 +10,8 @@ package starlogo.ground
     import starlogo.collision.Collision;
     import starlogo.engine;
     import starlogo.intersection.ray.Ray;
+    import starlogo.intersection.ray.RayCrossing;
     import starlogo.intersection.ray.RayCrossings;
-    import starlogo.intersection.ray.RayEntry;
     import starlogo.models.BuiltInModel;
     import starlogo.queries.AgentQueries;
     import starlogo.queries.RayHit;
@@ -85,7 +85,7 @@ package starlogo.ground
                         {
                             var from:Vector3D = new Vector3D(side < 0 ? first - half : first + (count - 1) * width + half, first + 2.2 * width, 0.5);
                             var ray:Ray = new Ray();
-                            var out:RayEntry = new RayEntry();
+                            var out:RayCrossing = new RayCrossing();
                             ray.aim(from, new Vector3D(-side, random.between(-0.5, 0.5), random.between(0, 0.2)));
                             assertTrue(terrain + " from " + from, query.find(terrain.grid, ray, out) && out.distance < 1e-9);
                         }
@@ -105,7 +105,7 @@ package starlogo.ground
             for (var i:int = 0; i < 30; i++)
             {
                 ray.aim(new Vector3D(2.5e-4, 2.5e-4, 3e-6), new Vector3D(0.1 * (i % 3), 0.2 * (i % 3), -1));
-                assertTrue(query.find(terrain.grid, ray, new RayEntry()));
+                assertTrue(query.find(terrain.grid, ray, new RayCrossing()));
             }
             assertTrue(getTimer() - start < 1000);
         }
@@ -125,7 +125,7 @@ package starlogo.ground
                 var out:RayCrossings = new RayCrossings();
                 query.findAll(terrain.grid, ray, out);
                 // the hill is from 2.5 to 3.5 of the ray
-                assertEquals(from + ", inside", from > 2.5 && from < 3.5, out.count > 0 && out.sides[0] == RayCrossings.INSIDE);
+                assertEquals(from + ", inside", from > 2.5 && from < 3.5, out.count > 0 && out.all[0].side == RayCrossing.INSIDE);
             }
         }
 
@@ -148,7 +148,7 @@ package starlogo.ground
                 var direction:Vector3D = new Vector3D(0, random.pick([-1, 1]), random.between(-1, 1));
                 direction.normalize();
                 var ray:Ray = new Ray();
-                var entry:RayEntry = new RayEntry();
+                var entry:RayCrossing = new RayCrossing();
                 ray.aim(new Vector3D(to.x - high * direction.x, to.y - high * direction.y, to.z - high * direction.z), direction);
                 missed += query.find(terrain.grid, ray, entry) && Math.abs(entry.distance - high) < 1 ? 0 : 1;
             }

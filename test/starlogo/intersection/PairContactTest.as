@@ -80,6 +80,42 @@ package starlogo.intersection
             }
         }
 
+        // Across the two the way out is as short as their thickness. Their cross product has lost half of its digits.
+        [Test]
+        public function needlesThatAreNearlyParallelPartByTheirThickness():void
+        {
+            var random:SeededRandom = new SeededRandom(404);
+            var shapes:RandomStructures = new RandomStructures(random);
+            for (var i:int = 0; i < 500; i++)
+            {
+                var axes:Vector.<Vector3D> = shapes.frame();
+                var thickness:Number = random.logBetween(1e-13, 1e-11);
+                var first:Array = needles(new Vector3D(), axes[0], axes[1], axes[2], thickness);
+                var tilt:Number = random.logBetween(1e-9, 1e-7);
+                var middle:Vector3D = sum(new Vector3D(), axes[2], thickness);
+                var second:Array = needles(middle, sum(axes[0], axes[1], tilt), sum(axes[1], axes[0], -tilt), axes[2], thickness);
+                for each (var a:BoundingStructure in first)
+                {
+                    for each (var b:BoundingStructure in second)
+                    {
+                        StructurePairs.findContact(a, b, _displacement, _touch);
+                        assertTrue(a + " and " + b + ": " + _touch.depth, _touch.depth <= thickness + 1e-9);
+                    }
+                }
+            }
+        }
+
+        // A capsule and a box along an axis. The box is flat.
+        private static function needles(middle:Vector3D, axisX:Vector3D, axisY:Vector3D, axisZ:Vector3D, thickness:Number):Array
+        {
+            return [new Capsule(sum(middle, axisX, -1), sum(middle, axisX, 1), thickness), new Box(middle, axisX, axisY, axisZ, 1, 0, thickness)];
+        }
+
+        private static function sum(a:Vector3D, b:Vector3D, factor:Number):Vector3D
+        {
+            return new Vector3D(a.x + factor * b.x, a.y + factor * b.y, a.z + factor * b.z);
+        }
+
         // Of two directions without a certain perpendicular the longer one counts.
         [Test]
         public function theShortestCapsuleIsMovedLikeABall():void

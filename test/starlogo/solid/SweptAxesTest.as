@@ -136,7 +136,7 @@ package starlogo.solid
             var shape:ConvexShape = _shapes.shape(kind, family, target());
             var side:Vector3D = sideways();
             var touching:Number = 0;
-            var apart:Number = 4 * (shape.extent + shape.radius + _triangle.extent);
+            var apart:Number = 4 * (shape.boundingRadius + shape.radius + _triangle.boundingRadius);
             if (!(apart > 0) || !touches(placed(shape, side, touching)) || touches(placed(shape, side, apart)))
             {
                 return;
@@ -203,7 +203,7 @@ package starlogo.solid
         private function count(shape:ConvexShape, what:String):void
         {
             var size:Number = 3 * shape.margin + Math.abs(_motion.x) + Math.abs(_motion.y) + Math.abs(_motion.z) + Math.abs(shape.x) + Math.abs(shape.y)
-                + Math.abs(shape.z) + shape.extent;
+                + Math.abs(shape.z) + shape.boundingRadius;
             _axes.setTo(shape, shape.radius + shape.margin + Tolerances.EXTENTS * size, _motion);
             var isRuledOut:Boolean = _axes.areApart(_corners);
             var isTouched:Boolean = touches(shape);

@@ -71,7 +71,7 @@ package starlogo.solid
                 beside.x = 2 * half + gap;
                 var between:Number = beside.x - 2 * half;
                 var margin:Number = Touching.marginOfPlace(beside.x, 0, 0) + Touching.marginOfSurface(2 * cube.boxTree.boundingRadius);
-                var reach:Number = margin + Tolerances.CORES * 2 * triangle.extent;
+                var reach:Number = margin + Tolerances.CORES * 2 * triangle.boundingRadius;
                 if (between > 0.99 * margin && between < 0.99 * reach)
                 {
                     tested++;

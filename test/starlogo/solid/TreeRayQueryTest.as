@@ -10,7 +10,7 @@ package starlogo.solid
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.hierarchy.TriangleMesh;
     import starlogo.intersection.ray.Ray;
-    import starlogo.intersection.ray.RayEntry;
+    import starlogo.intersection.ray.RayCrossing;
     import starlogo.intersection.ray.RaySpan;
     import starlogo.intersection.ray.SpanFinder;
     import starlogo.models.BuiltInModel;
@@ -32,7 +32,7 @@ package starlogo.solid
         private static const DEPTHS:Array = [1, 2, 3, 5, 8, 40];
 
         private var _rays:TreeRayQuery = new TreeRayQuery();
-        private var _entry:RayEntry = new RayEntry();
+        private var _entry:RayCrossing = new RayCrossing();
         private var _random:SeededRandom = new SeededRandom(2211);
         private var _structures:RandomStructures = new RandomStructures(_random);
 
@@ -57,7 +57,7 @@ package starlogo.solid
             var hierarchy:ModelTree = hierarchyOf(model);
             var mesh:TriangleMesh = hierarchy.mesh;
             var corners:Vector.<Number> = new Vector.<Number>(9);
-            var hit:RayEntry = new RayEntry();
+            var hit:RayCrossing = new RayCrossing();
             var ray:Ray = new Ray();
             var origin:Vector3D = new Vector3D();
             var inside:Vector3D = pointInside(hierarchy);
@@ -125,7 +125,7 @@ package starlogo.solid
         }
 
         // Out of a structure's surface, which no ray meets at a right angle by chance.
-        private static function checkNodeNormal(message:String, ray:Ray, entry:RayEntry):void
+        private static function checkNodeNormal(message:String, ray:Ray, entry:RayCrossing):void
         {
             var normal:Vector3D = new Vector3D(entry.normalX, entry.normalY, entry.normalZ);
             var along:Number = normal.dotProduct(directionOf(ray));
@@ -287,7 +287,7 @@ package starlogo.solid
         private static function nearestEnd(node:HierarchyNode, depth:int, ray:Ray, from:Number):Number
         {
             var part:Ray = new Ray();
-            var entry:RayEntry = new RayEntry();
+            var entry:RayCrossing = new RayCrossing();
             part.copyFrom(ray);
             part.from = from;
             var span:RaySpan = new RaySpan();

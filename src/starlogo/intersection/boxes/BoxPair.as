@@ -11,33 +11,40 @@
 
 package starlogo.intersection.boxes
 {
+    import flash.geom.Vector3D;
     import starlogo.bounding.Box;
-    import starlogo.convex.RelativeMotion;
+    import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
 
     /**
-     * Two boxes, as a record: where box b is at time 0 as seen from box a, how it moves until time 1, and the time of impact that BoxSweep writes. All
-     * numbers are in the axes of a. Many pairs of boxes may have the same axes and motion. Then these are set once for all of them. Tests of boxes
-     * that stand use no more than the axes, the vector and the half-extents.
+     * Two boxes, as a record: box b as seen from box a. All numbers are in the axes of a. All pairs of boxes of two trees have the same rotation and
+     * margin. Then these are set once for all of them.
      *
      * @private
      */
     public final class BoxPair
     {
-        /** The pair that <code>boxBox()</code> sets, whose boxes stand. */
+        /** The pair that <code>boxBox()</code> sets. */
         public static const SCRATCH:BoxPair = new BoxPair();
 
-        /** The axes of b. */
-        public var axes:BoxAxes = new BoxAxes();
+        /** The rotation of b: its columns are the axes of b. Nothing else of the placement counts. */
+        public var rotation:Placement = new Placement();
 
-        /** The motion of b from time 0 to 1 as seen from a. */
-        public var motionX:Number = 0;
-        public var motionY:Number = 0;
-        public var motionZ:Number = 0;
+        /** The absolute values of the rotation. */
+        public var abs00:Number = 1;
+        public var abs01:Number = 0;
+        public var abs02:Number = 0;
+        public var abs10:Number = 0;
+        public var abs11:Number = 1;
+        public var abs12:Number = 0;
+        public var abs20:Number = 0;
+        public var abs21:Number = 0;
+        public var abs22:Number = 1;
 
-        /** The gap across which the boxes still touch: the sum of the margins (see Touching). */
+        /** The gap across which the boxes still touch: the sum of the margins (see Touching). Only BoxSweep reads it. */
         public var margin:Number = 0;
 
-        /** The vector from a's middle to b's at time 0. boxBox() shortens it in place of a margin. */
+        /** The vector from a's middle to b's, at time 0 if b moves. boxBox() shortens it in place of a margin. */
         public var offsetX:Number = 0;
         public var offsetY:Number = 0;
         public var offsetZ:Number = 0;
@@ -52,14 +59,8 @@ package starlogo.intersection.boxes
         public var bHalfY:Number = 0;
         public var bHalfZ:Number = 0;
 
-        /** The latest time that counts: see RelativeMotion. */
-        public var latestTime:Number = 1;
-
-        /** The result: the time from which the axes that were tried do not separate the boxes, or RelativeMotion.NEVER. */
-        public var time:Number = RelativeMotion.NEVER;
-
-        /** Sets the half-extents. */
-        public function setHalves(a:Box, b:Box):void
+        /** Sets the rotation and the half-extents. */
+        public function setBoxes(a:Box, b:Box):void
         {
             aHalfX = a.halfX;
             aHalfY = a.halfY;
@@ -67,6 +68,64 @@ package starlogo.intersection.boxes
             bHalfX = b.halfX;
             bHalfY = b.halfY;
             bHalfZ = b.halfZ;
+            var turn:Placement = rotation;
+            var bX:Vector3D = b.axisX;
+            var bY:Vector3D = b.axisY;
+            var bZ:Vector3D = b.axisZ;
+            var axis:Vector3D = a.axisX;
+            turn.r00 = axis.x * bX.x + axis.y * bX.y + axis.z * bX.z;
+            turn.r01 = axis.x * bY.x + axis.y * bY.y + axis.z * bY.z;
+            turn.r02 = axis.x * bZ.x + axis.y * bZ.y + axis.z * bZ.z;
+            axis = a.axisY;
+            turn.r10 = axis.x * bX.x + axis.y * bX.y + axis.z * bX.z;
+            turn.r11 = axis.x * bY.x + axis.y * bY.y + axis.z * bY.z;
+            turn.r12 = axis.x * bZ.x + axis.y * bZ.y + axis.z * bZ.z;
+            axis = a.axisZ;
+            turn.r20 = axis.x * bX.x + axis.y * bX.y + axis.z * bX.z;
+            turn.r21 = axis.x * bY.x + axis.y * bY.y + axis.z * bY.z;
+            turn.r22 = axis.x * bZ.x + axis.y * bZ.y + axis.z * bZ.z;
+            setAbsolutes(0);
+        }
+
+        /**
+         * Sets the rotation of b.
+         *
+         * @param turn its rotation is copied
+         * @param rounding is added to the absolute values
+         */
+        public function setRotation(turn:Placement, rounding:Number = 0):void
+        {
+            rotation.copyRotation(turn);
+            setAbsolutes(rounding);
+        }
+
+        /** Whether edges of the two boxes are so nearly parallel that their cross product would cancel. */
+        public function get areNearlyParallel():Boolean
+        {
+            var near:Number = 1 - Tolerances.NEARLY_PARALLEL / 2;
+            return abs22 > near || abs21 > near || abs20 > near
+                || abs12 > near || abs11 > near || abs10 > near
+                || abs02 > near || abs01 > near || abs00 > near;
+        }
+
+        /** Whether the z axes of the two boxes are parallel. Then their faces are enough: the cross products of other edges are along z or across it. */
+        public function get areZAxesParallel():Boolean
+        {
+            return rotation.r02 * rotation.r02 + rotation.r12 * rotation.r12 <= Tolerances.PARALLEL;
+        }
+
+        private function setAbsolutes(rounding:Number):void
+        {
+            var turn:Placement = rotation;
+            abs00 = turn.r00 < 0 ? rounding - turn.r00 : rounding + turn.r00;
+            abs01 = turn.r01 < 0 ? rounding - turn.r01 : rounding + turn.r01;
+            abs02 = turn.r02 < 0 ? rounding - turn.r02 : rounding + turn.r02;
+            abs10 = turn.r10 < 0 ? rounding - turn.r10 : rounding + turn.r10;
+            abs11 = turn.r11 < 0 ? rounding - turn.r11 : rounding + turn.r11;
+            abs12 = turn.r12 < 0 ? rounding - turn.r12 : rounding + turn.r12;
+            abs20 = turn.r20 < 0 ? rounding - turn.r20 : rounding + turn.r20;
+            abs21 = turn.r21 < 0 ? rounding - turn.r21 : rounding + turn.r21;
+            abs22 = turn.r22 < 0 ? rounding - turn.r22 : rounding + turn.r22;
         }
     }
 }

@@ -38,14 +38,14 @@ package starlogo.intersection.ray
             structure.setShape(_shape);
             // the part of the line that may be inside
             var closestDistance:Number = (_shape.x - ray.x) * ray.directionX + (_shape.y - ray.y) * ray.directionY + (_shape.z - ray.z) * ray.directionZ;
-            var boundingRadius:Number = 2 * (_shape.extent + _shape.radius) + Number.MIN_VALUE;
-            var near:Number = meetFrom(ray, closestDistance - boundingRadius, 2 * boundingRadius);
+            var reach:Number = 2 * (_shape.boundingRadius + _shape.radius) + Number.MIN_VALUE;
+            var near:Number = meetFrom(ray, closestDistance - reach, 2 * reach);
             if (near == Infinity)
             {
                 return false;
             }
             out.near.setNormal(_contact.normalX, _contact.normalY, _contact.normalZ);
-            var far:Number = meetFrom(ray, closestDistance + boundingRadius, -2 * boundingRadius);
+            var far:Number = meetFrom(ray, closestDistance + reach, -2 * reach);
             out.far.setNormal(_contact.normalX, _contact.normalY, _contact.normalZ);
             out.setPlaces(near, far);
             return near <= far && far < Infinity;

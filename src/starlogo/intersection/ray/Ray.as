@@ -5,7 +5,7 @@ package starlogo.intersection.ray
 
     /**
      * A part of a line, which is asked about. The tests of a ray do not change it. They write where it is inside of a shape to a RaySpan, and where it
-     * enters the shape to a RayEntry.
+     * enters the shape to a RayCrossing.
      *
      * <p>A place on the line is given by its distance along the direction from the point (x, y, z). The direction has length 1.
      * That point should be near the shapes that are asked about, because the rounding error grows with their distance from it. The part may

@@ -47,16 +47,14 @@ package starlogo.intersection.ray
         private var _shearV:Number = 0;
         private var _inverseSpeed:Number = 0;
 
-        // How far from a triangle the ray may pass. Twice the area of a triangle of that height and of the greatest possible width.
-        private var _tolerance:Number = 0;
-        private var _areaTolerance:Number = 0;
+        // The radius of a sphere around all triangles that come next.
+        private var _radius:Number = 0;
 
         /** The first crossing so far: see <code>findEarlier()</code>. Read only. */
-        public var first:TriangleCrossing = new TriangleCrossing();
+        public var first:RayCrossing = new RayCrossing();
 
-        // The crossing that is tried, and the same with the triangle's normal.
-        private var _crossing:TriangleCrossing = new TriangleCrossing();
-        private var _entry:RayEntry = new RayEntry();
+        // The crossing that is tried.
+        private var _crossing:RayCrossing = new RayCrossing();
         private var _plane:TrianglePlane = new TrianglePlane();
 
         /**
@@ -94,9 +92,7 @@ package starlogo.intersection.ray
         /** Changes the radius of a sphere around all triangles that come next. Their rounding errors are relative to it. */
         public function setRadius(radius:Number):void
         {
-            _tolerance = Tolerances.SURFACES * radius;
-            // Shearing may make a side longer than the diameter, by a factor of at most the root of eight.
-            _areaTolerance = 6 * _tolerance * radius;
+            _radius = radius;
         }
 
         /**
@@ -114,7 +110,7 @@ package starlogo.intersection.ray
             {
                 return false;
             }
-            var later:TriangleCrossing = first;
+            var later:RayCrossing = first;
             first = _crossing;
             _crossing = later;
             return true;
@@ -129,44 +125,50 @@ package starlogo.intersection.ray
          */
         public function addCrossing(corners:Vector.<Number>, triangle:int, out:RayCrossings):void
         {
-            if (findCrossing(corners, 0, 3, 6, _crossing) && _crossing.distance <= _ray.to)
+            var crossing:RayCrossing = out.add();
+            crossing.setToStart(_ray);
+            if (findCrossing(corners, 0, 3, 6, crossing) && crossing.distance <= _ray.to)
             {
-                writeEntry(corners, _crossing, triangle, _entry);
-                out.add(_entry, _crossing.rounding, _crossing.end, _crossing.side);
+                writeSurface(corners, triangle, crossing);
+            }
+            else
+            {
+                out.count--;
             }
         }
 
         /**
-         * Writes where the ray meets a triangle. The normal of a flat triangle is the opposite of the ray's direction.
+         * Writes the first crossing. The normal of a flat triangle is the opposite of the ray's direction.
          *
-         * @param corners nine numbers of the triangle
-         * @param crossing the place
+         * @param corners nine numbers of its triangle
          * @param triangle the triangle's number in the model; -1 if it has none
          */
-        public function writeEntry(corners:Vector.<Number>, crossing:TriangleCrossing, triangle:int, out:RayEntry):void
+        public function writeFirst(corners:Vector.<Number>, triangle:int, out:RayCrossing):void
         {
             out.setToStart(_ray);
-            out.distance = crossing.distance;
+            out.distance = first.distance;
+            writeSurface(corners, triangle, out);
+        }
+
+        private function writeSurface(corners:Vector.<Number>, triangle:int, out:RayCrossing):void
+        {
             out.triangle = triangle;
             _plane.setTriangle(corners, 0);
-            if (!_plane.isFlat)
-            {
-                out.setNormal(_ray, _plane.normal.x, _plane.normal.y, _plane.normal.z);
-            }
+            out.setNormal(_ray, _plane.normal.x, _plane.normal.y, _plane.normal.z);
         }
 
         // Whether a crossing comes before the first one so far, and not after the ray's end. A triangle that is seen edge on has to be a rounding
         // error nearer, and another one may be a rounding error behind it.
-        private function isBeforeFirst(crossing:TriangleCrossing):Boolean
+        private function isBeforeFirst(crossing:RayCrossing):Boolean
         {
-            var latest:Number = first.side == RayCrossings.EDGE_ON ? first.distance + first.rounding : first.distance;
-            var distance:Number = crossing.side == RayCrossings.EDGE_ON ? crossing.distance + crossing.rounding : crossing.distance;
+            var latest:Number = first.side == RayCrossing.EDGE_ON ? first.distance + first.rounding : first.distance;
+            var distance:Number = crossing.side == RayCrossing.EDGE_ON ? crossing.distance + crossing.rounding : crossing.distance;
             return crossing.distance <= _ray.to && distance < latest;
         }
 
         // Finds where the line meets a triangle, where the ray begins or later. It shears the corners as seen from the line, finds the sides on which
         // the ray passes the edges, and finds where the ray crosses the plane. Returns whether there is such a place.
-        private function findCrossing(points:Vector.<Number>, a:int, b:int, c:int, out:TriangleCrossing):Boolean
+        private function findCrossing(points:Vector.<Number>, a:int, b:int, c:int, out:RayCrossing):Boolean
         {
             var u:int = _u;
             var v:int = _v;
@@ -176,7 +178,11 @@ package starlogo.intersection.ray
             var originW:Number = _originW;
             var shearU:Number = _shearU;
             var shearV:Number = _shearV;
-            var areaTolerance:Number = _areaTolerance;
+            // how far from the triangle the ray may pass
+            var tolerance:Number = Tolerances.SURFACES * _radius;
+            // Twice the area of a triangle of that height and of the greatest possible width. Shearing may make a side longer than the diameter, by a
+            // factor of at most the root of eight.
+            var areaTolerance:Number = 6 * tolerance * _radius;
             var aW:Number = points[int(a + w)] - originW;
             var aU:Number = points[int(a + u)] - originU - shearU * aW;
             var aV:Number = points[int(a + v)] - originV - shearV * aW;
@@ -195,13 +201,13 @@ package starlogo.intersection.ray
             }
             var sum:Number = sideA + sideB + sideC;
             var width:Number = Math.abs(aU) + Math.abs(aV) + Math.abs(bU) + Math.abs(bV) + Math.abs(cU) + Math.abs(cV);
-            var isEdgeOn:Boolean = Math.abs(sum) <= EDGE_ON_TOLERANCES * _tolerance * width;
+            var isEdgeOn:Boolean = Math.abs(sum) <= EDGE_ON_TOLERANCES * tolerance * width;
             var isInside:Boolean = sum != 0 && (sideA >= 0 && sideB >= 0 && sideC >= 0 || sideA <= 0 && sideB <= 0 && sideC <= 0);
             if (isInside && !isEdgeOn)
             {
                 out.distance = _inverseSpeed * (sideA * aW + sideB * bW + sideC * cW) / sum;
             }
-            else if (!passEdges(points, a, b, c, isInside ? EDGE_ON_HEIGHT * _tolerance : _tolerance, out))
+            else if (!passEdges(points, a, b, c, isInside ? EDGE_ON_HEIGHT * tolerance : tolerance, out))
             {
                 return false;
             }
@@ -212,23 +218,22 @@ package starlogo.intersection.ray
             }
             if (isEdgeOn)
             {
-                out.rounding = Tolerances.ROUNDING * Math.abs(out.distance) + PLACE_TOLERANCES * EDGE_ON_TOLERANCES * _tolerance;
+                out.rounding = Tolerances.ROUNDING * Math.abs(out.distance) + PLACE_TOLERANCES * EDGE_ON_TOLERANCES * tolerance;
                 out.end = Math.max(out.end, out.distance) + out.rounding;
-                out.side = RayCrossings.EDGE_ON;
+                out.side = RayCrossing.EDGE_ON;
                 return true;
             }
             // The ray may pass a tolerance beside the place that is tested. On a steep triangle, which is deep for its area, the place is then farther off
             // along the ray.
             var depth:Number = Math.abs(_inverseSpeed) * (Math.abs(aW - bW) + Math.abs(bW - cW));
-            out.end = out.distance;
-            out.rounding = Tolerances.ROUNDING * Math.abs(out.distance) + PLACE_TOLERANCES * _tolerance * (1 + width * depth / Math.abs(sum));
-            out.side = _inverseSpeed * sum > 0 ? RayCrossings.FRONT : RayCrossings.BACK;
+            out.rounding = Tolerances.ROUNDING * Math.abs(out.distance) + PLACE_TOLERANCES * tolerance * (1 + width * depth / Math.abs(sum));
+            out.side = _inverseSpeed * sum > 0 ? RayCrossing.FRONT : RayCrossing.BACK;
             return true;
         }
 
         // Sets the crossing to the places where the ray first and last passes the edges of a triangle within a tolerance. Returns whether there is such a place
         // where the ray begins or later.
-        private function passEdges(points:Vector.<Number>, a:int, b:int, c:int, tolerance:Number, out:TriangleCrossing):Boolean
+        private function passEdges(points:Vector.<Number>, a:int, b:int, c:int, tolerance:Number, out:RayCrossing):Boolean
         {
             out.distance = Infinity;
             out.end = -Infinity;
@@ -240,7 +245,7 @@ package starlogo.intersection.ray
         }
 
         // Widens the crossing by the place where the ray passes an edge, if that is within a tolerance.
-        private function passEdge(points:Vector.<Number>, from:int, to:int, tolerance:Number, out:TriangleCrossing):void
+        private function passEdge(points:Vector.<Number>, from:int, to:int, tolerance:Number, out:RayCrossing):void
         {
             var fromW:Number = points[from + _w] - _originW;
             var fromU:Number = points[from + _u] - _originU - _shearU * fromW;

@@ -15,7 +15,7 @@ package starlogo.intersection.ray
     use namespace engine;
 
     /**
-     * Finds which part of a ray's line is inside of a structure. RayEntry derives from it where the ray enters,
+     * Finds which part of a ray's line is inside of a structure. RayCrossing derives from it where the ray enters,
      * and RayCrossings where it enters and leaves. Each kind has a formula. Touching counts, to within a factor on the structure's extents, which is
      * Tolerances.TOUCHING. Nothing is allocated, except at the first ray that meets a hull where it is.
      *
@@ -24,7 +24,7 @@ package starlogo.intersection.ray
     public final class SpanFinder
     {
         // The part of a line in the ball around an end of a capsule.
-        private static var sBall:RaySpan = new RaySpan();
+        private static const BALL:RaySpan = new RaySpan();
 
         /**
          * Finds the part of the line inside of a structure.
@@ -140,15 +140,15 @@ package starlogo.intersection.ray
             var farFraction:Number = fraction + out.far.touchDistance * speed;
             var isNearOnSide:Boolean = nearFraction >= 0 && nearFraction <= 1;
             var isFarOnSide:Boolean = farFraction >= 0 && farFraction <= 1;
-            var isInNearBall:Boolean = !isNearOnSide && findInBall(ray, nearFraction > 1 ? end : start, radius, sBall);
+            var isInNearBall:Boolean = !isNearOnSide && findInBall(ray, nearFraction > 1 ? end : start, radius, BALL);
             if (isInNearBall)
             {
-                out.near.copyFrom(sBall.near);
+                out.near.copyFrom(BALL.near);
             }
-            var isInFarBall:Boolean = !isFarOnSide && (isNearOnSide || isInNearBall) && findInBall(ray, farFraction > 1 ? end : start, radius, sBall);
+            var isInFarBall:Boolean = !isFarOnSide && (isNearOnSide || isInNearBall) && findInBall(ray, farFraction > 1 ? end : start, radius, BALL);
             if (isInFarBall)
             {
-                out.far.copyFrom(sBall.far);
+                out.far.copyFrom(BALL.far);
             }
             // A line through the side meets the ball too that it passes at its other end. If rounding says no, that is at the rim: the cylinder's end stays.
             return isNearOnSide || isFarOnSide || isInFarBall;

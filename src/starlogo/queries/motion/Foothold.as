@@ -3,7 +3,7 @@ package starlogo.queries.motion
     import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
     import starlogo.intersection.ray.Ray;
-    import starlogo.intersection.ray.RayEntry;
+    import starlogo.intersection.ray.RayCrossing;
     import starlogo.queries.SeenAgents;
     import starlogo.queries.rays.RowRayTest;
     import starlogo.search.Body;
@@ -31,7 +31,7 @@ package starlogo.queries.motion
         // The ray at an edge: where it begins, and what it meets.
         private var _origin:Vector3D = new Vector3D();
         private var _ray:Ray = new Ray();
-        private var _entry:RayEntry = new RayEntry();
+        private var _entry:RayCrossing = new RayCrossing();
 
         /**
          * @param seen has the rows

@@ -4,7 +4,7 @@ package starlogo.queries.rays
     import starlogo.data.SortableIntList;
     import starlogo.engine;
     import starlogo.intersection.ray.Ray;
-    import starlogo.intersection.ray.RayEntry;
+    import starlogo.intersection.ray.RayCrossing;
     import starlogo.queries.RayHit;
     import starlogo.queries.SeenAgents;
     import starlogo.queries.trees.Collector;
@@ -48,7 +48,7 @@ package starlogo.queries.rays
         }
 
         /** Adds the hit where a ray enters a row, after the row's other ones. */
-        public function add(row:int, ray:Ray, entry:RayEntry):void
+        public function add(row:int, ray:Ray, entry:RayCrossing):void
         {
             var index:int = _hits.count;
             if (_firstHitByRow.length <= row)

@@ -4,7 +4,7 @@ package starlogo.queries.rays
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.ray.Ray;
-    import starlogo.intersection.ray.RayEntry;
+    import starlogo.intersection.ray.RayCrossing;
     import starlogo.intersection.ray.RaySpan;
     import starlogo.intersection.ray.SpanFinder;
     import starlogo.queries.SeenAgents;
@@ -46,7 +46,7 @@ package starlogo.queries.rays
          * @param out receives the distance of the hit, 0 if the origin is inside, and the normal and the triangle there
          * @return whether it meets the row
          */
-        public function findRayEntry(row:int, ray:Ray, out:RayEntry):Boolean
+        public function findRayEntry(row:int, ray:Ray, out:RayCrossing):Boolean
         {
             var body:Body = _seen.table.bodyOf(row);
             if (body.kind == ModelShape.GROUND)
@@ -90,7 +90,7 @@ package starlogo.queries.rays
         }
 
         /** Moves where a ray enters a shape from the model's space into the world. Because of rounding, it may be beyond the ray's end there. */
-        internal static function bringIntoWorld(entry:RayEntry, rayInModel:Ray, placement:Placement, ray:Ray):void
+        internal static function bringIntoWorld(entry:RayCrossing, rayInModel:Ray, placement:Placement, ray:Ray):void
         {
             var x:Number = entry.normalX;
             var y:Number = entry.normalY;
@@ -101,7 +101,7 @@ package starlogo.queries.rays
             entry.distance = entry.distance > rayInModel.from ? Math.max(0, entry.distance * placement.size + aheadOf(ray, placement)) : 0;
         }
 
-        private function findEntryOfShape(body:Body, rayInModel:Ray, out:RayEntry):Boolean
+        private function findEntryOfShape(body:Body, rayInModel:Ray, out:RayCrossing):Boolean
         {
             var shape:ModelShape = body.shape;
             if (shape.tree != null)

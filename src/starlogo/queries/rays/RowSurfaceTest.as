@@ -2,8 +2,8 @@ package starlogo.queries.rays
 {
     import starlogo.engine;
     import starlogo.intersection.ray.Ray;
+    import starlogo.intersection.ray.RayCrossing;
     import starlogo.intersection.ray.RayCrossings;
-    import starlogo.intersection.ray.RayEntry;
     import starlogo.intersection.ray.RaySpan;
     import starlogo.intersection.ray.SpanFinder;
     import starlogo.queries.SeenAgents;
@@ -25,10 +25,9 @@ package starlogo.queries.rays
         private var _span:RaySpan = new RaySpan();
         private var _treeCrossings:TreeRayQuery = new TreeRayQuery();
 
-        // All crossings with a row's shape, those that are surfaces, and one of them.
+        // All crossings with a row's shape, and those that are surfaces.
         private var _crossings:RayCrossings = new RayCrossings();
         private var _surfaces:SurfaceCrossings = new SurfaceCrossings();
-        private var _entry:RayEntry = new RayEntry();
 
         /** @param seen has the rows */
         public function RowSurfaceTest(seen:SeenAgents)
@@ -62,14 +61,14 @@ package starlogo.queries.rays
             _surfaces.find(_crossings, areTriangles);
             for (var i:int = 0; i < _surfaces.indices.count; i++)
             {
-                _crossings.readEntry(_surfaces.indices.values[i], _entry);
+                var crossing:RayCrossing = _crossings.all[_surfaces.indices.values[i]];
                 if (!isGround)
                 {
-                    RowRayTest.bringIntoWorld(_entry, _rayInModel, body.placement, ray);
+                    RowRayTest.bringIntoWorld(crossing, _rayInModel, body.placement, ray);
                 }
-                if (_entry.distance <= ray.to)
+                if (crossing.distance <= ray.to)
                 {
-                    out.add(row, ray, _entry);
+                    out.add(row, ray, crossing);
                     isMet = true;
                 }
             }

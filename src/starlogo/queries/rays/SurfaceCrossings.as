@@ -2,6 +2,7 @@ package starlogo.queries.rays
 {
     import starlogo.data.IntList;
     import starlogo.data.SortableIntList;
+    import starlogo.intersection.ray.RayCrossing;
     import starlogo.intersection.ray.RayCrossings;
 
     /**
@@ -32,7 +33,7 @@ package starlogo.queries.rays
             _all.count = indices.count = 0;
             for (var i:int = 0; i < crossings.count; i++)
             {
-                _all.add(i, areTriangles ? crossings.distances[i] : endKeyOf(crossings, i));
+                _all.add(i, areTriangles ? crossings.all[i].distance : endKeyOf(crossings, i));
             }
             _all.sortFirst(_all.count);
             if (areTriangles)
@@ -48,14 +49,14 @@ package starlogo.queries.rays
         // By what an entry and a way out are sorted. Where the ray begins inside comes first; nodes that touch up to rounding overlap.
         private static function endKeyOf(crossings:RayCrossings, index:int):Number
         {
-            switch (crossings.sides[index])
+            switch (crossings.all[index].side)
             {
-                case RayCrossings.INSIDE:
+                case RayCrossing.INSIDE:
                     return -Infinity;
-                case RayCrossings.ENTERS:
-                    return crossings.distances[index] - crossings.roundings[index];
+                case RayCrossing.ENTERS:
+                    return crossings.all[index].distance - crossings.all[index].rounding;
                 default:
-                    return crossings.distances[index];
+                    return crossings.all[index].distance;
             }
         }
 
@@ -69,12 +70,12 @@ package starlogo.queries.rays
             {
                 var index:int = _all.values[i];
                 var isKept:Boolean = true;
-                switch (crossings.sides[index])
+                switch (crossings.all[index].side)
                 {
-                    case RayCrossings.INSIDE:
-                        insideFrom = crossings.distances[index];
+                    case RayCrossing.INSIDE:
+                        insideFrom = crossings.all[index].distance;
                         break;
-                    case RayCrossings.ENTERS:
+                    case RayCrossing.ENTERS:
                         isKept = depth == 0 && _all.keys[i] > insideFrom;
                         depth++;
                         break;
@@ -98,11 +99,11 @@ package starlogo.queries.rays
             for (var i:int = 0; i < crossings.count; i++)
             {
                 var index:int = _all.values[i];
-                var side:int = crossings.sides[index];
-                if (side == RayCrossings.EDGE_ON)
+                var side:int = crossings.all[index].side;
+                if (side == RayCrossing.EDGE_ON)
                 {
-                    var runsOn:Boolean = crossings.distances[index] <= runsUntil;
-                    runsUntil = Math.max(runsUntil, crossings.ends[index]);
+                    var runsOn:Boolean = crossings.all[index].distance <= runsUntil;
+                    runsUntil = Math.max(runsUntil, crossings.all[index].end);
                     if (runsOn)
                     {
                         continue;
@@ -111,7 +112,7 @@ package starlogo.queries.rays
                 if (!joinKept(crossings, index, side, mostSlack))
                 {
                     _sides[indices.count] = side;
-                    mostSlack = Math.max(mostSlack, crossings.roundings[index]);
+                    mostSlack = Math.max(mostSlack, crossings.all[index].rounding);
                     indices.add(index);
                 }
             }
@@ -121,23 +122,23 @@ package starlogo.queries.rays
         // gives way to one that it crosses at the same place.
         private function joinKept(crossings:RayCrossings, index:int, side:int, mostSlack:Number):Boolean
         {
-            var distance:Number = crossings.distances[index];
-            var slack:Number = crossings.roundings[index];
+            var distance:Number = crossings.all[index].distance;
+            var slack:Number = crossings.all[index].rounding;
             for (var k:int = indices.count - 1; k >= 0; k--)
             {
                 var other:int = indices.values[k];
-                var gap:Number = distance - crossings.distances[other];
+                var gap:Number = distance - crossings.all[other].distance;
                 if (gap > slack + mostSlack)
                 {
                     return false;
                 }
-                if (areOneSurface(side, _sides[k]) && gap <= slack + crossings.roundings[other])
+                if (areOneSurface(side, _sides[k]) && gap <= slack + crossings.all[other].rounding)
                 {
-                    if (_sides[k] == RayCrossings.EDGE_ON && side != RayCrossings.EDGE_ON)
+                    if (_sides[k] == RayCrossing.EDGE_ON && side != RayCrossing.EDGE_ON)
                     {
                         _sides[k] = side;
                         // none is kept between the two, because it would have joined the other one
-                        indices.values[k] = gap <= crossings.roundings[other] ? index : other;
+                        indices.values[k] = gap <= crossings.all[other].rounding ? index : other;
                     }
                     return true;
                 }
@@ -148,7 +149,7 @@ package starlogo.queries.rays
         // Whether a crossing from one side and a kept one at the same place can be of one surface.
         private static function areOneSurface(side:int, kept:int):Boolean
         {
-            return kept != RayCrossings.INSIDE && (side == kept || side == RayCrossings.EDGE_ON || kept == RayCrossings.EDGE_ON);
+            return kept != RayCrossing.INSIDE && (side == kept || side == RayCrossing.EDGE_ON || kept == RayCrossing.EDGE_ON);
         }
     }
 }

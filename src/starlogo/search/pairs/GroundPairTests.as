@@ -11,8 +11,8 @@ package starlogo.search.pairs
     import starlogo.ground.GroundRayQuery;
     import starlogo.ground.HeightGrid;
     import starlogo.intersection.ray.Ray;
+    import starlogo.intersection.ray.RayCrossing;
     import starlogo.intersection.ray.RayCrossings;
-    import starlogo.intersection.ray.RayEntry;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
@@ -63,7 +63,7 @@ package starlogo.search.pairs
         }
 
         /** Finds where a ray first meets the ground. Returns whether it does. */
-        public function findRayEntry(b:Body, ray:Ray, out:RayEntry):Boolean
+        public function findRayEntry(b:Body, ray:Ray, out:RayCrossing):Boolean
         {
             return _rays.find(gridOf(b), ray, out);
         }

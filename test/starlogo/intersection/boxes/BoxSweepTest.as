@@ -5,6 +5,7 @@ package starlogo.intersection.boxes
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertTrue;
     import starlogo.bounding.Box;
+    import starlogo.convex.RelativeMotion;
     import support.Complaints;
 
     /** Boxes that stand almost a tolerance apart, beside a loop over the fifteen axes as unit vectors. */
@@ -21,6 +22,7 @@ package starlogo.intersection.boxes
         private var _structures:RandomStructures = new RandomStructures(_random);
         private var _sweep:BoxSweep = new BoxSweep();
         private var _pair:BoxPair = new BoxPair();
+        private var _motion:RelativeMotion = new RelativeMotion();
 
         [Test]
         public function theToleranceIsTheSameAlongAllAxes():void
@@ -39,9 +41,9 @@ package starlogo.intersection.boxes
                 axis.normalize();
                 var gap:Number = largestGap(a, b, axes);
                 setPair(a, b);
-                _sweep.findTimeOfImpact(_pair);
-                wrong.addIf(gap < TOLERANCE - ROUNDING && _pair.time != 0, "apart", i + ": the gap is " + gap);
-                wrong.addIf(gap > LARGEST + ROUNDING && _pair.time == 0, "touching", i + ": the gap is " + gap);
+                _sweep.findTimeOfImpact(_pair, _motion);
+                wrong.addIf(gap < TOLERANCE - ROUNDING && _motion.time != 0, "apart", i + ": the gap is " + gap);
+                wrong.addIf(gap > LARGEST + ROUNDING && _motion.time == 0, "touching", i + ": the gap is " + gap);
                 touching += gap < TOLERANCE ? 1 : 0;
                 apart += gap > LARGEST && gap < 3 * LARGEST ? 1 : 0;
             }
@@ -55,11 +57,8 @@ package starlogo.intersection.boxes
             _pair.offsetX = between.dotProduct(a.axisX);
             _pair.offsetY = between.dotProduct(a.axisY);
             _pair.offsetZ = between.dotProduct(a.axisZ);
-            _pair.motionX = _pair.motionY = _pair.motionZ = 0;
-            _pair.axes.setTo(a, b);
-            _pair.setHalves(a, b);
+            _pair.setBoxes(a, b);
             _pair.margin = TOLERANCE;
-            _pair.latestTime = 1;
         }
 
         // The axes of both boxes, and the cross products of their edges, all of length 1.

@@ -40,7 +40,7 @@ package starlogo.intersection.ray
                     var direction:Vector3D = towards(structure, origin, random, structures);
                     var ray:Ray = rayOf(origin, direction);
                     var expected:Number = RayReference.firstTouch(structure, origin, direction, 50, 1e-13);
-                    var entry:RayEntry = new RayEntry();
+                    var entry:RayCrossing = new RayCrossing();
                     var isMet:Boolean = enters(ray, structure, entry);
                     if (isNaN(expected))
                     {
@@ -196,9 +196,9 @@ package starlogo.intersection.ray
                 way.scaleBy(1.1);
                 var capsule:Capsule = new Capsule(new Vector3D(), end, 1);
                 var message:String = "of length " + length + " at an angle of " + angle;
-                assertTrue("in at the side, " + message, enters(rayOf(rim.subtract(way), way), capsule, new RayEntry()));
+                assertTrue("in at the side, " + message, enters(rayOf(rim.subtract(way), way), capsule, new RayCrossing()));
                 way.negate();
-                assertTrue("in at the rim, " + message, enters(rayOf(side.subtract(way), way), capsule, new RayEntry()));
+                assertTrue("in at the rim, " + message, enters(rayOf(side.subtract(way), way), capsule, new RayCrossing()));
             }
         }
 
@@ -251,7 +251,7 @@ package starlogo.intersection.ray
             return direction;
         }
 
-        private static function assertNormal(message:String, entry:RayEntry, structure:BoundingStructure, origin:Vector3D, direction:Vector3D):void
+        private static function assertNormal(message:String, entry:RayCrossing, structure:BoundingStructure, origin:Vector3D, direction:Vector3D):void
         {
             var normal:Vector3D = new Vector3D(entry.normalX, entry.normalY, entry.normalZ);
             assertTrue(message + ": length of " + normal, Math.abs(normal.length - 1) < 1e-9);
@@ -269,11 +269,11 @@ package starlogo.intersection.ray
 
         private static function distanceTo(structure:BoundingStructure, origin:Vector3D, direction:Vector3D):Number
         {
-            var entry:RayEntry = new RayEntry();
+            var entry:RayCrossing = new RayCrossing();
             return enters(rayOf(origin, direction), structure, entry) ? entry.distance : Infinity;
         }
 
-        private static function enters(ray:Ray, structure:BoundingStructure, out:RayEntry):Boolean
+        private static function enters(ray:Ray, structure:BoundingStructure, out:RayCrossing):Boolean
         {
             var span:RaySpan = new RaySpan();
             return SpanFinder.find(ray, structure, new ConvexSpanFinder(), span) && out.setToEntry(ray, span);

@@ -3,8 +3,8 @@ package starlogo.queries.rays
     import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
+    import starlogo.intersection.ray.RayCrossing;
     import starlogo.intersection.ray.RayCrossings;
-    import starlogo.intersection.ray.RayEntry;
     import support.Complaints;
     import support.Effort;
 
@@ -25,16 +25,19 @@ package starlogo.queries.rays
             for (var i:int = 0; i < count; i++)
             {
                 var crossings:RayCrossings = new RayCrossings();
-                var entry:RayEntry = new RayEntry();
+                var all:Array = [];
                 for (var k:int = _random.integer(1, 6); k > 0; k--)
                 {
-                    entry.distance = _random.integer(0, 9);
-                    crossings.add(entry, _random.pick([0, 0.5, 1, 2]), entry.distance + _random.integer(0, 3), _random.pick([RayCrossings.FRONT, RayCrossings.BACK, RayCrossings.FRONT, RayCrossings.BACK, RayCrossings.EDGE_ON]));
+                    var crossing:RayCrossing = crossings.add();
+                    crossing.distance = _random.integer(0, 9);
+                    crossing.rounding = _random.pick([0, 0.5, 1, 2]);
+                    crossing.end = crossing.distance + _random.integer(0, 3);
+                    crossing.side = _random.pick([RayCrossing.FRONT, RayCrossing.BACK, RayCrossing.FRONT, RayCrossing.BACK, RayCrossing.EDGE_ON]);
+                    all.push(crossing.distance + " with " + crossing.rounding + " from " + crossing.side);
                 }
                 _surfaces.find(crossings, true);
                 joined += crossings.count - _surfaces.indices.count;
-                var said:String = "crossings " + i + ": " + crossings.distances.join() + " with " + crossings.roundings.join() + " from " + crossings.sides.join() + ", left "
-                    + _surfaces.indices.values.slice(0, _surfaces.indices.count).join();
+                var said:String = "crossings " + i + ": " + all.join() + ", left " + _surfaces.indices.values.slice(0, _surfaces.indices.count).join();
                 wrong.addIf(!areInOrder(crossings), "the order", said);
                 for (k = 0; k < crossings.count; k++)
                 {
@@ -50,13 +53,14 @@ package starlogo.queries.rays
         public function whereTheRayBeginsInsideIsOneSurface():void
         {
             var crossings:RayCrossings = new RayCrossings();
-            var entry:RayEntry = new RayEntry();
-            var sides:Array = [RayCrossings.INSIDE, RayCrossings.ENTERS, RayCrossings.ENTERS, RayCrossings.LEAVES, RayCrossings.LEAVES, RayCrossings.ENTERS];
+            var sides:Array = [RayCrossing.INSIDE, RayCrossing.ENTERS, RayCrossing.ENTERS, RayCrossing.LEAVES, RayCrossing.LEAVES, RayCrossing.ENTERS];
             var distances:Array = [0, 0, 0.5, 5, 6, 8];
             for (var i:int = 0; i < sides.length; i++)
             {
-                entry.distance = distances[i];
-                crossings.add(entry, i < 2 ? 0 : 1, entry.distance, sides[i]);
+                var crossing:RayCrossing = crossings.add();
+                crossing.distance = distances[i];
+                crossing.rounding = i < 2 ? 0 : 1;
+                crossing.side = sides[i];
             }
             _surfaces.find(crossings, false);
             assertEquals("0,4,5", _surfaces.indices.values.slice(0, _surfaces.indices.count).join());
@@ -66,7 +70,7 @@ package starlogo.queries.rays
         {
             for (var i:int = 1; i < _surfaces.indices.count; i++)
             {
-                if (!(crossings.distances[_surfaces.indices.values[i]] >= crossings.distances[_surfaces.indices.values[i - 1]]) || _surfaces.indices.values[i] == _surfaces.indices.values[i - 1])
+                if (!(crossings.all[_surfaces.indices.values[i]].distance >= crossings.all[_surfaces.indices.values[i - 1]].distance) || _surfaces.indices.values[i] == _surfaces.indices.values[i - 1])
                 {
                     return false;
                 }
@@ -80,9 +84,9 @@ package starlogo.queries.rays
             for (var i:int = 0; i < _surfaces.indices.count; i++)
             {
                 var other:int = _surfaces.indices.values[i];
-                var isNear:Boolean = Math.abs(crossings.distances[other] - crossings.distances[index]) <= MOST_SLACKS;
-                var runsAlong:Boolean = crossings.sides[other] == RayCrossings.EDGE_ON || crossings.sides[index] == RayCrossings.EDGE_ON;
-                if (crossings.sides[other] == crossings.sides[index] ? isNear || runsAlong : isNear && runsAlong)
+                var isNear:Boolean = Math.abs(crossings.all[other].distance - crossings.all[index].distance) <= MOST_SLACKS;
+                var runsAlong:Boolean = crossings.all[other].side == RayCrossing.EDGE_ON || crossings.all[index].side == RayCrossing.EDGE_ON;
+                if (crossings.all[other].side == crossings.all[index].side ? isNear || runsAlong : isNear && runsAlong)
                 {
                     return true;
                 }

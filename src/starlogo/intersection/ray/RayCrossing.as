@@ -1,12 +1,30 @@
 package starlogo.intersection.ray
 {
     /**
-     * Where a ray enters a shape, as a record. A ray that begins inside of the shape enters it where it begins.
+     * A place where a ray enters a shape or crosses its surface, as a record. A ray that begins inside of the shape enters it where it begins.
      *
      * @private
      */
-    public final class RayEntry
+    public final class RayCrossing
     {
+        /** A side: the ray begins inside of the shape. */
+        public static const INSIDE:int = 2;
+
+        /** A side: the ray enters the shape. */
+        public static const ENTERS:int = 1;
+
+        /** A side: the ray leaves the shape. */
+        public static const LEAVES:int = -1;
+
+        /** A side: the ray crosses a triangle from the side from which its corners are counter-clockwise. */
+        public static const FRONT:int = 3;
+
+        /** A side: the ray crosses a triangle from the other side. */
+        public static const BACK:int = -3;
+
+        /** A side: the ray runs along a triangle, from its distance to its end. */
+        public static const EDGE_ON:int = 0;
+
         /** The distance of the place, as the ray counts distances. */
         public var distance:Number = 0;
 
@@ -17,6 +35,15 @@ package starlogo.intersection.ray
 
         /** The number of the triangle there, as the model counts them. It is -1 if no triangle decides, or if the ray begins inside. */
         public var triangle:int = -1;
+
+        /** INSIDE, ENTERS or LEAVES. For triangles INSIDE, FRONT, BACK or EDGE_ON. This, the rounding and the end are only for RayCrossings. */
+        public var side:int = 0;
+
+        /** How far the distance may be wrong because of rounding. */
+        public var rounding:Number = 0;
+
+        /** Where the ray leaves a triangle that it runs along. For others it need not be set. */
+        public var end:Number = 0;
 
         /** Sets it to where a ray begins. */
         public function setToStart(ray:Ray):void
@@ -47,14 +74,16 @@ package starlogo.intersection.ray
         }
 
         /**
-         * Goes on from where a ray enters a convex shape to where it leaves it.
+         * Sets it to where a ray leaves a convex shape.
          *
          * @param span the part of the ray's line inside of the shape
+         * @param entry where the ray enters the shape
          * @return whether the ray leaves it, and does not end inside
          */
-        public function setToExit(ray:Ray, span:RaySpan):Boolean
+        public function setToExit(ray:Ray, span:RaySpan, entry:RayCrossing):Boolean
         {
-            distance = Math.max(distance, span.far.surfaceDistance);
+            setToStart(ray);
+            distance = Math.max(entry.distance, span.far.surfaceDistance);
             setNormal(ray, span.far.normalX, span.far.normalY, span.far.normalZ);
             return distance <= ray.to;
         }

@@ -290,7 +290,7 @@ typed.onCollisionEnd("coins", "heroes", (coin, hero) => coin.worth + hero.life);
 typed.onCollision("heroes", "coins", (hero: Agent, coin: Coin) => coin.worth);
 typed.update([new Hero("cube"), new Coin("sphere")]);
 const typedQueries = new AgentQueries(typed);
-is<Same<typeof typedQueries, AgentQueries<Hero | Coin>>>();
+is<Same<typeof typedQueries, AgentQueries<{ heroes: Hero; coins: Coin }>>>();
 // who asks need not be in the list
 is<Same<ReturnType<typeof typedQueries.near>, (Hero | Coin)[]>>();
 typedQueries.near(new Agent("probe"), 3, { except: [null, undefined, new Agent("probe")] });
@@ -324,6 +324,16 @@ typedQueries.near(agent, 3, { breeds: ["coins"] }, onlyHeroes);
 const ofNoClasses: AgentQueries = typedQueries;
 ofNoClasses.near(agent, 3, { breeds: ["coin"] });
 const ofTheGame: AgentQueries<Hero | Coin> = typedQueries;
+// a field for questions says the breeds, as one for the Collision does
+class Game {
+	queries: AgentQueries<{ heroes: Hero; coins: Coin }> = new AgentQueries(typed);
+	seen: SeenAgents<{ heroes: Hero; coins: Coin }> = new SeenAgents(typed);
+	places: AgentPlaces<{ heroes: Hero; coins: Coin }> = new AgentPlaces(this.seen);
+}
+const ofFields = [new Game().queries, new Game().places].map((asked) => asked.near(agent, 3, { breeds: ["coins"] }));
+is<Same<typeof ofFields, Coin[][]>>();
+// @ts-expect-error there is no such breed
+new Game().queries.near(agent, 3, { breeds: ["coin"] });
 const ofSome = new AgentPlaces(new SeenAgents(typed)).near(agent, 3, { breeds: ["coins"] });
 is<Same<typeof ofSome, Coin[]>>();
 const ofAnyBreed: Collision = typed;

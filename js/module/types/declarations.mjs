@@ -43,10 +43,9 @@ const NULL_IF_EMPTY = /\bnull only in an empty hit\b/;
 /** What the documentation says of a handler. Its types are the two agents', which may be of different classes. */
 const HANDLER = /<code>function\(collider:Agent, collidee:Agent\):void<\/code>|@param handler\s+as in onCollision\b/;
 
-/** The type parameters of a class for a client's agents, of one with handlers, which may know a class for each breed, and of one with questions. */
+/** The type parameters of a class for a client's agents, and of one with handlers or questions, which may know a class for each breed. */
 const OF_AGENTS = "<GameAgent extends Agent = Agent>";
 const OF_BREEDS = "<Breeds extends Agent | { [Name in keyof Breeds]: Agent } = Agent, GameAgent extends Agent = AgentsOf<Breeds>>";
-const OF_QUESTIONS = "<GameAgent extends Agent = Agent, Breeds extends Agent | { [Name in keyof Breeds]: Agent } = GameAgent>";
 
 /**
  * The type parameters of methods: the agents of a list, the breeds and agents of a handler, the agent of a footing, the breeds that a filter names,
@@ -150,12 +149,12 @@ class Writer {
 		const interfaces = type.interfaces.filter((name) => this.#exported.has(name));
 		const heritage = listText(" extends ", this.#basesOf(type)) + listText(" implements ", interfaces);
 		const hasHandlers = type.members.some((member) => HANDLER.test(docOf(type, member, this.#exported)));
-		const parameters = this.#isGeneric(type) ? (hasHandlers ? OF_BREEDS : hasQuestions(type) ? OF_QUESTIONS : OF_AGENTS) : "";
+		const parameters = this.#isGeneric(type) ? (hasHandlers || hasQuestions(type) ? OF_BREEDS : OF_AGENTS) : "";
 		if (type.events.length > 0) members.unshift(...this.#listening(type));
 		if (ONLY_IN_JAVASCRIPT[type.qname]?.declaration) members.push(ONLY_IN_JAVASCRIPT[type.qname].declaration);
 		const modifiers = `${PLATFORM_NAMES.has(type.name) ? "declare" : "export"} ${isAbstract(type) ? "abstract " : ""}`;
 		const head = `${modifiers}${type.kind} ${type.name}${parameters}${heritage}`;
-		const merged = listText(" extends ", parts.map(({ name }) => `${name}<GameAgent, Breeds>`));
+		const merged = listText(" extends ", parts.map(({ name }) => `${name}<Breeds, GameAgent>`));
 		const partsText = merged && `\nexport interface ${type.name}${parameters}${merged} {}\n`;
 		return `${this.#eventsText(type)}${docComment(type.doc, "")}${head} {\n${members.join("\n")}\n}\n${partsText}`;
 	}
@@ -366,7 +365,7 @@ class Writer {
 		if (element) return `${this.#type(element)}[]`;
 		if (type === "Agent") return this.#agent;
 		const isOfAgents = this.#agent !== "Agent" && this.#isGeneric(this.#exported.get(type));
-		if (isOfAgents) return `${type}<${this.#agent}${hasQuestions(this.#exported.get(type)) ? ", Breeds" : ""}>`;
+		if (isOfAgents) return `${type}<${hasQuestions(this.#exported.get(type)) ? "Breeds, " : ""}${this.#agent}>`;
 		return PRIMITIVES[type] ?? (this.#exported.has(type) || type === "ByteArray" ? type : "unknown");
 	}
 }

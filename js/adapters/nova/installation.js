@@ -54,8 +54,7 @@ class Installation {
 	#sequence = 0;
 	#greatLand = new GreatLand();
 	#shapes;
-	#collider;
-	#collision;
+	#collision = new Collision(new BinCollider());
 	#neighbours;
 	#blocks;
 	#engineAgents = [];
@@ -72,7 +71,7 @@ class Installation {
 		const { shapes, manifest } = this.#options;
 		this.#shapes = new Shapes(this.#greatLand, window, { own: shapes, manifest });
 		this.#neighbours = new Neighbours(window, this.#half, this.#records);
-		this.#blocks = new Blocks(window.Common.State, (a, b) => this.#onPair(a.record, b.record));
+		this.#blocks = new Blocks(window.Common.State, this.#collision, (a, b) => this.#onPair(a.record, b.record));
 		this.#overlay = new Overlay(window, this.#greatLand, (fraction, call) => this.#forEachShown(fraction, call));
 		installedIn(window)?.uninstall();
 		this.#client.reset();
@@ -149,6 +148,10 @@ class Installation {
 		this.#addAll();
 	}
 
+	get #collider() {
+		return this.#collision.collisionSystem;
+	}
+
 	get #isBins() {
 		return this.#options.system === "bins";
 	}
@@ -197,7 +200,7 @@ class Installation {
 		const { data, numAgents } = this.#window.Execution.AgentController;
 		const hit = new Set(this.#found.flatMap(({ finder, other }) => [finder, other]));
 		const drawAgent = this.#drawAgent;
-		this.#blocks.followState(this.#collision);
+		this.#blocks.followState();
 		for (let i = 1; i < numAgents; i++) {
 			const record = this.#participant(data[i]);
 			if (record === null) continue;
@@ -250,7 +253,7 @@ class Installation {
 
 	/** All colliding pairs that have a block, each once. They come in the client's order; with sweeps, in the order of time. */
 	#getCollisions() {
-		this.#blocks.followState(this.#collision);
+		this.#blocks.followState();
 		this.#listParticipants();
 		this.#found = [];
 		this.#collision.update(this.#engineAgents);
@@ -271,14 +274,14 @@ class Installation {
 		if (exact && (system === "bins" || system === "tightest")) throw new RangeError(`exact is for hierarchical and combination, not for ${system}`);
 		checkedTraits({ sweeps: options.sweeps });
 		options.breeds = checkedBreeds(options.breeds);
-		const collider = new SYSTEMS[system](this.#greatLand);
-		// bins and tightest fits have no trees. A depth is checked all the same, because a later system may use it
-		const withTrees = "maxDepth" in collider ? collider : new HierarchicalCollider(this.#greatLand);
+		// checked all the same for bins and tightest fits, which have no trees: a later system may use the depth
+		const withTrees = new HierarchicalCollider(this.#greatLand);
 		withTrees.exact = exact;
 		if (depth !== undefined) withTrees.maxDepth = depth;
 		if (overlay) viewClassOf(this.#window); // throws if there is none
-		this.#collider = collider;
-		this.#collision = new Collision(collider);
+		// with another system, motions begin anew
+		if (system !== this.#options?.system) this.#collision.collisionSystem = new SYSTEMS[system](this.#greatLand);
+		if ("maxDepth" in this.#collider) Object.assign(this.#collider, { exact, maxDepth: withTrees.maxDepth });
 		this.#options = Object.freeze(options);
 		this.#traits.ofBreeds = options.breeds;
 		for (const record of this.#records) record.breedOfTraits = null;

@@ -56,7 +56,7 @@ function requireName(call, name) {
 function modelOf(name, source, { data, meshes }, made, scaling) {
 	if (data.vertices.length === 0) throw new ModelError(name, "", `no vertices: ${whatIsMissing(source)}`);
 	Object.assign(data, { scaling, isInModelSpace: scaling === Model.AS_GIVEN });
-	const model = new Model(name, null, null, null, build(name, data, meshes));
+	const model = new Model(name, null, null, Model.AS_GIVEN, build(name, data, meshes));
 	const indices = new Map(meshes.map(({ object }, i) => [object, i]).reverse());
 	sources.set(model, { ...made, meshes, indices, isGeometry: !source.isObject3D, posed: null });
 	warnings?.keepSource(source, model);

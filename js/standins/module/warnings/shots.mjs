@@ -1,4 +1,4 @@
-/** Agents that sweep and are moved before the first frame that sees them. That part of their way is not tested. */
+/** Ways that are not tested: of agents that sweep, before the first frame that sees them; and of fast agents that do not sweep. */
 import { $greatestId } from "./frames.mjs";
 import { $rounded, $warn } from "./warn.mjs";
 
@@ -11,8 +11,19 @@ const $FAR = 0.5;
 /** A class's own fields of these names hide the engine's, which is warned of: the agent is where it was. */
 const $FIELDS = ["x", "y", "z", "sweeps", "size"];
 
+/** An agent that was put somewhere and then moves by more of its sizes than these in each of so many frames, always by the same way, is a shot. */
+const $FAST = 2;
+const $MANY_WAYS = 4;
+
+/** So many agents are followed at a time, each for so many frames. */
+const $MOST_FLIGHTS = 20;
+const $LONGEST_FLIGHT = 20;
+
 /** Where agents have been put first since the last frame. */
 const $placed = /* @__PURE__ */ new Map();
+
+/** Of agents that do not sweep: the place in the last frame, the way to it, in how many frames in turn the way was this one, and how many frames there were. */
+const $flights = /* @__PURE__ */ new Map();
 
 /** Keeps where an agent is put, if no way leads there: a new one by moveTo, or any by jumpTo. */
 export function $warnOfPlace(agent, x, y, z, isJump) {
@@ -21,15 +32,41 @@ export function $warnOfPlace(agent, x, y, z, isJump) {
 	$placed.set(agent, { x, y, z });
 }
 
-/** Warns of agents of a list that sweep, and have been moved since. */
-export function $warnOfShots(agents) {
+/** Warns of agents of a list that sweep, and have been moved since; and of those that do not sweep, and fly. */
+export function $warnOfShots(collision, agents) {
+	for (const [agent, flight] of $flights) $followFlight(collision, agents, agent, flight);
 	if ($placed.size === 0) return;
-	for (const [agent, { x, y, z }] of $placed) {
-		const way = Math.hypot(agent.x - x, agent.y - y, agent.z - z);
-		if (!agent.sweeps || !(way > $FAR * agent.size) || !agents.includes(agent)) continue;
-		if ($FIELDS.some((name) => Object.hasOwn(agent, name))) continue;
-		$warn(`${agent} sweeps, and was moved by ${$rounded(way)} between its place (${[x, y, z].map($rounded).join(", ")}) and its first frame. `
-			+ "This part of its way is not tested: put a shot into the muzzle in one frame, and move it from the next one on", "shot");
+	for (const [agent, place] of $placed) {
+		if (!agents.includes(agent)) continue;
+		if (agent.sweeps) $lookAtFirstWay(agent, place);
+		else if ($flights.size < $MOST_FLIGHTS) $flights.set(agent, { place: [agent.x, agent.y, agent.z], way: [0, 0, 0], alike: 0, frames: 0 });
 	}
 	$placed.clear();
+}
+
+function $lookAtFirstWay(agent, { x, y, z }) {
+	const way = Math.hypot(agent.x - x, agent.y - y, agent.z - z);
+	if (!(way > $FAR * agent.size) || $FIELDS.some((name) => Object.hasOwn(agent, name))) return;
+	$warn(`${agent} sweeps, and was moved by ${$rounded(way)} between its place (${[x, y, z].map($rounded).join(", ")}) and its first frame. `
+		+ "This part of its way is not tested: put a shot into the muzzle in one frame, and move it from the next one on", "shot");
+}
+
+/** Warns of an agent that flies through what is thinner than its way in a frame, if handlers name its breed. */
+function $followFlight({ _handlers: { interests } }, agents, agent, flight) {
+	const place = [agent.x, agent.y, agent.z];
+	const way = place.map((value, i) => value - flight.place[i]);
+	const length = Math.hypot(...way);
+	const isAlike = Math.hypot(...way.map((value, i) => value - flight.way[i])) < 0.2 * length;
+	const alike = isAlike && length > $FAST * agent.size ? flight.alike + 1 : 0;
+	if (alike === $MANY_WAYS && agents.includes(agent) && interests.$isNamed(agent.$breedNumber)) {
+		$warn(`${agent} moves by ${$rounded(length)} patches in a frame, ${$rounded(length / agent.size)} times its size, and does not sweep: `
+			+ "it passes through what is between its places. With agent.sweeps = true it meets all that is on its way", "flight");
+	}
+	Object.assign(flight, { place, way, alike, frames: flight.frames + 1 });
+	if (agent.sweeps || flight.frames === $LONGEST_FLIGHT) $flights.delete(agent);
+}
+
+/** Forgets an agent that a question moves, which tests its way. */
+export function $forgetFlight(agent) {
+	$flights.delete(agent);
 }

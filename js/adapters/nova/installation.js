@@ -120,13 +120,13 @@ class Installation {
 	setTraits(whose, traits) {
 		const checked = checkedTraits(traits);
 		if (typeof whose === "string") this.exchange({ breeds: { ...this.#options.breeds, [whose]: checked } });
-		else this.#giveTraits(whose, checked);
+		else this.#traits.ofAgents.set(whose, checked);
 	}
 
 	/** Sets some of an agent's traits, as its blocks do. The others stay. */
 	changeTraits(agent, traits) {
-		// a block may say the same in each tick
-		if (!this.#traits.hasAll(agent, traits)) this.#giveTraits(agent, { ...this.#traits.ofAgents.get(agent), ...checkedTraits(traits) });
+		const { ofAgents } = this.#traits;
+		ofAgents.set(agent, { ...ofAgents.get(agent), ...checkedTraits(traits) });
 	}
 
 	/** Whether two agents touch now. */
@@ -284,13 +284,6 @@ class Installation {
 		if ("maxDepth" in this.#collider) Object.assign(this.#collider, { exact, maxDepth: withTrees.maxDepth });
 		this.#options = Object.freeze(options);
 		this.#traits.ofBreeds = options.breeds;
-		for (const record of this.#records) record.breedOfTraits = null;
-	}
-
-	#giveTraits(agent, traits) {
-		this.#traits.ofAgents.set(agent, traits);
-		const record = this.#recordOf(agent);
-		if (record !== null) record.breedOfTraits = null;
 	}
 
 	#recordOf(agent) {
@@ -322,7 +315,7 @@ class Installation {
 	/** The record of an agent, with its traits up to date; null if it has none. */
 	#currentRecordOf(agent) {
 		const record = this.#recordOf(agent);
-		if (record !== null && record.breedOfTraits !== agent.breed) this.#setTraits(record);
+		if (record !== null) this.#setTraits(record);
 		return record;
 	}
 
@@ -343,15 +336,13 @@ class Installation {
 		return true;
 	}
 
-	#setTraits(record) {
-		const { clientAgent, engineAgent } = record;
+	#setTraits({ clientAgent, engineAgent }) {
 		const { hierarchical = false, depth = 0, sweeps = this.#options.sweeps ?? false, structure = Agent.TIGHTEST } = this.#traits.of(clientAgent);
 		engineAgent.hierarchical = hierarchical;
 		engineAgent.traversalDepth = depth;
 		engineAgent.sweeps = sweeps;
 		engineAgent.collideAs = structure;
 		engineAgent.breed = String(clientAgent.breed.id);
-		record.breedOfTraits = clientAgent.breed;
 	}
 
 	#onPair(a, b) {

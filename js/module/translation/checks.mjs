@@ -178,9 +178,7 @@ export class Checks {
 		if (/^(Number|int|uint)$/.test(element)) return [`${name} = $numbers(${receiver}, ${name}, "${element}", ${isNullable});`];
 		const checked = (expected, test) => [`${unlessNull}$checkList(${receiver}, ${name}, "${expected}", (each) => ${test});`];
 		if (element === "String") return checked("a string", `${hasNulls ? "each === null || " : ""}typeof each === "string"`);
-		if (element === "Vector3D") return checked("a Vector3D", `each instanceof ${this.#reference("flash.geom.Vector3D")}`);
 		const test = this.#typeTest(element, "each");
-		if (!test) return [`${unlessNull}$checkList(${receiver}, ${name});`];
 		// nobody among agents does no harm: a shot may have no shooter
 		const orNobody = element === "Agent" ? "each == null || " : "";
 		return checked(expectedText(element), `${orNobody}${test}`);

@@ -2,7 +2,7 @@
 import { $greatestId } from "./frames.mjs";
 import { $rounded, $warn } from "./warn.mjs";
 
-/** So many agents are looked at in a frame. */
+/** So many agents are looked at in a frame, and so many are followed. */
 const $MOST_PLACED = 100;
 
 /** A way of more sizes of the agent than this may lead through a wall. */
@@ -15,8 +15,7 @@ const $FIELDS = ["x", "y", "z", "sweeps", "size"];
 const $FAST = 2;
 const $MANY_WAYS = 4;
 
-/** So many agents are followed at a time, each for so many frames. */
-const $MOST_FLIGHTS = 20;
+/** An agent is followed for so many frames. */
 const $LONGEST_FLIGHT = 20;
 
 /** Where agents have been put first since the last frame. */
@@ -39,7 +38,7 @@ export function $warnOfShots(collision, agents) {
 	for (const [agent, place] of $placed) {
 		if (!agents.includes(agent)) continue;
 		if (agent.sweeps) $lookAtFirstWay(agent, place);
-		else if ($flights.size < $MOST_FLIGHTS) $flights.set(agent, { place: [agent.x, agent.y, agent.z], way: [0, 0, 0], alike: 0, frames: 0 });
+		else if ($flights.size < $MOST_PLACED) $flights.set(agent, { place: $placeOf(agent), way: new Vector3D(), alike: 0, frames: 0 });
 	}
 	$placed.clear();
 }
@@ -53,10 +52,10 @@ function $lookAtFirstWay(agent, { x, y, z }) {
 
 /** Warns of an agent that flies through what is thinner than its way in a frame, if handlers name its breed. */
 function $followFlight({ _handlers: { interests } }, agents, agent, flight) {
-	const place = [agent.x, agent.y, agent.z];
-	const way = place.map((value, i) => value - flight.place[i]);
-	const length = Math.hypot(...way);
-	const isAlike = Math.hypot(...way.map((value, i) => value - flight.way[i])) < 0.2 * length;
+	const place = $placeOf(agent);
+	const way = place.subtract(flight.place);
+	const { length } = way;
+	const isAlike = way.subtract(flight.way).length < 0.2 * length;
 	const alike = isAlike && length > $FAST * agent.size ? flight.alike + 1 : 0;
 	if (alike === $MANY_WAYS && agents.includes(agent) && interests.$isNamed(agent.$breedNumber)) {
 		$warn(`${agent} moves by ${$rounded(length)} patches in a frame, ${$rounded(length / agent.size)} times its size, and does not sweep: `
@@ -64,6 +63,10 @@ function $followFlight({ _handlers: { interests } }, agents, agent, flight) {
 	}
 	Object.assign(flight, { place, way, alike, frames: flight.frames + 1 });
 	if (agent.sweeps || flight.frames === $LONGEST_FLIGHT) $flights.delete(agent);
+}
+
+function $placeOf({ x, y, z }) {
+	return new Vector3D(x, y, z);
 }
 
 /** Forgets an agent that a question moves, which tests its way. */

@@ -15,13 +15,10 @@ const $FIELDS = ["x", "y", "z", "sweeps", "size"];
 const $FAST = 2;
 const $MANY_WAYS = 4;
 
-/** An agent is followed for so many frames. */
-const $LONGEST_FLIGHT = 20;
-
 /** Where agents have been put first since the last frame. */
 const $placed = /* @__PURE__ */ new Map();
 
-/** Of agents that do not sweep: the place in the last frame, the way to it, in how many frames in turn the way was this one, and how many frames there were. */
+/** Of agents that do not sweep and are fast from the beginning on: the place in the last frame, the way to it, and in how many frames the way was this one. */
 const $flights = /* @__PURE__ */ new Map();
 
 /** Keeps where an agent is put, if no way leads there: a new one by moveTo, or any by jumpTo. */
@@ -38,7 +35,7 @@ export function $warnOfShots(collision, agents) {
 	for (const [agent, place] of $placed) {
 		if (!agents.includes(agent)) continue;
 		if (agent.sweeps) $lookAtFirstWay(agent, place);
-		else if ($flights.size < $MOST_PLACED) $flights.set(agent, { place: $placeOf(agent), way: new Vector3D(), alike: 0, frames: 0 });
+		else if ($flights.size < $MOST_PLACED) $flights.set(agent, { place: $placeOf(agent), way: new Vector3D(), alike: 0 });
 	}
 	$placed.clear();
 }
@@ -55,14 +52,15 @@ function $followFlight({ _handlers: { interests } }, agents, agent, flight) {
 	const place = $placeOf(agent);
 	const way = place.subtract(flight.place);
 	const { length } = way;
-	const isAlike = way.subtract(flight.way).length < 0.2 * length;
-	const alike = isAlike && length > $FAST * agent.size ? flight.alike + 1 : 0;
-	if (alike === $MANY_WAYS && agents.includes(agent) && interests.$isNamed(agent.$breedNumber)) {
-		$warn(`${agent} moves by ${$rounded(length)} patches in a frame, ${$rounded(length / agent.size)} times its size, and does not sweep: `
-			+ "it passes through what is between its places. With agent.sweeps = true it meets all that is on its way", "flight");
+	if (agent.sweeps || length <= $FAST * agent.size) {
+		$flights.delete(agent);
+		return;
 	}
-	Object.assign(flight, { place, way, alike, frames: flight.frames + 1 });
-	if (agent.sweeps || flight.frames === $LONGEST_FLIGHT) $flights.delete(agent);
+	const alike = way.subtract(flight.way).length < 0.2 * length ? flight.alike + 1 : 0;
+	Object.assign(flight, { place, way, alike });
+	if (alike < $MANY_WAYS || !agents.includes(agent) || !interests.$isNamed(agent.$breedNumber)) return;
+	$warn(`${agent} moves by ${$rounded(length)} patches in a frame, ${$rounded(length / agent.size)} times its size, and does not sweep: `
+		+ "it passes through what is between its places. With agent.sweeps = true it meets all that is on its way", "flight");
 }
 
 function $placeOf({ x, y, z }) {

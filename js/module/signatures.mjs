@@ -91,7 +91,7 @@ export function docOf(type, member, types) {
 		const found = base?.members.find((other) => other.name === member.name && other.kind === member.kind);
 		if (found) return member.doc.replace("@inheritDoc", docOf(base, found, types));
 	}
-	return member.doc.replace("@inheritDoc", "").trim();
+	throw new Error(`${type.name}.${member.name} inherits no documentation`);
 }
 
 /** What a documentation says of a parameter; "" if nothing. */

@@ -304,6 +304,14 @@ test("traits of breeds and agents: what sweeps is not missed, what was set elsew
 	assert.equal(game.installation.areColliding(fast, game.agents[1]), false);
 	move(5, -5);
 	assert.equal(game.pairs(), 1);
+	// nor do options beside the system
+	for (const change of [(it) => it.setTraits("Shark", { depth: 2 }), (it) => it.exchange({}), (it) => it.exchange({ depth: 3, system: "tightest" })]) {
+		move(-5, -5);
+		assert.equal(game.pairs(), 0);
+		move(5, -5);
+		change(game.installation);
+		assert.equal(game.pairs(), 1);
+	}
 });
 
 test("models and structures may be given: a cube is as wide as a box, and its corners as far as a sphere", () => {

@@ -278,7 +278,7 @@ test("the types say nothing of any, and the documentation speaks of JavaScript",
 
 test("AgentQueries has what its parts declare, and declares it nowhere again", () => {
 	const text = readFileSync(path.join(folder, "index.d.ts"), "utf8");
-	assert.match(text, /^export interface AgentQueries<.*> extends AgentPlaces<GameAgent, Breeds>, AgentRays<.*>, AgentMotions<.*> \{\}$/m);
+	assert.match(text, /^export interface AgentQueries<.*> extends AgentPlaces<Breeds, GameAgent>, AgentRays<.*>, AgentMotions<.*> \{\}$/m);
 	const methodsOf = (name) => [...text.match(new RegExp(`^export class ${name}<[^]*?^}`, "m"))[0].matchAll(/^\t(\w+)(?:<.*?>)?\(/gm)].map(([, method]) => method);
 	const own = methodsOf("AgentQueries").filter((method) => method !== "constructor");
 	for (const part of ["AgentPlaces", "AgentRays", "AgentMotions"]) assert.deepEqual(methodsOf(part).filter((method) => own.includes(method)), [], part);

@@ -143,7 +143,17 @@ test("names are strings", () => {
 		refused(() => new Agent("cube", value), "breed must be a string");
 		for (const name of ["shape", "breed", "collideAs"]) refused(() => (agent[name] = value), name, `agent ${agent.id}`);
 	}
-	for (const name of ["shape", "breed"]) for (const value of [null, undefined, ""]) refused(() => (agent[name] = value), `${name} must be a name`);
+	for (const name of ["shape", "breed"]) {
+		for (const value of [null, undefined]) refused(() => (agent[name] = value), `${name} must be a string, not ${value}`);
+		refused(() => (agent[name] = ""), `${name} must be a name`);
+	}
+	for (const name of [null, undefined]) {
+		refused(() => new engine.ObjModel(name, "v 0 0 0"), `new ObjModel: name must be a string, not ${name}`);
+		refused(() => new engine.ObjModel("bear", name), `new ObjModel: text must be a string, not ${name}`);
+		refused(() => engine.GltfModel.fromBytes(name, new ArrayBuffer(4)), `GltfModel.fromBytes: name must be a string, not ${name}`);
+		refused(() => engine.StlModel.fromBytes("bear", name), "StlModel.fromBytes: bytes must be an ArrayBuffer, ", `not ${name}`);
+		refused(() => new ModelLoader(new GreatLand()).load("bear", name), `ModelLoader.load: url must be a string, not ${name}`);
+	}
 	assert.deepEqual([agent.shape, agent.breed, agent.collideAs], ["cube", "bears", "tightest"]);
 });
 
@@ -376,7 +386,7 @@ test("while a game is developed, an error says which option is the nearest, if o
 });
 
 test("while a game is developed, an error says where a value of another kind belongs", async () => {
-	const { Agent, AgentMotions, AgentQueries, BinCollider, Collision, Contact, Footing, GreatLand, Model, RayHit, ShapeHit, Sphere } = await import(pathToFileURL(path.join(folder, manifest.exports["."].node)));
+	const { Agent, AgentMotions, AgentQueries, BinCollider, Collision, CollisionRecorder, Contact, Footing, GreatLand, Model, RayHit, ShapeHit, Sphere } = await import(pathToFileURL(path.join(folder, manifest.exports["."].node)));
 	const queries = new AgentQueries(new BinCollider());
 	const walker = new Agent("cube");
 	queries.update([walker]);
@@ -388,6 +398,7 @@ test("while a game is developed, an error says where a value of another kind bel
 	}
 	refused(() => queries.nearest(walker, { breeds: ["coins"] }), "AgentQueries.nearest: radius must be a number, not a plain object. A filter is an argument after it. Infinity is no limit");
 	refused(() => queries.cast([0, 0, 1], { x: 1, y: 0, z: 0 }), "AgentQueries.cast: origin must be a Vector3D, or anything with x, y and z, not [0, 0, 1]. A point is an object: { x: 1, y: 2, z: 3 }");
+	refused(() => new CollisionRecorder(new Collision(new BinCollider())), "new CollisionRecorder: collisionSystem must be a CollisionSystem, ", ". Its collisionSystem is one");
 	refused(() => new AgentMotions(new Collision(new BinCollider())), "new AgentMotions: seen must be a SeenAgents, not an object of class Collision: new SeenAgents(collision) makes one of it");
 	refused(() => queries.walk(walker, 0.1, 0, { exceptBreeds: ["coins"] }), "options.exceptBreeds is no option; a filter is one of them: { filter: { exceptBreeds: ... } }; there are ");
 	refused(() => queries.walk(walker, 0.1, 0, 0), "AgentQueries.walk: options must be WalkOptions", "not 0. A walk has no dz: its options come after dx and dy");
@@ -863,16 +874,16 @@ test("errors name structures, elements of lists, functions and settings as their
 	refused(() => (filter.breeds = "bears"), 'AgentFilter.breeds must be an array of strings, not "bears"');
 	refused(() => (land.boundingStructures.fitters = [3]), "fitters[0] must be a Fitter, not 3");
 	refused(() => sphere.extentsInto([], -1), "offset must be a whole number, 0 or more, not -1");
-	refused(() => new Agent(), "a new agent: shape must be a name, not undefined");
+	refused(() => new Agent(), "new Agent: shape must be a string, not undefined");
 	refused(() => new engine.AgentQueries({}), "one of the engine's collision systems, such as new TightestFitCollider(greatLand), not a plain object");
 	const collision = new Collision(new BinCollider());
 	refused(() => collision.onCollision("", "b", () => 0), 'breed must be the name of a breed or ANY_BREED, not ""');
-	refused(() => collision.onCollision("a", undefined, () => 0), "otherBreed must be the name of a breed or ANY_BREED, not undefined");
+	refused(() => collision.onCollision("a", undefined, () => 0), "Collision.onCollision: otherBreed must be a string, not undefined");
 	refused(() => collision.onCollision("a", "b", undefined), "handler must be a function, not undefined");
 	const one = new Agent("cube");
 	refused(() => questions.distance(one, one), "two different agents are needed");
 	const saysOf = (read) => assert.throws(read, (error) => error.name === "ModelError" && !/text/.test(error.message) && /empty|no glTF file|no STL file/.test(error.message));
-	for (const bytes of [new Uint8Array(0), new Uint8Array(16), null]) for (const type of [engine.GltfModel, engine.StlModel]) saysOf(() => type.fromBytes("x", bytes));
+	for (const bytes of [new Uint8Array(0), new Uint8Array(16)]) for (const type of [engine.GltfModel, engine.StlModel]) saysOf(() => type.fromBytes("x", bytes));
 	assert.throws(() => new engine.ObjModel("x", "v 0 0 0", 3), /not 3$/);
 });
 

@@ -741,6 +741,73 @@ test("while a game is developed, a shot that is moved before its first frame is 
 	assert.deepEqual(printedBy(program("starlogo-collision.min.js")).said, []);
 });
 
+test("while a game is developed, a shot that flies without sweeps is warned of, once, and not what nobody handles, a question moves, turns, jumps or is slow", () => {
+	const program = (module) => `${beginning("Agent, AgentQueries, BinCollider, Collision", module)}
+		const collision = new Collision(new BinCollider());
+		for (const breed of ["shots", "birds"]) collision.onCollisionStart(breed, "walls", () => 0);
+		const queries = new AgentQueries(collision);
+		const agents = [new Agent("sphere", "walls")];
+		const counts = [];
+		/** Puts an agent somewhere, and moves it in twelve frames. */
+		function fly(agent, move, put = "moveTo") {
+			agent.size = 0.5;
+			agent[put](1, 50, 0);
+			agents.push(agent);
+			collision.update(agents);
+			for (let i = 0; i < 12; i++) {
+				move(agent, i);
+				queries.update(agents);
+				collision.update(agents);
+			}
+			agents.pop();
+			counts.push(said.length);
+		}
+		const ahead = (agent, i) => agent.moveTo(agent.x + 1.4 + 0.1 * (i % 2), 50, 0);
+		fly(new Agent("sphere", "sparks"), ahead);
+		fly(Object.assign(new Agent("sphere", "shots"), { sweeps: true }), ahead);
+		fly(new Agent("sphere", "shots"), (agent) => queries.moveUntilTouch(agent, 1.4, 0, 0));
+		fly(new Agent("sphere", "birds"), (agent, i) => agent.moveTo(10 * Math.cos(i), 50 + 10 * Math.sin(i), 0));
+		fly(new Agent("sphere", "birds"), (agent) => agent.jumpTo(agent.x + 1.4, 50, 0));
+		fly(new Agent("sphere", "birds"), (agent) => agent.moveTo(agent.x + 0.9, 50, 0));
+		const pooled = new Agent("sphere", "shots");
+		fly(pooled, (agent) => agent.moveTo(agent.x + 0.1, 50, 0));
+		fly(pooled, ahead, "jumpTo");
+		fly(new Agent("sphere", "birds"), ahead);
+		console.log(JSON.stringify({ said, counts }));`;
+	const { said, counts } = printedBy(program("starlogo-collision.js"));
+	assert.deepEqual(counts, [0, 0, 0, 0, 0, 0, 0, 1, 1], said.join("\n"));
+	assert.match(said[0], /^starlogo-collision: agent \d+ \(breed "shots", shape "sphere"\) moves by 1\.4 patches in a frame, 2.8 times its size, and does not sweep: it passes /);
+	assert.deepEqual(printedBy(program("starlogo-collision.min.js")).said, []);
+});
+
+test("while a game is developed, a lift that jumps below a walker is warned of, once, and one that carries or is far away never", () => {
+	const program = (module) => `${beginning("Agent, AgentQueries, BuiltInModel, Footing, GreatLand, TightestFitCollider", module)}
+		const land = new GreatLand();
+		for (const model of [BuiltInModel.box(3, 3, 1, "lift"), BuiltInModel.capsule(0.3, 1.8, "hero")]) land.addModel(model);
+		const queries = new AgentQueries(new TightestFitCollider(land));
+		const footing = new Footing();
+		const counts = [];
+		function ride(move, rise) {
+			const [lift, hero] = [new Agent("lift", "lifts"), new Agent("hero", "heroes")];
+			hero.moveTo(0, 0, 1);
+			for (let i = 0; i < 30; i++) {
+				lift[move](0, 0, lift.z + rise(i));
+				queries.update([lift, hero]);
+				queries.walk(hero, 0, 0, null, footing);
+			}
+			counts.push(said.length);
+		}
+		ride("moveTo", () => 0.02);
+		ride("jumpTo", (i) => i % 10 === 0 ? 20 : 0);
+		ride("jumpTo", () => 0.02);
+		ride("jumpTo", () => -0.02);
+		console.log(JSON.stringify({ said, counts }));`;
+	const { said, counts } = printedBy(program("starlogo-collision.js"));
+	assert.deepEqual(counts, [0, 0, 1, 1], said.join("\n"));
+	assert.match(said[0], /^starlogo-collision: agent \d+ \(breed "lifts", shape "lift"\) is moved by jumpTo\(\) while agent \d+ \(breed "heroes", shape "hero"\) stands on it\. /);
+	assert.deepEqual(printedBy(program("starlogo-collision.min.js")).said, []);
+});
+
 test("while a game is developed, a level that was normalised is warned of, once, and what is placed or small is not", () => {
 	const program = (module) => `${beginning("Agent, BuiltInModel, Collision, CombinationCollider, GreatLand, Model", module)}
 		const wide = [0, 0, 0, 40, 0, 0, 0, 30, 0, 0, 0, 3];

@@ -3,7 +3,7 @@ import {
 	Agent, AgentFilter, AgentPlaces, AgentPredicate, AgentQueries, BinCollider, BuiltInModel, ByteArray, Collision, CollisionBlocks, Contact, Footing, GltfModel, GreatLand, HierarchicalCollider, Model, ModelEvent,
 	ModelLoader, ModelTransform, ObjModel, RayHit, SeenAgents, Sphere, Terrain, TightestFitCollider, TraitBlocks, Vector3D, WalkOptions,
 } from "starlogo-collision";
-import type { AgentFilterInit, CollisionSystem, ModelLoaderEvents, Numbers, OrGround, ShapeHit, WalkOptionsInit } from "starlogo-collision";
+import type { AgentFilterInit, CollisionSystem, ModelLoaderEvents, Numbers, ShapeHit, WalkOptionsInit } from "starlogo-collision";
 
 /** Fails unless the two are the same. */
 type Same<X, Y> = (<T>() => T extends X ? 1 : 2) extends <T>() => T extends Y ? 1 : 2 ? true : false;
@@ -213,16 +213,14 @@ const stride: WalkOptionsInit<Coin> = { filter: init, fall: 1 };
 new AgentQueries<Coin>(bins).walk(friends[0]!, 1, 0, stride);
 const seen: Model | null = land.modelOf("cube");
 const walks = new AgentQueries(collision);
-for (const footing of [new Footing(), new Footing<Hero | Agent>(), null]) {
-	is<Same<ReturnType<typeof walks.walk>, Footing<OrGround<Hero>>>>();
+for (const footing of [new Footing(), null]) {
+	is<Same<ReturnType<typeof walks.walk>, Footing>>();
 	walks.walk(near[0]!, 1, 0, null, footing);
 }
-// @ts-expect-error the hero stands on heroes or on the ground, not on coins
-walks.walk(near[0]!, 1, 0, null, new Footing<Coin>());
 const walkOf = <A extends Agent>(asked: AgentQueries<A>, walker: A): Footing => asked.walk(walker, 1, 0, null, new Footing());
 walkOf(walks, near[0]!).on?.breed;
-// @ts-expect-error nor on heroes alone
-walks.walk(near[0]!, 1, 0, null, new Footing<Hero>());
+// @ts-expect-error a walker may stand on any agent, and on the ground
+new Footing<Hero>();
 // @ts-expect-error the ground has no life
 walks.walk(near[0]!, 1, 0).on?.life;
 new AgentQueries(plain).walk(near[0]!, 1, 0, null, new Footing());
@@ -290,7 +288,7 @@ typed.onCollisionEnd("coins", "heroes", (coin, hero) => coin.worth + hero.life);
 typed.onCollision("heroes", "coins", (hero: Agent, coin: Coin) => coin.worth);
 typed.update([new Hero("cube"), new Coin("sphere")]);
 const typedQueries = new AgentQueries(typed);
-is<Same<typeof typedQueries, AgentQueries<Hero | Coin>>>();
+is<Same<typeof typedQueries, AgentQueries<{ heroes: Hero; coins: Coin }>>>();
 // who asks need not be in the list
 is<Same<ReturnType<typeof typedQueries.near>, (Hero | Coin)[]>>();
 typedQueries.near(new Agent("probe"), 3, { except: [null, undefined, new Agent("probe")] });
@@ -324,6 +322,16 @@ typedQueries.near(agent, 3, { breeds: ["coins"] }, onlyHeroes);
 const ofNoClasses: AgentQueries = typedQueries;
 ofNoClasses.near(agent, 3, { breeds: ["coin"] });
 const ofTheGame: AgentQueries<Hero | Coin> = typedQueries;
+// a field for questions says the breeds, as one for the Collision does
+class Game {
+	queries: AgentQueries<{ heroes: Hero; coins: Coin }> = new AgentQueries(typed);
+	seen: SeenAgents<{ heroes: Hero; coins: Coin }> = new SeenAgents(typed);
+	places: AgentPlaces<{ heroes: Hero; coins: Coin }> = new AgentPlaces(this.seen);
+}
+const ofFields = [new Game().queries, new Game().places].map((asked) => asked.near(agent, 3, { breeds: ["coins"] }));
+is<Same<typeof ofFields, Coin[][]>>();
+// @ts-expect-error there is no such breed
+new Game().queries.near(agent, 3, { breeds: ["coin"] });
 const ofSome = new AgentPlaces(new SeenAgents(typed)).near(agent, 3, { breeds: ["coins"] });
 is<Same<typeof ofSome, Coin[]>>();
 const ofAnyBreed: Collision = typed;

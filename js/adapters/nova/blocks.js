@@ -1,35 +1,35 @@
 /** The breeds that have collision blocks, from the client's State, and the handlers of a Collision for them. */
 export class Blocks {
 	#state;
+	#collision;
 	#handler;
 	#present = "";
 	#ranks = new Map();
 	#pairs = [];
-	#collision = null;
 
 	/** Ids of the breeds that appear in any block. */
 	breedsWithBlocks = new Set();
 
-	/** Reads the client's State. The handler is called with each pair of Agents that has a block. */
-	constructor(state, handler) {
+	/** Reads the client's State. The Collision calls the handler with each pair of Agents that has a block. */
+	constructor(state, collision, handler) {
 		this.#state = state;
+		this.#collision = collision;
 		this.#handler = handler;
 	}
 
-	/** Gives a Collision the handlers of the blocks that there are now. */
-	followState(collision) {
+	/** Gives the Collision the handlers of the blocks that there are now. */
+	followState() {
 		const { collidingBreeds, collidedBreeds } = this.#state;
 		const blocks = Array.from(collidingBreeds, (id) => [id, collidedBreeds.get(id) ?? []]);
 		const present = JSON.stringify(blocks);
-		if (collision === this.#collision && present === this.#present) return;
+		if (present === this.#present) return;
 		for (const [id, other] of this.#pairs) this.#collision.removeHandler(id, other, this.#handler);
 		this.#present = present;
-		this.#collision = collision;
 		this.#pairs = [];
 		this.#ranks = new Map(blocks.map(([id]) => [id, new Map()]));
 		this.breedsWithBlocks = new Set();
 		for (const [id, others] of blocks) others.forEach((other, rank) => this.#add(id, other, rank));
-		for (const [id, other] of this.#pairs) collision.onCollision(id, other, this.#handler);
+		for (const [id, other] of this.#pairs) this.#collision.onCollision(id, other, this.#handler);
 	}
 
 	/** The place of one breed in another breed's list of breeds to look for; -1 if it is not there. */

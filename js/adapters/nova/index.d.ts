@@ -66,7 +66,7 @@ export interface NovaInstallation {
     /** The models that could not be loaded, and why. */
     readonly problems: readonly string[];
     /**
-     * Changes options from the next tick on. Options that are not named stay.
+     * Changes options from the next tick on. Options that are not named stay. With another system, the ways of what sweeps begin anew.
      *
      * @throws RangeError if an option is not possible; nothing has changed then
      * @throws ArgumentError if there is no such option; nothing has changed then

@@ -54,8 +54,7 @@ class Installation {
 	#sequence = 0;
 	#greatLand = new GreatLand();
 	#shapes;
-	#collider;
-	#collision;
+	#collision = new Collision(new BinCollider());
 	#neighbours;
 	#blocks;
 	#engineAgents = [];
@@ -72,7 +71,7 @@ class Installation {
 		const { shapes, manifest } = this.#options;
 		this.#shapes = new Shapes(this.#greatLand, window, { own: shapes, manifest });
 		this.#neighbours = new Neighbours(window, this.#half, this.#records);
-		this.#blocks = new Blocks(window.Common.State, (a, b) => this.#onPair(a.record, b.record));
+		this.#blocks = new Blocks(window.Common.State, this.#collision, (a, b) => this.#onPair(a.record, b.record));
 		this.#overlay = new Overlay(window, this.#greatLand, (fraction, call) => this.#forEachShown(fraction, call));
 		installedIn(window)?.uninstall();
 		this.#client.reset();
@@ -121,13 +120,13 @@ class Installation {
 	setTraits(whose, traits) {
 		const checked = checkedTraits(traits);
 		if (typeof whose === "string") this.exchange({ breeds: { ...this.#options.breeds, [whose]: checked } });
-		else this.#giveTraits(whose, checked);
+		else this.#traits.ofAgents.set(whose, checked);
 	}
 
 	/** Sets some of an agent's traits, as its blocks do. The others stay. */
 	changeTraits(agent, traits) {
-		// a block may say the same in each tick
-		if (!this.#traits.hasAll(agent, traits)) this.#giveTraits(agent, { ...this.#traits.ofAgents.get(agent), ...checkedTraits(traits) });
+		const { ofAgents } = this.#traits;
+		ofAgents.set(agent, { ...ofAgents.get(agent), ...checkedTraits(traits) });
 	}
 
 	/** Whether two agents touch now. */
@@ -147,6 +146,10 @@ class Installation {
 		this.#reset();
 		this.#client.reset();
 		this.#addAll();
+	}
+
+	get #collider() {
+		return this.#collision.collisionSystem;
 	}
 
 	get #isBins() {
@@ -197,7 +200,7 @@ class Installation {
 		const { data, numAgents } = this.#window.Execution.AgentController;
 		const hit = new Set(this.#found.flatMap(({ finder, other }) => [finder, other]));
 		const drawAgent = this.#drawAgent;
-		this.#blocks.followState(this.#collision);
+		this.#blocks.followState();
 		for (let i = 1; i < numAgents; i++) {
 			const record = this.#participant(data[i]);
 			if (record === null) continue;
@@ -250,7 +253,7 @@ class Installation {
 
 	/** All colliding pairs that have a block, each once. They come in the client's order; with sweeps, in the order of time. */
 	#getCollisions() {
-		this.#blocks.followState(this.#collision);
+		this.#blocks.followState();
 		this.#listParticipants();
 		this.#found = [];
 		this.#collision.update(this.#engineAgents);
@@ -271,23 +274,16 @@ class Installation {
 		if (exact && (system === "bins" || system === "tightest")) throw new RangeError(`exact is for hierarchical and combination, not for ${system}`);
 		checkedTraits({ sweeps: options.sweeps });
 		options.breeds = checkedBreeds(options.breeds);
-		const collider = new SYSTEMS[system](this.#greatLand);
-		// bins and tightest fits have no trees. A depth is checked all the same, because a later system may use it
-		const withTrees = "maxDepth" in collider ? collider : new HierarchicalCollider(this.#greatLand);
+		// checked all the same for bins and tightest fits, which have no trees: a later system may use the depth
+		const withTrees = new HierarchicalCollider(this.#greatLand);
 		withTrees.exact = exact;
 		if (depth !== undefined) withTrees.maxDepth = depth;
 		if (overlay) viewClassOf(this.#window); // throws if there is none
-		this.#collider = collider;
-		this.#collision = new Collision(collider);
+		// with another system, motions begin anew
+		if (system !== this.#options?.system) this.#collision.collisionSystem = new SYSTEMS[system](this.#greatLand);
+		if ("maxDepth" in this.#collider) Object.assign(this.#collider, { exact, maxDepth: withTrees.maxDepth });
 		this.#options = Object.freeze(options);
 		this.#traits.ofBreeds = options.breeds;
-		for (const record of this.#records) record.breedOfTraits = null;
-	}
-
-	#giveTraits(agent, traits) {
-		this.#traits.ofAgents.set(agent, traits);
-		const record = this.#recordOf(agent);
-		if (record !== null) record.breedOfTraits = null;
 	}
 
 	#recordOf(agent) {
@@ -319,7 +315,7 @@ class Installation {
 	/** The record of an agent, with its traits up to date; null if it has none. */
 	#currentRecordOf(agent) {
 		const record = this.#recordOf(agent);
-		if (record !== null && record.breedOfTraits !== agent.breed) this.#setTraits(record);
+		if (record !== null) this.#setTraits(record);
 		return record;
 	}
 
@@ -340,15 +336,13 @@ class Installation {
 		return true;
 	}
 
-	#setTraits(record) {
-		const { clientAgent, engineAgent } = record;
+	#setTraits({ clientAgent, engineAgent }) {
 		const { hierarchical = false, depth = 0, sweeps = this.#options.sweeps ?? false, structure = Agent.TIGHTEST } = this.#traits.of(clientAgent);
 		engineAgent.hierarchical = hierarchical;
 		engineAgent.traversalDepth = depth;
 		engineAgent.sweeps = sweeps;
 		engineAgent.collideAs = structure;
 		engineAgent.breed = String(clientAgent.breed.id);
-		record.breedOfTraits = clientAgent.breed;
 	}
 
 	#onPair(a, b) {

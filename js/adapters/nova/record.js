@@ -26,9 +26,6 @@ export class AgentRecord {
 	// its place in the client's list
 	index = -1;
 
-	// the breed whose traits the engine's Agent has
-	breedOfTraits = null;
-
 	/** Creates a record of an agent. `shape` is a model that always exists. */
 	constructor(clientAgent, shape) {
 		this.clientAgent = clientAgent;

@@ -26,12 +26,6 @@ export class Traits {
 		return { ...Object.hasOwn(this.ofBreeds, name) && this.ofBreeds[name], ...this.ofAgents.get(agent) };
 	}
 
-	/** Whether an agent has these traits of its own. */
-	hasAll(agent, traits) {
-		const own = this.ofAgents.get(agent) ?? {};
-		return Object.keys(traits).every((name) => Object.hasOwn(own, name) && own[name] === traits[name]);
-	}
-
 	/** Gives an agent that one of its own breed has made the traits of that one. The client does so with the traits that it knows. */
 	inherit(agent) {
 		const inherited = agent.parent?.breed === agent.breed && this.ofAgents.get(agent.parent);

@@ -10,14 +10,8 @@ import { countOf, eachMesh, identity, surfaceOf, updateMatrices } from "./surfac
  */
 const sources = new WeakMap();
 
-/** Whether a model's source has y up, or undefined. */
-export const isModelYUp = (model) => sources.get(model)?.isYUp;
-
-/** Whether a model has its object's place in it, which is not the origin. */
-export const isPlaced = (model) => sources.get(model)?.isPlaced === true;
-
-/** Whether a mesh is one of those that a model was made of. */
-export const isMadeOf = (model, mesh) => sources.get(model)?.indices.has(mesh) === true;
+/** What is known of a model's source; undefined if the model was not made of an object or a geometry. */
+export const sourceOf = (model) => sources.get(model);
 
 const point = new Vector3();
 
@@ -56,7 +50,7 @@ function requireName(call, name) {
 function modelOf(name, source, { data, meshes }, made, scaling) {
 	if (data.vertices.length === 0) throw new ModelError(name, "", `no vertices: ${whatIsMissing(source)}`);
 	Object.assign(data, { scaling, isInModelSpace: scaling === Model.AS_GIVEN });
-	const model = new Model(name, null, null, null, build(name, data, meshes));
+	const model = new Model(name, null, null, Model.AS_GIVEN, build(name, data, meshes));
 	const indices = new Map(meshes.map(({ object }, i) => [object, i]).reverse());
 	sources.set(model, { ...made, meshes, indices, isGeometry: !source.isObject3D, posed: null });
 	warnings?.keepSource(source, model);
@@ -87,7 +81,7 @@ function whatIsMissing(source) {
  * @param {number} triangle the number of the triangle, as a hit has it
  */
 export function faceOf(model, triangle) {
-	const { meshes, isGeometry } = sources.get(model) ?? {};
+	const { meshes, isGeometry } = sourceOf(model) ?? {};
 	if (!meshes || isGeometry) {
 		throw new ArgumentError(`faceOf: model must be one that modelFromObject or levelFromObject has made of an Object3D, not ${textOf(model)}`);
 	}
@@ -107,7 +101,7 @@ export function faceOf(model, triangle) {
  * @param {object} object its source, or a clone of it
  */
 export function poseModel(model, object) {
-	const source = sources.get(model);
+	const source = sourceOf(model);
 	if (!source) throw new ArgumentError(`model "${model.name}" was not made of an object: modelFromObject makes models that objects can pose`);
 	const { meshes, indices, isGeometry, isYUp } = source;
 	const posed = source.posed ??= new Float64Array(model.vertices.length);

@@ -137,9 +137,8 @@ export class Bodies {
 		return `${label}:\n${this.statements(node.consequent).map(indent).join("\n")}`;
 	}
 
-	#propertyText({ computed, key, value }) {
-		const name = computed ? `[${this.text(key)}]` : this.#scopes.unit.source.slice(key.start, key.end);
-		return `${name}: ${this.text(value)}`;
+	#propertyText({ key, value }) {
+		return `${this.#scopes.unit.source.slice(key.start, key.end)}: ${this.text(value)}`;
 	}
 
 	#blockText(node) {
@@ -189,13 +188,9 @@ export class Bodies {
 		if (!node.computed) {
 			const name = this.#members.nameOf(node.property.name);
 			if (/^(?:\*|\??Object)/.test(this.#scopes.typeOf(node.object))) this.namesOfUnknownObjects.add(name);
-			if (this.#beforeSuper && node.object.type === "ThisExpression") {
-				if (!this.#beforeSuper.has(name)) throw new Error(`this.${name} is read before super()`);
-				return this.#beforeSuper.get(name);
-			}
+			if (this.#beforeSuper && node.object.type === "ThisExpression") throw new Error(`this.${name} is read before super()`);
 			return `${target}.${name}`;
 		}
-		if (pathOf(node.property).startsWith(`${LANGUAGE}.`)) return target;
 		if (this.#scopes.typeOf(node.object) === "flash.utils.ByteArray") return `${target}.byteAt(${this.text(node.property)})`;
 		if (this.#scopes.typeOf(node.object) === "flash.utils.Dictionary") return `${target}.get(${this.text(node.property)})`;
 		if (this.#isMethodTaken(node)) return `$memberOrClosure(${target}, ${this.text(node.property)})`;
@@ -254,10 +249,8 @@ export class Bodies {
 		if (!this.#beforeSuper || !isFieldAssignment(node)) return null;
 		const name = this.#members.nameOf(node.expression.left.property.name);
 		const local = name.replace(/^[_$]+/, "");
-		const value = this.text(node.expression.right);
-		const isParameter = this.#scopes.isLocal(local);
-		this.#beforeSuper.set(name, isParameter ? `${local}$` : local);
-		return `const ${isParameter ? `${local}$` : local} = ${value};`;
+		this.#beforeSuper.set(name, local);
+		return `const ${local} = ${this.text(node.expression.right)};`;
 	}
 
 	#newText(node) {
@@ -274,7 +267,6 @@ export class Bodies {
 		const base = superCall(node, this.#scopes.unit.qname);
 		if (base) {
 			const list = base.arguments.map((each) => this.text(each)).join(", ");
-			if (base.isGetter) return `super.${this.#members.nameOf(base.name)}`;
 			return base.name === "constructor" ? `super(${list})` : `super.${this.#members.nameOf(base.name)}(${list})`;
 		}
 		if (node.callee.property?.name === "sort" && args.length === 1 && args[0].type !== "FunctionExpression") {

@@ -4,8 +4,8 @@
  * ../../standins/module/checks.mjs.
  *
  * Numbers, strings, Booleans and functions are checked by small functions, which take little of a bundle and which V8 inlines. Where an
- * error names the object too, as for agents, they are checked in place. null is accepted if the documentation mentions it, and for
- * names and files. In these cases the engine itself throws the error, as it does for numbers that are not finite.
+ * error names the object too, as for agents, they are checked in place. null is accepted if the documentation mentions it. The engine
+ * itself then throws the error, if it is one, as it does for numbers that are not finite.
  */
 import { TAKES_LITERAL, docOf, docOfParameter, endingBooleans, isWritten, mayHaveNull } from "../signatures.mjs";
 import { warningsOf, warningsOfMember } from "./warnings.mjs";
@@ -21,9 +21,6 @@ const UNCHECKED_CLASS_NAMES = new Set([
 
 /** Classes whose methods would take a number that is not finite, as fields would. All others refuse it themselves, or have an answer for it. By simple names. */
 const FINITE_CHECKED_CLASS_NAMES = new Set(["FrameTimes", "Placement"]);
-
-/** Types that the engine itself throws an error about null for, because it says more: of names, and of files. */
-const ANSWERED = new Set(["ByteArray", "String"]);
 
 /** Functions that the engine calls in its loops. The module exports a checked function around them. */
 export const isWrapped = (type) => type?.kind === "function";
@@ -181,9 +178,7 @@ export class Checks {
 		if (/^(Number|int|uint)$/.test(element)) return [`${name} = $numbers(${receiver}, ${name}, "${element}", ${isNullable});`];
 		const checked = (expected, test) => [`${unlessNull}$checkList(${receiver}, ${name}, "${expected}", (each) => ${test});`];
 		if (element === "String") return checked("a string", `${hasNulls ? "each === null || " : ""}typeof each === "string"`);
-		if (element === "Vector3D") return checked("a Vector3D", `each instanceof ${this.#reference("flash.geom.Vector3D")}`);
 		const test = this.#typeTest(element, "each");
-		if (!test) return [`${unlessNull}$checkList(${receiver}, ${name});`];
 		// nobody among agents does no harm: a shot may have no shooter
 		const orNobody = element === "Agent" ? "each == null || " : "";
 		return checked(expectedText(element), `${orNobody}${test}`);
@@ -230,8 +225,8 @@ function mayBeNull(parameter, member, type) {
 	if (parameter.value === "null") return true;
 	// Flash's own error for a null listener, or a null type of event, has only a number
 	if (type.qname.startsWith("flash.") && (parameter.type === "Function" || parameter.name === "type")) return false;
-	// what blocks say is for students, and models' own classes pass no numbers to their base
-	const isAnswered = /^(?:flash|starlogo\.blocks)\./.test(type.qname) || /^Vector\.<(?:Number|u?int)>$/.test(parameter.type);
+	// what blocks say is for students, and models' own classes pass nothing but the name to their base
+	const isAnswered = /^(?:flash|starlogo\.blocks)\./.test(type.qname) || member.inner || /^Vector\.<(?:Number|u?int)>$/.test(parameter.type);
 	if (isAnswered) return /\bnull\b/.test(member.doc) || /^(?:Agent|ByteArray|Function|Model|String)$/.test(parameter.type);
-	return ANSWERED.has(parameter.type) || /\bnull\b/.test(member.kind === "set" ? member.doc : docOfParameter(parameter.name, member.doc));
+	return /\bnull\b/.test(member.kind === "set" ? member.doc : docOfParameter(parameter.name, member.doc));
 }

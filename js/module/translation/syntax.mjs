@@ -78,12 +78,12 @@ export function isAbstract(method, source) {
 	return / does not implement \w+"\);\s*\}$/.test(source.slice(method.start, method.end)) && method.body.body.length === 1;
 }
 
-/** `X.base(this, 'name', ...)`, `X.superClass_.name.apply(this, [...])`, or for a getter `X.superClass_.get__name.apply(this)`. */
+/** `X.base(this, 'name', ...)`, or `X.superClass_.name.apply(this, [...])`. */
 export function superCall(node, qname) {
 	const path = pathOf(node.callee);
-	if (path === `${qname}.base`) return { name: node.arguments[1].value, arguments: node.arguments.slice(2), isGetter: false };
-	const match = /\.superClass_\.(get__)?(\w+)\.apply$/.exec(path);
-	return match && { name: match[2], arguments: node.arguments[1]?.elements ?? [], isGetter: match[1] !== undefined };
+	if (path === `${qname}.base`) return { name: node.arguments[1].value, arguments: node.arguments.slice(2) };
+	const match = /\.superClass_\.(?!get__)(\w+)\.apply$/.exec(path);
+	return match && { name: match[1], arguments: node.arguments[1]?.elements ?? [] };
 }
 
 /** The compiler's statements for "for each (var x in list)". */

@@ -213,11 +213,9 @@ export class Program {
 			const prefix = (member.isStatic ? "static " : "") + (member.kind === "method" ? "" : `${member.kind} `);
 			const name = this.#members.nameOf(member.name);
 			// nothing calls these, and only the engine could extend the class
-			if (member.node !== null && !this.isForTests && !this.signatures.has(unit.qname) && isAbstract(member.node, unit.source)) continue;
+			if (!this.isForTests && !this.signatures.has(unit.qname) && isAbstract(member.node, unit.source)) continue;
 			if (this.#isFunction(unit, member)) {
 				if (this.isForTests) lines.push(`static get ${name}() {\n\treturn ${this.staticName(unit, member.name)};\n}`);
-			} else if (member.node === null) {
-				lines.push(member.kind === "get" ? `get ${name}() {\n\treturn super.${name};\n}` : `set ${name}(value) {\n\tsuper.${name} = value;\n}`);
 			} else {
 				const prologue = this.#checks.prologueOf(unit.qname, member.name, member.kind);
 				const text = this.#bodies.functionText(member.node, member.doc, prologue);

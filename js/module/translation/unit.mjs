@@ -96,16 +96,14 @@ class Unit {
 		else if (!(isStatic && this.staticValues.some((known) => known.name === name))) this.members.push({ name, node: value, doc, isStatic, kind });
 	}
 
-	// An accessor whose getter or setter is inherited.
+	// In JavaScript an accessor that has one half hides the inherited other one.
 	#readAccessors(call) {
 		if (pathOf(call.arguments[0]) !== `${this.qname}.prototype`) return;
 		for (const property of call.arguments[1].properties) {
 			this.types.set(keyName(property.key), /@type \{(.*)\}/.exec(this.#docBefore(property))?.[1] ?? "*");
 			for (const half of property.value.properties) {
 				const path = half.value.type === "MemberExpression" ? pathOf(half.value) : "";
-				if (path !== "" && !path.startsWith(`${this.qname}.`)) {
-					this.members.push({ name: keyName(property.key), node: null, doc: "", isStatic: false, kind: keyName(half.key) });
-				}
+				if (path !== "" && !path.startsWith(`${this.qname}.`)) throw new Error(`${keyName(property.key)} overrides one half: override the getter and the setter`);
 			}
 		}
 	}

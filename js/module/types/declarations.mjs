@@ -43,30 +43,23 @@ const NULL_IF_EMPTY = /\bnull only in an empty hit\b/;
 /** What the documentation says of a handler. Its types are the two agents', which may be of different classes. */
 const HANDLER = /<code>function\(collider:Agent, collidee:Agent\):void<\/code>|@param handler\s+as in onCollision\b/;
 
-/** The type parameters of a class for a client's agents, of one with handlers, which may know a class for each breed, and of one with questions. */
+/** The type parameters of a class for a client's agents, and of one with handlers or questions, which may know a class for each breed. */
 const OF_AGENTS = "<GameAgent extends Agent = Agent>";
 const OF_BREEDS = "<Breeds extends Agent | { [Name in keyof Breeds]: Agent } = Agent, GameAgent extends Agent = AgentsOf<Breeds>>";
-const OF_QUESTIONS = "<GameAgent extends Agent = Agent, Breeds extends Agent | { [Name in keyof Breeds]: Agent } = GameAgent>";
 
 /**
- * The type parameters of methods: the agents of a list, the breeds and agents of a handler, the agent of a footing, the breeds that a filter names,
- * and what a question finds. A method that took breeds without type parameters of its own would make a Collision with classes for breeds unfit for a
+ * The type parameters of methods: the agents of a list, the breeds and agents of a handler, the breeds that a filter names, and what a question finds. A method that took breeds without type parameters of its own would make a Collision with classes for breeds unfit for a
  * plain `Collision`.
  */
 const PICKING = "<GameAgent extends Agent>";
 const NAMING = "Name extends BreedOf<Breeds> = BreedOf<Breeds>, OtherName extends BreedOf<Breeds> = BreedOf<Breeds>>";
 const HANDLING = `<ColliderAgent extends AgentOf<Breeds, Name>, CollideeAgent extends AgentOf<Breeds, OtherName>, ${NAMING}`;
 const FILTERING = "Name extends string = string>";
-const FILLING = `<FootingAgent extends Agent = Agent, ${FILTERING}`;
 const findingOf = (agent) => `<FoundAgent extends ${agent} = ${agent}, ${FILTERING}`;
 
 /** What a question finds, and its filter. */
 const FOUND = "Found<FoundAgent, Breeds, Name>";
 const filterOf = (agent, found) => `AgentFilterInit<${agent}, ${found}, NamedBreed<Breeds, Name>>`;
-
-/** A Footing that a walk fills. */
-const ANY_FOOTING = "(Footing<FootingAgent> & ([Agent] extends [FootingAgent] ? unknown "
-	+ ': "a Footing of Agent, because a walker may stand on all agents and on the ground")) | null';
 
 /** Questions about places never find the ground. All others with a filter may. */
 const OF_PLACES = /^(?:n|countN)ear|^inCone$/;
@@ -89,14 +82,14 @@ export function writeDeclarations(types) {
 }
 
 /**
- * Whether a class has a type parameter for a client's own class of agents: its update takes them, it asks about them, it has one for its user,
- * or its base class has a type parameter.
+ * Whether a class has a type parameter for a client's own class of agents: its update takes them, it asks about them, it is a hit of one, or its
+ * base class has a type parameter.
  */
 function isGeneric(type, types) {
 	const hasAgents = (member) => member.name === "update" && member.parameters[0]?.type === "Vector.<Agent>";
-	const hasAgent = (member) => member.kind === "var" && member.isPublic && !member.isPrivate && member.result === "Agent";
+	const isOfHit = (member) => member.result === "Agent" && NULL_IF_EMPTY.test(member.doc);
 	if (type?.kind !== "class") return false;
-	return hasQuestions(type) || type.members.some((member) => hasAgents(member) || hasAgent(member))
+	return hasQuestions(type) || type.members.some((member) => hasAgents(member) || isOfHit(member))
 		|| type.bases.some((name) => isGeneric(types.get(name), types));
 }
 
@@ -150,12 +143,12 @@ class Writer {
 		const interfaces = type.interfaces.filter((name) => this.#exported.has(name));
 		const heritage = listText(" extends ", this.#basesOf(type)) + listText(" implements ", interfaces);
 		const hasHandlers = type.members.some((member) => HANDLER.test(docOf(type, member, this.#exported)));
-		const parameters = this.#isGeneric(type) ? (hasHandlers ? OF_BREEDS : hasQuestions(type) ? OF_QUESTIONS : OF_AGENTS) : "";
+		const parameters = this.#isGeneric(type) ? (hasHandlers || hasQuestions(type) ? OF_BREEDS : OF_AGENTS) : "";
 		if (type.events.length > 0) members.unshift(...this.#listening(type));
 		if (ONLY_IN_JAVASCRIPT[type.qname]?.declaration) members.push(ONLY_IN_JAVASCRIPT[type.qname].declaration);
 		const modifiers = `${PLATFORM_NAMES.has(type.name) ? "declare" : "export"} ${isAbstract(type) ? "abstract " : ""}`;
 		const head = `${modifiers}${type.kind} ${type.name}${parameters}${heritage}`;
-		const merged = listText(" extends ", parts.map(({ name }) => `${name}<GameAgent, Breeds>`));
+		const merged = listText(" extends ", parts.map(({ name }) => `${name}<Breeds, GameAgent>`));
 		const partsText = merged && `\nexport interface ${type.name}${parameters}${merged} {}\n`;
 		return `${this.#eventsText(type)}${docComment(type.doc, "")}${head} {\n${members.join("\n")}\n}\n${partsText}`;
 	}
@@ -245,8 +238,7 @@ class Writer {
 		if (HANDLER.test(docs)) return HANDLING;
 		if (parameters.some(({ name }) => name === "otherBreed")) return `<${NAMING}`;
 		const takes = (wanted) => parameters.some(({ type }) => type === wanted);
-		if (takes("Footing")) return FILLING;
-		if (!takes("AgentFilter")) return "";
+		if (!takes("AgentFilter") && !takes("WalkOptions")) return "";
 		return /^(?:Vector\.<)?(?:Agent|RayHit|ShapeHit)>?$/.test(result) ? findingOf(this.#agent) : `<${FILTERING}`;
 	}
 
@@ -303,7 +295,7 @@ class Writer {
 			const isFinding = generic.startsWith("<FoundAgent ");
 			if (isFinding && type === "Vector.<Agent>") return `${name}?: Filled<${FOUND}> | null`;
 			if (generic.endsWith(FILTERING) && type === "AgentFilter") return `${name}?: ${filterOf(this.#agent, isFinding ? "FoundAgent" : this.#agent)} | null`;
-			if (generic === FILLING && type === "WalkOptions") return `${name}?: WalkOptionsInit<${this.#agent}, NamedBreed<Breeds, Name>> | null`;
+			if (generic.endsWith(FILTERING) && type === "WalkOptions") return `${name}?: WalkOptionsInit<${this.#agent}, NamedBreed<Breeds, Name>> | null`;
 			const text = this.#parameterType(parameter, this.#docsOf(member, parameter, owner));
 			return `${name}${value === null ? "" : "?"}: ${text}${parameter === booleans[0] ? literal : ""}`;
 		}).join(", ");
@@ -318,8 +310,6 @@ class Writer {
 	}
 
 	#parameterType(parameter, docs = "") {
-		// what is filled has to take the ground, too
-		if (parameter.type === "Footing" && this.#agent !== "Agent") return ANY_FOOTING;
 		// who asks a question need not be in the list, and what it fills may have been made for any class of agents before
 		const agent = this.#agent;
 		const isForAny = parameter.type !== "SeenAgents" && this.#isGeneric(this.#exported.get(/^(?:Vector\.<)?(\w+)>?$/.exec(parameter.type)?.[1]));
@@ -366,7 +356,7 @@ class Writer {
 		if (element) return `${this.#type(element)}[]`;
 		if (type === "Agent") return this.#agent;
 		const isOfAgents = this.#agent !== "Agent" && this.#isGeneric(this.#exported.get(type));
-		if (isOfAgents) return `${type}<${this.#agent}${hasQuestions(this.#exported.get(type)) ? ", Breeds" : ""}>`;
+		if (isOfAgents) return `${type}<${hasQuestions(this.#exported.get(type)) ? "Breeds, " : ""}${this.#agent}>`;
 		return PRIMITIVES[type] ?? (this.#exported.has(type) || type === "ByteArray" ? type : "unknown");
 	}
 }

@@ -1,8 +1,8 @@
-/** Agents that sweep and are moved before the first frame that sees them. That part of their way is not tested. */
+/** Ways that are not tested: of agents that sweep, before the first frame that sees them; and of fast agents that do not sweep. */
 import { $greatestId } from "./frames.mjs";
 import { $rounded, $warn } from "./warn.mjs";
 
-/** So many agents are looked at in a frame. */
+/** So many agents are looked at in a frame, and so many are followed. */
 const $MOST_PLACED = 100;
 
 /** A way of more sizes of the agent than this may lead through a wall. */
@@ -11,8 +11,15 @@ const $FAR = 0.5;
 /** A class's own fields of these names hide the engine's, which is warned of: the agent is where it was. */
 const $FIELDS = ["x", "y", "z", "sweeps", "size"];
 
+/** An agent that was put somewhere and then moves by more of its sizes than these in each of so many frames, always by the same way, is a shot. */
+const $FAST = 2;
+const $MANY_WAYS = 4;
+
 /** Where agents have been put first since the last frame. */
 const $placed = /* @__PURE__ */ new Map();
+
+/** Of agents that do not sweep and are fast from the beginning on: the place in the last frame, the way to it, and in how many frames the way was this one. */
+const $flights = /* @__PURE__ */ new Map();
 
 /** Keeps where an agent is put, if no way leads there: a new one by moveTo, or any by jumpTo. */
 export function $warnOfPlace(agent, x, y, z, isJump) {
@@ -21,15 +28,46 @@ export function $warnOfPlace(agent, x, y, z, isJump) {
 	$placed.set(agent, { x, y, z });
 }
 
-/** Warns of agents of a list that sweep, and have been moved since. */
-export function $warnOfShots(agents) {
+/** Warns of agents of a list that sweep, and have been moved since; and of those that do not sweep, and fly. */
+export function $warnOfShots(collision, agents) {
+	for (const [agent, flight] of $flights) $followFlight(collision, agents, agent, flight);
 	if ($placed.size === 0) return;
-	for (const [agent, { x, y, z }] of $placed) {
-		const way = Math.hypot(agent.x - x, agent.y - y, agent.z - z);
-		if (!agent.sweeps || !(way > $FAR * agent.size) || !agents.includes(agent)) continue;
-		if ($FIELDS.some((name) => Object.hasOwn(agent, name))) continue;
-		$warn(`${agent} sweeps, and was moved by ${$rounded(way)} between its place (${[x, y, z].map($rounded).join(", ")}) and its first frame. `
-			+ "This part of its way is not tested: put a shot into the muzzle in one frame, and move it from the next one on", "shot");
+	for (const [agent, place] of $placed) {
+		if (!agents.includes(agent)) continue;
+		if (agent.sweeps) $lookAtFirstWay(agent, place);
+		else if ($flights.size < $MOST_PLACED) $flights.set(agent, { place: $placeOf(agent), way: new Vector3D(), alike: 0 });
 	}
 	$placed.clear();
+}
+
+function $lookAtFirstWay(agent, { x, y, z }) {
+	const way = Math.hypot(agent.x - x, agent.y - y, agent.z - z);
+	if (!(way > $FAR * agent.size) || $FIELDS.some((name) => Object.hasOwn(agent, name))) return;
+	$warn(`${agent} sweeps, and was moved by ${$rounded(way)} between its place (${[x, y, z].map($rounded).join(", ")}) and its first frame. `
+		+ "This part of its way is not tested: put a shot into the muzzle in one frame, and move it from the next one on", "shot");
+}
+
+/** Warns of an agent that flies through what is thinner than its way in a frame, if handlers name its breed. */
+function $followFlight({ _handlers: { interests } }, agents, agent, flight) {
+	const place = $placeOf(agent);
+	const way = place.subtract(flight.place);
+	const { length } = way;
+	if (agent.sweeps || length <= $FAST * agent.size) {
+		$flights.delete(agent);
+		return;
+	}
+	const alike = way.subtract(flight.way).length < 0.2 * length ? flight.alike + 1 : 0;
+	Object.assign(flight, { place, way, alike });
+	if (alike < $MANY_WAYS || !agents.includes(agent) || !interests.$isNamed(agent.$breedNumber)) return;
+	$warn(`${agent} moves by ${$rounded(length)} patches in a frame, ${$rounded(length / agent.size)} times its size, and does not sweep: `
+		+ "it passes through what is between its places. With agent.sweeps = true it meets all that is on its way", "flight");
+}
+
+function $placeOf({ x, y, z }) {
+	return new Vector3D(x, y, z);
+}
+
+/** Forgets an agent that a question moves, which tests its way. */
+export function $forgetFlight(agent) {
+	$flights.delete(agent);
 }

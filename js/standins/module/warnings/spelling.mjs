@@ -94,6 +94,7 @@ export function $hintOfValue(value, expected, given) {
 	if (typeof value.then === "function") return ": await it first";
 	if (expected === "an array of Agents" && "sweeps" in value) return ": put it into one, [agent]";
 	if (expected.startsWith("a Vector3D")) return Array.isArray(value) ? ". A point is an object: { x: 1, y: 2, z: 3 }" : $whatIsUndefined(value);
+	if (expected.startsWith("a CollisionSystem") && "collisionSystem" in value) return ". Its collisionSystem is one";
 	if (expected === "a SeenAgents" && "collisionSystem" in value) return ": new SeenAgents(collision) makes one of it";
 	if (expected === "a number" && $FILTER.some((name) => name in value)) {
 		return `. A filter is an argument after it${/: (?:radius|maxDistance)$/.test(given) ? ". Infinity is no limit" : ""}`;

@@ -29,6 +29,13 @@ function $newWalker({ z }) {
 /** The last walk. It is looked at when the next one begins, because its Footing is written then. */
 let $lastWalk = null;
 
+/** So many jumps of a platform below a walker, each no longer than this, are no accident. */
+const $MANY_JUMPS = 10;
+const $SHORT_JUMP = 1;
+
+/** How often platforms have jumped below a walker. */
+const $jumps = /* @__PURE__ */ new WeakMap();
+
 /** How many walks of one breed another has stopped, by the text of both. */
 const $stops = /* @__PURE__ */ new Map();
 
@@ -84,6 +91,15 @@ function $countStop({ interests, _pairIndices: met }, does, agent, other) {
 	$warn(`a walk of ${name} ${does} ${otherName} and does not touch them, so the handlers of the two do not run while it only stands there. `
 		+ `If it should go through them, leave them out: walk(agent, dx, dy, { filter: { exceptBreeds: [${otherName}] } }). `
 		+ "If it should bump into them, ask what has stopped it: the Footing's against");
+}
+
+/** Warns of a platform that moves by jumps while a walker stands on it: it carries nobody. */
+export function $warnOfJump(platform, x, y, z) {
+	if ($lastWalk?.footing.on !== platform || Math.hypot(x - platform.x, y - platform.y, z - platform.z) > $SHORT_JUMP) return;
+	const jumps = ($jumps.get(platform) ?? 0) + 1;
+	$jumps.set(platform, jumps);
+	if (jumps !== $MANY_JUMPS) return;
+	$warn(`${platform} is moved by jumpTo() while ${$lastWalk.agent} stands on it. A jump carries nobody: a platform that moves has moveTo()`, "jump");
 }
 
 /**

@@ -11,11 +11,6 @@ package flash.events
             super(type, bubbles, cancelable);
         }
 
-        /** In Flash, draws at once. Here it does nothing. */
-        public function updateAfterEvent():void
-        {
-        }
-
         override public function clone():Event
         {
             return new TimerEvent(type, bubbles, cancelable);

@@ -227,6 +227,7 @@ test('a name that is no option is refused, with the nearest, and so is an option
 	for (const own of ['transpiled', 'module', 'bin', 'swc', 'dist', 'stamps', 'samples', 'generated']) assert.match(check(`${own}=`)[1], new RegExp(`^antw: there is no option -D${own}\\b`));
 	assert.doesNotMatch(check('modul=')[1], /-Dmodule/);
 	assert.deepEqual(check('--no-target', 'clienttest'), [64, 'antw: there is no target clienttest; there is client-test\n']);
+	assert.deepEqual(check('--no-target', 'report'), [64, 'antw: there is no target report; see timing\n']);
 	// every option that a page names is one
 	const named = readdirSync(path.join(root, 'docs')).filter((file) => file.endsWith('.md')).flatMap((file) => [...read(`docs/${file}`).matchAll(/[ `]-D([a-z]+)\b(?!\.)/g)].map(([, name]) => name));
 	assert.ok(named.length > 50);

@@ -1,13 +1,15 @@
 /** What three.js reads from glTF and STL files, for tests that compare the engine's readers with it. */
-import { existsSync, readFileSync } from "node:fs";
+import { spawnSync } from "node:child_process";
+import { readFileSync } from "node:fs";
 import path from "node:path";
+import { fileURLToPath } from "node:url";
 
-const three = new URL("../../js/module/node_modules/three/", import.meta.url);
+// the quick command runs these tests, and fetches three.js for no others
+const folder = new URL("../../js/module/", import.meta.url);
+const npm = fileURLToPath(new URL("../../build/npm-ci.mjs", import.meta.url));
+spawnSync(process.execPath, [npm, fileURLToPath(folder), "three.js, and what the ES module is measured beside"], { stdio: "inherit" });
 
-/** Why tests that need three.js are skipped. */
-export const skip = !existsSync(three) && "three.js is not there: ./antw resolve fetches it";
-
-const load = (file) => (skip ? {} : import(new URL(file, three)));
+const load = (file) => import(new URL(`node_modules/three/${file}`, folder));
 const { Vector3 } = await load("build/three.module.js");
 const { GLTFLoader } = await load("examples/jsm/loaders/GLTFLoader.js");
 const { STLLoader } = await load("examples/jsm/loaders/STLLoader.js");

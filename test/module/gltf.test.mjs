@@ -10,7 +10,7 @@ import path from "node:path";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { engine } from "./engine.mjs";
-import { attempt, buffersOf, difference, drawnOf, partsOf, skip, stlOf, trianglesOfModel } from "./gltf.mjs";
+import { attempt, buffersOf, difference, drawnOf, partsOf, stlOf, trianglesOfModel } from "./gltf.mjs";
 import { randomGltf } from "./random-gltf.mjs";
 
 const root = fileURLToPath(new URL("../..", import.meta.url));
@@ -41,7 +41,7 @@ async function compareFile(file) {
 	return found.triangles === null && drawn.length === 0 ? null : difference(trianglesOfModel(found), drawn, TOLERANCE, true);
 }
 
-test("random files have the triangles that three.js draws of them", { skip }, async () => {
+test("random files have the triangles that three.js draws of them", async () => {
 	const seen = {};
 	for (let seed = 1; seed <= 300; seed++) {
 		const { bytes, features } = randomGltf(seed);
@@ -58,14 +58,14 @@ test("random files have the triangles that three.js draws of them", { skip }, as
 // what the engine refuses of them, and three.js does not look at or leaves out
 const REFUSED = /draco|RecursiveNodes|IndexOutOfRange|IncorrectVertexArrays|BoxWithInfinites|SchemaFailures|wrongTypes|MissingBin|SceneWithoutNodes|texcoord_crash|Cameras|NoScene/;
 
-test("assimp's glTF models have the triangles that three.js draws of them", { skip: skip || !existsSync(`${ASSIMP}/glTF2`) && "the package assimp-testmodels is not installed" }, async () => {
+test("assimp's glTF models have the triangles that three.js draws of them", { skip: !existsSync(`${ASSIMP}/glTF2`) && "the package assimp-testmodels is not installed" }, async () => {
 	const all = files(`${ASSIMP}/glTF2`, /\.(gltf|glb)$/);
 	const sound = all.filter((file) => !REFUSED.test(file));
 	assert.ok(sound.length > 20);
 	for (const file of sound) assert.equal(await compareFile(file), null, file);
 });
 
-test("assimp's STL models have the triangles that three.js reads of them", { skip: skip || !existsSync(`${ASSIMP}/STL`) && "the package assimp-testmodels is not installed" }, () => {
+test("assimp's STL models have the triangles that three.js reads of them", { skip: !existsSync(`${ASSIMP}/STL`) && "the package assimp-testmodels is not installed" }, () => {
 	const all = files(`${ASSIMP}/STL`, /\.stl$|formatDetection/i);
 	assert.equal(all.length, 9);
 	for (const file of all) {
@@ -77,7 +77,7 @@ test("assimp's STL models have the triangles that three.js reads of them", { ski
 
 const khronos = process.env.GLTF_MODELS;
 
-test("Khronos's sample models have the triangles that three.js draws of them", { skip: skip || !khronos && "GLTF_MODELS names no folder that has them" }, async (t) => {
+test("Khronos's sample models have the triangles that three.js draws of them", { skip: !khronos && "GLTF_MODELS names no folder that has them" }, async (t) => {
 	const all = files(khronos, /\.(gltf|glb)$/);
 	assert.ok(all.length > 0);
 	const wrong = [];

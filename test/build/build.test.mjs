@@ -184,16 +184,14 @@ test('what is made is made again after any edit of its sources: in the same seco
 		assert.ok(!isMade(option), `${option} again`);
 		assert.ok(isMade(), `no longer ${option}`);
 	}
-	mkdirSync(at('js/module'), { recursive: true });
-	writeFileSync(at('js/module/ivy.xml'), 'other versions of the compiler');
+	mkdirSync(at('build'));
+	writeFileSync(at('build/ivy.xml'), 'other versions of the compiler');
 	assert.ok(isMade(), 'another compiler');
 	assert.ok(!isMade(), 'nothing changed since that');
 });
 
 test('another version of a library takes the place of the one that was fetched', () => {
-	const fetches = files.flatMap((file) => read(file).match(/<ivy:resolve [^]*?<ivy:retrieve [^>]*>/g) ?? []);
-	assert.equal(fetches.length, 2);
-	for (const fetch of fetches) assert.match(fetch, /<delete\b[^]*<ivy:retrieve (?![^>]*sync=)/);
+	assert.match(read('build.xml'), /<ivy:resolve [^]*<delete\b[^]*<ivy:retrieve (?![^>]*sync=)/);
 });
 
 test('every part of the build asks that way', () => {

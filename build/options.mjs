@@ -3,7 +3,7 @@
  * Checks the options (-Dname=value) of ./antw. Options are the names that the targets' descriptions have: the build's own properties,
  * such as the folders that it empties, are none. A name that is no option is refused, with the nearest option. An option that has a
  * value in some description is refused without one. After --no-target the program says which target is nearest to one that Ant has not
- * found.
+ * found, or which ones have its name in their descriptions.
  *
  *   node build/options.mjs NAME= | NAME ...
  *   node build/options.mjs --no-target TARGET
@@ -22,7 +22,10 @@ const withValues = new Set(found(/-D([a-z]+)=/g, descriptions));
 
 const [flag, target] = process.argv.slice(2);
 if (flag === '--no-target') {
-	refuse(`there is no target ${target}${thereIs(target, found(/<target name="(\w[\w-]*)"/g))}`);
+	const described = [...text.matchAll(/<target name="([\w-]+)"[^>]*\bdescription="([^"]*)"/g)];
+	const saying = described.filter(([, , said]) => said.split(/\W+/).includes(target)).map(([, name]) => name);
+	const near = thereIs(target, found(/<target name="(\w[\w-]*)"/g));
+	refuse(`there is no target ${target}${saying.length > 0 ? `; see ${saying.join(', ')}` : near}`);
 	process.exit();
 }
 for (const option of process.argv.slice(2).filter((each) => !each.includes('.'))) {

@@ -4,7 +4,6 @@ import { readFileSync } from 'node:fs';
 import { inRoot, readJson } from './project.mjs';
 
 const NPM_FOLDERS = ['', 'js/module/', 'js/playground/', 'js/adapters/three/'];
-const IVY_FILES = ['build/ivy.xml', 'js/module/ivy.xml'];
 
 /** The packages that are in the zip, as a whole or in part: where, and as what. */
 const INSIDE = {
@@ -48,7 +47,7 @@ export function partsInside() {
 
 /** What the release was made and tested with, and is not in it. */
 export function tools() {
-	const all = new Map([...NPM_FOLDERS.flatMap(npmTools), ...IVY_FILES.flatMap(ivyTools)].map((part) => [part.purl, part]));
+	const all = new Map([...NPM_FOLDERS.flatMap(npmTools), ...ivyTools()].map((part) => [part.purl, part]));
 	for (const { purl } of partsInside()) all.delete(purl);
 	return [...all.values()];
 }
@@ -70,11 +69,10 @@ function npmPart(folder, alias) {
 	};
 }
 
-function ivyTools(file) {
-	const text = readFileSync(inRoot(file), 'utf8');
-	const common = /defaultconf="([\w-]+)"/.exec(text)?.[1];
-	return [...text.matchAll(/<dependency org="([^"]+)" name="([^"]+)" rev="([^"]+)"(?:[^>]* conf="([^"]+)")?/g)]
-		.map(([, group, name, version, folder = common]) => {
+function ivyTools() {
+	const text = readFileSync(inRoot('build/ivy.xml'), 'utf8');
+	return [...text.matchAll(/<dependency org="([^"]+)" name="([^"]+)" rev="([^"]+)"[^>]* conf="([^"]+)"/g)]
+		.map(([, group, name, version, folder]) => {
 			const artifact = `lib/${folder}/${name}-${version}${group === 'org.flexunit' ? '-as3.swc' : '.jar'}`;
 			return {
 				name,

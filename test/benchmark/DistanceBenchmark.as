@@ -8,9 +8,7 @@ package benchmark
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.TreeCounts;
-    import starlogo.libraries.HierarchiesLibrary;
     import starlogo.models.ColladaModel;
-    import starlogo.models.Model;
     import starlogo.models.ObjModel;
     import starlogo.solid.ModelTree;
     import starlogo.solid.TreeStructureQuery;
@@ -43,8 +41,8 @@ package benchmark
         /** The table. */
         public function run():String
         {
-            var bear:ModelTree = built(new ObjModel("bear", Fixtures.text(FIXTURES[0])));
-            var dragon:ModelTree = built(new ColladaModel("dragon", Fixtures.text(FIXTURES[1])));
+            var bear:ModelTree = TraversalBenchmark.built(new ObjModel("bear", Fixtures.text(FIXTURES[0])));
+            var dragon:ModelTree = TraversalBenchmark.built(new ColladaModel("dragon", Fixtures.text(FIXTURES[1])));
             addTrees("bears", bear, 1.5);
             addTrees("bears far away", bear, 20);
             addTrees("dragons", dragon, 0.7);
@@ -116,14 +114,6 @@ package benchmark
             placement.z = spread * _random.between(-1, 1);
             placement.setRotation(_random.between(0, 360), _random.between(0, 360), _random.between(0, 360));
             return placement;
-        }
-
-        private static function built(model:Model):ModelTree
-        {
-            var library:HierarchiesLibrary = new HierarchiesLibrary();
-            library.prepareExact = true;
-            library.add(model.name, model.vertices, model.triangles);
-            return library.treeOf(model.name);
         }
     }
 }

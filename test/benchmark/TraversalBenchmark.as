@@ -263,7 +263,8 @@ package benchmark
             return all;
         }
 
-        private static function built(model:Model):ModelTree
+        /** The tree of a model, with its triangles. */
+        internal static function built(model:Model):ModelTree
         {
             var library:HierarchiesLibrary = new HierarchiesLibrary();
             library.prepareExact = true;

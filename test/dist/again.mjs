@@ -10,8 +10,7 @@ import { NAME, VERSION, inRoot, releaseTime } from '../../build/dist/project.mjs
 const release = `${NAME}-${VERSION}`;
 const copy = inRoot('bin/dist again/elsewhere');
 const FETCHED = ['node_modules', 'js/module/node_modules', 'js/playground/node_modules', 'lib/flexunit', 'lib/royale', 'lib/royale-js', 'lib/.resolved'];
-const STAMPS = ['node_modules/.package-lock.json', 'js/module/node_modules/.package-lock.json', 'js/playground/node_modules/.package-lock.json', 'lib/.resolved',
-	'lib/royale-js/.resolved'];
+const STAMPS = ['node_modules/.package-lock.json', 'js/module/node_modules/.package-lock.json', 'js/playground/node_modules/.package-lock.json', 'lib/.resolved'];
 /** A time zone on the other side of the day, and a language whose capital i has a dot. */
 const SETTINGS = { TZ: 'Pacific/Kiritimati', LC_ALL: 'tr_TR.UTF-8', JAVA_TOOL_OPTIONS: '-Duser.language=tr -Duser.country=TR -Duser.timezone=Asia/Tokyo' };
 

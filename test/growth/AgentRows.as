@@ -13,6 +13,7 @@ package growth
     import starlogo.diagnostics.CollisionRecorder;
     import starlogo.models.Model;
     import starlogo.terrain.WorldBounds;
+    import support.agentAt;
 
     /** A frame of agents, and handlers. */
     public final class AgentRows
@@ -52,7 +53,7 @@ package growth
             var agents:Vector.<Agent> = new Vector.<Agent>();
             for (var i:int = 0; i < n; i++)
             {
-                agents.push(GrowthGame.agentAt("ball", "growth" + i, 2 * i, 0));
+                agents.push(agentAt("ball", 2 * i, 0, 0, "growth" + i));
             }
             agents[0].size = 4 * n;
             return agents;
@@ -181,7 +182,7 @@ package growth
             for (var i:int = 0; i < n; i++)
             {
                 greatLand.addModel(new Model("m" + i, new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1]));
-                agents.push(GrowthGame.agentAt("m" + i, "turtles", 2 * i, 0));
+                agents.push(agentAt("m" + i, 2 * i, 0, 0));
             }
             return beginFrame(new TightestFitCollider(greatLand), agents);
         }
@@ -237,7 +238,7 @@ package growth
             var side:int = Math.ceil(Math.sqrt(n));
             for (var i:int = 0; i < n; i++)
             {
-                agents.push(GrowthGame.agentAt((i & 1) == 0 ? "ball" : "dot", "turtles", 1.5 * (i % side), 1.5 * int(i / side)));
+                agents.push(agentAt((i & 1) == 0 ? "ball" : "dot", 1.5 * (i % side), 1.5 * int(i / side), 0));
             }
             return beginFrame(new TightestFitCollider(greatLand), agents);
         }
@@ -259,7 +260,7 @@ package growth
             for (var i:int = 0; i < n; i++)
             {
                 var size:Number = Math.pow(10, i % 11 - 6);
-                var agent:Agent = GrowthGame.agentAt("ball", "turtles", 3 * size * int(i / 11), 3 * size);
+                var agent:Agent = agentAt("ball", 3 * size * int(i / 11), 3 * size, 0);
                 agent.size = size;
                 agents.push(agent);
             }
@@ -273,7 +274,7 @@ package growth
             var agents:Vector.<Agent> = new Vector.<Agent>();
             for (var i:int = 0; i < n; i++)
             {
-                var agent:Agent = GrowthGame.agentAt("ball", "turtles", random.between(-9e8, 9e8), random.between(-9e8, 9e8));
+                var agent:Agent = agentAt("ball", random.between(-9e8, 9e8), random.between(-9e8, 9e8), 0);
                 agent.size = random.logBetween(1e-6, 1e6);
                 agents.push(agent);
             }
@@ -284,7 +285,7 @@ package growth
         {
             var agents:Vector.<Agent> = GrowthGame.square(n, "ball", 1.5);
             var width:Number = 1.5 * Math.sqrt(n);
-            agents.push(GrowthGame.agentAt("ball", "turtles", width / 2, width / 2, 10 * width));
+            agents.push(agentAt("ball", width / 2, width / 2, 10 * width));
             agents[n].size = 3 * width;
             return moving(new Collision(new TightestFitCollider(GrowthGame.land())), agents, 0.001);
         }
@@ -295,7 +296,7 @@ package growth
             var agents:Vector.<Agent> = GrowthGame.square(n, "ball", 1.5);
             var greatLand:GreatLand = GrowthGame.land();
             greatLand.addModel(new Model("pole", new <Number>[0, 0, 0, 1, 0, 0, 0, 0.0001, 0, 0, 0, 0.0001]));
-            agents.push(GrowthGame.agentAt("ball", "turtles", 0, 0, 2), GrowthGame.agentAt("pole", "turtles", 0, 0.8, 0));
+            agents.push(agentAt("ball", 0, 0, 2), agentAt("pole", 0, 0.8, 0));
             agents[n].size = agents[n + 1].size = 2 * Math.sqrt(n);
             return moving(new Collision(new TightestFitCollider(greatLand)), agents, 0.001);
         }
@@ -307,8 +308,8 @@ package growth
             var agents:Vector.<Agent> = new Vector.<Agent>();
             for (var i:int = 0; i < n; i++)
             {
-                agents.push(GrowthGame.agentAt("ball", "turtles", Math.pow(first, 1 - i / n) * Math.pow(8e8, i / n),
-                            -Math.pow(first, 1 - i * 7 % n / n) * Math.pow(8e8, i * 7 % n / n)));
+                agents.push(agentAt("ball", Math.pow(first, 1 - i / n) * Math.pow(8e8, i / n),
+                            -Math.pow(first, 1 - i * 7 % n / n) * Math.pow(8e8, i * 7 % n / n), 0));
             }
             return moving(new Collision(new TightestFitCollider(GrowthGame.land())), agents, 0.001);
         }
@@ -353,7 +354,7 @@ package growth
                 var greatLand:GreatLand = new GreatLand();
                 greatLand.hierarchies.splitByMean = true;
                 greatLand.addModel(model);
-                var agents:Vector.<Agent> = new <Agent>[GrowthGame.agentAt("row", "turtles", 0, 0), GrowthGame.agentAt("row", "turtles", 0.5, 0)];
+                var agents:Vector.<Agent> = new <Agent>[agentAt("row", 0, 0, 0), agentAt("row", 0.5, 0, 0)];
                 return new HierarchicalCollider(greatLand).findCollisions(agents);
             };
         }

@@ -7,6 +7,7 @@ package growth
     import starlogo.collision.TightestFitCollider;
     import starlogo.queries.AgentQueries;
     import starlogo.terrain.Terrain;
+    import support.agentAt;
 
     /** The ground: n is the number of cells, or the number of agents on ground of as many cells. */
     public final class GroundRows
@@ -50,7 +51,7 @@ package growth
         {
             var terrain:Terrain = rough(n, 1);
             var queries:AgentQueries = new AgentQueries(new TightestFitCollider(GrowthGame.land()));
-            var agent:Agent = GrowthGame.agentAt("ball", "turtles", 5, 5, 3);
+            var agent:Agent = agentAt("ball", 5, 5, 3);
             queries.terrain = terrain;
             queries.update(new <Agent>[agent]);
             return function():Object
@@ -122,7 +123,7 @@ package growth
         private static function beginLongWalk(n:int, row:GrowthRow):Function
         {
             var terrain:Terrain = new Terrain(n / 2, 3);
-            return walking(terrain, GrowthGame.agentAt("ball", "turtles", 1, 1, 0), n / 2 - 4);
+            return walking(terrain, agentAt("ball", 1, 1, 0), n / 2 - 4);
         }
 
         private static function beginWideWalk(n:int, row:GrowthRow):Function
@@ -142,7 +143,7 @@ package growth
                 for (var z:Number = 1; z < 1e9; z *= 10)
                 {
                     sum += queries.distanceToPoint(terrain.agent, new Vector3D(0, 0, z));
-                    sum += queries.distance(GrowthGame.agentAt("cube", "turtles", 3, 4, z), terrain.agent);
+                    sum += queries.distance(agentAt("cube", 3, 4, z), terrain.agent);
                 }
                 return sum;
             };
@@ -164,7 +165,7 @@ package growth
                 var sum:Number = 0;
                 for (var x:int = 0; x < 100; x++)
                 {
-                    sum += queries.distance(GrowthGame.agentAt("ball", "turtles", 0.01 * x * terrain.columns, 1, 1), terrain.agent);
+                    sum += queries.distance(agentAt("ball", 0.01 * x * terrain.columns, 1, 1), terrain.agent);
                 }
                 return sum;
             };
@@ -241,7 +242,7 @@ package growth
         // An agent that is nearly as wide as the ground, and a little in it.
         private static function wideOn(terrain:Terrain, shape:String):Agent
         {
-            var agent:Agent = GrowthGame.agentAt(shape, "turtles", terrain.columns / 2, terrain.rows / 2, 0.9);
+            var agent:Agent = agentAt(shape, terrain.columns / 2, terrain.rows / 2, 0.9);
             agent.size = 0.8 * Math.min(terrain.columns, terrain.rows);
             return agent;
         }

@@ -4,6 +4,7 @@ package growth
     import starlogo.agents.Agent;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
+    import support.agentAt;
 
     /** The agents of rows. */
     public final class GrowthGame
@@ -19,14 +20,6 @@ package growth
             return greatLand;
         }
 
-        /** An agent at a place. */
-        public static function agentAt(shape:String, breed:String, x:Number, y:Number, z:Number = 0):Agent
-        {
-            var agent:Agent = new Agent(shape, breed);
-            agent.moveTo(x, y, z);
-            return agent;
-        }
-
         /** Agents of a shape in a square, from the origin on. Neighbours are apart by a distance. */
         public static function square(n:int, shape:String, apart:Number, z:Number = 0):Vector.<Agent>
         {
@@ -34,7 +27,7 @@ package growth
             var side:int = Math.ceil(Math.sqrt(n));
             for (var i:int = 0; i < n; i++)
             {
-                agents.push(agentAt(shape, "turtles", apart * (i % side), apart * int(i / side), z));
+                agents.push(agentAt(shape, apart * (i % side), apart * int(i / side), z));
             }
             return agents;
         }

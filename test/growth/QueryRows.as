@@ -13,6 +13,7 @@ package growth
     import starlogo.queries.AgentFilter;
     import starlogo.queries.AgentQueries;
     import starlogo.queries.RayHit;
+    import support.agentAt;
 
     /** Questions: n agents, each of which asks one. */
     public final class QueryRows
@@ -149,7 +150,7 @@ package growth
         private static function beginFarWolf(n:int, row:GrowthRow):Function
         {
             var agents:Vector.<Agent> = GrowthGame.square(n, "ball", 1.5);
-            agents.push(GrowthGame.agentAt("ball", "wolves", -300, -300));
+            agents.push(agentAt("ball", -300, -300, 0, "wolves"));
             var wolves:AgentFilter = new AgentFilter();
             wolves.breeds = new <String>["wolves"];
             return asking(new TightestFitCollider(GrowthGame.land()), agents, function(queries:AgentQueries, agent:Agent):Object
@@ -162,7 +163,7 @@ package growth
         {
             var agents:Vector.<Agent> = GrowthGame.square(n, "ball", 1.5);
             var width:Number = 1.5 * Math.sqrt(n);
-            agents.push(GrowthGame.agentAt("ball", "turtles", width / 2, width / 2, 10 * width));
+            agents.push(agentAt("ball", width / 2, width / 2, 10 * width));
             agents[n].size = 3 * width;
             return asking(new TightestFitCollider(GrowthGame.land()), agents, function(queries:AgentQueries, agent:Agent):Object
                 {
@@ -178,7 +179,7 @@ package growth
             var agents:Vector.<Agent> = new Vector.<Agent>();
             for (var i:int = 0; i < n; i++)
             {
-                var rod:Agent = GrowthGame.agentAt("rod", "turtles", i, -i);
+                var rod:Agent = agentAt("rod", i, -i, 0);
                 rod.size = 4 * n;
                 rod.heading = 45;
                 agents.push(rod);
@@ -201,7 +202,7 @@ package growth
             greatLand.addModel(new Model("leaf", new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0], corners));
             var collider:HierarchicalCollider = new HierarchicalCollider(greatLand);
             collider.exact = true;
-            var agents:Vector.<Agent> = new <Agent>[GrowthGame.agentAt("leaf", "turtles", 0, 0), GrowthGame.agentAt("leaf", "turtles", 1.5, 0.3, 0.2)];
+            var agents:Vector.<Agent> = new <Agent>[agentAt("leaf", 0, 0, 0), agentAt("leaf", 1.5, 0.3, 0.2)];
             return function():Object
             {
                 var queries:AgentQueries = new AgentQueries(collider);

@@ -1,14 +1,18 @@
 /** What three.js reads from glTF and STL files, for tests that compare the engine's readers with it. */
+import { spawnSync } from "node:child_process";
 import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
 import path from "node:path";
-import { pathToFileURL } from "node:url";
+import { fileURLToPath } from "node:url";
 
-const tools = createRequire(new URL("../../js/module/package.json", import.meta.url));
-const load = (name) => import(pathToFileURL(tools.resolve(name)));
-const { Vector3 } = await load("three");
-const { GLTFLoader } = await load("three/examples/jsm/loaders/GLTFLoader.js");
-const { STLLoader } = await load("three/examples/jsm/loaders/STLLoader.js");
+// the quick command runs these tests, and fetches three.js for no others
+const folder = new URL("../../js/module/", import.meta.url);
+const npm = fileURLToPath(new URL("../../build/npm-ci.mjs", import.meta.url));
+spawnSync(process.execPath, [npm, fileURLToPath(folder), "three.js, and what the ES module is measured beside"], { stdio: "inherit" });
+
+const load = (file) => import(new URL(`node_modules/three/${file}`, folder));
+const { Vector3 } = await load("build/three.module.js");
+const { GLTFLoader } = await load("examples/jsm/loaders/GLTFLoader.js");
+const { STLLoader } = await load("examples/jsm/loaders/STLLoader.js");
 
 // what the loader has of a browser
 globalThis.self ??= globalThis;

@@ -98,15 +98,35 @@ function readCoverage() {
 
 const coverage = all === "all" ? readCoverage() : [];
 
-/** The first test that fails; null if none does. */
-function killerOf(file, name, line) {
-	const chosen = testsOf(name, line);
-	if (chosen === null) return null;
+/** The first of some tests that fails; null if none does. */
+function firstFailure(file, chosen) {
 	const told = `${file}.json`;
 	writeFileSync(told, JSON.stringify(chosen));
 	const run = runTests(file, ["--first", `--choice=${told}`]);
 	rmSync(told);
-	return run.error || run.signal ? "no end" : run.status === 0 ? null : /FAILED,? ([\w.]+)/.exec(run.stdout)?.[1] ?? "no start";
+	return run.error || run.signal ? "no end" : run.status === 0 ? null : /FAILED,? ([\w./-]+)/.exec(run.stdout)?.[1] ?? "no start";
+}
+
+/** The tests that pass if nothing is changed. */
+const sound = new Set();
+
+/** Ends the program if a test, or a file of tests, fails without a change too, because then it says nothing of one. */
+function requireSound(test) {
+	if (sound.has(test) || !test.includes(".")) return;
+	if (firstFailure(tests, test.endsWith(".mjs") ? { order: [], files: [test] } : { order: [test] }) !== null) {
+		rmSync(file, { force: true });
+		console.error(`${test} fails without a change too: mend it first`);
+		process.exit(1);
+	}
+	sound.add(test);
+}
+
+/** The first test that fails because of a change; null if none does. */
+function killerOf(file, name, line) {
+	const chosen = testsOf(name, line);
+	const killer = chosen === null ? null : firstFailure(file, chosen);
+	if (killer !== null) requireSound(killer);
+	return killer;
 }
 
 const file = path.join(path.dirname(path.resolve(tests)), `mutated-${process.pid}.mjs`);

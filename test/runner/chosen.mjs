@@ -7,7 +7,7 @@ import { filesBelow, root } from '../structure/sources.mjs';
 import { countOf, simpleName, testsIn } from './test-classes.mjs';
 import { nearestTests, testsOfNeighbours, testsOfPackage, testsOfUsers } from './users.mjs';
 
-/** More tests than these take minutes in the interpreter. */
+/** More tests than these that use a source are not the first to run. */
 const MANY = 100;
 
 /**
@@ -27,15 +27,15 @@ const MANY = 100;
  * The tests of a source file are the classes that use it. If none does, they are those that use a file that uses it, and so on. The
  * tests with the names of the files that use it are taken too: of its own package always, of other packages if there are fewer than
  * five tests, and so on. If no test class uses the source itself, those that stand in its package and use it are taken too. If more
- * than a hundred tests use the source, they count as farther.
+ * than a hundred tests use the source, they count as farther. The samples of pages are tests of their pages alone.
  *
  * @param {string} pattern what -Dtest has
  * @param {Map<string, string>} classes the texts of the test classes, by qualified name
  * @param {Map<string, string>} sources the texts of the other files that tests use, by qualified name
- * @returns {{ tests: Map<string, string[] | null>, usersOnly: Set<string>, farther: Set<string>, named: string[], pages: string[],
- *     said: string[] }} the tests of each class, null for all of them; the classes that are in it for what they use alone; those of
- *     them that are in it because the nearest have too few tests, or many; the sources that the pattern names; the pages that it names;
- *     and why each class is in it
+ * @returns {{ tests: Map<string, string[] | null>, ofSources: Set<string>, farther: Set<string>, named: string[], pages: string[],
+ *     said: string[] }} the tests of each class, null for all of them; the classes that are in it as tests of a source, not by their
+ *     names; those of them that are in it because the nearest have too few tests, or many; the sources that the pattern names; the pages
+ *     that it names; and why each class is in it
  */
 export function choose(pattern, classes, sources) {
 	const choice = emptyChoice();
@@ -58,7 +58,7 @@ export function chooseAll(classes) {
 }
 
 function emptyChoice() {
-	return { tests: new Map(), usersOnly: new Set(), farther: new Set(), named: [], pages: [], said: [] };
+	return { tests: new Map(), ofSources: new Set(), farther: new Set(), named: [], pages: [], said: [] };
 }
 
 /** Adds to a choice what a pattern without commas names. */
@@ -77,9 +77,11 @@ function chooseOne(pattern, classes, sources, choice) {
 		addTestsWith(choice, classes, ofClass, test);
 		return;
 	}
-	addClasses(choice, isFile ? 'its tests' : `classes named *${wanted}*`, ofClass);
+	const added = addClasses(choice, isFile ? 'its tests' : `classes named *${wanted}*`, ofClass);
+	for (const name of added) if (isFile && simpleName(name).toLowerCase() !== wanted) choice.ofSources.add(name);
 	if (!isFile && ofClass.some(isOwn)) return;
-	for (const source of [...sources.keys()].filter(isNamed)) addTestsOf(choice, source, ofClass, classes, sources);
+	const withoutSamples = new Map([...classes].filter(([name]) => !name.startsWith('docs.')));
+	for (const source of [...sources.keys()].filter(isNamed)) addTestsOf(choice, source, ofClass, withoutSamples, sources);
 	if (!isFile) addTestsWith(choice, classes, [...classes.keys()], wanted);
 }
 
@@ -120,7 +122,7 @@ function addExact(choice, pattern, classes) {
 function addTestsOf(choice, source, own, classes, sources) {
 	const add = (reason, found, areFarther) => {
 		for (const name of addClasses(choice, reason, found)) {
-			choice.usersOnly.add(name);
+			choice.ofSources.add(name);
 			if (areFarther) choice.farther.add(name);
 		}
 	};

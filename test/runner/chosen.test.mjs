@@ -133,9 +133,9 @@ test('what a source uses is followed no farther than it takes, and reasons are g
 		['a.FarTest', '[Test]\n public function other\n import a.HighTest;'],
 		['c.HelpedTest', '[Test]\n public function other\n import support.Help;'],
 	]);
-	const { tests, usersOnly, farther, said } = choose('LOW', classes, sources);
+	const { tests, ofSources, farther, said } = choose('LOW', classes, sources);
 	assert.deepEqual([...tests], [['a.HighTest', null], ['c.HelpedTest', null]]);
-	assert.deepEqual([...usersOnly], ['a.HighTest', 'c.HelpedTest']);
+	assert.deepEqual([...ofSources], ['a.HighTest', 'c.HelpedTest']);
 	assert.deepEqual([...farther], []);
 	assert.deepEqual(said, ['classes that use a.low, directly or through other files: HighTest, HelpedTest']);
 	assert.deepEqual([...choose('LowIs', classes, sources).tests], [['a.HighTest', ['lowIsUsed']]]);

@@ -20,8 +20,8 @@
  *
  * The pattern @changed stands for the files that differ from the last commit.
  *
- * Of tests that Node runs in place of Ruffle, a SWF has only those that the pattern names itself. With --full Ruffle runs all, and Node
- * goes on with none farther off. Files that would be the same keep their times.
+ * Ruffle runs the tests that the pattern names itself. Of the tests of a source it runs those that Node cannot. With --full Ruffle runs all, and
+ * Node goes on with none farther off. Files that would be the same keep their times.
  */
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
@@ -31,7 +31,7 @@ import { root } from '../structure/sources.mjs';
 import { choose, chooseAll, nearestNames, testsBefore } from './chosen.mjs';
 import { fartherTests, testFilesOf, testsOfPages } from './farther.mjs';
 import { inNodeAlone, readTests, simpleName, testsIn } from './test-classes.mjs';
-import { NOT_HERE } from './not-here.mjs';
+import { NOT_HERE, needsPlayer } from './not-here.mjs';
 
 const { values: { test: given, samples, full: isFull }, positionals: [out, machine] } = parseArgs({
 	allowPositionals: true,
@@ -49,7 +49,7 @@ const needsAway3d = (name) => /^(starlogo\.away3d|docs)\.Away3d/.test(name);
 const classes = new Map([...all].filter(([name]) => needsAway3d(name) === (machine === 'away3d')));
 
 const choice = given === '' ? chooseAll(classes) : choose(pattern, classes, sources);
-const { tests, usersOnly, farther, named } = choice;
+const { tests, ofSources, farther, named } = choice;
 const ofPages = testsOfPages(choice.pages);
 const ofAdapters = testsWithAway3d();
 if (given !== '@changed' && tests.size + ofAdapters.length + (isNode ? ofPages : choice.pages).length === 0) refuse();
@@ -57,7 +57,7 @@ if (given !== '@changed' && tests.size + ofAdapters.length + (isNode ? ofPages :
 const inNode = isShared ? inNodeAlone() : new Set();
 const inSwf = isNode ? new Map() : testsOfSwf();
 const order = given === '' ? [] : [...tests.keys()].filter((name) => !isShared || !farther.has(name)).flatMap(leftToNode);
-const beyond = isShared ? fartherTests(choice, classes, sources).filter(([name]) => !inSwf.has(name)) : [];
+const beyond = isShared ? fartherTests(choice, classes, sources).filter(([name]) => tests.get(name) === undefined || inSwf.get(name) !== tests.get(name)) : [];
 const fartherInNode = beyond.map(([name, test]) => `${simpleName(name)}.${test}`);
 const files = isShared ? testFilesOf(named) : [];
 
@@ -149,17 +149,13 @@ function properties() {
 	};
 }
 
-/**
- * The tests without those that Node runs in place of the player and that are chosen only for what they use, and without those farther off.
- */
+/** The tests that the pattern names itself, and of the tests of a source those that Node cannot run. */
 function testsOfSwf() {
 	if (!isShared) return tests;
 	return new Map([...tests].flatMap(([name, list]) => {
-		if (!usersOnly.has(name)) return [[name, list]];
-		if (inNode.has(name) || (farther.has(name) && !NOT_HERE.has(name))) return [];
-		const own = testsIn(classes.get(name));
-		const here = own.filter((test) => !inNode.has(`${name}.${test}`));
-		return here.length === own.length ? [[name, null]] : here.length > 0 ? [[name, here]] : [];
+		if (!ofSources.has(name) || NOT_HERE.has(name) || needsPlayer(classes.get(name))) return [[name, list]];
+		const here = testsIn(classes.get(name)).filter((test) => NOT_HERE.has(`${name}.${test}`));
+		return here.length > 0 ? [[name, here]] : [];
 	}));
 }
 

@@ -10,7 +10,6 @@ import { qnameOf } from "../../js/module/signatures.mjs";
 const SETTINGS = [
 	"build/module.xml",
 	"build/ivy.xml",
-	"js/module/ivy.xml",
 	"package-lock.json",
 	"js/module/roots.mjs",
 	"js/module/names.mjs",

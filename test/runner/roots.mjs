@@ -8,9 +8,10 @@
 import { readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { AWAY3D, ROOT, moduleRoots } from "../../js/module/names.mjs";
+import { ROOT, moduleRoots } from "../../js/module/names.mjs";
 import { writeRoots } from "../../js/module/roots.mjs";
 import { qnameOf } from "../../js/module/signatures.mjs";
+import { needsPlayer } from "./not-here.mjs";
 import { readSources } from "./outdated.mjs";
 
 const TESTS = join(ROOT, "test");
@@ -18,13 +19,10 @@ const TESTS = join(ROOT, "test");
 /** What only the runners of tests and benchmarks use. */
 const OF_RUNNERS = ["evaluation.ModelFiles", "evaluation.Plan", "evaluation.TaskQueue", "support.Effort", "support.Fixtures"];
 
-/** Some tests compare the stand-ins with Flash's own classes, or need Away3D. Node cannot run them. */
-const isForPlayers = (file) => ["standin.flash.", AWAY3D].some((name) => readFileSync(join(TESTS, file), "utf8").includes(name));
-
 /** The classes of the module, the tests and benchmarks that Node runs, and what their runners use. */
 export function testRoots() {
 	const files = readdirSync(TESTS, { recursive: true }).sort();
-	const tests = files.filter((file) => file.endsWith("Test.as") && !isForPlayers(file));
+	const tests = files.filter((file) => file.endsWith("Test.as") && !needsPlayer(readFileSync(join(TESTS, file), "utf8")));
 	const benchmarks = files.filter((file) => file.endsWith("Benchmark.as"));
 	return [...moduleRoots(), ...[...tests, ...benchmarks].map(qnameOf), ...OF_RUNNERS];
 }

@@ -12,10 +12,10 @@ package support
         /** How often it was asked. */
         public var count:int = 0;
 
-        /** @inheritDoc */
-        override public function get signature():String
+        /** @param signature null if its structures are not to be stored */
+        public function CountingFitter(signature:String = "counting")
         {
-            return "counting";
+            super(signature);
         }
 
         /** @inheritDoc */

@@ -24,11 +24,10 @@ export function keyName(key) {
 
 export function childrenOf(node) {
 	const children = [];
-	for (const [key, value] of Object.entries(node)) {
-		if (key === "type" || key === "start" || key === "end") continue;
-		for (const child of Array.isArray(value) ? value : [value]) {
-			if (child && typeof child.type === "string") children.push(child);
-		}
+	for (const key in node) {
+		const value = node[key];
+		if (Array.isArray(value)) children.push(...value.filter((each) => each && typeof each.type === "string"));
+		else if (value && typeof value.type === "string") children.push(value);
 	}
 	return children.sort((a, b) => a.start - b.start);
 }

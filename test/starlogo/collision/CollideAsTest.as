@@ -13,6 +13,7 @@ package starlogo.collision
     import starlogo.libraries.BoundingStructuresLibrary;
     import starlogo.models.BuiltInModel;
     import starlogo.models.ObjModel;
+    import support.CountingFitter;
     import support.Fixtures;
     import support.TransformedStructure;
     import support.assertThrows;
@@ -150,24 +151,5 @@ package starlogo.collision
                     return kept.tightestFit(agent.shape);
             }
         }
-    }
-}
-
-import starlogo.fitting.Fit;
-import starlogo.fitting.FitSession;
-import starlogo.fitting.Fitter;
-import starlogo.fitting.RitterSphereFitter;
-
-/** Counts how often it was asked. */
-internal class CountingFitter extends Fitter
-{
-    public var count:int = 0;
-
-    private var _fitter:RitterSphereFitter = new RitterSphereFitter();
-
-    override public function fitting(session:FitSession):Fit
-    {
-        count++;
-        return _fitter.fitting(session);
     }
 }

@@ -287,7 +287,7 @@ package starlogo.libraries
         [Test]
         public function whatCannotBeReadAgainIsNotStored():void
         {
-            _fitter = new UnsignedFitter();
+            _fitter = new CountingFitter(null);
             for each (var hasHierarchy:Boolean in [false, true])
             {
                 _storage.writeCount = 0;
@@ -497,18 +497,7 @@ import starlogo.bounding.Sphere;
 import starlogo.fitting.Fit;
 import starlogo.fitting.FitSession;
 import starlogo.fitting.Fitter;
-import support.CountingFitter;
 import support.MemoryStorage;
-
-/** Its structures are not stored. */
-class UnsignedFitter extends CountingFitter
-{
-    /** @inheritDoc */
-    override public function get signature():String
-    {
-        return null;
-    }
-}
 
 /** Finds a sphere that is much larger than any model. */
 class LargeFitter extends Fitter

@@ -35,6 +35,7 @@ package starlogo.libraries
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
+    import support.CountingFitter;
     import support.EachCollider;
     import support.Effort;
     import support.FrameByFrame;
@@ -266,7 +267,7 @@ package starlogo.libraries
         [Test]
         public function whatAFitterWithoutSignatureFindsIsNotKept():void
         {
-            _greatLand.boundingStructures.fitters.push(new UnsignedFitter());
+            _greatLand.boundingStructures.fitters.push(new CountingFitter(null));
             var cooked:ByteArray = _greatLand.cook(bear());
             assertFalse("structures", isTaken(bear(), cooked, true));
             assertTrue("its hierarchy is", isTaken(bear(), cooked, false));
@@ -648,24 +649,5 @@ package starlogo.libraries
         {
             return new Model("points", new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0.3, 0.3, 0.3, 0.2, 0.7, 0.1, 0.9, 0.1, 0.4]);
         }
-    }
-}
-
-import flash.geom.Vector3D;
-import starlogo.bounding.BoundingStructure;
-import starlogo.bounding.Sphere;
-import starlogo.fitting.Fit;
-import starlogo.fitting.FitSession;
-import starlogo.fitting.Fitter;
-
-/** Finds a sphere that is large enough for every model. */
-class UnsignedFitter extends Fitter
-{
-    override public function fitting(session:FitSession):Fit
-    {
-        return new Fit(session, function(session:FitSession):BoundingStructure
-            {
-                return new Sphere(new Vector3D(), 100);
-            });
     }
 }

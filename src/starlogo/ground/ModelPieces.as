@@ -187,7 +187,7 @@ package starlogo.ground
         // Makes the next triangle the current piece.
         private function enterTriangle():void
         {
-            _tree.mesh.readTriangle(_nextTriangle, corners);
+            _tree.triangleTree.readTriangle(_nextTriangle, corners);
             placePoints(_placement, corners, 0, 9, corners);
             _nextTriangle++;
             kind = TRIANGLE;

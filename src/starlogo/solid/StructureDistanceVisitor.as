@@ -7,7 +7,6 @@ package starlogo.solid
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.NodeVisitor;
     import starlogo.hierarchy.TreeCounts;
-    import starlogo.hierarchy.TriangleMesh;
     import starlogo.intersection.StructurePairs;
     import starlogo.intersection.TriangleKernel;
 
@@ -28,8 +27,8 @@ package starlogo.solid
         // The closest points so far.
         private var _nearest:ClosestPoints;
 
-        // If triangles decide: the model's triangles, null otherwise; the kernel, a triangle's corners, and the index of the nearest triangle.
-        private var _mesh:TriangleMesh;
+        // Whether triangles decide. If they do: the kernel, a triangle's corners, and the index of the nearest triangle.
+        private var _isExact:Boolean = false;
         private var _kernel:TriangleKernel;
         private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
         private var _found:int = -1;
@@ -63,14 +62,14 @@ package starlogo.solid
         {
             var extents:Vector.<Number> = _extents;
             structure.extentsInto(extents);
-            _mesh = depth == BoxTree.EXACT ? model.mesh : null;
+            _isExact = depth == BoxTree.EXACT;
             _structure = structure;
             _radii = model.boxTree.boundingRadius + (extents[1] - extents[0]) / 2 + (extents[3] - extents[2]) / 2 + (extents[5] - extents[4]) / 2;
             _nearest = out;
             _found = -1;
             limit = out.distance = Infinity;
             _search.setExtents(extents, 0);
-            _search.visitNear(model.boxTree, depth, this);
+            _search.visitNear(_isExact ? model.triangleTree : model.boxTree, depth, this);
             if (_found >= 0)
             {
                 // the kernel has the structure's point first
@@ -82,7 +81,7 @@ package starlogo.solid
         /** @inheritDoc */
         override public function visit(tree:BoxTree, node:int):void
         {
-            if (_mesh == null)
+            if (!_isExact)
             {
                 measureBox(tree, node);
                 return;
@@ -90,10 +89,10 @@ package starlogo.solid
             var end:int = tree.endPrimitive[node];
             for (var i:int = tree.firstPrimitive[node]; i < end && limit > 0; i++)
             {
-                if (areExtentsWithin(limit, _extents, _mesh, i))
+                if (areExtentsWithin(limit, _extents, tree, i))
                 {
                     _counts.triangleTests++;
-                    _mesh.readTriangle(i, _corners);
+                    tree.readTriangle(i, _corners);
                     if (_kernel.findCloser(_corners, _nearest))
                     {
                         limit = _nearest.distance;

@@ -72,8 +72,8 @@ package starlogo.solid.interior
         // Adds triangles to their shells: their volumes, and the places of their corners, each place once. The triangles come shell by shell.
         private function addTriangles(first:int, end:int):void
         {
-            var vertices:Vector.<Number> = _windingCounter.mesh.vertices;
-            var triangles:Vector.<uint> = _windingCounter.mesh.tree.triangles;
+            var vertices:Vector.<Number> = _windingCounter.tree.vertices;
+            var triangles:Vector.<uint> = _windingCounter.tree.triangles;
             for (var i:int = first; i < end; i++)
             {
                 var triangle:int = _shellFinder.triangles[i];
@@ -105,7 +105,7 @@ package starlogo.solid.interior
         // Sets _corners and _plane to those of a triangle.
         private function readTriangle(triangle:int):void
         {
-            var tree:BoxTree = _windingCounter.mesh.tree;
+            var tree:BoxTree = _windingCounter.tree;
             for (var i:int = 0; i < 3; i++)
             {
                 var vertex:int = 3 * tree.triangles[int(3 * triangle + i)];

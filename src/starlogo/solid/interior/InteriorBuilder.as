@@ -1,7 +1,7 @@
 package starlogo.solid.interior
 {
     import starlogo.data.zeroedInts;
-    import starlogo.hierarchy.TriangleMesh;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -19,7 +19,7 @@ package starlogo.solid.interior
         /** Knows the surface that the triangles make, and what is inside of it, when no step is left. */
         public var windingCounter:WindingCounter = null;
 
-        private var _mesh:TriangleMesh;
+        private var _tree:BoxTree;
         private var _surface:SurfaceTopology;
 
         // Which vertices are at the same place; null if the surface is known, and no vertices of its seams are apart.
@@ -33,32 +33,32 @@ package starlogo.solid.interior
         private var _countedCrossings:int = 0;
 
         /**
-         * @param mesh the triangles
+         * @param tree of the triangles, whose corners are listed
          * @param knownSurface the surface if it is known; otherwise null
          */
-        public function InteriorBuilder(mesh:TriangleMesh, knownSurface:SurfaceTopology)
+        public function InteriorBuilder(tree:BoxTree, knownSurface:SurfaceTopology)
         {
-            _mesh = mesh;
+            _tree = tree;
             _surface = knownSurface;
             if (knownSurface == null || knownSurface.widestSeam > 0)
             {
-                _welding = new Welding(mesh.vertices);
+                _welding = new Welding(tree.vertices);
                 add(_welding);
             }
-            begin(findSurface).call(beginComponents).slices(mesh.tree.primitiveCount, TRIANGLES_PER_STEP, addToComponents).call(beginOverlaps);
+            begin(findSurface).call(beginComponents).slices(tree.primitiveCount, TRIANGLES_PER_STEP, addToComponents).call(beginOverlaps);
         }
 
         private function findSurface():Steps
         {
             var isKnown:Boolean = _surface != null;
-            _surface ||= new SurfaceTopology(_mesh.tree.primitiveCount);
-            windingCounter = new WindingCounter(_mesh, _surface, _welding == null || _welding.widestSeam == 0 ? null : _welding.welded);
+            _surface ||= new SurfaceTopology(_tree.primitiveCount);
+            windingCounter = new WindingCounter(_tree, _surface, _welding == null || _welding.widestSeam == 0 ? null : _welding.welded);
             if (isKnown)
             {
                 return null;
             }
             _surface.widestSeam = _welding.widestSeam;
-            var triangles:Vector.<uint> = _mesh.tree.triangles;
+            var triangles:Vector.<uint> = _tree.triangles;
             var edges:EdgeMatcher = new EdgeMatcher(triangles, _welding);
             var shells:ShellFinder = new ShellFinder(_surface, edges);
             return new StepSequence().add(new ComponentFinder(_surface, triangles, _welding.welded)).add(edges).add(shells).begin(function():Steps
@@ -78,13 +78,13 @@ package starlogo.solid.interior
         {
             for (var index:int = first; index < end; index++)
             {
-                var triangle:int = _mesh.tree.primitives[index];
+                var triangle:int = _tree.primitives[index];
                 var shell:int = _surface.shellOf(triangle);
                 if (shell >= 0)
                 {
                     _componentOfShell[shell] = _surface.components[triangle];
                 }
-                _vertexOfComponent[_surface.components[triangle]] = _mesh.cornerOffsets[3 * index];
+                _vertexOfComponent[_surface.components[triangle]] = _tree.cornerOffsets[3 * index];
             }
         }
 
@@ -104,11 +104,11 @@ package starlogo.solid.interior
         private function findOverlaps(first:int, end:int):void
         {
             var enclosing:Vector.<int> = new Vector.<int>();
-            var most:int = WindingCounter.MAX_CROSSINGS_PER_TRIANGLE * _mesh.tree.primitiveCount;
+            var most:int = WindingCounter.MAX_CROSSINGS_PER_TRIANGLE * _tree.primitiveCount;
             for (var component:int = first; component < end && _countedCrossings < most; component++)
             {
                 var at:int = _vertexOfComponent[component];
-                _countedCrossings += windingCounter.findEnclosing(_mesh.vertices[at], _mesh.vertices[at + 1], _mesh.vertices[at + 2], enclosing);
+                _countedCrossings += windingCounter.findEnclosing(_tree.vertices[at], _tree.vertices[at + 1], _tree.vertices[at + 2], enclosing);
                 for each (var shell:int in enclosing)
                 {
                     _overlapping.join(_componentOfShell[shell], component);
@@ -124,7 +124,7 @@ package starlogo.solid.interior
                 if (_overlapping.rootOf(component) == component)
                 {
                     var at:int = _vertexOfComponent[component];
-                    points.push(_mesh.vertices[at], _mesh.vertices[at + 1], _mesh.vertices[at + 2]);
+                    points.push(_tree.vertices[at], _tree.vertices[at + 1], _tree.vertices[at + 2]);
                 }
             }
             windingCounter.componentPoints = points;

@@ -18,7 +18,6 @@ package starlogo.solid.interior
     import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.NodeVisitor;
-    import starlogo.hierarchy.TriangleMesh;
 
     /**
      * Counts how often the shells of a surface wind around a point, so it knows what is inside of them. As a visitor, it counts the triangles that a
@@ -40,8 +39,8 @@ package starlogo.solid.interior
         // This many triangles, or up to twice as many, say where most of them are.
         private static const SAMPLES:int = 1000;
 
-        /** The triangles. */
-        public var mesh:TriangleMesh;
+        /** The tree of the triangles. */
+        public var tree:BoxTree;
 
         /** The surface that they make. */
         public var surface:SurfaceTopology;
@@ -82,14 +81,14 @@ package starlogo.solid.interior
         private var _isBackward:Boolean;
 
         /**
-         * @param mesh the triangles
+         * @param tree of the triangles, whose corners are listed
          * @param surface the surface that they make: its shells must be known when a point is asked about
          * @param welded for each vertex, the vertex to whose place it is welded; null if all vertices of each seam are at one place
          */
-        public function WindingCounter(mesh:TriangleMesh, surface:SurfaceTopology, welded:Vector.<int>)
+        public function WindingCounter(tree:BoxTree, surface:SurfaceTopology, welded:Vector.<int>)
         {
-            var box:Vector.<Number> = mesh.tree.boxes;
-            this.mesh = mesh;
+            var box:Vector.<Number> = tree.boxes;
+            this.tree = tree;
             this.surface = surface;
             this.welded = welded;
             limit = Infinity;
@@ -102,13 +101,13 @@ package starlogo.solid.interior
         // The mean coordinate of some corners along the axis of all rays.
         private function meanCorner():Number
         {
-            var corners:Vector.<int> = mesh.cornerOffsets;
+            var corners:Vector.<int> = tree.cornerOffsets;
             var stride:int = 3 * Math.max(1, Math.floor(corners.length / (3 * SAMPLES)));
             var sum:Number = 0;
             var count:int = 0;
             for (var i:int = 0; i < corners.length; i += stride)
             {
-                sum += mesh.vertices[corners[i] + _axis];
+                sum += tree.vertices[corners[i] + _axis];
                 count++;
             }
             return sum / count;
@@ -175,10 +174,10 @@ package starlogo.solid.interior
             _b = _axis == 0 ? y : (_axis == 1 ? z : x);
             _c = _axis == 0 ? z : (_axis == 1 ? x : y);
             _isBackward = _a < _crowdedCoordinate;
-            var slack:Number = surface.widestSeam + Tolerances.ROUNDING * mesh.tree.radiusAboutOrigin;
+            var slack:Number = surface.widestSeam + Tolerances.ROUNDING * tree.radiusAboutOrigin;
             _search.setCube(x, y, z, slack);
             _search.setAxis(_axis, _isBackward ? -1 : 1);
-            _search.visitMet(mesh.tree, BoxTree.EXACT, this);
+            _search.visitMet(tree, BoxTree.EXACT, this);
             for (var i:int = 0; i < _crossedCount; i++)
             {
                 var shell:int = _crossed[i];
@@ -202,14 +201,14 @@ package starlogo.solid.interior
         // Adds a triangle to its shell's winding number if the ray crosses it.
         private function cross(index:int):void
         {
-            var points:Vector.<Number> = mesh.vertices;
-            var p:int = mesh.cornerOffsets[int(3 * index)];
-            var q:int = mesh.cornerOffsets[int(3 * index + 1)];
-            var r:int = mesh.cornerOffsets[int(3 * index + 2)];
-            var triangle:int = mesh.tree.primitives[index];
+            var points:Vector.<Number> = tree.vertices;
+            var p:int = tree.cornerOffsets[int(3 * index)];
+            var q:int = tree.cornerOffsets[int(3 * index + 1)];
+            var r:int = tree.cornerOffsets[int(3 * index + 2)];
+            var triangle:int = tree.primitives[index];
             if (welded != null)
             {
-                var vertices:Vector.<uint> = mesh.tree.triangles;
+                var vertices:Vector.<uint> = tree.triangles;
                 p = 3 * welded[vertices[3 * triangle]];
                 q = 3 * welded[vertices[3 * triangle + 1]];
                 r = 3 * welded[vertices[3 * triangle + 2]];

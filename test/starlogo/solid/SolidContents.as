@@ -21,7 +21,7 @@ package starlogo.solid
             }
             var windings:WindingCounter = hierarchy.preparedInterior();
             var surface:SurfaceTopology = windings.surface;
-            return [windings.hasClosedShell, surface.signedShells, surface.shellStates, surface.widestSeam, windings.welded, windings.componentPoints, windings.tree.cornerOffsets,
+            return [windings.hasClosedShell, surface.orientedShells, surface.shellStates, surface.widestSeam, windings.welded, windings.componentPoints, windings.tree.cornerOffsets,
                     windings.tree.vertices, axesOf(hierarchy.boxTree)].join("\n");
         }
 

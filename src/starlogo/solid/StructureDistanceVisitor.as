@@ -33,10 +33,8 @@ package starlogo.solid
         private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
         private var _found:int = -1;
 
-        // If boxes decide: the structure; the radius of the tree, and half of the structure's extents, together; and the closest points of the current node.
-        // The rounding error is relative to that length.
+        // If boxes decide: the structure, and the closest points of the current node.
         private var _structure:BoundingStructure;
-        private var _radii:Number = 0;
         private var _measured:ClosestPoints = new ClosestPoints();
 
         /**
@@ -60,15 +58,13 @@ package starlogo.solid
          */
         public function find(model:ModelTree, depth:int, structure:BoundingStructure, out:ClosestPoints):int
         {
-            var extents:Vector.<Number> = _extents;
-            structure.extentsInto(extents);
+            structure.extentsInto(_extents);
             _isExact = depth == BoxTree.EXACT;
             _structure = structure;
-            _radii = model.boxTree.boundingRadius + (extents[1] - extents[0]) / 2 + (extents[3] - extents[2]) / 2 + (extents[5] - extents[4]) / 2;
             _nearest = out;
             _found = -1;
             limit = out.distance = Infinity;
-            _search.setExtents(extents, 0);
+            _search.setExtents(_extents, 0);
             _search.visitNear(_isExact ? model.triangleTree : model.boxTree, depth, this);
             if (_found >= 0)
             {
@@ -104,8 +100,11 @@ package starlogo.solid
 
         private function measureBox(tree:BoxTree, node:int):void
         {
+            var extents:Vector.<Number> = _extents;
+            // the radius of the tree, and half of the structure's extents: the rounding error is relative to them
+            var radii:Number = tree.boundingRadius + (extents[1] - extents[0]) / 2 + (extents[3] - extents[2]) / 2 + (extents[5] - extents[4]) / 2;
             StructurePairs.findClosest(tree.boxOf(node), _structure, _measured);
-            DistanceTraversal.subtractSlack(_measured, tree.levelOf(node), 0, _radii);
+            DistanceTraversal.subtractSlack(_measured, tree.levelOf(node), 0, radii);
             if (_measured.distance < limit)
             {
                 limit = _measured.distance;

@@ -159,11 +159,12 @@ package starlogo.solid
         // Finds whether the ray meets a triangle of a node earlier than those before.
         private function findFirstTriangle(tree:BoxTree, node:int):void
         {
+            var points:Vector.<Number> = tree.vertices;
             var corners:Vector.<int> = tree.cornerOffsets;
             var end:int = tree.endPrimitive[node];
             for (var i:int = tree.firstPrimitive[node]; i < end; i++)
             {
-                if (_shearedRay.findEarlier(tree.vertices, corners[int(3 * i)], corners[int(3 * i + 1)], corners[int(3 * i + 2)]))
+                if (_shearedRay.findEarlier(points, corners[int(3 * i)], corners[int(3 * i + 1)], corners[int(3 * i + 2)]))
                 {
                     _first = i;
                     limit = _shearedRay.first.distance;

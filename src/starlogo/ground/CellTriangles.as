@@ -16,12 +16,10 @@ package starlogo.ground
 
         private var _path:BoxPath;
 
-        // The cell, the corners of its top, counter-clockwise from the one with the least x and y on, and the lowest and the highest of them.
+        // The cell, and the corners of its top, counter-clockwise from the one with the least x and y on.
         private var _column:int = 0;
         private var _row:int = 0;
         private var _tops:Vector.<Number> = new Vector.<Number>(12, true);
-        private var _lowest:Number = 0;
-        private var _highest:Number = 0;
 
         // The index of the cell's next triangle, and the end of its triangles: 0, TOPS_END or WALLS_END.
         private var _next:int = 0;
@@ -65,8 +63,16 @@ package starlogo.ground
             _row = row;
             _passage = passage;
             readTops(at);
+            var tops:Vector.<Number> = _tops;
+            // comparisons take the player less time than Math.min() and Math.max()
+            var low:Number = tops[2] < tops[5] ? tops[2] : tops[5];
+            low = low < tops[8] ? low : tops[8];
+            low = low < tops[11] ? low : tops[11];
+            var high:Number = tops[2] > tops[5] ? tops[2] : tops[5];
+            high = high > tops[8] ? high : tops[8];
+            high = high > tops[11] ? high : tops[11];
             var hasWalls:Boolean = grid.isBlocky || _path.isAtBorder(0, column, row) || hasHoles && grid.isBesideHole(at);
-            if (passage.minHeight <= _highest && (hasWalls || passage.maxHeight >= _lowest))
+            if (passage.minHeight <= high && (hasWalls || passage.maxHeight >= low))
             {
                 _end = TOPS_END;
                 if (hasWalls)
@@ -89,21 +95,10 @@ package starlogo.ground
             tops[3] = tops[6] = _path.alongX.cellsBegin + (_column + 1) * grid.cellWidth;
             tops[1] = tops[4] = _path.alongY.cellsBegin + _row * grid.cellWidth;
             tops[7] = tops[10] = _path.alongY.cellsBegin + (_row + 1) * grid.cellWidth;
-            var first:Number = heights[at] - _path.search.origin.z;
-            var second:Number = heights[int(at + next)] - _path.search.origin.z;
-            var third:Number = heights[int(at + next + rowStep)] - _path.search.origin.z;
-            var fourth:Number = heights[int(at + rowStep)] - _path.search.origin.z;
-            tops[2] = first;
-            tops[5] = second;
-            tops[8] = third;
-            tops[11] = fourth;
-            // comparisons take the player less time than Math.min() and Math.max()
-            var low:Number = first < second ? first : second;
-            low = low < third ? low : third;
-            _lowest = low < fourth ? low : fourth;
-            var high:Number = first > second ? first : second;
-            high = high > third ? high : third;
-            _highest = high > fourth ? high : fourth;
+            tops[2] = heights[at] - _path.search.origin.z;
+            tops[5] = heights[int(at + next)] - _path.search.origin.z;
+            tops[8] = heights[int(at + next + rowStep)] - _path.search.origin.z;
+            tops[11] = heights[int(at + rowStep)] - _path.search.origin.z;
         }
 
         /** Writes the next triangle near the box. Returns false if there is none. */

@@ -38,7 +38,7 @@ package starlogo.ground
         /** The kind of the current piece. Read only. */
         public var kind:int = STRUCTURE;
 
-        /** It decides about a triangle of the ground and the current piece. It has no shape of an inner node, and a triangle's after ensureShape(). */
+        /** It decides about a triangle of the ground and the current piece, which is its shape, unless it is an inner node. */
         public var kernel:TriangleKernel = new TriangleKernel();
 
         /** The margin of the current piece, with the margins of the model's place and surface. Read only. */
@@ -73,9 +73,6 @@ package starlogo.ground
         private var _nextTriangle:int = 0;
         private var _trianglesEnd:int = 0;
         private var _nodes:Vector.<int> = new Vector.<int>();
-
-        // Whether the kernel's shape is the current piece.
-        private var _hasShape:Boolean = false;
 
         // The middle and the half lengths of a box, relative to the model's place.
         private var _middleAndHalves:Vector.<Number> = new Vector.<Number>(6, true);
@@ -168,16 +165,6 @@ package starlogo.ground
             return kind <= NODE_BOX;
         }
 
-        /** Sets the kernel's shape to the current piece, which is no inner node. The shape of a triangle is not set before. */
-        public function ensureShape():void
-        {
-            if (!_hasShape)
-            {
-                _hasShape = true;
-                kernel.shape.setTriangle(corners, 0);
-            }
-        }
-
         /** Finds the box around the whole model, where it stands now. There is no current piece then. */
         public function findWholeBox():void
         {
@@ -187,7 +174,7 @@ package starlogo.ground
         // Makes the next triangle the current piece.
         private function enterTriangle():void
         {
-            _tree.mesh.readTriangle(_nextTriangle, corners);
+            _tree.triangleTree.readTriangle(_nextTriangle, corners);
             placePoints(_placement, corners, 0, 9, corners);
             _nextTriangle++;
             kind = TRIANGLE;
@@ -195,7 +182,7 @@ package starlogo.ground
             point.y = corners[1];
             point.z = corners[2];
             shapeMargin = _modelMargin;
-            _hasShape = false;
+            kernel.shape.setTriangle(corners, 0);
         }
 
         // Makes a node the current piece.
@@ -226,7 +213,6 @@ package starlogo.ground
             point.x = shape.x;
             point.y = shape.y;
             point.z = shape.z;
-            _hasShape = true;
         }
 
         // Finds the box around a structure of the model.

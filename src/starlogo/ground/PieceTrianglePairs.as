@@ -122,7 +122,6 @@ package starlogo.ground
             {
                 return false;
             }
-            pieces.ensureShape();
             // SquareSeparation may read the margin of any triangle: none is more than its slack
             pieces.kernel.shape.margin = pieces.shapeMargin + triangle.margin;
             return true;
@@ -189,7 +188,7 @@ package starlogo.ground
             _next = 0;
         }
 
-        // Goes on to the next triangle near the piece, whose shape need not be set.
+        // Goes on to the next triangle near the piece.
         private function nextNear():Boolean
         {
             if (!_isInLeaf)

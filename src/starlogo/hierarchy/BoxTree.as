@@ -1,6 +1,6 @@
 // The package hierarchy keeps, builds and searches trees of boxes. A BoxTreeBuilder makes the nodes, and a BoxRefit moves them. A BoxSearch visits the nodes
-// of one tree, and calls a NodeVisitor at its leaves. A TriangleMesh lists the corners of a tree's triangles in the order of the tree. The package solid
-// asks trees, and visits pairs of nodes of two. Read BoxTree first, then BoxSearch and NodeVisitor.
+// of one tree, and calls a NodeVisitor at its leaves. The package solid asks trees, and visits pairs of nodes of two. Read BoxTree first, then BoxSearch
+// and NodeVisitor.
 
 package starlogo.hierarchy
 {
@@ -41,6 +41,12 @@ package starlogo.hierarchy
          * primitive index is an index into this list. Set before the nodes are made.
          */
         public var primitives:Vector.<int> = null;
+
+        /**
+         * The triangles' corners by primitive index, three each: where the coordinates of the vertex begin in the list of vertices. Null until
+         * <code>listCorners()</code>.
+         */
+        public var cornerOffsets:Vector.<int> = null;
 
         /** Six numbers for each node: the middle of its box (x, y, z), and half of the box's extents. */
         public var boxes:Vector.<Number> = new Vector.<Number>();
@@ -103,6 +109,47 @@ package starlogo.hierarchy
         public function get primitiveCount():int
         {
             return hasTriangles ? triangles.length / 3 : vertices.length / 3;
+        }
+
+        /** Lists the triangles' corners, for exact tests, unless they are listed. The nodes are made. */
+        public function listCorners():void
+        {
+            if (cornerOffsets != null)
+            {
+                return;
+            }
+            cornerOffsets = new Vector.<int>(3 * primitives.length, true);
+            for (var index:int = 0; index < primitives.length; index++)
+            {
+                for (var corner:int = 0; corner < 3; corner++)
+                {
+                    cornerOffsets[int(3 * index + corner)] = 3 * triangles[int(3 * primitives[index] + corner)];
+                }
+            }
+        }
+
+        /**
+         * Reads the corners' coordinates of a triangle. The corners are listed.
+         *
+         * @param index the primitive index
+         * @param out receives nine numbers
+         * @param at index at which they begin
+         */
+        public function readTriangle(index:int, out:Vector.<Number>, at:int = 0):void
+        {
+            var points:Vector.<Number> = vertices;
+            var a:int = cornerOffsets[int(3 * index)];
+            var b:int = cornerOffsets[int(3 * index + 1)];
+            var c:int = cornerOffsets[int(3 * index + 2)];
+            out[at] = points[a];
+            out[int(at + 1)] = points[int(a + 1)];
+            out[int(at + 2)] = points[int(a + 2)];
+            out[int(at + 3)] = points[b];
+            out[int(at + 4)] = points[int(b + 1)];
+            out[int(at + 5)] = points[int(b + 2)];
+            out[int(at + 6)] = points[c];
+            out[int(at + 7)] = points[int(c + 1)];
+            out[int(at + 8)] = points[int(c + 2)];
         }
 
         /** Whether a node is a leaf of the thesis, or below one. */

@@ -30,7 +30,6 @@ package starlogo.solid
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.BoxTreeBuilder;
     import starlogo.hierarchy.HierarchyNode;
-    import starlogo.hierarchy.TriangleMesh;
     import starlogo.solid.interior.ClearRayVisitor;
     import starlogo.solid.interior.InteriorBuilder;
     import starlogo.solid.interior.SurfaceTopology;
@@ -67,9 +66,8 @@ package starlogo.solid
          */
         engine var restoring:Steps = null;
 
-        // Null before they are asked for: the root, as clients see it; the triangles; what is inside of them.
+        // Null before they are asked for: the root, as clients see it; what is inside of the triangles.
         private var _root:HierarchyNode = null;
-        private var _mesh:TriangleMesh = null;
         private var _interior:WindingCounter = null;
 
         /** @param tree the tree of the model's triangles or vertices. <code>beginBuilding()</code> makes its nodes if it has none */
@@ -111,7 +109,7 @@ package starlogo.solid
         // The work that prepares what is inside of the triangles.
         private function newInteriorWork():Steps
         {
-            var builder:InteriorBuilder = new InteriorBuilder(mesh, surface);
+            var builder:InteriorBuilder = new InteriorBuilder(triangleTree, surface);
             return new StepSequence().add(builder).call(function():void
                 {
                     _interior = builder.windingCounter;
@@ -137,10 +135,11 @@ package starlogo.solid
             return _interior != null;
         }
 
-        /** @private The triangles, for models that have some. If they are not prepared, prepares them alone. */
-        engine function get mesh():TriangleMesh
+        /** @private The tree with its triangles' corners listed, for exact tests of a model that has triangles. The first call lists them. */
+        engine function get triangleTree():BoxTree
         {
-            return _mesh ||= new TriangleMesh(boxTree);
+            boxTree.listCorners();
+            return boxTree;
         }
 
         /** @private What is inside of the triangles; null if there are none. The first call prepares it, as exact tests need it, which is slow. */

@@ -7,7 +7,6 @@ package starlogo.solid
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.NodeVisitor;
     import starlogo.hierarchy.TreeCounts;
-    import starlogo.hierarchy.TriangleMesh;
     import starlogo.intersection.StructurePairs;
     import starlogo.intersection.TriangleKernel;
 
@@ -28,16 +27,14 @@ package starlogo.solid
         // The closest points so far.
         private var _nearest:ClosestPoints;
 
-        // If triangles decide: the model's triangles, null otherwise; the kernel, a triangle's corners, and the index of the nearest triangle.
-        private var _mesh:TriangleMesh;
+        // Whether triangles decide. If they do: the kernel, a triangle's corners, and the index of the nearest triangle.
+        private var _isExact:Boolean = false;
         private var _kernel:TriangleKernel;
         private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
         private var _found:int = -1;
 
-        // If boxes decide: the structure; the radius of the tree, and half of the structure's extents, together; and the closest points of the current node.
-        // The rounding error is relative to that length.
+        // If boxes decide: the structure, and the closest points of the current node.
         private var _structure:BoundingStructure;
-        private var _radii:Number = 0;
         private var _measured:ClosestPoints = new ClosestPoints();
 
         /**
@@ -61,16 +58,14 @@ package starlogo.solid
          */
         public function find(model:ModelTree, depth:int, structure:BoundingStructure, out:ClosestPoints):int
         {
-            var extents:Vector.<Number> = _extents;
-            structure.extentsInto(extents);
-            _mesh = depth == BoxTree.EXACT ? model.mesh : null;
+            structure.extentsInto(_extents);
+            _isExact = depth == BoxTree.EXACT;
             _structure = structure;
-            _radii = model.boxTree.boundingRadius + (extents[1] - extents[0]) / 2 + (extents[3] - extents[2]) / 2 + (extents[5] - extents[4]) / 2;
             _nearest = out;
             _found = -1;
             limit = out.distance = Infinity;
-            _search.setExtents(extents, 0);
-            _search.visitNear(model.boxTree, depth, this);
+            _search.setExtents(_extents, 0);
+            _search.visitNear(_isExact ? model.triangleTree : model.boxTree, depth, this);
             if (_found >= 0)
             {
                 // the kernel has the structure's point first
@@ -82,7 +77,7 @@ package starlogo.solid
         /** @inheritDoc */
         override public function visit(tree:BoxTree, node:int):void
         {
-            if (_mesh == null)
+            if (!_isExact)
             {
                 measureBox(tree, node);
                 return;
@@ -90,10 +85,10 @@ package starlogo.solid
             var end:int = tree.endPrimitive[node];
             for (var i:int = tree.firstPrimitive[node]; i < end && limit > 0; i++)
             {
-                if (areExtentsWithin(limit, _extents, _mesh, i))
+                if (areExtentsWithin(limit, _extents, tree, i))
                 {
                     _counts.triangleTests++;
-                    _mesh.readTriangle(i, _corners);
+                    tree.readTriangle(i, _corners);
                     if (_kernel.findCloser(_corners, _nearest))
                     {
                         limit = _nearest.distance;
@@ -105,8 +100,11 @@ package starlogo.solid
 
         private function measureBox(tree:BoxTree, node:int):void
         {
+            var extents:Vector.<Number> = _extents;
+            // the radius of the tree, and half of the structure's extents: the rounding error is relative to them
+            var radii:Number = tree.boundingRadius + (extents[1] - extents[0]) / 2 + (extents[3] - extents[2]) / 2 + (extents[5] - extents[4]) / 2;
             StructurePairs.findClosest(tree.boxOf(node), _structure, _measured);
-            DistanceTraversal.subtractSlack(_measured, tree.levelOf(node), 0, _radii);
+            DistanceTraversal.subtractSlack(_measured, tree.levelOf(node), 0, radii);
             if (_measured.distance < limit)
             {
                 limit = _measured.distance;

@@ -6,7 +6,6 @@ package starlogo.solid
     import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.NodeVisitor;
-    import starlogo.hierarchy.TriangleMesh;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayCrossing;
     import starlogo.intersection.ray.RayCrossings;
@@ -41,8 +40,8 @@ package starlogo.solid
         // The triangle's index, or the node, that the ray meets first so far, or -1.
         private var _first:int = -1;
 
-        // If triangles decide: the model's triangles, null otherwise; the ray for them.
-        private var _mesh:TriangleMesh = null;
+        // Whether triangles decide, and the ray for them.
+        private var _isExact:Boolean = false;
         private var _shearedRay:ShearedRay = new ShearedRay();
         private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
 
@@ -78,7 +77,7 @@ package starlogo.solid
                 out.addInside(ray);
             }
             search(model, depth, ray, out);
-            return _mesh != null;
+            return _isExact;
         }
 
         private function beginsInside(model:ModelTree, ray:Ray):Boolean
@@ -91,9 +90,9 @@ package starlogo.solid
         internal function findOnSurface(model:ModelTree, depth:int, ray:Ray, out:RayCrossing):Boolean
         {
             search(model, depth, ray, null);
-            if (_first >= 0 && _mesh != null)
+            if (_first >= 0 && _isExact)
             {
-                _mesh.readTriangle(_first, _corners);
+                model.boxTree.readTriangle(_first, _corners);
                 _shearedRay.writeFirst(_corners, model.boxTree.primitives[_first], out);
                 return true;
             }
@@ -107,9 +106,10 @@ package starlogo.solid
             _all = all;
             _first = -1;
             limit = ray.to;
-            _mesh = depth == BoxTree.EXACT ? model.mesh : null;
-            if (_mesh != null)
+            _isExact = depth == BoxTree.EXACT;
+            if (_isExact)
             {
+                model.boxTree.listCorners();
                 _shearedRay.setTo(ray, model.boxTree.radiusAboutOrigin);
             }
             _search.visitAlong(ray, model.boxTree, depth, this);
@@ -122,9 +122,9 @@ package starlogo.solid
             {
                 addCrossings(tree, node);
             }
-            else if (_mesh != null)
+            else if (_isExact)
             {
-                findFirstTriangle(tree.firstPrimitive[node], tree.endPrimitive[node]);
+                findFirstTriangle(tree, node);
             }
             else if (enters(tree, node, _entry) && (_entry.distance < limit || _first < 0))
             {
@@ -141,7 +141,7 @@ package starlogo.solid
         // Adds all crossings with a node: with its triangles, or its box.
         private function addCrossings(tree:BoxTree, node:int):void
         {
-            if (_mesh == null)
+            if (!_isExact)
             {
                 if (SpanFinder.findInBox(_ray, tree.boxOf(node), NOT_WIDENED, _span))
                 {
@@ -151,18 +151,20 @@ package starlogo.solid
             }
             for (var i:int = tree.firstPrimitive[node]; i < tree.endPrimitive[node]; i++)
             {
-                _mesh.readTriangle(i, _corners);
+                tree.readTriangle(i, _corners);
                 _shearedRay.addCrossing(_corners, tree.primitives[i], _all);
             }
         }
 
-        // Finds whether the ray meets one of some triangles earlier than those before.
-        private function findFirstTriangle(first:int, end:int):void
+        // Finds whether the ray meets a triangle of a node earlier than those before.
+        private function findFirstTriangle(tree:BoxTree, node:int):void
         {
-            var corners:Vector.<int> = _mesh.cornerOffsets;
-            for (var i:int = first; i < end; i++)
+            var points:Vector.<Number> = tree.vertices;
+            var corners:Vector.<int> = tree.cornerOffsets;
+            var end:int = tree.endPrimitive[node];
+            for (var i:int = tree.firstPrimitive[node]; i < end; i++)
             {
-                if (_shearedRay.findEarlier(_mesh.vertices, corners[int(3 * i)], corners[int(3 * i + 1)], corners[int(3 * i + 2)]))
+                if (_shearedRay.findEarlier(points, corners[int(3 * i)], corners[int(3 * i + 1)], corners[int(3 * i + 2)]))
                 {
                     _first = i;
                     limit = _shearedRay.first.distance;

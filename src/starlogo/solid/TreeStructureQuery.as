@@ -91,7 +91,7 @@ package starlogo.solid
             }
             if (_depth == BoxTree.EXACT)
             {
-                _triangleImpact.findContact(found, motion, out);
+                _triangleImpact.findContact(_tree.boxTree, found, motion, out);
                 out.triangle = _tree.boxTree.primitives[found];
             }
             else
@@ -110,7 +110,7 @@ package starlogo.solid
         private function findFirstTouched(motion:RelativeMotion):int
         {
             return _depth == BoxTree.EXACT
-                ? _triangleImpact.findFirstTriangle(_tree, placed(), pose, motion)
+                ? _triangleImpact.findFirstTriangle(_tree.triangleTree, placed(), pose, motion)
                 : _nodeImpact.findFirstNode(_tree.boxTree, _depth, placedWidened(), motion);
         }
 

@@ -87,7 +87,7 @@ package starlogo.solid
             }
             if (isExact)
             {
-                _contactFinder.find(_a, _b, _trees, best, motion, out);
+                _contactFinder.find(_trees, best, motion, out);
             }
             else
             {
@@ -166,7 +166,13 @@ package starlogo.solid
         // What tests two leaves: their triangles, or null for their boxes. The motion is that of b.
         private function kernelFor(motion:RelativeMotion):TrianglePairKernel
         {
-            return isExact ? _pairKernel.begin(_a.mesh, _b.mesh, _trees, motion) : null;
+            if (!isExact)
+            {
+                return null;
+            }
+            _trees.a.listCorners();
+            _trees.b.listCorners();
+            return _pairKernel.begin(_trees, motion);
         }
     }
 }

@@ -8,6 +8,7 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.placePoints;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.intersection.TriangleKernel;
 
@@ -32,7 +33,7 @@ package starlogo.solid
         private var _cornersOfA:Vector.<Number> = new Vector.<Number>(9, true);
         private var _cornersOfB:Vector.<Number> = new Vector.<Number>(9, true);
 
-        // Has one triangle as its shape; and the plane of the other.
+        // Has one triangle as its shape, then the probe; and the plane of the other triangle.
         private var _kernel:TriangleKernel = new TriangleKernel();
         private var _plane:TrianglePlane = new TrianglePlane();
 
@@ -41,8 +42,7 @@ package starlogo.solid
 
         // The probe in a's space, the poses of that space in the spaces of both models, and what finds a model's triangles at the probe.
         private var _probe:Sphere = new Sphere(new Vector3D(), 0);
-        private var _ofProbe:TriangleKernel = new TriangleKernel();
-        private var _triangleImpact:TriangleImpactVisitor = new TriangleImpactVisitor(_ofProbe, new TreeCounts());
+        private var _triangleImpact:TriangleImpactVisitor = new TriangleImpactVisitor(_kernel, new TreeCounts());
         private var _inA:RelativePose = new RelativePose();
         private var _inB:RelativePose = new RelativePose();
 
@@ -52,20 +52,18 @@ package starlogo.solid
         /**
          * Finds the contact, in a's space.
          *
-         * @param a the first model
-         * @param b the second one
-         * @param trees the trees of both, and the pose of b in a's space
+         * @param trees the trees of both models, and the pose of b in a's space
          * @param best has the indices of the triangles
          * @param motion of b, which is where it is at the motion's time; its start must be 0
          * @param out receives the contact, with a normal from a to b
          */
-        public function find(a:ModelTree, b:ModelTree, trees:TreePair, best:BestPair, motion:RelativeMotion, out:ContactPoint):void
+        public function find(trees:TreePair, best:BestPair, motion:RelativeMotion, out:ContactPoint):void
         {
             var placement:Placement = trees.pose.placement;
             var cullDistance:Number = trees.cullDistance(motion);
             var plane:TrianglePlane = _plane;
-            a.mesh.readTriangle(best.a, _cornersOfA);
-            b.mesh.readTriangle(best.b, _cornersOfB);
+            trees.a.readTriangle(best.a, _cornersOfA);
+            trees.b.readTriangle(best.b, _cornersOfB);
             placePoints(placement, _cornersOfB, 0, 9, _cornersOfB);
             _kernel.shape.setTriangle(_cornersOfA, 0);
             var radiusOfA:Number = _kernel.shape.boundingRadius;
@@ -74,7 +72,7 @@ package starlogo.solid
             _kernel.findContact(_cornersOfA, motion, out);
             Placement.invert(placement, _inB.placement);
             plane.setTriangle(_cornersOfA, 0);
-            if (plane.isHitFromFront(_kernel.shape, cullDistance, motion, out) && !hasTriangleBehind(b, _inB, trees.triangleMargin, motion, out))
+            if (plane.isHitFromFront(_kernel.shape, cullDistance, motion, out) && !hasTriangleBehind(trees.b, _inB, trees.triangleMargin, motion, out))
             {
                 out.setNormal(plane.normal.x, plane.normal.y, plane.normal.z);
                 return;
@@ -82,14 +80,14 @@ package starlogo.solid
             plane.setTriangle(_cornersOfB, 0);
             _kernel.shape.setTriangle(_cornersOfA, 0);
             _reversed.setReversed(motion);
-            if (plane.isHitFromFront(_kernel.shape, cullDistance, _reversed, out) && !hasTriangleBehind(a, _inA, trees.triangleMargin, RelativeMotion.NONE, out))
+            if (plane.isHitFromFront(_kernel.shape, cullDistance, _reversed, out) && !hasTriangleBehind(trees.a, _inA, trees.triangleMargin, RelativeMotion.NONE, out))
             {
                 out.setNormal(-plane.normal.x, -plane.normal.y, -plane.normal.z);
             }
         }
 
-        // Whether a model has a triangle at a contact that is, at least in part, behind the plane.
-        private function hasTriangleBehind(model:ModelTree, pose:RelativePose, triangleMargin:Number, motion:RelativeMotion, contact:ContactPoint):Boolean
+        // Whether a tree has a triangle at a contact that is, at least in part, behind the plane.
+        private function hasTriangleBehind(tree:BoxTree, pose:RelativePose, triangleMargin:Number, motion:RelativeMotion, contact:ContactPoint):Boolean
         {
             var back:Number = (1 + PROBE_GAP) * _probe.radius + 2 * triangleMargin;
             var normal:Vector3D = _plane.normal;
@@ -97,7 +95,7 @@ package starlogo.solid
             _probe.center.y = contact.y - motion.time * motion.y - back * normal.y;
             _probe.center.z = contact.z - motion.time * motion.z - back * normal.z;
             _still.latestTime = 1;
-            return _triangleImpact.findFirstTriangle(model, _ofProbe.setStructure(_probe, pose.placement), pose, _still) >= 0;
+            return _triangleImpact.findFirstTriangle(tree, _kernel.setStructure(_probe, pose.placement), pose, _still) >= 0;
         }
     }
 }

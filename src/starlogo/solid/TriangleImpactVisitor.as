@@ -12,7 +12,6 @@ package starlogo.solid
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.NodeVisitor;
     import starlogo.hierarchy.TreeCounts;
-    import starlogo.hierarchy.TriangleMesh;
     import starlogo.intersection.TriangleKernel;
 
     use namespace engine;
@@ -26,8 +25,6 @@ package starlogo.solid
         // Finds the nodes near the structure's extents.
         private var _search:BoxSearch;
         private var _counts:TreeCounts;
-
-        private var _mesh:TriangleMesh;
 
         // The structure's motion, which has the times of the current triangle.
         private var _motion:RelativeMotion;
@@ -63,32 +60,31 @@ package starlogo.solid
         /**
          * Finds when a structure first touches a triangle of a model, and which one.
          *
-         * @param model the model; has triangles
+         * @param tree the model's, with its triangles' corners listed
          * @param structure in the model's space
          * @param pose has the margin of the structure's place
          * @param motion of the structure, from the pose on; receives the time, and its earliest and latest times are overwritten. If it is still, the
          *     structure touches at time 0 or never
          * @return the triangle's index, or -1
          */
-        public function findFirstTriangle(model:ModelTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):int
+        public function findFirstTriangle(tree:BoxTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):int
         {
             limit = motion.latestTime;
-            begin(model, structure, pose, motion);
+            begin(tree, structure, pose, motion);
             _firstImpact.reset();
             _found = -1;
-            _search.visitMet(_mesh.tree, BoxTree.EXACT, this);
+            _search.visitMet(tree, BoxTree.EXACT, this);
             motion.time = _firstImpact.time;
             return _found;
         }
 
-        private function begin(model:ModelTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):void
+        private function begin(tree:BoxTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):void
         {
             var extents:Vector.<Number> = _coreExtents;
             var shape:ConvexShape = _kernel.shape;
-            _mesh = model.mesh;
             _motion = motion;
             structure.extentsInto(extents);
-            shape.margin += pose.margin + Touching.marginOfSurface(model.boxTree.boundingRadius);
+            shape.margin += pose.margin + Touching.marginOfSurface(tree.boundingRadius);
             var size:Number = 3 * shape.margin + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z);
             for (var i:int = 0; i < 6; i += 2)
             {
@@ -127,11 +123,11 @@ package starlogo.solid
             var end:int = tree.endPrimitive[node];
             for (var i:int = tree.firstPrimitive[node]; i < end && limit >= 0; i++)
             {
-                if (!areExtentsWithin(_plane.cullDistance, _sweptExtents, _mesh, i))
+                if (!areExtentsWithin(_plane.cullDistance, _sweptExtents, tree, i))
                 {
                     continue;
                 }
-                _mesh.readTriangle(i, _corners);
+                tree.readTriangle(i, _corners);
                 if (!isStill && _separatingAxes.areApart(_corners))
                 {
                     continue;
@@ -168,15 +164,16 @@ package starlogo.solid
         }
 
         /**
-         * Finds the contact of a triangle that is touched, in the model's space. The model and the structure are those of the last search.
+         * Finds the contact of a triangle that is touched, in the model's space. The structure is that of the last search.
          *
-         * @param index the triangle's index
+         * @param tree the model's
+         * @param index the triangle's primitive index
          * @param motion of the structure, which is where it is at the motion's time
          * @param out receives the contact, with a normal from the triangle to the structure
          */
-        public function findContact(index:int, motion:RelativeMotion, out:ContactPoint):void
+        public function findContact(tree:BoxTree, index:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            _mesh.readTriangle(index, _corners);
+            tree.readTriangle(index, _corners);
             _kernel.findContact(_corners, motion, out);
             _plane.setTriangle(_corners, 0);
             _plane.alignContact(_kernel.shape, motion, out);

@@ -6,7 +6,6 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.geometry.placePoints;
     import starlogo.hierarchy.TreeCounts;
-    import starlogo.hierarchy.TriangleMesh;
     import starlogo.intersection.TriangleKernel;
 
     use namespace engine;
@@ -18,9 +17,6 @@ package starlogo.solid
      */
     internal final class TrianglePairKernel
     {
-        private var _meshA:TriangleMesh = null;
-        private var _meshB:TriangleMesh = null;
-
         // The corners of a's current triangle, and its plane with the distance of quick tests: see TreePair.
         private var _cornersOfA:Vector.<Number> = new Vector.<Number>(9, true);
         private var _planeOfA:TrianglePlane = new TrianglePlane();
@@ -56,19 +52,15 @@ package starlogo.solid
         }
 
         /**
-         * Begins with two trees that have triangles.
+         * Begins with two trees that have triangles, whose corners are listed.
          *
-         * @param a the triangles of the first tree
-         * @param b those of the second
          * @param trees the two; the pose is where b is at time 0
          * @param motion of b in a's space; RelativeMotion.NONE if it stands. <code>findEarlier()</code> overwrites its time and its latest time
          * @return this
          */
-        public function begin(a:TriangleMesh, b:TriangleMesh, trees:TreePair, motion:RelativeMotion):TrianglePairKernel
+        public function begin(trees:TreePair, motion:RelativeMotion):TrianglePairKernel
         {
             _trees = trees;
-            _meshA = a;
-            _meshB = b;
             _motion = motion;
             _firstImpact.reset();
             _firstPlaced = -1;
@@ -80,13 +72,13 @@ package starlogo.solid
         public function areTouching(a:int, b:int):Boolean
         {
             var count:int = placeTriangles(b);
-            var end:int = _meshA.tree.endPrimitive[a];
+            var end:int = _trees.a.endPrimitive[a];
             for (var i:int = 0; i < count; i++)
             {
                 setTriangleOfB(i);
-                for (var indexA:int = _meshA.tree.firstPrimitive[a]; indexA < end; indexA++)
+                for (var indexA:int = _trees.a.firstPrimitive[a]; indexA < end; indexA++)
                 {
-                    if (areExtentsWithin(0, _extents, _meshA, indexA))
+                    if (areExtentsWithin(0, _extents, _trees.a, indexA))
                     {
                         _counts.triangleTests++;
                         if (!staysOnOneSide(indexA) && _kernel.areTouching(_cornersOfA))
@@ -106,8 +98,8 @@ package starlogo.solid
          */
         public function findEarlier(a:int, b:int, best:BestPair):void
         {
-            var first:int = _meshA.tree.firstPrimitive[a];
-            var end:int = _meshA.tree.endPrimitive[a];
+            var first:int = _trees.a.firstPrimitive[a];
+            var end:int = _trees.a.endPrimitive[a];
             // Higher indices come first, as the traversal visits the right child first if both bounds are equal.
             for (var i:int = placeTriangles(b) - 1; i >= 0 && _firstImpact.time > 0; i--)
             {
@@ -115,7 +107,7 @@ package starlogo.solid
                 _planeOfB.setTriangle(_placed, 9 * i);
                 for (var indexA:int = end - 1; indexA >= first && _firstImpact.time > 0; indexA--)
                 {
-                    if (!areExtentsWithin(0, _extents, _meshA, indexA))
+                    if (!areExtentsWithin(0, _extents, _trees.a, indexA))
                     {
                         continue;
                     }
@@ -148,26 +140,21 @@ package starlogo.solid
         {
             var points:ClosestPoints = best.points;
             var count:int = placeTriangles(b);
-            var end:int = _meshA.tree.endPrimitive[a];
+            var end:int = _trees.a.endPrimitive[a];
             for (var i:int = 0; i < count && points.distance > 0; i++)
             {
                 setTriangleOfB(i);
-                for (var indexA:int = _meshA.tree.firstPrimitive[a]; indexA < end; indexA++)
+                for (var indexA:int = _trees.a.firstPrimitive[a]; indexA < end; indexA++)
                 {
-                    if (!areExtentsWithin(points.distance, _extents, _meshA, indexA))
+                    if (areExtentsWithin(points.distance, _extents, _trees.a, indexA))
                     {
-                        continue;
-                    }
-                    _meshA.readTriangle(indexA, _cornersOfA);
-                    if (isFartherAlongGap(i, points))
-                    {
-                        continue;
-                    }
-                    _counts.triangleTests++;
-                    if (_kernel.findCloser(_cornersOfA, points))
-                    {
-                        // a's point first
-                        points.swap();
+                        _counts.triangleTests++;
+                        _trees.a.readTriangle(indexA, _cornersOfA);
+                        if (_kernel.findCloser(_cornersOfA, points))
+                        {
+                            // a's point first
+                            points.swap();
+                        }
                     }
                 }
             }
@@ -178,14 +165,14 @@ package starlogo.solid
         // same triangle.
         private function placeTriangles(node:int):int
         {
-            var first:int = _meshB.tree.firstPrimitive[node];
-            var count:int = _meshB.tree.endPrimitive[node] - first;
+            var first:int = _trees.b.firstPrimitive[node];
+            var count:int = _trees.b.endPrimitive[node] - first;
             if (first != _firstPlaced)
             {
                 _firstPlaced = first;
                 for (var i:int = 0; i < count; i++)
                 {
-                    _meshB.readTriangle(first + i, _placed, 9 * i);
+                    _trees.b.readTriangle(first + i, _placed, 9 * i);
                 }
                 placePoints(_trees.pose.placement, _placed, 0, 9 * count, _placed);
             }
@@ -221,30 +208,9 @@ package starlogo.solid
         // Makes a triangle of a the current one. Returns whether b's current triangle stays on one side of its plane.
         private function staysOnOneSide(indexA:int):Boolean
         {
-            _meshA.readTriangle(indexA, _cornersOfA);
+            _trees.a.readTriangle(indexA, _cornersOfA);
             _planeOfA.setTriangle(_cornersOfA, 0);
             return _planeOfA.timeOfEntry(_kernel.shape, _motion) > _motion.latestTime;
-        }
-
-        // Whether a's current triangle is so far before b's triangle, along the vector from the closest point so far of a to that of b, that the two
-        // cannot be nearer. Places along the vector are scaled by its length, so the distance so far becomes its square. The triangle of b is projected
-        // each time, because few pairs come here whose extents are near enough.
-        private function isFartherAlongGap(index:int, points:ClosestPoints):Boolean
-        {
-            var at:int = 9 * index;
-            var x:Number = points.b.x - points.a.x;
-            var y:Number = points.b.y - points.a.y;
-            var z:Number = points.b.z - points.a.z;
-            var corners:Vector.<Number> = _placed;
-            var least:Number = x * corners[at] + y * corners[int(at + 1)] + z * corners[int(at + 2)];
-            var projection:Number = x * corners[int(at + 3)] + y * corners[int(at + 4)] + z * corners[int(at + 5)];
-            least = projection < least ? projection : least;
-            projection = x * corners[int(at + 6)] + y * corners[int(at + 7)] + z * corners[int(at + 8)];
-            least = projection < least ? projection : least;
-            var limit:Number = least - points.distance * points.distance;
-            corners = _cornersOfA;
-            return x * corners[0] + y * corners[1] + z * corners[2] <= limit && x * corners[3] + y * corners[4] + z * corners[5] <= limit
-                && x * corners[6] + y * corners[7] + z * corners[8] <= limit;
         }
     }
 }

@@ -1,23 +1,23 @@
 package starlogo.solid
 {
-    import starlogo.hierarchy.TriangleMesh;
+    import starlogo.hierarchy.BoxTree;
 
     /**
      * Returns whether a triangle's extents are within a distance of other extents. A triangle is asked about once, so its extents are not prepared. It is
-     * no method of the mesh, so that games without exact tests need not load it.
+     * no method of the tree, so that games without exact tests need not load it.
      *
      * @param distance at least 0
      * @param extents minX, maxX, minY, ...
-     * @param mesh has the triangle
-     * @param index the triangle's index
+     * @param tree has the triangle; its corners are listed
+     * @param index the triangle's primitive index
      * @private
      */
-    internal function areExtentsWithin(distance:Number, extents:Vector.<Number>, mesh:TriangleMesh, index:int):Boolean
+    internal function areExtentsWithin(distance:Number, extents:Vector.<Number>, tree:BoxTree, index:int):Boolean
     {
-        var points:Vector.<Number> = mesh.vertices;
-        var a:int = mesh.cornerOffsets[int(3 * index)];
-        var b:int = mesh.cornerOffsets[int(3 * index + 1)];
-        var c:int = mesh.cornerOffsets[int(3 * index + 2)];
+        var points:Vector.<Number> = tree.vertices;
+        var a:int = tree.cornerOffsets[int(3 * index)];
+        var b:int = tree.cornerOffsets[int(3 * index + 1)];
+        var c:int = tree.cornerOffsets[int(3 * index + 2)];
         var left:Number = distance * distance;
         for (var axis:int = 0; axis < 6; axis += 2)
         {

@@ -3,7 +3,6 @@ package starlogo.solid
     import starlogo.GreatLand;
     import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.TriangleMesh;
     import starlogo.solid.interior.SurfaceTopology;
     import starlogo.solid.interior.WindingCounter;
 
@@ -22,9 +21,8 @@ package starlogo.solid
             }
             var windings:WindingCounter = hierarchy.preparedInterior();
             var surface:SurfaceTopology = windings.surface;
-            var mesh:TriangleMesh = windings.mesh;
-            return [windings.hasClosedShell, surface.signedShells, surface.shellStates, surface.widestSeam, windings.welded, windings.componentPoints, mesh.cornerOffsets,
-                    mesh.vertices, axesOf(hierarchy.boxTree)].join("\n");
+            return [windings.hasClosedShell, surface.orientedShells, surface.shellStates, surface.widestSeam, windings.welded, windings.componentPoints, windings.tree.cornerOffsets,
+                    windings.tree.vertices, axesOf(hierarchy.boxTree)].join("\n");
         }
 
         private static function axesOf(tree:BoxTree):String

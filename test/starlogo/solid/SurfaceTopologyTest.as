@@ -239,11 +239,11 @@ package starlogo.solid
             for (var piece:int = 1; piece <= surface.shellStates.length; piece++)
             {
                 var groups:Array = [[], []];
-                for (var i:int = 0; i < surface.signedShells.length; i++)
+                for (var i:int = 0; i < surface.orientedShells.length; i++)
                 {
-                    if (Math.abs(surface.signedShells[i]) == piece)
+                    if (Math.abs(surface.orientedShells[i]) == piece)
                     {
-                        groups[surface.signedShells[i] > 0 ? 0 : 1].push(i);
+                        groups[surface.orientedShells[i] > 0 ? 0 : 1].push(i);
                     }
                 }
                 turned = turned.concat(groups[0].length < groups[1].length ? groups[0] : groups[1]);

@@ -8,7 +8,7 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.HierarchyNode;
-    import starlogo.hierarchy.TriangleMesh;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayCrossing;
     import starlogo.intersection.ray.RaySpan;
@@ -55,7 +55,7 @@ package starlogo.solid
         private function castThroughEdges(model:Model, count:int):void
         {
             var hierarchy:ModelTree = hierarchyOf(model);
-            var mesh:TriangleMesh = hierarchy.mesh;
+            var tree:BoxTree = hierarchy.triangleTree;
             var corners:Vector.<Number> = new Vector.<Number>(9);
             var hit:RayCrossing = new RayCrossing();
             var ray:Ray = new Ray();
@@ -73,7 +73,7 @@ package starlogo.solid
                     // some along an axis, towards vertices that have simple numbers
                     origin.setTo(_random.between(-2, 2), _random.between(-2, 2), _random.pick([-1, 2]) * _random.between(1, 2));
                 }
-                mesh.readTriangle(_random.integer(0, mesh.tree.primitiveCount - 1), corners);
+                tree.readTriangle(_random.integer(0, tree.primitiveCount - 1), corners);
                 var share:Number = i % 3 == 0 ? 0 : _random.next();
                 var from:int = 3 * _random.integer(0, 2);
                 var to:int = (from + 3) % 9;

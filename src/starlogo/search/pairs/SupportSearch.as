@@ -6,7 +6,6 @@ package starlogo.search.pairs
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.TriangleMesh;
     import starlogo.search.Body;
     import starlogo.search.TreeLimits;
 
@@ -123,9 +122,8 @@ package starlogo.search.pairs
         // Finds the farthest point of a body's tree in the model's space.
         private function findOfTree(body:Body, direction:Vector3D, out:SupportPoint):void
         {
-            var tree:BoxTree = body.shape.tree.boxTree;
             var depth:int = _limits.depthOf(body);
-            var mesh:TriangleMesh = depth == BoxTree.EXACT ? body.shape.tree.mesh : null;
+            var tree:BoxTree = depth == BoxTree.EXACT ? body.shape.tree.triangleTree : body.shape.tree.boxTree;
             _nodes[0] = 0;
             _upperBounds[0] = Infinity;
             for (var top:int = 0; top >= 0; top--)
@@ -146,7 +144,7 @@ package starlogo.search.pairs
                     _upperBounds[top] = _upperBounds[top + 1] = upperBound;
                     top += 2;
                 }
-                else if (mesh == null)
+                else if (depth != BoxTree.EXACT)
                 {
                     findOfNode(tree.boxes, 6 * node, direction, _part);
                     _part.support = upperBound;
@@ -156,7 +154,7 @@ package starlogo.search.pairs
                 {
                     for (var triangle:int = tree.firstPrimitive[node]; triangle < tree.endPrimitive[node]; triangle++)
                     {
-                        findOfTriangle(mesh, triangle, direction, _part);
+                        findOfTriangle(tree, triangle, direction, _part);
                         takeIfFarther(_part, tree.boxes, out);
                     }
                 }
@@ -179,14 +177,14 @@ package starlogo.search.pairs
         }
 
         // Finds how far a triangle reaches, and the mean of the corners that do.
-        private static function findOfTriangle(mesh:TriangleMesh, triangle:int, direction:Vector3D, out:SupportPoint):void
+        private static function findOfTriangle(tree:BoxTree, triangle:int, direction:Vector3D, out:SupportPoint):void
         {
-            var vertices:Vector.<Number> = mesh.vertices;
+            var vertices:Vector.<Number> = tree.vertices;
             var count:int = 0;
             out.support = -Infinity;
             for (var i:int = 3 * triangle; i < 3 * triangle + 3; i++)
             {
-                var at:int = mesh.cornerOffsets[i];
+                var at:int = tree.cornerOffsets[i];
                 var reach:Number = vertices[at] * direction.x + vertices[int(at + 1)] * direction.y + vertices[int(at + 2)] * direction.z;
                 if (reach > out.support)
                 {

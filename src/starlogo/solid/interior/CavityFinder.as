@@ -28,6 +28,10 @@ package starlogo.solid.interior
         private static const SHARE_OF_EACH:Number = 0.01;
         private static const SHARE_OF_NEAREST:Number = 0.97;
 
+        // How many crossings are counted at most, as a multiple of the number of triangles. In a model of many nested shells each point has to be tested with
+        // many of them, so the work would grow with the square of the triangles.
+        private static const MAX_CROSSINGS_PER_TRIANGLE:int = 20;
+
         // In place of the number of a corner: the middle of the triangle.
         private static const MIDDLE:int = 3;
 
@@ -72,8 +76,8 @@ package starlogo.solid.interior
         // Adds triangles to their shells: their volumes, and the places of their corners, each place once. The triangles come shell by shell.
         private function addTriangles(first:int, end:int):void
         {
-            var vertices:Vector.<Number> = _windingCounter.mesh.vertices;
-            var triangles:Vector.<uint> = _windingCounter.mesh.tree.triangles;
+            var vertices:Vector.<Number> = _windingCounter.tree.vertices;
+            var triangles:Vector.<uint> = _windingCounter.tree.triangles;
             for (var i:int = first; i < end; i++)
             {
                 var triangle:int = _shellFinder.triangles[i];
@@ -105,7 +109,7 @@ package starlogo.solid.interior
         // Sets _corners and _plane to those of a triangle.
         private function readTriangle(triangle:int):void
         {
-            var tree:BoxTree = _windingCounter.mesh.tree;
+            var tree:BoxTree = _windingCounter.tree;
             for (var i:int = 0; i < 3; i++)
             {
                 var vertex:int = 3 * tree.triangles[int(3 * triangle + i)];
@@ -188,7 +192,7 @@ package starlogo.solid.interior
         private function isUndecided(closed:ClosedShell):Boolean
         {
             return closed.enclosing == null
-                || closed.enclosing.length > 0 && _countedCrossings < WindingCounter.MAX_CROSSINGS_PER_TRIANGLE * _shellFinder.triangleCount;
+                || closed.enclosing.length > 0 && _countedCrossings < MAX_CROSSINGS_PER_TRIANGLE * _shellFinder.triangleCount;
         }
 
         // Finds the shells that enclose a point of a triangle of a shell: near a corner, or in the middle, and a little inside of the shell. readTriangle()

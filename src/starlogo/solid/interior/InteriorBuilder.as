@@ -1,67 +1,61 @@
 package starlogo.solid.interior
 {
-    import starlogo.data.zeroedInts;
-    import starlogo.hierarchy.TriangleMesh;
+    import starlogo.data.zeroedNumbers;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     /**
      * Prepares a model for exact tests, in steps: which vertices are at the same place; the surface that the triangles make, which takes most of the
-     * time; a point of each of its components; which components overlap. A surface that is known already is not found again.
+     * time; a point of each of its components. A surface that is known already is not found again.
      *
      * @private
      */
     public final class InteriorBuilder extends StepSequence
     {
         private static const TRIANGLES_PER_STEP:int = 400;
-        private static const COMPONENTS_PER_STEP:int = 50;
 
         /** Knows the surface that the triangles make, and what is inside of it, when no step is left. */
-        public var windingCounter:WindingCounter = null;
-
-        private var _mesh:TriangleMesh;
-        private var _surface:SurfaceTopology;
+        public var windingCounter:WindingCounter;
 
         // Which vertices are at the same place; null if the surface is known, and no vertices of its seams are apart.
         private var _welding:Welding = null;
 
-        // For each component, where the coordinates of one of its vertices begin. For each shell, its component. The sets of components that overlap, and
-        // how many crossings were counted to find them.
-        private var _vertexOfComponent:Vector.<int>;
-        private var _componentOfShell:Vector.<int>;
-        private var _overlapping:DisjointSets;
-        private var _countedCrossings:int = 0;
-
         /**
-         * @param mesh the triangles
+         * @param tree of the triangles, whose corners are listed
          * @param knownSurface the surface if it is known; otherwise null
          */
-        public function InteriorBuilder(mesh:TriangleMesh, knownSurface:SurfaceTopology)
+        public function InteriorBuilder(tree:BoxTree, knownSurface:SurfaceTopology)
         {
-            _mesh = mesh;
-            _surface = knownSurface;
+            windingCounter = new WindingCounter(tree, knownSurface || new SurfaceTopology(tree.primitiveCount));
             if (knownSurface == null || knownSurface.widestSeam > 0)
             {
-                _welding = new Welding(mesh.vertices);
-                add(_welding);
+                _welding = new Welding(tree.vertices);
+                add(_welding).call(takeSeams);
             }
-            begin(findSurface).call(beginComponents).slices(mesh.tree.primitiveCount, TRIANGLES_PER_STEP, addToComponents).call(beginOverlaps);
+            if (knownSurface == null)
+            {
+                begin(findSurface);
+            }
+            call(beginComponents).slices(tree.primitiveCount, TRIANGLES_PER_STEP, takePoints);
+        }
+
+        private function takeSeams():void
+        {
+            if (_welding.widestSeam > 0)
+            {
+                windingCounter.welded = _welding.welded;
+            }
         }
 
         private function findSurface():Steps
         {
-            var isKnown:Boolean = _surface != null;
-            _surface ||= new SurfaceTopology(_mesh.tree.primitiveCount);
-            windingCounter = new WindingCounter(_mesh, _surface, _welding == null || _welding.widestSeam == 0 ? null : _welding.welded);
-            if (isKnown)
-            {
-                return null;
-            }
-            _surface.widestSeam = _welding.widestSeam;
-            var triangles:Vector.<uint> = _mesh.tree.triangles;
+            var surface:SurfaceTopology = windingCounter.surface;
+            var triangles:Vector.<uint> = windingCounter.tree.triangles;
             var edges:EdgeMatcher = new EdgeMatcher(triangles, _welding);
-            var shells:ShellFinder = new ShellFinder(_surface, edges);
-            return new StepSequence().add(new ComponentFinder(_surface, triangles, _welding.welded)).add(edges).add(shells).begin(function():Steps
+            var shells:ShellFinder = new ShellFinder(surface, edges);
+            surface.widestSeam = _welding.widestSeam;
+            return new StepSequence().add(new ComponentFinder(surface, triangles, _welding.welded)).add(edges).add(shells).begin(function():Steps
                 {
                     return new CavityFinder(windingCounter, shells, _welding.welded);
                 });
@@ -69,65 +63,23 @@ package starlogo.solid.interior
 
         private function beginComponents():void
         {
-            _vertexOfComponent = zeroedInts(_surface.componentCount);
-            _componentOfShell = zeroedInts(_surface.shellStates.length);
-            _overlapping = new DisjointSets(_surface.componentCount);
+            windingCounter.hasClosedShell = windingCounter.surface.hasClosedShell;
+            windingCounter.componentPoints = zeroedNumbers(3 * windingCounter.surface.componentCount);
         }
 
-        private function addToComponents(first:int, end:int):void
+        // Takes a corner of each triangle as the point of its component. The last one counts.
+        private function takePoints(first:int, end:int):void
         {
+            var tree:BoxTree = windingCounter.tree;
             for (var index:int = first; index < end; index++)
             {
-                var triangle:int = _mesh.tree.primitives[index];
-                var shell:int = _surface.shellOf(triangle);
-                if (shell >= 0)
+                var to:int = 3 * windingCounter.surface.components[tree.primitives[index]];
+                var from:int = tree.cornerOffsets[int(3 * index)];
+                for (var axis:int = 0; axis < 3; axis++)
                 {
-                    _componentOfShell[shell] = _surface.components[triangle];
-                }
-                _vertexOfComponent[_surface.components[triangle]] = _mesh.cornerOffsets[3 * index];
-            }
-        }
-
-        // A figure often consists of shells that overlap. Another model contains all of them or none, unless it is inside one of them. So one component
-        // stands for all those that it overlaps, and each pair of models needs fewer points.
-        private function beginOverlaps():void
-        {
-            windingCounter.hasClosedShell = _surface.hasClosedShell;
-            if (windingCounter.hasClosedShell)
-            {
-                slices(_surface.componentCount, COMPONENTS_PER_STEP, findOverlaps);
-            }
-            call(conclude);
-        }
-
-        // If too many crossings are counted, the components that are left stand for themselves. The answers are the same.
-        private function findOverlaps(first:int, end:int):void
-        {
-            var enclosing:Vector.<int> = new Vector.<int>();
-            var most:int = WindingCounter.MAX_CROSSINGS_PER_TRIANGLE * _mesh.tree.primitiveCount;
-            for (var component:int = first; component < end && _countedCrossings < most; component++)
-            {
-                var at:int = _vertexOfComponent[component];
-                _countedCrossings += windingCounter.findEnclosing(_mesh.vertices[at], _mesh.vertices[at + 1], _mesh.vertices[at + 2], enclosing);
-                for each (var shell:int in enclosing)
-                {
-                    _overlapping.join(_componentOfShell[shell], component);
+                    windingCounter.componentPoints[int(to + axis)] = tree.vertices[int(from + axis)];
                 }
             }
-        }
-
-        private function conclude():void
-        {
-            var points:Vector.<Number> = new Vector.<Number>();
-            for (var component:int = 0; component < _surface.componentCount; component++)
-            {
-                if (_overlapping.rootOf(component) == component)
-                {
-                    var at:int = _vertexOfComponent[component];
-                    points.push(_mesh.vertices[at], _mesh.vertices[at + 1], _mesh.vertices[at + 2]);
-                }
-            }
-            windingCounter.componentPoints = points;
         }
     }
 }

@@ -38,26 +38,26 @@ package starlogo.solid.interior
         {
             _surface = surface;
             _edges = edges;
-            triangles = zeroedInts(surface.signedShells.length);
+            triangles = zeroedInts(surface.orientedShells.length);
             repeat(visitTriangles);
         }
 
         private function visitTriangles():Boolean
         {
-            var signedShells:Vector.<int> = _surface.signedShells;
+            var orientedShells:Vector.<int> = _surface.orientedShells;
             for (var i:int = 0; i < TRIANGLES_PER_STEP; i++)
             {
                 if (_nextQueued < triangleCount)
                 {
                     goOnFrom(triangles[_nextQueued++]);
                 }
-                else if (_nextSeed == signedShells.length)
+                else if (_nextSeed == orientedShells.length)
                 {
                     return false;
                 }
                 else
                 {
-                    if (signedShells[_nextSeed] == 0 && _edges.hasEdges(_nextSeed))
+                    if (orientedShells[_nextSeed] == 0 && _edges.hasEdges(_nextSeed))
                     {
                         _surface.shellStates.push(SurfaceTopology.ORIENTABLE);
                         balances.push(0);
@@ -69,18 +69,18 @@ package starlogo.solid.interior
             return true;
         }
 
-        private function addTriangle(triangle:int, signedShell:int):void
+        private function addTriangle(triangle:int, orientedShell:int):void
         {
-            _surface.signedShells[triangle] = signedShell;
-            balances[int(balances.length - 1)] += signedShell > 0 ? 1 : -1;
+            _surface.orientedShells[triangle] = orientedShell;
+            balances[int(balances.length - 1)] += orientedShell > 0 ? 1 : -1;
             triangles[triangleCount++] = triangle;
         }
 
         private function goOnFrom(triangle:int):void
         {
             var partners:Vector.<int> = _edges.partners;
-            var signedShells:Vector.<int> = _surface.signedShells;
-            var own:int = signedShells[triangle];
+            var orientedShells:Vector.<int> = _surface.orientedShells;
+            var own:int = orientedShells[triangle];
             for (var edge:int = 3 * triangle; edge < 3 * triangle + 3; edge++)
             {
                 var partner:int = partners[edge];
@@ -91,7 +91,7 @@ package starlogo.solid.interior
                 }
                 var expected:int = _edges.beginOf(edge) == _edges.beginOf(partner) ? -own : own;
                 var neighbour:int = partner / 3;
-                var found:int = signedShells[neighbour];
+                var found:int = orientedShells[neighbour];
                 if (found == 0)
                 {
                     addTriangle(neighbour, expected);

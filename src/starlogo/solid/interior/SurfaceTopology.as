@@ -35,7 +35,7 @@ package starlogo.solid.interior
          * For each triangle, in the model's order, one more than the number of its shell, or 0 for a triangle with two corners at one place. Shells are
          * connected over edges. The number is negative for triangles that have to be reversed, so that all of the shell have the same orientation.
          */
-        public var signedShells:Vector.<int>;
+        public var orientedShells:Vector.<int>;
 
         /**
          * For each shell, ORIENTABLE, NON_ORIENTABLE or OPEN; for an orientable one that bounds a cavity, the number of the shell in which the cavity is.
@@ -53,20 +53,20 @@ package starlogo.solid.interior
         public function SurfaceTopology(triangleCount:int)
         {
             components = zeroedInts(triangleCount);
-            signedShells = zeroedInts(triangleCount);
+            orientedShells = zeroedInts(triangleCount);
         }
 
         /** The number of a triangle's shell, or -1 for a triangle with two corners at one place. The triangle is counted as the model does. */
         public function shellOf(triangle:int):int
         {
-            var signed:int = signedShells[triangle];
+            var signed:int = orientedShells[triangle];
             return signed < 0 ? -signed - 1 : signed - 1;
         }
 
         /** Whether a triangle has to be reversed, so that all of its shell have the same orientation. The triangle is counted as the model does. */
         public function isReversed(triangle:int):Boolean
         {
-            return signedShells[triangle] < 0;
+            return orientedShells[triangle] < 0;
         }
 
         /** Whether a shell bounds a cavity in another one. */
@@ -112,7 +112,7 @@ package starlogo.solid.interior
             }
             surface.shellStates.length = shells;
             var isRead:Boolean = readRuns(bytes, surface.shellStates, OPEN, shells - 1) && readRuns(bytes, surface.components, 0, surface.componentCount - 1)
-                && readRuns(bytes, surface.signedShells, -shells, shells);
+                && readRuns(bytes, surface.orientedShells, -shells, shells);
             return isRead ? surface : null;
         }
 
@@ -126,7 +126,7 @@ package starlogo.solid.interior
             out.writeDouble(widestSeam);
             writeRuns(out, shellStates);
             writeRuns(out, components);
-            writeRuns(out, signedShells);
+            writeRuns(out, orientedShells);
         }
 
         private static function writeRuns(out:ByteArray, numbers:Vector.<int>):void

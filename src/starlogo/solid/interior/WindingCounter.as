@@ -18,7 +18,6 @@ package starlogo.solid.interior
     import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.NodeVisitor;
-    import starlogo.hierarchy.TriangleMesh;
 
     /**
      * Counts how often the shells of a surface wind around a point, so it knows what is inside of them. As a visitor, it counts the triangles that a
@@ -31,30 +30,21 @@ package starlogo.solid.interior
      */
     public final class WindingCounter extends NodeVisitor
     {
-        /**
-         * How many crossings are counted at most while a surface is explored, as a multiple of its number of triangles. In a model of many nested shells
-         * each point has to be tested with many of them, so the work would grow with the square of the triangles.
-         */
-        internal static const MAX_CROSSINGS_PER_TRIANGLE:int = 20;
-
-        // This many triangles, or up to twice as many, say where most of them are.
-        private static const SAMPLES:int = 1000;
-
-        /** The triangles. */
-        public var mesh:TriangleMesh;
+        /** The tree of the triangles. */
+        public var tree:BoxTree;
 
         /** The surface that they make. */
         public var surface:SurfaceTopology;
 
         /** For each vertex, the vertex to whose place it is welded. Null if all vertices of each seam are at one place. */
-        public var welded:Vector.<int>;
+        public var welded:Vector.<int> = null;
 
         /** Whether at least one shell of the surface is closed, so that it has an inside. Known when the surface is complete. */
         public var hasClosedShell:Boolean = false;
 
         /**
          * A point of each component of the surface: x, y, z. It is connected. So if it does not touch another surface, it is inside or outside of it as a
-         * whole, and its point decides. Of components that overlap there is one: it stands for the others. Known when the surface is complete.
+         * whole, and its point decides. Known when the surface is complete.
          */
         public var componentPoints:Vector.<Number> = null;
 
@@ -67,13 +57,8 @@ package starlogo.solid.interior
 
         private var _search:BoxSearch = new BoxSearch();
 
-        // The axis of all rays, 0 for x, and the next two axes. It is the axis along which the model is shortest.
+        // The axis of all rays, 0 for x. It is the axis along which the model is shortest.
         private var _axis:int;
-        private var _axisB:int;
-        private var _axisC:int;
-
-        // Where most triangles are along that axis: in a level, near the floor. Rays lead away from there, so that they meet few triangles.
-        private var _crowdedCoordinate:Number;
 
         // The current ray: its origin along these axes, and whether it goes towards the smaller coordinates.
         private var _a:Number;
@@ -82,36 +67,16 @@ package starlogo.solid.interior
         private var _isBackward:Boolean;
 
         /**
-         * @param mesh the triangles
+         * @param tree of the triangles, whose corners are listed
          * @param surface the surface that they make: its shells must be known when a point is asked about
-         * @param welded for each vertex, the vertex to whose place it is welded; null if all vertices of each seam are at one place
          */
-        public function WindingCounter(mesh:TriangleMesh, surface:SurfaceTopology, welded:Vector.<int>)
+        public function WindingCounter(tree:BoxTree, surface:SurfaceTopology)
         {
-            var box:Vector.<Number> = mesh.tree.boxes;
-            this.mesh = mesh;
+            var box:Vector.<Number> = tree.boxes;
+            this.tree = tree;
             this.surface = surface;
-            this.welded = welded;
             limit = Infinity;
             _axis = box[3] <= box[4] && box[3] <= box[5] ? 0 : (box[4] <= box[5] ? 1 : 2);
-            _axisB = (_axis + 1) % 3;
-            _axisC = (_axis + 2) % 3;
-            _crowdedCoordinate = meanCorner();
-        }
-
-        // The mean coordinate of some corners along the axis of all rays.
-        private function meanCorner():Number
-        {
-            var corners:Vector.<int> = mesh.cornerOffsets;
-            var stride:int = 3 * Math.max(1, Math.floor(corners.length / (3 * SAMPLES)));
-            var sum:Number = 0;
-            var count:int = 0;
-            for (var i:int = 0; i < corners.length; i += stride)
-            {
-                sum += mesh.vertices[corners[i] + _axis];
-                count++;
-            }
-            return sum / count;
         }
 
         /**
@@ -159,8 +124,8 @@ package starlogo.solid.interior
                 || state == SurfaceTopology.NON_ORIENTABLE && (_windings[shell] & 1) != 0;
         }
 
-        // Counts how often each shell winds around a point. A shell counts 0 if the point is in a cavity of it. A ray along an axis, away from where most
-        // triangles are, counts the triangles that it crosses.
+        // Counts how often each shell winds around a point. A shell counts 0 if the point is in a cavity of it. A ray along an axis, away from the middle
+        // of the model, counts the triangles that it crosses.
         // Seen along the ray, an edge is crossed by a half-line across the ray, or it is not. The two triangles at the edge have the same answer to the
         // last bit, because they have the same corners. So a ray through an edge or a corner needs no special case.
         private function countWindings(x:Number, y:Number, z:Number):void
@@ -174,11 +139,11 @@ package starlogo.solid.interior
             _a = _axis == 0 ? x : (_axis == 1 ? y : z);
             _b = _axis == 0 ? y : (_axis == 1 ? z : x);
             _c = _axis == 0 ? z : (_axis == 1 ? x : y);
-            _isBackward = _a < _crowdedCoordinate;
-            var slack:Number = surface.widestSeam + Tolerances.ROUNDING * mesh.tree.radiusAboutOrigin;
+            _isBackward = _a < tree.boxes[_axis];
+            var slack:Number = surface.widestSeam + Tolerances.ROUNDING * tree.radiusAboutOrigin;
             _search.setCube(x, y, z, slack);
             _search.setAxis(_axis, _isBackward ? -1 : 1);
-            _search.visitMet(mesh.tree, BoxTree.EXACT, this);
+            _search.visitMet(tree, BoxTree.EXACT, this);
             for (var i:int = 0; i < _crossedCount; i++)
             {
                 var shell:int = _crossed[i];
@@ -202,30 +167,32 @@ package starlogo.solid.interior
         // Adds a triangle to its shell's winding number if the ray crosses it.
         private function cross(index:int):void
         {
-            var points:Vector.<Number> = mesh.vertices;
-            var p:int = mesh.cornerOffsets[int(3 * index)];
-            var q:int = mesh.cornerOffsets[int(3 * index + 1)];
-            var r:int = mesh.cornerOffsets[int(3 * index + 2)];
-            var triangle:int = mesh.tree.primitives[index];
+            var points:Vector.<Number> = tree.vertices;
+            var p:int = tree.cornerOffsets[int(3 * index)];
+            var q:int = tree.cornerOffsets[int(3 * index + 1)];
+            var r:int = tree.cornerOffsets[int(3 * index + 2)];
+            var triangle:int = tree.primitives[index];
             if (welded != null)
             {
-                var vertices:Vector.<uint> = mesh.tree.triangles;
+                var vertices:Vector.<uint> = tree.triangles;
                 p = 3 * welded[vertices[3 * triangle]];
                 q = 3 * welded[vertices[3 * triangle + 1]];
                 r = 3 * welded[vertices[3 * triangle + 2]];
             }
+            var axisB:int = _axis == 2 ? 0 : _axis + 1;
+            var axisC:int = _axis == 0 ? 2 : _axis - 1;
             var b:Number = _b;
             var c:Number = _c;
-            var pc:Number = points[int(p + _axisC)] - c;
-            var qc:Number = points[int(q + _axisC)] - c;
-            var rc:Number = points[int(r + _axisC)] - c;
+            var pc:Number = points[int(p + axisC)] - c;
+            var qc:Number = points[int(q + axisC)] - c;
+            var rc:Number = points[int(r + axisC)] - c;
             if ((pc > 0) == (qc > 0) && (qc > 0) == (rc > 0))
             {
                 return;
             }
-            var pb:Number = points[int(p + _axisB)] - b;
-            var qb:Number = points[int(q + _axisB)] - b;
-            var rb:Number = points[int(r + _axisB)] - b;
+            var pb:Number = points[int(p + axisB)] - b;
+            var qb:Number = points[int(q + axisB)] - b;
+            var rb:Number = points[int(r + axisB)] - b;
             var crossing:int = crossingOf(pb, pc, qb, qc) + crossingOf(qb, qc, rb, rc) + crossingOf(rb, rc, pb, pc);
             // One corner is alone on its side of the half-line's plane. It comes first.
             var isPAlone:Boolean = (qc > 0) == (rc > 0);
@@ -264,12 +231,14 @@ package starlogo.solid.interior
         // of the half-line. Both begin at the same corner.
         private function isAhead(points:Vector.<Number>, alone:int, q:int, r:int):Boolean
         {
-            var ac:Number = points[int(alone + _axisC)] - _c;
-            var toQ:Number = ac / (ac - (points[int(q + _axisC)] - _c));
-            var toR:Number = ac / (ac - (points[int(r + _axisC)] - _c));
-            var ab:Number = points[int(alone + _axisB)] - _b;
-            var qb:Number = ab + toQ * (points[int(q + _axisB)] - _b - ab);
-            var rb:Number = ab + toR * (points[int(r + _axisB)] - _b - ab);
+            var axisB:int = _axis == 2 ? 0 : _axis + 1;
+            var axisC:int = _axis == 0 ? 2 : _axis - 1;
+            var ac:Number = points[int(alone + axisC)] - _c;
+            var toQ:Number = ac / (ac - (points[int(q + axisC)] - _c));
+            var toR:Number = ac / (ac - (points[int(r + axisC)] - _c));
+            var ab:Number = points[int(alone + axisB)] - _b;
+            var qb:Number = ab + toQ * (points[int(q + axisB)] - _b - ab);
+            var rb:Number = ab + toR * (points[int(r + axisB)] - _b - ab);
             var aa:Number = points[int(alone + _axis)] - _a;
             var qa:Number = aa + toQ * (points[int(q + _axis)] - _a - aa);
             var ra:Number = aa + toR * (points[int(r + _axis)] - _a - aa);

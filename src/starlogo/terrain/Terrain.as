@@ -391,8 +391,7 @@ package starlogo.terrain
                     var color:uint = data == null ? picture.getPixel(column, row) : data[at] << 16 | data[at + 1] << 8 | data[at + 2];
                     var sum:int = (color >> 16 & 255) + (color >> 8 & 255) + (color & 255);
                     // white without the rounding of the division
-                    var grey:Number = sum == 765 ? white : white / 765 * sum;
-                    greys.push(grey);
+                    greys.push(sum == 765 ? white : white / 765 * sum);
                 }
             }
             return greys;

@@ -58,14 +58,14 @@ package starlogo.queries.motion
          */
         public function depenetrate(motion:ShrunkSweep):void
         {
-            if (replaceByPlanes(motion, false) && !pushOutOfShallow(motion))
+            if (replaceByPlanes(motion, false) && !pushOut(motion.shrunk, motion.obstacles, motion.start, false, motion.pushes))
             {
                 replaceByPlanes(motion, true);
             }
             if (motion.shrunk.isFlat && motion.planes.count == 0)
             {
                 // the shrunk body is as flat, and a sweep touches across a wider gap than a body that stands
-                pushOffTouches(motion.shrunk, motion.obstacles, motion.start);
+                pushOut(motion.shrunk, motion.obstacles, motion.start, true, _pushesOff);
             }
         }
 
@@ -78,7 +78,7 @@ package starlogo.queries.motion
         public function restoreClearance(body:MovingBody, place:Vector3D):void
         {
             _shrunk.begin(body, body.rows, place, NO_MOTION);
-            pushOffTouches(_shrunk, body.rows, place);
+            pushOut(_shrunk, body.rows, place, true, _pushesOff);
         }
 
         /**
@@ -108,76 +108,49 @@ package starlogo.queries.motion
             return sum;
         }
 
-        // Pushes the body out of the obstacles that the shrunk body overlaps, one after the other, in rounds, until a round needs no push. Returns whether it
-        // is free then. It is not if an overlap is not shallow. Then the body is where it was, and there are no pushes.
-        private function pushOutOfShallow(motion:ShrunkSweep):Boolean
+        // Pushes a body out of the rows that the shrunk body overlaps, or off those that the body touches: one after the other, in rounds, until a round needs no
+        // push. Returns whether it is free then. If not, it is where it was, and there are no pushes.
+        private function pushOut(shrunk:ShrunkBody, rows:IntList, place:Vector3D, offTouches:Boolean, pushes:ContactList):Boolean
         {
-            var shrunk:ShrunkBody = motion.shrunk;
-            var rows:IntList = motion.obstacles;
             var last:ContactPoint = null;
             var isFree:Boolean = false;
-            _before.copyFrom(motion.start);
-            motion.pushes.clear();
+            _before.copyFrom(place);
+            pushes.clear();
             for (var round:int = 0; !isFree; round++)
             {
                 isFree = true;
                 for (var i:int = 0; i < rows.count; i++)
                 {
                     var row:int = rows.values[i];
-                    if (shrunk.shrunkTouches(row, motion.start))
+                    var length:Number = offTouches ? findPushOff(shrunk, row, place, round, last, _contact) : findPushOut(shrunk, row, place, round, last, _contact);
+                    if (!(length > 0))
                     {
-                        findContactOfPush(shrunk.body, row, motion.start, round, last, _contact);
-                        var isShallow:Boolean = shrunk.body.isShallow(row, _contact);
-                        last = isShallow ? push(row, _contact.depth + shrunk.clearance, round, last, motion.start, motion.pushes) : null;
-                        if (last == null)
-                        {
-                            motion.start.copyFrom(_before);
-                            motion.pushes.clear();
-                            return false;
-                        }
-                        isFree = false;
+                        continue;
                     }
+                    if (length == Infinity || round == MAX_ROUNDS || leadsBack(_contact, last))
+                    {
+                        place.copyFrom(_before);
+                        pushes.clear();
+                        return false;
+                    }
+                    _contact.movePoint(place, length);
+                    last = pushes.contacts[pushes.add(_contact, row)];
+                    isFree = false;
                 }
             }
             return true;
         }
 
-        // Pushes a body off the rows that it touches, one after the other, in rounds, until a round needs no push. If it does not get free, it is where it was.
-        private function pushOffTouches(shrunk:ShrunkBody, rows:IntList, place:Vector3D):void
+        // Finds the contact for a push out of a row. Returns the length of the push: 0 if the shrunk body does not touch the row, Infinity if the overlap is not
+        // shallow.
+        private static function findPushOut(shrunk:ShrunkBody, row:int, place:Vector3D, round:int, last:ContactPoint, out:ContactPoint):Number
         {
-            var last:ContactPoint = null;
-            var isFree:Boolean = false;
-            _before.copyFrom(place);
-            _pushesOff.clear();
-            for (var round:int = 0; !isFree; round++)
+            if (!shrunk.shrunkTouches(row, place))
             {
-                isFree = true;
-                for (var i:int = 0; i < rows.count; i++)
-                {
-                    var length:Number = findPushOff(shrunk, rows.values[i], place, round, last, _contact);
-                    if (length > 0)
-                    {
-                        last = push(rows.values[i], length, round, last, place, _pushesOff);
-                        if (last == null)
-                        {
-                            place.copyFrom(_before);
-                            return;
-                        }
-                        isFree = false;
-                    }
-                }
+                return 0;
             }
-        }
-
-        // Pushes a place along the contact with a row. Returns the push; null if there have been too many rounds, or it would lead back against the last one.
-        private function push(row:int, length:Number, round:int, last:ContactPoint, place:Vector3D, pushes:ContactList):ContactPoint
-        {
-            if (round == MAX_ROUNDS || leadsBack(_contact, last))
-            {
-                return null;
-            }
-            _contact.movePoint(place, length);
-            return pushes.contacts[pushes.add(_contact, row)];
+            findContactOfPush(shrunk.body, row, place, round, last, out);
+            return shrunk.body.isShallow(row, out) ? out.depth + shrunk.clearance : Infinity;
         }
 
         // Lets planes stand for obstacles that the shrunk body overlaps: for deep overlaps, and also for shallow ones if they are to count. These are
@@ -191,7 +164,7 @@ package starlogo.queries.motion
             {
                 var row:int = obstacles.values[i];
                 var isOverlapped:Boolean = motion.shrunk.shrunkTouches(row, motion.start);
-                if (isOverlapped && (motion.shrunk.body.passesOneWayAt(row, motion.start) || addPlane(row, motion, alsoShallow)))
+                if (isOverlapped && (motion.shrunk.body.passesOneWayAt(row, motion.start, _contact) || addPlane(row, motion, alsoShallow)))
                 {
                     obstacles.remove(row);
                 }
@@ -226,7 +199,7 @@ package starlogo.queries.motion
         {
             var body:MovingBody = shrunk.body;
             // mostly it is known faster that the shrunk body touches the row than how deep the overlap is
-            if (!findTouchingPlace(shrunk, row, place, _tried) || body.passesOneWayAt(row, _tried)
+            if (!findTouchingPlace(shrunk, row, place, _tried) || body.passesOneWayAt(row, _tried, out)
                     || (!shrunk.isFlat && shrunk.shrunkTouches(row, place)))
             {
                 return 0;

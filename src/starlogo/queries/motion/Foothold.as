@@ -24,10 +24,6 @@ package starlogo.queries.motion
         private var _rowRays:RowRayTest;
         private var _slider:Slider;
 
-        // How a slide down ends, and a way straight down.
-        private var _slid:MotionResult = new MotionResult();
-        private var _down:MotionResult = new MotionResult();
-
         // The ray at an edge: where it begins, and what it meets.
         private var _origin:Vector3D = new Vector3D();
         private var _ray:Ray = new Ray();
@@ -49,8 +45,7 @@ package starlogo.queries.motion
          */
         public function tryStandBelow(walk:WalkState, place:Vector3D, depth:Number):Boolean
         {
-            _slider.moveVertically(walk.body, place, -depth, _down);
-            return tryStandAtEnd(walk, _down);
+            return tryStandAtEnd(walk, _slider.moveVertically(walk.body, place, -depth));
         }
 
         /**
@@ -63,8 +58,8 @@ package starlogo.queries.motion
             {
                 return down.hasContact;
             }
-            _slider.slideDown(walk.body, down.place, walk.closeDepth, walk.minFloorNormalZ, walk.body.extent, _slid);
-            return _slid.hasContact && tryStandOn(walk, _slid, down.place);
+            var slid:MotionResult = _slider.slideDown(walk.body, down.place, walk.closeDepth, walk.minFloorNormalZ, walk.body.extent);
+            return slid.hasContact && tryStandOn(walk, slid, down.place);
         }
 
         /**

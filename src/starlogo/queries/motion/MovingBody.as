@@ -64,9 +64,6 @@ package starlogo.queries.motion
         private var _copy:Body = new Body();
         private var _structureBody:StructureBody = new StructureBody();
 
-        // The contact with a one-way row.
-        private var _contact:ContactPoint = new ContactPoint();
-
         /** @param seen has the rows, and decides which of them touch */
         public function MovingBody(seen:SeenAgents)
         {
@@ -303,15 +300,19 @@ package starlogo.queries.motion
             return contact.depth <= ShrunkBody.SHALLOW * extentWith(bodyOf(row));
         }
 
-        /** Whether the body goes on through a row that the shrunk body touches at a place: the row is one-way, and the body does not rest on it. */
-        public function passesOneWayAt(row:int, place:Vector3D):Boolean
+        /**
+         * Whether the body goes on through a row that it touches at a place: the row is one-way, and the body does not rest on it.
+         *
+         * @param contact is written
+         */
+        public function passesOneWayAt(row:int, place:Vector3D, contact:ContactPoint):Boolean
         {
             if (!isOneWay(row))
             {
                 return false;
             }
-            findContact(row, place, true, _contact);
-            return !isShallow(row, _contact) || passesOneWay(row, _contact);
+            findContact(row, place, true, contact);
+            return !isShallow(row, contact) || passesOneWay(row, contact);
         }
 
         /**

@@ -169,8 +169,7 @@ package starlogo.queries
         // The body of the question that begins now.
         private function currentBody():MovingBody
         {
-            var walk:WalkState = WalkState(_walkPool.top);
-            return walk.body;
+            return WalkState(_walkPool.top).body;
         }
 
         private function cast(body:MovingBody, filter:AgentFilter, hit:ShapeHit):ShapeHit

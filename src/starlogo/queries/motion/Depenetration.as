@@ -53,19 +53,19 @@ package starlogo.queries.motion
         /**
          * Frees the shrunk body from the obstacles that it overlaps where its motion starts.
          *
-         * @param motion the motion. It receives the planes of overlaps that stay. Obstacles for which a plane stands are none from then on. Its start
+         * @param sweep the motion. It receives the planes of overlaps that stay. Obstacles for which a plane stands are none from then on. Its start
          *     changes if the body is pushed
          */
-        public function depenetrate(motion:ShrunkSweep):void
+        public function depenetrate(sweep:ShrunkSweep):void
         {
-            if (replaceByPlanes(motion, false) && !pushOut(motion.shrunk, motion.obstacles, motion.start, false, motion.pushes))
+            if (replaceByPlanes(sweep, false) && !pushOut(sweep.shrunk, sweep.obstacles, sweep.start, false, sweep.pushes))
             {
-                replaceByPlanes(motion, true);
+                replaceByPlanes(sweep, true);
             }
-            if (motion.shrunk.isFlat && motion.planes.count == 0)
+            if (sweep.shrunk.isFlat && sweep.planes.count == 0)
             {
                 // the shrunk body is as flat, and a sweep touches across a wider gap than a body that stands
-                pushOut(motion.shrunk, motion.obstacles, motion.start, true, _pushesOff);
+                pushOut(sweep.shrunk, sweep.obstacles, sweep.start, true, _pushesOff);
             }
         }
 
@@ -155,16 +155,16 @@ package starlogo.queries.motion
 
         // Lets planes stand for obstacles that the shrunk body overlaps: for deep overlaps, and also for shallow ones if they are to count. These are
         // obstacles no longer, nor are one-way rows that the body passes. Returns whether obstacles are left that the shrunk body overlapped.
-        private function replaceByPlanes(motion:ShrunkSweep, alsoShallow:Boolean):Boolean
+        private function replaceByPlanes(sweep:ShrunkSweep, alsoShallow:Boolean):Boolean
         {
-            var obstacles:IntList = motion.obstacles;
+            var obstacles:IntList = sweep.obstacles;
             var isLeft:Boolean = false;
             var i:int = 0;
             while (i < obstacles.count)
             {
                 var row:int = obstacles.values[i];
-                var isOverlapped:Boolean = motion.shrunk.shrunkTouches(row, motion.start);
-                if (isOverlapped && (motion.shrunk.body.passesOneWayAt(row, motion.start, _contact) || addPlane(row, motion, alsoShallow)))
+                var isOverlapped:Boolean = sweep.shrunk.shrunkTouches(row, sweep.start);
+                if (isOverlapped && (sweep.shrunk.body.passesOneWayAt(row, sweep.start, _contact) || addPlane(row, sweep, alsoShallow)))
                 {
                     obstacles.remove(row);
                 }
@@ -180,16 +180,16 @@ package starlogo.queries.motion
         // Lets a plane stand for a row that the shrunk body overlaps, if the overlap counts and a plane is needed. First the shrunk body becomes
         // narrower, for the whole motion. If it is free of the row then, no plane is needed. None is needed either if only the shrunk body overlaps
         // the row, not the body. Returns whether the plane stands.
-        private function addPlane(row:int, motion:ShrunkSweep, alsoShallow:Boolean):Boolean
+        private function addPlane(row:int, sweep:ShrunkSweep, alsoShallow:Boolean):Boolean
         {
-            var shrunk:ShrunkBody = motion.shrunk;
-            shrunk.body.findContact(row, motion.start, alsoShallow, _contact);
+            var shrunk:ShrunkBody = sweep.shrunk;
+            shrunk.body.findContact(row, sweep.start, alsoShallow, _contact);
             var isCounted:Boolean = alsoShallow || !shrunk.body.isShallow(row, _contact);
-            if (!isCounted || shrunk.tryNarrow(row, motion.start) || !shrunk.bodyOverlaps(row, motion.start))
+            if (!isCounted || shrunk.tryNarrow(row, sweep.start) || !shrunk.bodyOverlaps(row, sweep.start))
             {
                 return false;
             }
-            motion.planes.add(_contact, row);
+            sweep.planes.add(_contact, row);
             shrunk.body.warnIfInside(row, _contact);
             return true;
         }

@@ -54,9 +54,13 @@ package starlogo.queries.motion
          */
         public function tryStandAtEnd(walk:WalkState, down:MotionResult):Boolean
         {
-            if (!down.hasContact || tryStandOn(walk, down, down.place))
+            if (!down.hasContact)
             {
-                return down.hasContact;
+                return false;
+            }
+            if (tryStandOn(walk, down, down.place))
+            {
+                return true;
             }
             var slid:MotionResult = _slider.slideDown(walk.body, down.place, walk.closeDepth, walk.minFloorNormalZ, walk.body.extent);
             return slid.hasContact && tryStandOn(walk, slid, down.place);

@@ -73,21 +73,24 @@ package starlogo.queries.motion
         /**
          * Becomes the body of an agent, as it is now.
          *
-         * @param turn by how many degrees it is turned
          * @return this body, as from all methods that make it another one
          * @throws ArgumentError if the agent is null, has no place, or its model is unknown or lacks data that is needed
          */
-        public function setToAgent(agent:Agent, turn:Number = 0):MovingBody
+        public function setToAgent(agent:Agent):MovingBody
         {
             _seen.requirePlaced(agent);
             this.agent = agent;
             _copy.copyFrom(_seen.bodyOf(agent));
-            begin(_copy);
-            if (turn != 0 && hasShape)
+            return begin(_copy);
+        }
+
+        /** Turns the body of an agent by some degrees. */
+        public function turn(degrees:Number):void
+        {
+            if (degrees != 0 && hasShape)
             {
-                whole.turn(agent, turn);
+                whole.turn(agent, degrees);
             }
-            return this;
         }
 
         private function begin(body:Body):MovingBody
@@ -323,11 +326,7 @@ package starlogo.queries.motion
         {
             var kind:int = bodyOf(row).kind;
             var isTree:Boolean = kind == ModelShape.TREE;
-            var allowed:Number = whole.halfAlong(contact);
-            if (!isTree)
-            {
-                allowed *= WITH_ROOM;
-            }
+            var allowed:Number = (isTree ? 1 : WITH_ROOM) * whole.halfAlong(contact);
             if (kind != ModelShape.GROUND && contact.depth > allowed)
             {
                 var below:Number = whole.placement.r22 == 1 ? whole.halfZ - whole.offsetZ : 0;

@@ -105,16 +105,8 @@ package starlogo.queries.motion
         {
             var out:MotionResult = _straight;
             _sweep.obstacles.copyFrom(rows);
-            out.fraction = _sweep.findStop(body, from, motion);
-            out.hasPlanes = _sweep.planes.count > 0;
-            out.wallRow = -1;
-            out.row = _sweep.impact.row;
-            var end:Number = 1;
-            if (out.hasContact)
-            {
-                out.contact.copyFrom(_sweep.impact.contact);
-                end = Math.max(out.fraction + _sweep.shrunk.clearance / out.contact.along(motion), 0);
-            }
+            _sweep.findStop(body, from, motion, out);
+            var end:Number = out.hasContact ? Math.max(out.fraction + _sweep.shrunk.clearance / out.contact.along(motion), 0) : 1;
             ShrunkSweep.setAlong(_sweep.start, motion, end, out.place);
             return out;
         }

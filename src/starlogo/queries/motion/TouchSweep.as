@@ -117,12 +117,9 @@ package starlogo.queries.motion
         {
             _sweepOfRow.obstacles.count = 0;
             _sweepOfRow.obstacles.add(row);
-            out.fraction = _sweepOfRow.findStop(body, _sweepOfAll.start, body.motion);
-            out.row = _sweepOfRow.impact.row;
-            out.hasPlanes = out.hasContact && _sweepOfRow.planes.count > 0;
+            _sweepOfRow.findStop(body, _sweepOfAll.start, body.motion, out);
             if (out.hasContact)
             {
-                out.contact.copyFrom(_sweepOfRow.impact.contact);
                 if (!out.hasPlanes)
                 {
                     out.contact.depth = 0;

@@ -41,7 +41,6 @@ package starlogo.queries.motion
         // The most pushes out of what the agent overlaps where a walk begins.
         private static const MAX_PUSHES:int = 8;
 
-        private var _seen:SeenAgents;
         private var _slider:Slider = new Slider();
         private var _depenetration:Depenetration = new Depenetration();
         private var _platforms:PlatformCarry;
@@ -57,7 +56,6 @@ package starlogo.queries.motion
         /** @param seen has the rows */
         public function WalkPlanner(seen:SeenAgents)
         {
-            _seen = seen;
             _platforms = new PlatformCarry(seen, _slider);
             _foothold = new Foothold(seen, _slider);
         }
@@ -84,7 +82,7 @@ package starlogo.queries.motion
         // Begins a walk where the agent is, or where its platform carries it. Returns the platform's row; -1 if none carries it.
         private function begin(agent:Agent, dx:Number, dy:Number, options:WalkOptions, walk:WalkState):int
         {
-            _seen.requirePlaced(agent);
+            var body:MovingBody = walk.body.setToAgent(agent).aim(dx, dy, 0);
             walk.options.copyFrom(options);
             walk.minFloorNormalZ = (1 - SLOPE_ROUNDING) * Trigonometry.cosine(options.slopeDegrees);
             var length:Number = Math.sqrt(dx * dx + dy * dy);
@@ -92,8 +90,8 @@ package starlogo.queries.motion
             walk.substepMotion.setTo(dx / walk.substepCount, dy / walk.substepCount, 0);
             walk.substepLength = length / walk.substepCount;
             var platformRow:int = _platforms.find(agent, walk);
-            walk.body.setToAgent(agent, walk.carryTurn).aim(dx, dy, 0);
-            walk.place.copyFrom(walk.body.from);
+            body.turn(walk.carryTurn);
+            walk.place.copyFrom(body.from);
             collectRows(walk, 0);
             if (platformRow >= 0)
             {

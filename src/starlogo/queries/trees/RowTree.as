@@ -235,31 +235,29 @@ package starlogo.queries.trees
             }
             for (var node:int = 2 * firstLeaf - 1; node > 0; node--)
             {
-                var box:int = PER_BOX * node;
-                empty(box);
                 if (node < firstLeaf)
                 {
-                    expandToContain(box, nodeBoxes, 2 * box);
-                    expandToContain(box, nodeBoxes, 2 * box + PER_BOX);
+                    boundNode(node, nodeBoxes, 2 * node, 2 * node + 2);
                 }
                 else
                 {
-                    var end:int = startOf(node + 1);
-                    for (slot = startOf(node); slot < end; slot++)
-                    {
-                        expandToContain(box, rowBoxes, PER_BOX * slot);
-                    }
+                    boundNode(node, rowBoxes, startOf(node), startOf(node + 1));
                 }
             }
         }
 
-        // Makes a node's box contain nothing.
-        private function empty(box:int):void
+        // Makes a node's box the one around some boxes.
+        private function boundNode(node:int, boxes:Vector.<Number>, first:int, end:int):void
         {
+            var box:int = PER_BOX * node;
             for (var side:int = 0; side < 3; side++)
             {
                 nodeBoxes[box + side] = Infinity;
                 nodeBoxes[box + 3 + side] = -Infinity;
+            }
+            for (var i:int = first; i < end; i++)
+            {
+                expandToContain(box, boxes, PER_BOX * i);
             }
         }
 

@@ -169,7 +169,8 @@ package starlogo.queries
         // The body of the question that begins now.
         private function currentBody():MovingBody
         {
-            return WalkState(_walkPool.top).body;
+            var walk:WalkState = WalkState(_walkPool.top);
+            return walk.body;
         }
 
         private function cast(body:MovingBody, filter:AgentFilter, hit:ShapeHit):ShapeHit

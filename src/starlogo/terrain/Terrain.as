@@ -283,7 +283,6 @@ package starlogo.terrain
                     raised.push(ground.heights[int(row * ground.columns + column)] + height * share * share);
                 }
             }
-            // There are none if the mound is between heights.
             if (raised.length > 0)
             {
                 setHeights(firstColumn, firstRow, lastColumn - firstColumn + 1, lastRow - firstRow + 1, raised);
@@ -391,7 +390,8 @@ package starlogo.terrain
                     var color:uint = data == null ? picture.getPixel(column, row) : data[at] << 16 | data[at + 1] << 8 | data[at + 2];
                     var sum:int = (color >> 16 & 255) + (color >> 8 & 255) + (color & 255);
                     // white without the rounding of the division
-                    greys.push(sum == 765 ? white : white / 765 * sum);
+                    var grey:Number = sum == 765 ? white : white / 765 * sum;
+                    greys.push(grey);
                 }
             }
             return greys;

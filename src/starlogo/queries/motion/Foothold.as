@@ -19,13 +19,10 @@ package starlogo.queries.motion
         // At an edge, the face this far behind the edge is tested. A part of the extent.
         private static const BEHIND_EDGE:Number = 1e-4;
 
-        private static const DOWN:Vector3D = new Vector3D(0, 0, -1);
-
         private var _rowRays:RowRayTest;
         private var _slider:Slider;
 
-        // The ray at an edge: where it begins, and what it meets.
-        private var _origin:Vector3D = new Vector3D();
+        // The ray straight down behind an edge, and what it meets.
         private var _ray:Ray = new Ray();
         private var _entry:RayEntry = new RayEntry();
 
@@ -37,6 +34,7 @@ package starlogo.queries.motion
         {
             _slider = slider;
             _rowRays = new RowRayTest(seen);
+            _ray.aim(new Vector3D(), new Vector3D(0, 0, -1));
         }
 
         /**
@@ -105,8 +103,9 @@ package starlogo.queries.motion
             var behind:Number = BEHIND_EDGE * walk.body.extent;
             // the ray begins outside of all faces that are not too steep
             var above:Number = 2 * behind / walk.minFloorNormalZ;
-            _origin.setTo(contact.x - behind * contact.normalX / across, contact.y - behind * contact.normalY / across, contact.z + above);
-            _ray.aim(_origin, DOWN);
+            _ray.x = contact.x - behind * contact.normalX / across;
+            _ray.y = contact.y - behind * contact.normalY / across;
+            _ray.z = contact.z + above;
             _ray.to = 2 * above;
             if (!_rowRays.findRayEntry(row, _ray, _entry) || _entry.distance == 0 || !(_entry.normalZ >= walk.minFloorNormalZ))
             {

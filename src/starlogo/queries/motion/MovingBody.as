@@ -326,7 +326,11 @@ package starlogo.queries.motion
         {
             var kind:int = bodyOf(row).kind;
             var isTree:Boolean = kind == ModelShape.TREE;
-            var allowed:Number = (isTree ? 1 : WITH_ROOM) * whole.halfAlong(contact);
+            var allowed:Number = whole.halfAlong(contact);
+            if (!isTree)
+            {
+                allowed *= WITH_ROOM;
+            }
             if (kind != ModelShape.GROUND && contact.depth > allowed)
             {
                 var below:Number = whole.placement.r22 == 1 ? whole.halfZ - whole.offsetZ : 0;

@@ -71,6 +71,7 @@ package starlogo.queries.motion
             var free:MotionResult = _results[0];
             free.row = -1;
             free.fraction = 1;
+            free.hasPlanes = false;
             setEnd(body, 1, free.place);
             return free;
         }

@@ -156,6 +156,7 @@ package starlogo.queries.motion
             var left:Number = _depenetration.measureOverlaps(walk.body, walk.place, _deepest);
             if (left > 0)
             {
+                // the filter's accepts may walk another agent, so the overlaps are measured again
                 collectRows(walk, lift + left);
             }
             for (var i:int = 0; i < MAX_PUSHES && left > 0 && _depenetration.measureOverlaps(walk.body, walk.place, _deepest) > 0; i++)

@@ -46,9 +46,6 @@ package starlogo.queries
         // The walk of a question. If the question is another one, only the walk's body takes part.
         private var _walkPool:NestedPool;
 
-        // How a slide ends.
-        private var _slid:MotionResult = new MotionResult();
-
         /** @param seen the agents that the questions are about */
         public function MoveQueries(seen:SeenAgents)
         {
@@ -113,15 +110,15 @@ package starlogo.queries
             _seen.requireMovable(agent, "slide");
             var body:MovingBody = currentBody().setToAgent(agent).aim(dx, dy, dz);
             body.collectRowsWithin(body.motion.length, 0, 0, filter);
-            _slider.slide(body, body.rows, body.from, body.motion, limits || SlideLimits.NONE, _slid);
-            _depenetration.restoreClearance(body, _slid.place);
+            var slid:MotionResult = _slider.slide(body, body.rows, body.from, body.motion, limits || SlideLimits.NONE);
+            _depenetration.restoreClearance(body, slid.place);
             if (limits != null && limits.keepsHeight)
             {
                 // the clearance leads off slopes by their normals
-                _slid.place.z = body.from.z;
+                slid.place.z = body.from.z;
             }
-            _seen.moveAgent(agent, dx == 0 && dy == 0 && dz == 0 ? body.from : _slid.place);
-            return _slid.fraction;
+            _seen.moveAgent(agent, dx == 0 && dy == 0 && dz == 0 ? body.from : slid.place);
+            return slid.fraction;
         }
 
         /** See AgentMotions.walk. */
@@ -129,13 +126,13 @@ package starlogo.queries
         {
             _seen.requireMovable(agent, "walk");
             var walk:WalkState = WalkState(_walkPool.top);
-            _planner.plan(agent, dx, dy, options || DEFAULT_OPTIONS, walk);
+            var stands:Boolean = _planner.plan(agent, dx, dy, options || DEFAULT_OPTIONS, walk);
             // before the footing is written, because an agent that would leave the world throws an error
             _seen.moveAgent(agent, walk.place, walk.carryTurn);
-            var footing:Footing = writeFooting(walk, out || new Footing());
+            var footing:Footing = writeFooting(walk, stands, out || new Footing());
             var link:PlatformLink = agent.platformLink ||= new PlatformLink();
             link.platform = null;
-            if (footing.stands && walk.floorRow >= ListedAgents.FIRST_LISTED)
+            if (stands && walk.floorRow >= ListedAgents.FIRST_LISTED)
             {
                 var platform:Body = _seen.table.bodyOf(walk.floorRow);
                 link.setTo(agent, footing.on, platform.placement, _seen.table.revisions[walk.floorRow]);
@@ -153,20 +150,19 @@ package starlogo.queries
         public function findFooting(agent:Agent, options:WalkOptions, out:Footing):Footing
         {
             var walk:WalkState = WalkState(_walkPool.top);
-            _planner.plan(agent, 0, 0, options, walk);
-            return writeFooting(walk, out);
+            return writeFooting(walk, _planner.plan(agent, 0, 0, options, walk), out);
         }
 
         // Writes how the agent stands where a walk has ended. Returns the footing.
-        private function writeFooting(walk:WalkState, out:Footing):Footing
+        private function writeFooting(walk:WalkState, stands:Boolean, out:Footing):Footing
         {
             var agents:Vector.<Agent> = _seen.table.listed.agentsByRow;
-            out.stands = walk.stands;
-            out.on = walk.stands ? agents[walk.floorRow] : null;
+            out.stands = stands;
+            out.on = stands ? agents[walk.floorRow] : null;
             out.against = walk.wallRow >= 0 ? agents[walk.wallRow] : null;
             out.part = walk.part;
             out.pushed = walk.pushed;
-            copyVector(walk.stands ? walk.floorNormal : UP, out.normal);
+            copyVector(stands ? walk.floorNormal : UP, out.normal);
             return out;
         }
 

@@ -64,7 +64,9 @@ package starlogo.queries
         private var _extentTree:RowTree = new RowTree();
         private var _isUpdated:Boolean = false;
 
+        // The heights in the last update, and in the one before it.
         private var _heights:SeenHeights = new SeenHeights();
+        private var _heightsBefore:SeenHeights = new SeenHeights();
 
         // The body of an agent that has changed since the last update.
         private var _spare:Body = new Body();
@@ -137,7 +139,10 @@ package starlogo.queries
             next.read(agents);
             next.readEnvironment(terrain == null ? null : terrain.environmentAgent, null);
             table = next;
-            _heights.update(table);
+            var before:SeenHeights = _heights;
+            _heights = _heightsBefore;
+            _heightsBefore = before;
+            _heights.read(table);
             narrowPhase = newNarrowPhase;
             if (isOtherNarrowPhase)
             {
@@ -169,14 +174,21 @@ package starlogo.queries
                 throw new ArgumentError(agent + " is not in the list of the last update");
             }
             table.readRow(row);
-            _placeTree.refresh(row);
-            _extentTree.refresh(row);
+            _placeTree.refit(row);
+            _extentTree.refit(row);
         }
 
-        /** @private How far up a one-way row has moved since the update before the last one. See SeenHeights.riseOf. */
+        /**
+         * @private How far a one-way row is above its height in the update before the last one, or in the last one if its agent has come or jumped between
+         * the two. Less than 0 if below; 0 if the agent has jumped since, and for all other rows.
+         */
         engine function riseOf(row:int):Number
         {
-            return _heights.riseOf(table, row);
+            if (!table.listed.agentsByRow[row].isOneWay || !_heights.has(table, row))
+            {
+                return 0;
+            }
+            return _heightsBefore.has(table, row) ? _heightsBefore.riseOf(table, row) : _heights.riseOf(table, row);
         }
 
         /**

@@ -283,7 +283,6 @@ package starlogo.terrain
                     raised.push(ground.heights[int(row * ground.columns + column)] + height * share * share);
                 }
             }
-            // There are none if the mound is between heights.
             if (raised.length > 0)
             {
                 setHeights(firstColumn, firstRow, lastColumn - firstColumn + 1, lastRow - firstRow + 1, raised);

@@ -53,19 +53,19 @@ package starlogo.queries.motion
         /**
          * Frees the shrunk body from the obstacles that it overlaps where its motion starts.
          *
-         * @param motion the motion. It receives the planes of overlaps that stay. Obstacles for which a plane stands are none from then on. Its start
+         * @param sweep the motion. It receives the planes of overlaps that stay. Obstacles for which a plane stands are none from then on. Its start
          *     changes if the body is pushed
          */
-        public function depenetrate(motion:ShrunkSweep):void
+        public function depenetrate(sweep:ShrunkSweep):void
         {
-            if (replaceByPlanes(motion, false) && !pushOutOfShallow(motion))
+            if (replaceByPlanes(sweep, false) && !pushOut(sweep.shrunk, sweep.obstacles, sweep.start, false, sweep.pushes))
             {
-                replaceByPlanes(motion, true);
+                replaceByPlanes(sweep, true);
             }
-            if (motion.shrunk.isFlat && motion.planes.count == 0)
+            if (sweep.shrunk.isFlat && sweep.planes.count == 0)
             {
                 // the shrunk body is as flat, and a sweep touches across a wider gap than a body that stands
-                pushOffTouches(motion.shrunk, motion.obstacles, motion.start);
+                pushOut(sweep.shrunk, sweep.obstacles, sweep.start, true, _pushesOff);
             }
         }
 
@@ -78,7 +78,7 @@ package starlogo.queries.motion
         public function restoreClearance(body:MovingBody, place:Vector3D):void
         {
             _shrunk.begin(body, body.rows, place, NO_MOTION);
-            pushOffTouches(_shrunk, body.rows, place);
+            pushOut(_shrunk, body.rows, place, true, _pushesOff);
         }
 
         /**
@@ -108,90 +108,63 @@ package starlogo.queries.motion
             return sum;
         }
 
-        // Pushes the body out of the obstacles that the shrunk body overlaps, one after the other, in rounds, until a round needs no push. Returns whether it
-        // is free then. It is not if an overlap is not shallow. Then the body is where it was, and there are no pushes.
-        private function pushOutOfShallow(motion:ShrunkSweep):Boolean
+        // Pushes a body out of the rows that the shrunk body overlaps, or off those that the body touches: one after the other, in rounds, until a round needs no
+        // push. Returns whether it is free then. If not, it is where it was, and there are no pushes.
+        private function pushOut(shrunk:ShrunkBody, rows:IntList, place:Vector3D, offTouches:Boolean, pushes:ContactList):Boolean
         {
-            var shrunk:ShrunkBody = motion.shrunk;
-            var rows:IntList = motion.obstacles;
             var last:ContactPoint = null;
             var isFree:Boolean = false;
-            _before.copyFrom(motion.start);
-            motion.pushes.clear();
+            _before.copyFrom(place);
+            pushes.clear();
             for (var round:int = 0; !isFree; round++)
             {
                 isFree = true;
                 for (var i:int = 0; i < rows.count; i++)
                 {
                     var row:int = rows.values[i];
-                    if (shrunk.shrunkTouches(row, motion.start))
+                    var length:Number = offTouches ? findPushOff(shrunk, row, place, round, last, _contact) : findPushOut(shrunk, row, place, round, last, _contact);
+                    if (!(length > 0))
                     {
-                        findContactOfPush(shrunk.body, row, motion.start, round, last, _contact);
-                        var isShallow:Boolean = shrunk.body.isShallow(row, _contact);
-                        last = isShallow ? push(row, _contact.depth + shrunk.clearance, round, last, motion.start, motion.pushes) : null;
-                        if (last == null)
-                        {
-                            motion.start.copyFrom(_before);
-                            motion.pushes.clear();
-                            return false;
-                        }
-                        isFree = false;
+                        continue;
                     }
+                    if (length == Infinity || round == MAX_ROUNDS || leadsBack(_contact, last))
+                    {
+                        place.copyFrom(_before);
+                        pushes.clear();
+                        return false;
+                    }
+                    _contact.movePoint(place, length);
+                    last = pushes.contacts[pushes.add(_contact, row)];
+                    isFree = false;
                 }
             }
             return true;
         }
 
-        // Pushes a body off the rows that it touches, one after the other, in rounds, until a round needs no push. If it does not get free, it is where it was.
-        private function pushOffTouches(shrunk:ShrunkBody, rows:IntList, place:Vector3D):void
+        // Finds the contact for a push out of a row. Returns the length of the push: 0 if the shrunk body does not touch the row, Infinity if the overlap is not
+        // shallow.
+        private static function findPushOut(shrunk:ShrunkBody, row:int, place:Vector3D, round:int, last:ContactPoint, out:ContactPoint):Number
         {
-            var last:ContactPoint = null;
-            var isFree:Boolean = false;
-            _before.copyFrom(place);
-            _pushesOff.clear();
-            for (var round:int = 0; !isFree; round++)
+            if (!shrunk.shrunkTouches(row, place))
             {
-                isFree = true;
-                for (var i:int = 0; i < rows.count; i++)
-                {
-                    var length:Number = findPushOff(shrunk, rows.values[i], place, round, last, _contact);
-                    if (length > 0)
-                    {
-                        last = push(rows.values[i], length, round, last, place, _pushesOff);
-                        if (last == null)
-                        {
-                            place.copyFrom(_before);
-                            return;
-                        }
-                        isFree = false;
-                    }
-                }
+                return 0;
             }
-        }
-
-        // Pushes a place along the contact with a row. Returns the push; null if there have been too many rounds, or it would lead back against the last one.
-        private function push(row:int, length:Number, round:int, last:ContactPoint, place:Vector3D, pushes:ContactList):ContactPoint
-        {
-            if (round == MAX_ROUNDS || leadsBack(_contact, last))
-            {
-                return null;
-            }
-            _contact.movePoint(place, length);
-            return pushes.contacts[pushes.add(_contact, row)];
+            findContactOfPush(shrunk.body, row, place, round, last, out);
+            return shrunk.body.isShallow(row, out) ? out.depth + shrunk.clearance : Infinity;
         }
 
         // Lets planes stand for obstacles that the shrunk body overlaps: for deep overlaps, and also for shallow ones if they are to count. These are
         // obstacles no longer, nor are one-way rows that the body passes. Returns whether obstacles are left that the shrunk body overlapped.
-        private function replaceByPlanes(motion:ShrunkSweep, alsoShallow:Boolean):Boolean
+        private function replaceByPlanes(sweep:ShrunkSweep, alsoShallow:Boolean):Boolean
         {
-            var obstacles:IntList = motion.obstacles;
+            var obstacles:IntList = sweep.obstacles;
             var isLeft:Boolean = false;
             var i:int = 0;
             while (i < obstacles.count)
             {
                 var row:int = obstacles.values[i];
-                var isOverlapped:Boolean = motion.shrunk.shrunkTouches(row, motion.start);
-                if (isOverlapped && (motion.shrunk.body.passesOneWayAt(row, motion.start) || addPlane(row, motion, alsoShallow)))
+                var isOverlapped:Boolean = sweep.shrunk.shrunkTouches(row, sweep.start);
+                if (isOverlapped && (sweep.shrunk.body.passesOneWayAt(row, sweep.start, _contact) || addPlane(row, sweep, alsoShallow)))
                 {
                     obstacles.remove(row);
                 }
@@ -207,16 +180,16 @@ package starlogo.queries.motion
         // Lets a plane stand for a row that the shrunk body overlaps, if the overlap counts and a plane is needed. First the shrunk body becomes
         // narrower, for the whole motion. If it is free of the row then, no plane is needed. None is needed either if only the shrunk body overlaps
         // the row, not the body. Returns whether the plane stands.
-        private function addPlane(row:int, motion:ShrunkSweep, alsoShallow:Boolean):Boolean
+        private function addPlane(row:int, sweep:ShrunkSweep, alsoShallow:Boolean):Boolean
         {
-            var shrunk:ShrunkBody = motion.shrunk;
-            shrunk.body.findContact(row, motion.start, alsoShallow, _contact);
+            var shrunk:ShrunkBody = sweep.shrunk;
+            shrunk.body.findContact(row, sweep.start, alsoShallow, _contact);
             var isCounted:Boolean = alsoShallow || !shrunk.body.isShallow(row, _contact);
-            if (!isCounted || shrunk.tryNarrow(row, motion.start) || !shrunk.bodyOverlaps(row, motion.start))
+            if (!isCounted || shrunk.tryNarrow(row, sweep.start) || !shrunk.bodyOverlaps(row, sweep.start))
             {
                 return false;
             }
-            motion.planes.add(_contact, row);
+            sweep.planes.add(_contact, row);
             shrunk.body.warnIfInside(row, _contact);
             return true;
         }
@@ -226,7 +199,7 @@ package starlogo.queries.motion
         {
             var body:MovingBody = shrunk.body;
             // mostly it is known faster that the shrunk body touches the row than how deep the overlap is
-            if (!findTouchingPlace(shrunk, row, place, _tried) || body.passesOneWayAt(row, _tried)
+            if (!findTouchingPlace(shrunk, row, place, _tried) || body.passesOneWayAt(row, _tried, out)
                     || (!shrunk.isFlat && shrunk.shrunkTouches(row, place)))
             {
                 return 0;

@@ -19,17 +19,10 @@ package starlogo.queries.motion
         // At an edge, the face this far behind the edge is tested. A part of the extent.
         private static const BEHIND_EDGE:Number = 1e-4;
 
-        private static const DOWN:Vector3D = new Vector3D(0, 0, -1);
-
         private var _rowRays:RowRayTest;
         private var _slider:Slider;
 
-        // How a slide down ends, and a way straight down.
-        private var _slid:MotionResult = new MotionResult();
-        private var _down:MotionResult = new MotionResult();
-
-        // The ray at an edge: where it begins, and what it meets.
-        private var _origin:Vector3D = new Vector3D();
+        // The ray straight down behind an edge, and what it meets.
         private var _ray:Ray = new Ray();
         private var _entry:RayCrossing = new RayCrossing();
 
@@ -41,6 +34,7 @@ package starlogo.queries.motion
         {
             _slider = slider;
             _rowRays = new RowRayTest(seen);
+            _ray.aim(new Vector3D(), new Vector3D(0, 0, -1));
         }
 
         /**
@@ -49,8 +43,7 @@ package starlogo.queries.motion
          */
         public function tryStandBelow(walk:WalkState, place:Vector3D, depth:Number):Boolean
         {
-            _slider.moveVertically(walk.body, place, -depth, _down);
-            return tryStandAtEnd(walk, _down);
+            return tryStandAtEnd(walk, _slider.moveVertically(walk.body, place, -depth));
         }
 
         /**
@@ -59,12 +52,16 @@ package starlogo.queries.motion
          */
         public function tryStandAtEnd(walk:WalkState, down:MotionResult):Boolean
         {
-            if (!down.hasContact || tryStandOn(walk, down, down.place))
+            if (!down.hasContact)
             {
-                return down.hasContact;
+                return false;
             }
-            _slider.slideDown(walk.body, down.place, walk.closeDepth, walk.minFloorNormalZ, walk.body.extent, _slid);
-            return _slid.hasContact && tryStandOn(walk, _slid, down.place);
+            if (tryStandOn(walk, down, down.place))
+            {
+                return true;
+            }
+            var slid:MotionResult = _slider.slideDown(walk.body, down.place, walk.closeDepth, walk.minFloorNormalZ, walk.body.extent);
+            return slid.hasContact && tryStandOn(walk, slid, down.place);
         }
 
         /**
@@ -106,8 +103,9 @@ package starlogo.queries.motion
             var behind:Number = BEHIND_EDGE * walk.body.extent;
             // the ray begins outside of all faces that are not too steep
             var above:Number = 2 * behind / walk.minFloorNormalZ;
-            _origin.setTo(contact.x - behind * contact.normalX / across, contact.y - behind * contact.normalY / across, contact.z + above);
-            _ray.aim(_origin, DOWN);
+            _ray.x = contact.x - behind * contact.normalX / across;
+            _ray.y = contact.y - behind * contact.normalY / across;
+            _ray.z = contact.z + above;
             _ray.to = 2 * above;
             if (!_rowRays.findRayEntry(row, _ray, _entry) || _entry.distance == 0 || !(_entry.normalZ >= walk.minFloorNormalZ))
             {

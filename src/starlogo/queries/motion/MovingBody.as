@@ -64,9 +64,6 @@ package starlogo.queries.motion
         private var _copy:Body = new Body();
         private var _structureBody:StructureBody = new StructureBody();
 
-        // The contact with a one-way row.
-        private var _contact:ContactPoint = new ContactPoint();
-
         /** @param seen has the rows, and decides which of them touch */
         public function MovingBody(seen:SeenAgents)
         {
@@ -76,21 +73,24 @@ package starlogo.queries.motion
         /**
          * Becomes the body of an agent, as it is now.
          *
-         * @param turn by how many degrees it is turned
          * @return this body, as from all methods that make it another one
          * @throws ArgumentError if the agent is null, has no place, or its model is unknown or lacks data that is needed
          */
-        public function setToAgent(agent:Agent, turn:Number = 0):MovingBody
+        public function setToAgent(agent:Agent):MovingBody
         {
             _seen.requirePlaced(agent);
             this.agent = agent;
             _copy.copyFrom(_seen.bodyOf(agent));
-            begin(_copy);
-            if (turn != 0 && hasShape)
+            return begin(_copy);
+        }
+
+        /** Turns the body of an agent by some degrees. */
+        public function turn(degrees:Number):void
+        {
+            if (degrees != 0 && hasShape)
             {
-                whole.turn(agent, turn);
+                whole.turn(agent, degrees);
             }
-            return this;
         }
 
         private function begin(body:Body):MovingBody
@@ -303,15 +303,19 @@ package starlogo.queries.motion
             return contact.depth <= ShrunkBody.SHALLOW * extentWith(bodyOf(row));
         }
 
-        /** Whether the body goes on through a row that the shrunk body touches at a place: the row is one-way, and the body does not rest on it. */
-        public function passesOneWayAt(row:int, place:Vector3D):Boolean
+        /**
+         * Whether the body goes on through a row that it touches at a place: the row is one-way, and the body does not rest on it.
+         *
+         * @param contact is written
+         */
+        public function passesOneWayAt(row:int, place:Vector3D, contact:ContactPoint):Boolean
         {
             if (!isOneWay(row))
             {
                 return false;
             }
-            findContact(row, place, true, _contact);
-            return !isShallow(row, _contact) || passesOneWay(row, _contact);
+            findContact(row, place, true, contact);
+            return !isShallow(row, contact) || passesOneWay(row, contact);
         }
 
         /**

@@ -35,10 +35,6 @@ package starlogo.queries.motion
         // Tells whether the platform is in the way.
         private var _sweep:ShrunkSweep = new ShrunkSweep();
 
-        // How the agent goes with the platform.
-        private var _slid:MotionResult = new MotionResult();
-        private var _straight:MotionResult = new MotionResult();
-
         /**
          * @param seen has the rows
          * @param slider slides the agent along others
@@ -121,17 +117,16 @@ package starlogo.queries.motion
             _rows.copyExcept(walk.body.rows, platformRow);
             _from.copyFrom(walk.place);
             _from.incrementBy(walk.carry);
-            _slider.slide(walk.body, _rows, walk.place, walk.carry, SlideLimits.NONE, _slid);
-            var place:Vector3D = _slid.place;
-            if (_slid.fraction < 1 && leadsIntoPlatform(platformRow, walk, place))
+            var end:MotionResult = _slider.slide(walk.body, _rows, walk.place, walk.carry, SlideLimits.NONE);
+            if (end.fraction < 1 && leadsIntoPlatform(platformRow, walk, end.place))
             {
-                _slider.moveStraight(walk.body, _rows, walk.place, walk.carry, _straight);
-                if (!leadsIntoPlatform(platformRow, walk, _straight.place))
+                var straight:MotionResult = _slider.moveStraight(walk.body, _rows, walk.place, walk.carry);
+                if (!leadsIntoPlatform(platformRow, walk, straight.place))
                 {
-                    place = _straight.place;
+                    end = straight;
                 }
             }
-            walk.place.copyFrom(place);
+            walk.place.copyFrom(end.place);
         }
 
         // Whether the way to a place, from where the platform carries the agent, leads into the platform.
@@ -170,8 +165,8 @@ package starlogo.queries.motion
             _rows.add(row);
             _from.setTo(walk.place.x, walk.place.y, walk.place.z + rise);
             _motion.setTo(0, 0, -rise);
-            _slider.moveStraight(walk.body, _rows, _from, _motion, _straight);
-            return _straight.hasContact ? _straight.place.z - walk.place.z : 0;
+            var down:MotionResult = _slider.moveStraight(walk.body, _rows, _from, _motion);
+            return down.hasContact ? down.place.z - walk.place.z : 0;
         }
     }
 }

@@ -57,7 +57,7 @@ package starlogo.queries.motion
         /** Begins a corner: the remaining motion becomes the desired one. A fall begins each corner straight down again. */
         public function beginCorner():void
         {
-            if (!_limits.isFall)
+            if (_limits.fallSlope == 0)
             {
                 _desired.copyFrom(motion);
             }
@@ -122,7 +122,7 @@ package starlogo.queries.motion
         private function shorten():void
         {
             var wide:Number = horizontalLength();
-            var isTooLevel:Boolean = _limits.isFall && -motion.z < _limits.fallSlope * wide * (1 - STEEPNESS_ROUNDING);
+            var isTooLevel:Boolean = _limits.fallSlope > 0 && -motion.z < _limits.fallSlope * wide * (1 - STEEPNESS_ROUNDING);
             if (wide > _maxHorizontal)
             {
                 motion.scaleBy(Math.max(0, _maxHorizontal / wide));

@@ -88,19 +88,21 @@ package starlogo.queries.motion
          * Finds what stops a straight motion: a plane of an overlap, or an obstacle.
          *
          * @param from where the motion should start
-         * @return when the body touches that: from 0 to 1; 0 for a plane, 1 if nothing stops it
+         * @param out receives all but places. Its fraction is 0 for a plane
          */
-        public function findStop(body:MovingBody, from:Vector3D, motion:Vector3D):Number
+        public function findStop(body:MovingBody, from:Vector3D, motion:Vector3D, out:MotionResult):void
         {
-            if (!begin(body, from, motion))
+            var isKnown:Boolean = begin(body, from, motion);
+            var crossesPlane:Boolean = !isKnown && findCrossedPlane(motion);
+            if (!isKnown && !crossesPlane)
             {
-                if (findCrossedPlane(motion))
-                {
-                    return 0;
-                }
                 findStoppingImpact(start, motion);
             }
-            return impact.hasRow ? findTouchTime(start, motion) : 1;
+            out.fraction = crossesPlane ? 0 : (impact.hasRow ? findTouchTime(start, motion) : 1);
+            out.row = impact.row;
+            out.wallRow = -1;
+            out.hasPlanes = planes.count > 0;
+            out.contact.copyFrom(impact.contact);
         }
 
         /**

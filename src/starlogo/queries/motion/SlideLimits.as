@@ -1,8 +1,8 @@
 package starlogo.queries.motion
 {
     /**
-     * How a slide may go, as a record. There are four ways: without limits (NONE), at one height (HORIZONTAL), along the ground and walls (setWalls), and down
-     * what is steep (setFall).
+     * How a slide may go, as a record. There are four ways: without limits (NONE), at one height (HORIZONTAL), along the ground and walls
+     * (WalkPlanner.slideAlong), and down what is steep (Slider.slideDown).
      *
      * @private
      */
@@ -26,10 +26,10 @@ package starlogo.queries.motion
         /** The greatest length of its way on the ground plane. The planes of contacts can turn a motion up or down more level. */
         public var maxHorizontal:Number = Infinity;
 
-        /** Whether it is a fall. In each corner a fall begins straight down again. So it has no momentum, and never goes up. */
-        public var isFall:Boolean = false;
-
-        /** For a fall: the least slope on which it goes on, as a tangent. */
+        /**
+         * The least slope on which a fall goes on, as a tangent; 0 for what is no fall. In each corner a fall begins straight down again. So it has no
+         * momentum, and never goes up.
+         */
         public var fallSlope:Number = 0;
 
         /**
@@ -40,21 +40,6 @@ package starlogo.queries.motion
         {
             this.minFloorNormalZ = minFloorNormalZ;
             this.keepsHeight = keepsHeight;
-        }
-
-        /** Sets the limits of a way along the ground and walls. */
-        public function setWalls(minFloorNormalZ:Number, maxHorizontal:Number):void
-        {
-            this.minFloorNormalZ = minFloorNormalZ;
-            this.maxHorizontal = maxHorizontal;
-        }
-
-        /** Sets the limits of a fall. */
-        public function setFall(fallSlope:Number, maxHorizontal:Number):void
-        {
-            this.fallSlope = fallSlope;
-            this.maxHorizontal = maxHorizontal;
-            isFall = true;
         }
     }
 }

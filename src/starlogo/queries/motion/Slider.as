@@ -8,6 +8,8 @@ package starlogo.queries.motion
      * Moves a body as characters move: along what it meets, or straight on. The body ends a clearance before what stops it, so that the next motion
      * begins free.
      *
+     * <p>It returns how a motion ends. The result of a slide is valid until the next slide, that of a straight motion until the next straight one.</p>
+     *
      * @private
      */
     public final class Slider
@@ -30,6 +32,10 @@ package starlogo.queries.motion
         private var _vertical:Vector3D = new Vector3D();
         private var _fall:SlideLimits = new SlideLimits(-Infinity);
 
+        // How a slide ends, and a straight motion.
+        private var _slid:MotionResult = new MotionResult();
+        private var _straight:MotionResult = new MotionResult();
+
         /**
          * Computes a motion that slides along what it meets.
          *
@@ -37,10 +43,10 @@ package starlogo.queries.motion
          * @param from where it begins
          * @param motion the whole motion
          * @param limits how it may go
-         * @param out receives the answer
          */
-        public function slide(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, limits:SlideLimits, out:MotionResult):void
+        public function slide(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, limits:SlideLimits):MotionResult
         {
+            var out:MotionResult = _slid;
             var impact:Impact = _sweep.impact;
             out.wallRow = -1;
             out.row = -1;
@@ -78,6 +84,7 @@ package starlogo.queries.motion
                 _remaining.advance(out.place, 1);
             }
             out.fraction = _remaining.travelled < motion.length ? _remaining.travelled / motion.length : 1;
+            return out;
         }
 
         // Turns what remains of the motion out of the planes, and finds what stops it then.
@@ -93,29 +100,22 @@ package starlogo.queries.motion
          * @param rows the rows that may be in its way
          * @param from where it begins
          * @param motion the whole motion
-         * @param out receives the answer
          */
-        public function moveStraight(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, out:MotionResult):void
+        public function moveStraight(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D):MotionResult
         {
+            var out:MotionResult = _straight;
             _sweep.obstacles.copyFrom(rows);
-            out.fraction = _sweep.findStop(body, from, motion);
-            out.hasPlanes = _sweep.planes.count > 0;
-            out.wallRow = -1;
-            out.row = _sweep.impact.row;
-            var end:Number = 1;
-            if (out.hasContact)
-            {
-                out.contact.copyFrom(_sweep.impact.contact);
-                end = Math.max(out.fraction + _sweep.shrunk.clearance / out.contact.along(motion), 0);
-            }
+            _sweep.findStop(body, from, motion, out);
+            var end:Number = out.hasContact ? Math.max(out.fraction + _sweep.shrunk.clearance / out.contact.along(motion), 0) : 1;
             ShrunkSweep.setAlong(_sweep.start, motion, end, out.place);
+            return out;
         }
 
         /** Computes a way straight up, or down if dz is less than 0: a straight motion among the body's own rows. */
-        public function moveVertically(body:MovingBody, from:Vector3D, dz:Number, out:MotionResult):void
+        public function moveVertically(body:MovingBody, from:Vector3D, dz:Number):MotionResult
         {
             _vertical.z = dz;
-            moveStraight(body, body.rows, from, _vertical, out);
+            return moveStraight(body, body.rows, from, _vertical);
         }
 
         /**
@@ -125,11 +125,12 @@ package starlogo.queries.motion
          * @param minFloorNormalZ the least z of the normal of what is not too steep
          * @param maxHorizontal how far sideways at most
          */
-        public function slideDown(body:MovingBody, from:Vector3D, depth:Number, minFloorNormalZ:Number, maxHorizontal:Number, out:MotionResult):void
+        public function slideDown(body:MovingBody, from:Vector3D, depth:Number, minFloorNormalZ:Number, maxHorizontal:Number):MotionResult
         {
-            _fall.setFall(Math.sqrt(1 - minFloorNormalZ * minFloorNormalZ) / minFloorNormalZ, maxHorizontal);
+            _fall.fallSlope = Math.sqrt(1 - minFloorNormalZ * minFloorNormalZ) / minFloorNormalZ;
+            _fall.maxHorizontal = maxHorizontal;
             _vertical.z = -depth;
-            slide(body, body.rows, from, _vertical, _fall, out);
+            return slide(body, body.rows, from, _vertical, _fall);
         }
 
         // Notes what a slide meets. What is too steep becomes an upright wall. The rest climbs what is not.

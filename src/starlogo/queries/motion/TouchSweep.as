@@ -39,12 +39,9 @@ package starlogo.queries.motion
         // The way from the computed end of a motion to where the shrunk body touches.
         private var _toShrunk:Vector3D = new Vector3D();
 
-        // The results, whose memory is used again, and the indices of those that count, with the times as keys.
-        private var _results:Vector.<MotionResult> = new Vector.<MotionResult>();
+        // The results, whose memory is used again, and the indices of those that count, with the times as keys. The first is that of a free motion too.
+        private var _results:Vector.<MotionResult> = new <MotionResult>[new MotionResult()];
         private var _touches:SortableIntList = new SortableIntList();
-
-        // The result of a free motion.
-        private var _free:MotionResult = new MotionResult();
 
         /**
          * Finds the rows of a body that stop its motion, each as if the others were not there. Those with the same time keep their order.
@@ -71,8 +68,12 @@ package starlogo.queries.motion
                 _touches.sortFirst(count);
                 return touchAt(0);
             }
-            setEnd(body, 1, _free.place);
-            return _free;
+            var free:MotionResult = _results[0];
+            free.row = -1;
+            free.fraction = 1;
+            free.hasPlanes = false;
+            setEnd(body, 1, free.place);
+            return free;
         }
 
         /** How many touches were found. */
@@ -117,12 +118,9 @@ package starlogo.queries.motion
         {
             _sweepOfRow.obstacles.count = 0;
             _sweepOfRow.obstacles.add(row);
-            out.fraction = _sweepOfRow.findStop(body, _sweepOfAll.start, body.motion);
-            out.row = _sweepOfRow.impact.row;
-            out.hasPlanes = out.hasContact && _sweepOfRow.planes.count > 0;
+            _sweepOfRow.findStop(body, _sweepOfAll.start, body.motion, out);
             if (out.hasContact)
             {
-                out.contact.copyFrom(_sweepOfRow.impact.contact);
                 if (!out.hasPlanes)
                 {
                     out.contact.depth = 0;

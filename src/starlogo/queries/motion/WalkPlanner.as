@@ -2,6 +2,7 @@ package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
+    import starlogo.convex.ContactPoint;
     import starlogo.engine;
     import starlogo.geometry.Trigonometry;
     import starlogo.queries.SeenAgents;
@@ -40,7 +41,6 @@ package starlogo.queries.motion
         // The most pushes out of what the agent overlaps where a walk begins.
         private static const MAX_PUSHES:int = 8;
 
-        private var _seen:SeenAgents;
         private var _slider:Slider = new Slider();
         private var _depenetration:Depenetration = new Depenetration();
         private var _platforms:PlatformCarry;
@@ -50,14 +50,12 @@ package starlogo.queries.motion
         private var _motion:Vector3D = new Vector3D();
         private var _limits:SlideLimits = new SlideLimits(-Infinity);
 
-        // How a slide, and a way straight up or down, ends. Only the method that passes it reads it.
-        private var _slid:MotionResult = new MotionResult();
-        private var _vertical:MotionResult = new MotionResult();
+        // The contact of the deepest overlap.
+        private var _deepest:ContactPoint = new ContactPoint();
 
         /** @param seen has the rows */
         public function WalkPlanner(seen:SeenAgents)
         {
-            _seen = seen;
             _platforms = new PlatformCarry(seen, _slider);
             _foothold = new Foothold(seen, _slider);
         }
@@ -70,19 +68,21 @@ package starlogo.queries.motion
          * @param dx how far along x
          * @param dy how far along y
          * @param options how it walks
-         * @param out receives where the walk ends, and how the agent stands there
+         * @param out receives where the walk ends, and how it came there
+         * @return whether the agent stands there
          */
-        public function plan(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:WalkState):void
+        public function plan(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:WalkState):Boolean
         {
             var platformRow:int = begin(agent, dx, dy, options, out);
-            out.stands = walkSubsteps(out, standOrPushOut(out, platformRow)) || fall(out);
+            var stands:Boolean = walkSubsteps(out, standOrPushOut(out, platformRow)) || fall(out);
             _depenetration.restoreClearance(out.body, out.place);
+            return stands;
         }
 
         // Begins a walk where the agent is, or where its platform carries it. Returns the platform's row; -1 if none carries it.
         private function begin(agent:Agent, dx:Number, dy:Number, options:WalkOptions, walk:WalkState):int
         {
-            _seen.requirePlaced(agent);
+            var body:MovingBody = walk.body.setToAgent(agent).aim(dx, dy, 0);
             walk.options.copyFrom(options);
             walk.minFloorNormalZ = (1 - SLOPE_ROUNDING) * Trigonometry.cosine(options.slopeDegrees);
             var length:Number = Math.sqrt(dx * dx + dy * dy);
@@ -90,8 +90,8 @@ package starlogo.queries.motion
             walk.substepMotion.setTo(dx / walk.substepCount, dy / walk.substepCount, 0);
             walk.substepLength = length / walk.substepCount;
             var platformRow:int = _platforms.find(agent, walk);
-            walk.body.setToAgent(agent, walk.carryTurn).aim(dx, dy, 0);
-            walk.place.copyFrom(walk.body.from);
+            body.turn(walk.carryTurn);
+            walk.place.copyFrom(body.from);
             collectRows(walk, 0);
             if (platformRow >= 0)
             {
@@ -123,18 +123,18 @@ package starlogo.queries.motion
         {
             walk.substepStart.copyFrom(walk.place);
             var lift:Number = liftByPlatforms(walk, platformRow);
-            _slider.moveVertically(walk.body, walk.place, -walk.closeDepth, _vertical);
-            if (_vertical.hasPlanes)
+            var down:MotionResult = _slider.moveVertically(walk.body, walk.place, -walk.closeDepth);
+            if (down.hasPlanes)
             {
                 pushOutOfDeep(walk, lift);
-                _slider.moveVertically(walk.body, walk.place, -walk.closeDepth, _vertical);
+                down = _slider.moveVertically(walk.body, walk.place, -walk.closeDepth);
             }
             var x:Number = walk.place.x - walk.substepStart.x;
             var y:Number = walk.place.y - walk.substepStart.y;
             var z:Number = walk.place.z - walk.substepStart.z;
             walk.pushed = Math.sqrt(x * x + y * y + z * z);
             walk.substepStart.copyFrom(walk.place);
-            return _foothold.tryStandAtEnd(walk, _vertical);
+            return _foothold.tryStandAtEnd(walk, down);
         }
 
         // Lifts the agent with one-way rows that have risen into it, if there is room. Returns how far they lead.
@@ -144,8 +144,7 @@ package starlogo.queries.motion
             if (lift > 0)
             {
                 collectRows(walk, lift);
-                _slider.moveVertically(walk.body, walk.place, lift, _vertical);
-                walk.place.copyFrom(_vertical.place);
+                walk.place.copyFrom(_slider.moveVertically(walk.body, walk.place, lift).place);
             }
             return lift;
         }
@@ -154,24 +153,20 @@ package starlogo.queries.motion
         // together are as long as the depths of all overlaps at the beginning. Platforms have lifted the agent before.
         private function pushOutOfDeep(walk:WalkState, lift:Number):void
         {
-            var left:Number = _depenetration.measureOverlaps(walk.body, walk.place, walk.deepestOverlap);
-            if (!(left > 0))
+            var left:Number = _depenetration.measureOverlaps(walk.body, walk.place, _deepest);
+            if (left > 0)
             {
-                return;
+                // the filter's accepts may walk another agent, so the overlaps are measured again
+                collectRows(walk, lift + left);
             }
-            collectRows(walk, lift + left);
-            var pushes:int = 0;
-            do
+            for (var i:int = 0; i < MAX_PUSHES && left > 0 && _depenetration.measureOverlaps(walk.body, walk.place, _deepest) > 0; i++)
             {
-                var length:Number = Math.min(left, walk.deepestOverlap.depth);
+                var length:Number = Math.min(left, _deepest.depth);
                 left -= length;
                 _motion.setTo(0, 0, 0);
-                walk.deepestOverlap.movePoint(_motion, length);
-                _slider.slide(walk.body, walk.body.rows, walk.place, _motion, SlideLimits.NONE, _slid);
-                walk.place.copyFrom(_slid.place);
-                pushes++;
+                _deepest.movePoint(_motion, length);
+                walk.place.copyFrom(_slider.slide(walk.body, walk.body.rows, walk.place, _motion, SlideLimits.NONE).place);
             }
-            while (pushes < MAX_PUSHES && left > 0 && _depenetration.measureOverlaps(walk.body, walk.place, walk.deepestOverlap) > 0);
         }
 
         // Goes all substeps: along the ground if the agent stands, else straight on through the air. Returns whether it stands at the end.
@@ -196,8 +191,7 @@ package starlogo.queries.motion
                 else
                 {
                     // in the air all surfaces are walls, except of horizontal floors
-                    slideAlong(walk, walk.substepStart, 0, SlideLimits.HORIZONTAL_Z, _slid);
-                    endSubstep(walk, _slid);
+                    endSubstep(walk, slideAlong(walk, walk.substepStart, 0, SlideLimits.HORIZONTAL_Z));
                 }
             }
             var dx:Number = walk.place.x - startX;
@@ -220,9 +214,9 @@ package starlogo.queries.motion
             var normal:Vector3D = walk.floorNormal;
             var slopeZ:Number = -(normal.x * walk.substepMotion.x + normal.y * walk.substepMotion.y) / normal.z;
             var wallBefore:int = walk.wallRow;
-            slideAlong(walk, walk.place, slopeZ, walk.minFloorNormalZ, _slid);
-            endSubstep(walk, _slid);
-            if (_slid.wallRow >= 0 && tryStepUp(walk, wallBefore))
+            var slid:MotionResult = slideAlong(walk, walk.place, slopeZ, walk.minFloorNormalZ);
+            endSubstep(walk, slid);
+            if (slid.wallRow >= 0 && tryStepUp(walk, wallBefore))
             {
                 return true;
             }
@@ -245,22 +239,22 @@ package starlogo.queries.motion
         // wall is one that it met there, or the one before the substep.
         private function tryStepUp(walk:WalkState, wallBefore:int):Boolean
         {
-            _slider.moveVertically(walk.body, walk.substepStart, walk.options.stepHeight, _vertical);
-            var height:Number = _vertical.place.z - walk.substepStart.z;
+            var up:MotionResult = _slider.moveVertically(walk.body, walk.substepStart, walk.options.stepHeight);
+            var height:Number = up.place.z - walk.substepStart.z;
             if (height <= walk.closeDepth)
             {
                 return false;
             }
-            slideAlong(walk, _vertical.place, 0, walk.minFloorNormalZ, _slid);
-            if (!isFarther(walk, _slid.place))
+            var slid:MotionResult = slideAlong(walk, up.place, 0, walk.minFloorNormalZ);
+            if (!isFarther(walk, slid.place))
             {
                 return false;
             }
-            var upperWall:int = _slid.wallRow;
+            var upperWall:int = slid.wallRow;
             var depth:Number = height + walk.options.snap + walk.closeDepth;
-            var top:Number = _slid.place.z;
-            _slider.moveVertically(walk.body, _slid.place, -depth, _vertical);
-            if (_foothold.tryStandAtEnd(walk, _vertical) || (_vertical.hasContact && trySlideOff(walk, _vertical.place, depth - (top - _vertical.place.z))))
+            var top:Number = slid.place.z;
+            var down:MotionResult = _slider.moveVertically(walk.body, slid.place, -depth);
+            if (_foothold.tryStandAtEnd(walk, down) || (down.hasContact && trySlideOff(walk, down.place, depth - (top - down.place.z))))
             {
                 walk.wallRow = upperWall >= 0 ? upperWall : wallBefore;
                 return true;
@@ -279,54 +273,47 @@ package starlogo.queries.motion
         // whether the agent comes farther than without the step, but no farther from where the substep began than the substep is long, and stands.
         private function trySlideOff(walk:WalkState, from:Vector3D, depth:Number):Boolean
         {
-            _slider.slideDown(walk.body, from, depth, walk.minFloorNormalZ, walk.substepLength, _slid);
-            var dx:Number = _slid.place.x - walk.substepStart.x;
-            var dy:Number = _slid.place.y - walk.substepStart.y;
-            return dx * dx + dy * dy <= walk.substepLength * walk.substepLength && isFarther(walk, _slid.place)
-                && _foothold.tryStandBelow(walk, _slid.place, walk.closeDepth);
+            var end:Vector3D = _slider.slideDown(walk.body, from, depth, walk.minFloorNormalZ, walk.substepLength).place;
+            var dx:Number = end.x - walk.substepStart.x;
+            var dy:Number = end.y - walk.substepStart.y;
+            return dx * dx + dy * dy <= walk.substepLength * walk.substepLength && isFarther(walk, end)
+                && _foothold.tryStandBelow(walk, end, walk.closeDepth);
         }
 
         // Falls until something stops the agent, and slides down what is too steep. If nothing stops an endless fall, it ends where it began. Returns whether the
         // agent stands then. While its model is loading it does not fall.
         private function fall(walk:WalkState):Boolean
         {
-            if (!walk.body.hasShape)
+            var body:MovingBody = walk.body;
+            if (!body.hasShape)
             {
                 return false;
             }
-            var fallLeft:Number = dropUntilStopped(walk, _vertical);
-            if (_vertical.hasContact)
+            // It goes in drops that get longer, because rounding errors grow with the length of a motion, and no farther than below all that is near: walls of
+            // the ground have no lower end, and a very long wall would have errors as large as a floor.
+            var heightAboveAll:Number = Math.max(body.extent, walk.place.z + body.whole.offsetZ + body.extent - lowestOf(body));
+            var fallLeft:Number = walk.options.fall;
+            var from:Vector3D = walk.place;
+            for (var drop:Number = 1; fallLeft > 0 && heightAboveAll > 0; drop *= 2)
             {
-                return settle(walk, _vertical, fallLeft);
+                var depth:Number = Math.min(fallLeft, Math.min(drop, heightAboveAll));
+                var down:MotionResult = _slider.moveVertically(body, from, -depth);
+                // the touch counts, not the clearance before it
+                fallLeft -= down.fraction * depth;
+                heightAboveAll -= depth;
+                if (down.hasContact)
+                {
+                    return settle(walk, down, fallLeft);
+                }
+                from = down.place;
             }
             if (fallLeft == Infinity)
             {
                 return false;
             }
-            walk.place.copyFrom(_vertical.place);
-            walk.place.z -= fallLeft;
+            walk.place.setTo(from.x, from.y, from.z - fallLeft);
             // a fall can also end where the ground begins, without being stopped
             return _foothold.tryStandBelow(walk, walk.place, walk.closeDepth);
-        }
-
-        // Goes straight down until something stops the agent, it has gone as far as it may fall, or it is below all that is near. It goes in drops that get
-        // longer, because rounding errors grow with the length of a motion, and no farther than needed: walls of the ground have no lower end, and a very
-        // long wall would have errors as large as a floor. Returns how much farther it may fall: the touch counts, not the clearance before it.
-        private function dropUntilStopped(walk:WalkState, out:MotionResult):Number
-        {
-            var body:MovingBody = walk.body;
-            var fallLeft:Number = walk.options.fall;
-            var heightAboveAll:Number = Math.max(body.extent, walk.place.z + body.whole.offsetZ + body.extent - lowestOf(body));
-            out.place.copyFrom(walk.place);
-            out.row = -1;
-            for (var drop:Number = 1; fallLeft > 0 && heightAboveAll > 0 && !out.hasContact; drop *= 2)
-            {
-                var depth:Number = Math.min(fallLeft, Math.min(drop, heightAboveAll));
-                _slider.moveVertically(walk.body, out.place, -depth, out);
-                fallLeft -= out.fraction * depth;
-                heightAboveAll -= depth;
-            }
-            return fallLeft;
         }
 
         // The lowest height of the rows near a walk. Below it, only walls of the ground are left.
@@ -350,10 +337,10 @@ package starlogo.queries.motion
                 return true;
             }
             var depth:Number = depthAfterFall(walk);
-            _slider.slideDown(walk.body, stop.place, Math.min(fallLeft, depth), walk.minFloorNormalZ, depth / 2, _slid);
-            if (!(walk.place.z - _slid.place.z < MIN_FALL * walk.body.extent))
+            var end:Vector3D = _slider.slideDown(walk.body, stop.place, Math.min(fallLeft, depth), walk.minFloorNormalZ, depth / 2).place;
+            if (!(walk.place.z - end.z < MIN_FALL * walk.body.extent))
             {
-                walk.place.copyFrom(_slid.place);
+                walk.place.copyFrom(end);
             }
             return _foothold.tryStandBelow(walk, walk.place, walk.closeDepth);
         }
@@ -365,11 +352,12 @@ package starlogo.queries.motion
         }
 
         // Slides along the way of a substep, and up or down.
-        private function slideAlong(walk:WalkState, from:Vector3D, dz:Number, minFloorNormalZ:Number, out:MotionResult):void
+        private function slideAlong(walk:WalkState, from:Vector3D, dz:Number, minFloorNormalZ:Number):MotionResult
         {
-            _limits.setWalls(minFloorNormalZ, walk.substepLength);
+            _limits.minFloorNormalZ = minFloorNormalZ;
+            _limits.maxHorizontal = walk.substepLength;
             _motion.setTo(walk.substepMotion.x, walk.substepMotion.y, dz);
-            _slider.slide(walk.body, walk.body.rows, from, _motion, _limits, out);
+            return _slider.slide(walk.body, walk.body.rows, from, _motion, _limits);
         }
     }
 }

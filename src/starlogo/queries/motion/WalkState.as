@@ -1,7 +1,6 @@
 package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
-    import starlogo.convex.ContactPoint;
     import starlogo.queries.SeenAgents;
     import starlogo.queries.WalkOptions;
 
@@ -42,9 +41,6 @@ package starlogo.queries.motion
         /** Where the agent is now. */
         public var place:Vector3D = new Vector3D();
 
-        /** The contact of the deepest overlap where the walk begins. A filter may walk another agent before the push. */
-        public var deepestOverlap:ContactPoint = new ContactPoint();
-
         /** The row that the agent stood on last, and the normal of its surface there. */
         public var floorRow:int = -1;
         public var floorNormal:Vector3D = new Vector3D();
@@ -52,8 +48,7 @@ package starlogo.queries.motion
         /** The row of the last wall that the agent met and did not step over; -1 if it met none. */
         public var wallRow:int = -1;
 
-        /** Whether the agent stands at the end; how far it was pushed; and the part of its way that it has come. See Footing. */
-        public var stands:Boolean = false;
+        /** How far the agent was pushed, and the part of its way that it has come. See Footing. */
         public var pushed:Number = 0;
         public var part:Number = 1;
 

@@ -13,8 +13,7 @@ package starlogo.queries.trees
     {
         private var _placement:Placement;
 
-        // The angle between the axis and the border, in degrees below 180, with its sine and cosine.
-        private var _halfAngle:Number = 0;
+        // Of the angle between the axis and the border.
         private var _sine:Number = 0;
         private var _cosine:Number = 1;
 
@@ -28,7 +27,6 @@ package starlogo.queries.trees
         public function setTo(placement:Placement, halfAngle:Number):Cone
         {
             _placement = placement;
-            _halfAngle = halfAngle;
             _sine = Trigonometry.sine(halfAngle);
             _cosine = Trigonometry.cosine(halfAngle);
             return this;
@@ -48,8 +46,8 @@ package starlogo.queries.trees
             var acrossZ:Number = axisX * toY - axisY * toX;
             var across:Number = Math.sqrt(acrossX * acrossX + acrossY * acrossY + acrossZ * acrossZ);
             var along:Number = axisX * toX + axisY * toY + axisZ * toZ;
-            // the left side is the sine of the angle beyond the border. It is 0 half a turn away too, so the last condition excludes rows there
-            return across * _cosine - along * _sine <= Tolerances.CONE * (across + Math.abs(along)) && (along >= 0 || _halfAngle >= 45);
+            // the left side is the sine of the angle beyond the border. It is 0 half a turn away too, so the last condition excludes rows there if the angle is less than 45 degrees
+            return across * _cosine - along * _sine <= Tolerances.CONE * (across + Math.abs(along)) && (along >= 0 || _sine >= _cosine);
         }
     }
 }

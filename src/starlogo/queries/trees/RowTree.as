@@ -39,8 +39,8 @@ package starlogo.queries.trees
         /** The set of all breeds. */
         public static const ALL_BREEDS:int = -1;
 
-        // After this many refreshes per row that make a leaf's box grow, the tree has to be built again.
-        private static const GROWTHS_PER_ROW:Number = 0.5;
+        // After this many refits per row that make a leaf's box grow, the tree has to be built again.
+        private static const REFITS_PER_ROW:Number = 0.5;
 
         /** The number of rows. Read only. */
         public var count:int = 0;
@@ -69,8 +69,8 @@ package starlogo.queries.trees
         private var _breedSets:Vector.<int> = new Vector.<int>();
         private var _breedsAsOf:int = -1;
 
-        // How many refreshes may still make a leaf's box grow. If it is less than 0, the tree is stale.
-        private var _growthsLeft:int = -1;
+        // How many refits may still make a leaf's box grow. If it is less than 0, the tree is stale.
+        private var _refitsLeft:int = -1;
 
         // By row: its slot.
         private var _slots:Vector.<int> = new Vector.<int>();
@@ -80,7 +80,7 @@ package starlogo.queries.trees
         private var _halves:Extents;
 
         /**
-         * Builds the tree again. It keeps the columns, because <code>refresh()</code> reads them later.
+         * Builds the tree again. It keeps the columns, because <code>refit()</code> reads them later.
          *
          * @param rows a list of rows
          * @param count how many rows the tree has: the first ones of the list
@@ -89,7 +89,7 @@ package starlogo.queries.trees
          */
         public function build(rows:Vector.<int>, count:int, points:Points, sizes:Extents):void
         {
-            _growthsLeft = GROWTHS_PER_ROW * count;
+            _refitsLeft = REFITS_PER_ROW * count;
             excludedCount = 0;
             maxExtent = 0;
             _breedsAsOf = -1;
@@ -113,13 +113,13 @@ package starlogo.queries.trees
         /** Whether the tree must be built again before the next search. */
         public function get isStale():Boolean
         {
-            return _growthsLeft < 0;
+            return _refitsLeft < 0;
         }
 
         /** The rows have changed: the tree is built again before it is asked. */
         public function makeStale():void
         {
-            _growthsLeft = -1;
+            _refitsLeft = -1;
         }
 
         /** The bit of a breed in a set of breeds. Breeds with the same remainder share one. */
@@ -186,8 +186,8 @@ package starlogo.queries.trees
             return except >= 0 && _slots[except] >= start && _slots[except] < end ? end - start - 1 : end - start;
         }
 
-        /** Reads the box of one row again, unless the tree is stale. The boxes around the row grow, so searches stay correct, but take more time. */
-        public function refresh(row:int):void
+        /** Reads the box of one row again, and refits the boxes around it, unless the tree is stale. They only grow, so searches take more time. */
+        public function refit(row:int):void
         {
             if (isStale)
             {
@@ -204,7 +204,7 @@ package starlogo.queries.trees
             }
             if (node < leaf)
             {
-                _growthsLeft--;
+                _refitsLeft--;
             }
         }
 
@@ -235,31 +235,29 @@ package starlogo.queries.trees
             }
             for (var node:int = 2 * firstLeaf - 1; node > 0; node--)
             {
-                var box:int = PER_BOX * node;
-                empty(box);
                 if (node < firstLeaf)
                 {
-                    expandToContain(box, nodeBoxes, 2 * box);
-                    expandToContain(box, nodeBoxes, 2 * box + PER_BOX);
+                    boundNode(node, nodeBoxes, 2 * node, 2 * node + 2);
                 }
                 else
                 {
-                    var end:int = startOf(node + 1);
-                    for (slot = startOf(node); slot < end; slot++)
-                    {
-                        expandToContain(box, rowBoxes, PER_BOX * slot);
-                    }
+                    boundNode(node, rowBoxes, startOf(node), startOf(node + 1));
                 }
             }
         }
 
-        // Makes a node's box contain nothing.
-        private function empty(box:int):void
+        // Makes a node's box the one around some boxes.
+        private function boundNode(node:int, boxes:Vector.<Number>, first:int, end:int):void
         {
+            var box:int = PER_BOX * node;
             for (var side:int = 0; side < 3; side++)
             {
                 nodeBoxes[box + side] = Infinity;
                 nodeBoxes[box + 3 + side] = -Infinity;
+            }
+            for (var i:int = first; i < end; i++)
+            {
+                expandToContain(box, boxes, PER_BOX * i);
             }
         }
 

@@ -103,49 +103,30 @@ package starlogo.queries.trees
          * The next row that a collector wants and that has a shape; -1 if there are no more. The last one is the row of the ground, which is in no tree,
          * because it is near every row.
          *
-         * @param collector has the filter. Its limit says how much of the motion is still searched, as a multiple of its vector
+         * @param collector has the filter. Its limit says how much of the motion is still searched, as a multiple of its vector. It may become less during
+         *     the search
          */
         public function next(collector:Collector):int
-        {
-            var breedSet:int = collector.filter.breedSet;
-            for (var row:int = nextInTree(breedSet, collector.limit); row >= 0; row = nextInTree(breedSet, collector.limit))
-            {
-                if (collector.mayWant(row))
-                {
-                    return row;
-                }
-                _tree.excludedCount++;
-            }
-            var isGround:Boolean = _isGroundLeft && collector.mayWant(ListedAgents.GROUND_ROW);
-            _isGroundLeft = false;
-            return isGround ? ListedAgents.GROUND_ROW : -1;
-        }
-
-        /**
-         * The next row of the tree that the box meets, or -1 if there are no more.
-         *
-         * @param breedSet the breeds that count, see RowTree. Nodes without them are skipped, but single rows may have others
-         * @param limit how much of the motion is still searched, as a multiple of its vector. It may become less during the search
-         */
-        public function nextInTree(breedSet:int, limit:Number):int
         {
             while (_waiting > 0)
             {
                 _waiting--;
                 var popped:int = _stack[_waiting];
-                if (_entries[_waiting] > limit)
+                var limit:Number = collector.limit;
+                if (_entries[_waiting] > limit || (popped >= 0 && !_tree.mayHave(popped, collector.filter.breedSet)))
                 {
                     continue;
                 }
                 if (popped < 0)
                 {
-                    return _tree.rows[-1 - popped];
+                    var row:int = _tree.rows[-1 - popped];
+                    if (collector.mayWant(row))
+                    {
+                        return row;
+                    }
+                    _tree.excludedCount++;
                 }
-                if (!_tree.mayHave(popped, breedSet))
-                {
-                    continue;
-                }
-                if (popped < _tree.firstLeaf)
+                else if (popped < _tree.firstLeaf)
                 {
                     push(_tree.nodeBoxes, popped << 1, (popped << 1) + 2, false, limit);
                 }
@@ -154,7 +135,9 @@ package starlogo.queries.trees
                     push(_tree.rowBoxes, _tree.startOf(popped), _tree.startOf(popped + 1), true, limit);
                 }
             }
-            return -1;
+            var isGround:Boolean = _isGroundLeft && collector.mayWant(ListedAgents.GROUND_ROW);
+            _isGroundLeft = false;
+            return isGround ? ListedAgents.GROUND_ROW : -1;
         }
 
         // Lets those of some boxes wait that the box meets on its way. Of two, the nearer one comes next.

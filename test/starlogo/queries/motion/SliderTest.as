@@ -25,12 +25,11 @@ package starlogo.queries.motion
             seen.update(new <Agent>[agent, agentAt("cube", 0.2, 0, 0)]);
             var body:MovingBody = new MovingBody(seen);
             var from:Vector3D = new Vector3D(0, 0, 1.5);
-            var result:MotionResult = new MotionResult();
             body.setToAgent(agent);
             body.collectRowsWithin(1, 0, 0, null);
-            slider.slide(body, body.rows, from, new Vector3D(0, 0, -1), SlideLimits.NONE, result);
+            var result:MotionResult = slider.slide(body, body.rows, from, new Vector3D(0, 0, -1), SlideLimits.NONE);
             assertTrue("it met the cube below: " + result.contact.normalZ, Math.abs(result.contact.normalZ - 1) < 1e-9);
-            slider.slide(body, body.rows, from, new Vector3D(), SlideLimits.NONE, result);
+            result = slider.slide(body, body.rows, from, new Vector3D(), SlideLimits.NONE);
             assertEquals(-1, result.row);
             assertEquals(-1, result.wallRow);
         }
@@ -68,8 +67,7 @@ package starlogo.queries.motion
             body.collectRowsWithin(1, 0, 0, null);
             for each (var limits:SlideLimits in [SlideLimits.NONE, SlideLimits.HORIZONTAL])
             {
-                var result:MotionResult = new MotionResult();
-                slider.slide(body, body.rows, new Vector3D(1.2, 0, 0), new Vector3D(0.5, 0, 0), limits, result);
+                var result:MotionResult = slider.slide(body, body.rows, new Vector3D(1.2, 0, 0), new Vector3D(0.5, 0, 0), limits);
                 assertEquals(limits === SlideLimits.HORIZONTAL, Math.abs(result.place.z) < 1e-9);
             }
         }

@@ -3,8 +3,11 @@ package starlogo.queries.trees
     import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
+    import starlogo.agents.Agent;
     import starlogo.broadphase.Extents;
+    import starlogo.collision.BinCollider;
     import starlogo.engine;
+    import starlogo.queries.SeenAgents;
     import starlogo.search.table.ListedAgents;
 
     use namespace engine;
@@ -19,12 +22,22 @@ package starlogo.queries.trees
         private var _rows:Vector.<int>;
         private var _tree:RowTree;
         private var _way:SweptBoxSearch = new SweptBoxSearch();
+        private var _collector:Collector;
 
         [Before]
         public function begin():void
         {
             _random = new SeededRandom(811);
             _tree = new RowTree();
+            // each row has an agent, so the collector wants it
+            var agents:Vector.<Agent> = new Vector.<Agent>();
+            for (var i:int = 0; i < MOST_ROWS; i++)
+            {
+                agents.push(new Agent("sphere"));
+            }
+            var seen:SeenAgents = new SeenAgents(new BinCollider());
+            seen.update(agents);
+            _collector = new Collector(seen);
         }
 
         [Test]
@@ -105,7 +118,7 @@ package starlogo.queries.trees
             _sizes.y[row] = coordinate(world);
             _sizes.z[row] = coordinate(world);
             var wasStale:Boolean = _tree.isStale;
-            _tree.refresh(row);
+            _tree.refit(row);
             assertTrue(_rows.length + " rows are not worn by one move", !_tree.isStale || wasStale || _rows.length < 60);
             if (_tree.isStale)
             {
@@ -127,7 +140,8 @@ package starlogo.queries.trees
             }
             var times:Vector.<int> = new Vector.<int>(_sizes.x.length);
             var met:int = 0;
-            for (var row:int = _way.nextInTree(RowTree.ALL_BREEDS, limit); row >= 0; row = _way.nextInTree(RowTree.ALL_BREEDS, limit))
+            _collector.begin(Collector.ALL, limit, null, null);
+            for (var row:int = _way.next(_collector); row >= 0; row = _way.next(_collector))
             {
                 times[row]++;
                 met++;

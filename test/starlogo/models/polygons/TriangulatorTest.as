@@ -356,33 +356,42 @@ package starlogo.models.polygons
 
         /**
          * A corner that lies on the line between two others, upright or level, is a corner of triangles on both of its sides. Otherwise the surface would
-         * have a gap there without width, and not be closed.
+         * have a gap there without width, and not be closed. A corner on a straight side has a triangle, too, because another face may meet it there.
          */
         [Test]
         public function noTriangleHasACornerOnItsEdge():void
         {
-            var chevron:Array = [[0, 0], [2, -2], [4, -2], [2, 0], [4, 2], [2, 2]];
-            for (var turn:int = 0; turn < 4; turn++)
+            const SHAPES:Array = [[[0, 0], [2, -2], [4, -2], [2, 0], [4, 2], [2, 2]], [[0, 0], [2, 0], [4, 0], [4, 1], [4, 2], [2, 2], [2, 4], [0, 4]]];
+            for each (var shape:Array in SHAPES)
             {
-                for (var start:int = 0; start < chevron.length; start++)
+                for (var turn:int = 0; turn < 4; turn++)
                 {
-                    var flat:Vector.<Number> = new Vector.<Number>();
-                    var corners:Vector.<uint> = new Vector.<uint>();
-                    for (var i:int = 0; i < chevron.length; i++)
+                    for (var start:int = 0; start < shape.length; start++)
                     {
-                        corners.push(i);
-                        flat.push(chevron[i][0], chevron[i][1], 0);
+                        checkEdges("turn " + turn + ", start " + start, shape);
+                        shape.push(shape.shift());
                     }
-                    var triangles:Vector.<uint> = new Vector.<uint>();
-                    cut(flat, triangles, new <Vector.<uint>>[corners]);
-                    assertEquals("turn " + turn + ", start " + start, "0>1 1>2 2>3 3>4 4>5 5>0", edgesOnce(triangles));
-                    chevron.push(chevron.shift());
-                }
-                for each (var corner:Array in chevron)
-                {
-                    corner.push(-corner.shift());
+                    for each (var corner:Array in shape)
+                    {
+                        corner.push(-corner.shift());
+                    }
                 }
             }
+        }
+
+        private static function checkEdges(what:String, shape:Array):void
+        {
+            var flat:Vector.<Number> = new Vector.<Number>();
+            var loops:Vector.<Vector.<uint>> = new Vector.<Vector.<uint>>();
+            addLoop(shape, loops, flat);
+            var sides:Array = [];
+            for (var i:int = 0; i < shape.length; i++)
+            {
+                sides.push(i + ">" + (i + 1) % shape.length);
+            }
+            var triangles:Vector.<uint> = new Vector.<uint>();
+            cut(flat, triangles, loops);
+            assertEquals(what, sides.sort().join(" "), edgesOnce(triangles));
         }
 
         // The edges that triangles pass in one direction only, sorted.

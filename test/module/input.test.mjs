@@ -871,7 +871,7 @@ test("errors name structures, elements of lists, functions and settings as their
 	refused(() => collision.onCollision("a", "b", undefined), "handler must be a function, not undefined");
 	const one = new Agent("cube");
 	refused(() => questions.distance(one, one), "two different agents are needed");
-	const saysOf = (read) => assert.throws(read, (error) => error.name === "ModelError" && !/text/.test(error.message) && /empty|no glTF file|no STL file/.test(error.message));
+	const saysOf = (read) => assert.throws(read, (error) => error.name === "ModelError" && !/text/.test(error.message) && /empty|is null|no glTF file|no STL file/.test(error.message));
 	for (const bytes of [new Uint8Array(0), new Uint8Array(16), null]) for (const type of [engine.GltfModel, engine.StlModel]) saysOf(() => type.fromBytes("x", bytes));
 	assert.throws(() => new engine.ObjModel("x", "v 0 0 0", 3), /not 3$/);
 });

@@ -56,7 +56,7 @@ package starlogo.models.files
         {
             if (_text == null)
             {
-                refuseModelIf(bytes == null, name, "there is nothing to read: its text or its bytes are null");
+                refuseModelIf(bytes == null, name, "there is nothing to read: the file's content is null");
                 refuseModelIf(bytes.length == 0, name, "the file is empty");
                 checkSize();
                 refuseModelIf(isArchive(bytes), name, "this is a zip archive (.zae is one too): unpack it, and load the model file that is in it");

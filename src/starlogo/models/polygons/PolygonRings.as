@@ -197,8 +197,8 @@ package starlogo.models.polygons
             return _uncut.length > 0;
         }
 
-        // The first node, from a given one on, at which the ring turns left or goes back. The given one if there is none, as in a ring that crosses
-        // itself.
+        // The first node, from a given one on, at which the ring turns left or goes back. If there is none, as in a ring that crosses itself, or no
+        // tests are left, it is another node.
         private function cuttableFrom(first:int):int
         {
             var node:int = first;
@@ -211,8 +211,8 @@ package starlogo.models.polygons
                 }
                 node = next[node];
             }
-            while (node != first);
-            return first;
+            while (node != first && budget.cornerTestsLeft > 0);
+            return node;
         }
 
         // Connects a left turn to the nearest node in its triangle, and back. Returns whether there is one.
@@ -308,19 +308,14 @@ package starlogo.models.polygons
             return orient2d(before, node, after) == 0 && (x[before] - x[node]) * (x[after] - x[node]) + (y[before] - y[node]) * (y[after] - y[node]) >= 0;
         }
 
-        // Whether the ring goes at a node at the tip's place into the triangle of three nodes in a row, which must be counter-clockwise, or leaves it
-        // out. The ends of its edges may be beyond the triangle: where a hole touches the tip, the ring goes there and back.
+        // Whether the ring of a node at the tip's place goes into the triangle of a left turn there, or comes along one side and leaves along the other, as
+        // a hole that fills the corner. The ends of its edges may be beyond the triangle.
         private function goesInto(node:int, before:int, tip:int, after:int):Boolean
         {
-            return isInCorner(previous[node], before, tip, after) || isInCorner(next[node], before, tip, after)
-                || isAlongSides(previous[node], next[node], before, tip, after);
-        }
-
-        // Whether a node is in the direction of the side after a left turn, and another one in the direction of the side before it.
-        private function isAlongSides(alongAfter:int, alongBefore:int, before:int, tip:int, after:int):Boolean
-        {
-            return orient2d(tip, after, alongAfter) == 0 && orient2d(before, tip, alongAfter) > 0
-                && orient2d(before, tip, alongBefore) == 0 && orient2d(tip, after, alongBefore) > 0;
+            var from:int = previous[node];
+            var to:int = next[node];
+            return isInCorner(from, before, tip, after) || isInCorner(to, before, tip, after)
+                || orient2d(tip, after, from) == 0 && orient2d(before, tip, from) > 0 && orient2d(before, tip, to) == 0 && orient2d(tip, after, to) > 0;
         }
 
         // Whether a node is between the two sides of a left turn, or of what goes on beyond them.

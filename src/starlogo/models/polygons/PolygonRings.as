@@ -159,7 +159,8 @@ package starlogo.models.polygons
             var left:Number = toBX * toCY;
             var right:Number = toBY * toCX;
             var area:Number = left - right;
-            if (Math.abs(area) > PRODUCTS_ROUNDING * (Math.abs(left) + Math.abs(right)))
+            // products of 0 are exact, too
+            if (Math.abs(area) > PRODUCTS_ROUNDING * (Math.abs(left) + Math.abs(right)) || left == 0 && right == 0)
             {
                 return area;
             }
@@ -181,7 +182,7 @@ package starlogo.models.polygons
                 var tip:int = cuttableFrom(_uncut.pop());
                 var before:int = previous[tip];
                 var after:int = next[tip];
-                var isLeftTurn:Boolean = orient2d(before, tip, after) > 0;
+                var isLeftTurn:Boolean = turnsLeft(tip);
                 if (before != after && !(isLeftTurn && budget.cornerTestsLeft > 0 && connect(tip)))
                 {
                     if (isLeftTurn)
@@ -190,8 +191,9 @@ package starlogo.models.polygons
                     }
                     next[before] = after;
                     previous[after] = before;
-                    // What is left of a cut part goes first, because no other triangle is right while the ring goes there and back.
-                    _uncut.push(turnsBack(before) ? before : (turnsBack(after) ? after : next[after]));
+                    // What is left of a cut part goes first, because no other triangle is right while the ring goes there and back. Triangles are less thin
+                    // if their tips do not follow one another.
+                    _uncut.push(turnsBack(before) ? before : (turnsBack(after) || !turnsLeft(next[after]) ? after : next[after]));
                 }
             }
             return _uncut.length > 0;
@@ -205,7 +207,7 @@ package starlogo.models.polygons
             do
             {
                 budget.spendCornerTests(1);
-                if (orient2d(previous[node], node, next[node]) > 0 || turnsBack(node))
+                if (turnsLeft(node) || turnsBack(node))
                 {
                     return node;
                 }
@@ -219,10 +221,10 @@ package starlogo.models.polygons
         private function connect(tip:int):Boolean
         {
             var hole:int = 0;
-            var nearest:int = nearestInTriangle(tip, tip, -1);
+            var nearest:int = nearestInTriangle(tip, next[next[tip]], previous[tip], -1);
             for (var i:int = 1; i < starts.length; i++)
             {
-                var ofHole:int = nearestInTriangle(tip, starts[i], nearest);
+                var ofHole:int = nearestInTriangle(tip, starts[i], starts[i], nearest);
                 hole = ofHole == nearest ? hole : i;
                 nearest = ofHole;
             }
@@ -248,9 +250,10 @@ package starlogo.models.polygons
             return true;
         }
 
-        // Of the nodes of a ring that are in the triangle of a left turn, and of a node found before (-1 for none), the one that a line meets first which
-        // turns about the corner before the tip, away from the tip. No edge can be between the tip and this node.
-        private function nearestInTriangle(tip:int, ring:int, found:int):int
+        // Of nodes that are in the triangle of a left turn, and of a node found before (-1 for none), the one that a line meets first which turns about the
+        // corner before the tip, away from the tip. No edge can be between the tip and this node. It looks at the nodes of a ring from one node on,
+        // before another one.
+        private function nearestInTriangle(tip:int, from:int, end:int, found:int):int
         {
             var before:int = previous[tip];
             var after:int = next[tip];
@@ -258,7 +261,7 @@ package starlogo.models.polygons
             var maxX:Number = Math.max(x[before], x[tip], x[after]);
             var nearest:int = found;
             var count:int = 0;
-            var node:int = ring;
+            var node:int = from;
             do
             {
                 // most corners are beside the triangle
@@ -270,7 +273,7 @@ package starlogo.models.polygons
                 count++;
                 node = next[node];
             }
-            while (node != ring);
+            while (node != end);
             budget.spendCornerTests(count);
             return nearest;
         }
@@ -284,12 +287,13 @@ package starlogo.models.polygons
         // Whether a node is in the triangle of a left turn, and sees the tip. If it is at the tip, whether its ring goes into the triangle.
         private function isInTriangle(node:int, before:int, tip:int, after:int):Boolean
         {
-            if (areAtOnePlace(node, before) || areAtOnePlace(node, after))
+            // most corners are beyond the third side
+            if (orient2d(after, before, node) < 0 || areAtOnePlace(node, before) || areAtOnePlace(node, after))
             {
                 return false;
             }
             return areAtOnePlace(node, tip) ? goesInto(node, before, tip, after)
-                : orient2d(before, tip, node) >= 0 && orient2d(tip, after, node) >= 0 && orient2d(after, before, node) >= 0 && sees(node, tip);
+                : orient2d(before, tip, node) >= 0 && orient2d(tip, after, node) >= 0 && sees(node, tip);
         }
 
         // Whether the direction from a node to another place goes into the polygon.
@@ -300,12 +304,17 @@ package starlogo.models.polygons
             return orient2d(node, next[node], previous[node]) > 0 ? isAfterNext && isBeforePrevious : isAfterNext || isBeforePrevious;
         }
 
+        private function turnsLeft(node:int):Boolean
+        {
+            return orient2d(previous[node], node, next[node]) > 0;
+        }
+
         // Whether the ring goes back at a node the way it came, or stays in its place.
         private function turnsBack(node:int):Boolean
         {
             var before:int = previous[node];
             var after:int = next[node];
-            return orient2d(before, node, after) == 0 && (x[before] - x[node]) * (x[after] - x[node]) + (y[before] - y[node]) * (y[after] - y[node]) >= 0;
+            return (x[before] - x[node]) * (x[after] - x[node]) + (y[before] - y[node]) * (y[after] - y[node]) >= 0 && orient2d(before, node, after) == 0;
         }
 
         // Whether the ring of a node at the tip's place goes into the triangle of a left turn there, or comes along one side and leaves along the other, as

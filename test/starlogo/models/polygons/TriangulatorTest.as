@@ -219,6 +219,19 @@ package starlogo.models.polygons
             }
         }
 
+        /** A square of 9 with two triangular holes that touch in a corner, and a hole like a diamond, in a plane that leans, as a file writes it. */
+        [Test]
+        public function leavesRoundedHolesThatTouchOpen():void
+        {
+            var vertices:Vector.<Number> = new <Number>[0.3, -0.7, -0.7, 8.151412, 3.596835, -1.644743, 12.52673, -3.827065, 0.9518594, 4.675314, -8.123899, 1.896603,
+                    2.917137, 0.7322783, -1.014914, 6.992712, -0.3100766, -0.4642946, 5.534275, 2.164557, -1.329829,
+                    5.834013, -4.216988, 0.716154, 4.375576, -1.742355, -0.1493802, 6.992712, -0.3100766, -0.4642946,
+                    6.320159, -5.041866, 1.004665, 7.678684, -5.389318, 1.188205, 8.064918, -4.087014, 0.7947224, 6.706392, -3.739562, 0.6111825];
+            var triangles:Vector.<uint> = new Vector.<uint>();
+            cut(vertices, triangles, new <Vector.<uint>>[new <uint>[0, 1, 2, 3], new <uint>[4, 5, 6], new <uint>[7, 8, 9], new <uint>[10, 11, 12, 13]]);
+            assertTrue("area " + Surfaces.area(vertices, triangles), Math.abs(Surfaces.area(vertices, triangles) - 70) < 1e-4);
+        }
+
         [Test]
         public function cutsPolygonsOfAnySize():void
         {

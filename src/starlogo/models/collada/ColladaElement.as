@@ -1,6 +1,7 @@
 package starlogo.models.collada
 {
     import starlogo.data.keyOf;
+    import starlogo.geometry.AffineTransform;
     import starlogo.models.ModelError;
     import starlogo.models.files.FileBudget;
     import starlogo.models.files.shortened;
@@ -37,6 +38,9 @@ package starlogo.models.collada
         // The first element of the document with each name and id, and with each sid; and the first child of each element with each name, and with
         // each name and childKey. All elements share it.
         private var _elements:Object;
+
+        // for an element that is a transform: the transform, after it was first needed
+        private var _transform:AffineTransform = null;
 
         /**
          * @param budget what the document may have and cost
@@ -88,6 +92,12 @@ package starlogo.models.collada
         public function elementAt(name:String, url:String):ColladaElement
         {
             return _elements[keyOf(name + url)];
+        }
+
+        /** The transform that this element is; null if it is none. Many nodes may have it, and its text may be long, so it is read once. */
+        public function toTransform():AffineTransform
+        {
+            return _transform ||= ColladaTransform.of(this, null);
         }
 
         /** The value of an attribute; "" if there is none. */

@@ -165,7 +165,8 @@ package starlogo.models.collada
                     enter(element);
                     break;
                 default:
-                    var local:AffineTransform = ColladaTransform.of(element, posedNumbersOf(element));
+                    var numbers:Vector.<Number> = posedNumbersOf(element);
+                    var local:AffineTransform = numbers == null ? element.toTransform() : ColladaTransform.of(element, numbers);
                     if (local != null)
                     {
                         _node.addTransform(local);

@@ -41,7 +41,7 @@ package starlogo.models.collada
         {
             this.element = element;
             var matrix:ColladaElement = element.child("bind_shape_matrix");
-            bindShape = matrix == null ? new AffineTransform() : ColladaTransform.of(matrix, null);
+            bindShape = matrix == null ? new AffineTransform() : matrix.toTransform();
             call(function():void
                 {
                     readJoints(element.requiredChild("joints"));

@@ -11,6 +11,7 @@ package starlogo.debug
     import starlogo.convex.ConvexShape;
     import starlogo.data.requireGiven;
     import starlogo.engine;
+    import starlogo.geometry.Trigonometry;
     import starlogo.geometry.vertices.PointTable;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.terrain.Terrain;
@@ -29,6 +30,9 @@ package starlogo.debug
      */
     public final class Wireframes
     {
+        // of a circle
+        private static const SEGMENTS:int = 32;
+
         /** Has only static members. */
         public function Wireframes()
         {
@@ -45,21 +49,21 @@ package starlogo.debug
         public static function ofStructure(structure:BoundingStructure, out:Vector.<Number> = null):Vector.<Number>
         {
             requireGiven("the structure to draw", structure);
-            var pen:LinePen = new LinePen(out);
+            var lines:Vector.<Number> = out || new Vector.<Number>();
             switch (structure.kind)
             {
                 case BoundingStructure.SPHERE:
-                    drawArcs(pen, Sphere(structure).center, Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, Sphere(structure).radius, 360);
+                    drawArcs(lines, Sphere(structure).center, Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, Sphere(structure).radius, 360);
                     break;
                 case BoundingStructure.BOX:
-                    drawBox(pen, Box(structure));
+                    drawBox(lines, Box(structure));
                     break;
                 case BoundingStructure.CAPSULE:
                     var capsule:Capsule = Capsule(structure);
-                    drawRound(pen, capsule.start, capsule.end, capsule.radius, 180);
+                    drawRound(lines, capsule.start, capsule.end, capsule.radius, 180);
                     break;
                 case BoundingStructure.HULL:
-                    drawHull(pen, structure);
+                    drawHull(lines, structure);
                     break;
                 default:
                     var cylinder:Cylinder = structure as Cylinder;
@@ -69,10 +73,10 @@ package starlogo.debug
                     }
                     if (!cylinder.start.equals(cylinder.end))
                     {
-                        drawRound(pen, cylinder.start, cylinder.end, cylinder.radius, 0);
+                        drawRound(lines, cylinder.start, cylinder.end, cylinder.radius, 0);
                     }
             }
-            return pen.lines;
+            return lines;
         }
 
         /**
@@ -114,7 +118,7 @@ package starlogo.debug
         {
             requireGiven("vertices", vertices);
             requireGiven("triangles", triangles);
-            var pen:LinePen = new LinePen(out);
+            var lines:Vector.<Number> = out || new Vector.<Number>();
             var drawn:Object = {};
             for (var i:int = 0; i < triangles.length; i++)
             {
@@ -124,10 +128,10 @@ package starlogo.debug
                 if (!drawn[key])
                 {
                     drawn[key] = true;
-                    pen.drawLine(vertexAt(vertices, a), vertexAt(vertices, b));
+                    drawLine(lines, vertexAt(vertices, a), vertexAt(vertices, b));
                 }
             }
-            return pen.lines;
+            return lines;
         }
 
         /**
@@ -165,37 +169,37 @@ package starlogo.debug
             return new Vector3D(vertices[3 * index], vertices[3 * index + 1], vertices[3 * index + 2]);
         }
 
-        private static function drawBox(pen:LinePen, box:Box):void
+        private static function drawBox(lines:Vector.<Number>, box:Box):void
         {
-            drawEdges(pen, box.center, box.axisX, box.halfX, box.axisY, box.halfY, box.axisZ, box.halfZ);
-            drawEdges(pen, box.center, box.axisY, box.halfY, box.axisZ, box.halfZ, box.axisX, box.halfX);
-            drawEdges(pen, box.center, box.axisZ, box.halfZ, box.axisX, box.halfX, box.axisY, box.halfY);
+            drawEdges(lines, box.center, box.axisX, box.halfX, box.axisY, box.halfY, box.axisZ, box.halfZ);
+            drawEdges(lines, box.center, box.axisY, box.halfY, box.axisZ, box.halfZ, box.axisX, box.halfX);
+            drawEdges(lines, box.center, box.axisZ, box.halfZ, box.axisX, box.halfX, box.axisY, box.halfY);
         }
 
         // Draws the edges of a hull, without its radius.
-        private static function drawHull(pen:LinePen, structure:BoundingStructure):void
+        private static function drawHull(lines:Vector.<Number>, structure:BoundingStructure):void
         {
             var shape:ConvexShape = new ConvexShape();
             structure.setShape(shape);
             var center:Vector3D = new Vector3D(shape.x, shape.y, shape.z);
             for (var i:int = 0; i < shape.edges.length; i += 4)
             {
-                pen.drawLine(center.add(vertexAt(shape.points, shape.edges[i] / 3)), center.add(vertexAt(shape.points, shape.edges[i + 1] / 3)));
+                drawLine(lines, center.add(vertexAt(shape.points, shape.edges[i] / 3)), center.add(vertexAt(shape.points, shape.edges[i + 1] / 3)));
             }
         }
 
         // Draws the four edges of a box that are parallel to axis a.
-        private static function drawEdges(pen:LinePen, center:Vector3D, a:Vector3D, halfA:Number, b:Vector3D, halfB:Number, c:Vector3D, halfC:Number):void
+        private static function drawEdges(lines:Vector.<Number>, center:Vector3D, a:Vector3D, halfA:Number, b:Vector3D, halfB:Number, c:Vector3D, halfC:Number):void
         {
             for (var i:int = 0; i < 4; i++)
             {
-                var edgeCenter:Vector3D = LinePen.along(center, b, i < 2 ? halfB : -halfB, c, i % 2 == 0 ? halfC : -halfC);
-                pen.drawLine(LinePen.along(edgeCenter, a, -halfA, b, 0), LinePen.along(edgeCenter, a, halfA, b, 0));
+                var edgeCenter:Vector3D = along(center, b, i < 2 ? halfB : -halfB, c, i % 2 == 0 ? halfC : -halfC);
+                drawLine(lines, along(edgeCenter, a, -halfA, b, 0), along(edgeCenter, a, halfA, b, 0));
             }
         }
 
         // Draws a tube with round ends, which arcs of so many degrees show: a capsule, or a cylinder if the ends are flat.
-        private static function drawRound(pen:LinePen, start:Vector3D, end:Vector3D, radius:Number, endDegrees:int):void
+        private static function drawRound(lines:Vector.<Number>, start:Vector3D, end:Vector3D, radius:Number, endDegrees:int):void
         {
             var w:Vector3D = end.subtract(start);
             // Divides by the largest coordinate first. Otherwise squares could become 0 or infinite.
@@ -209,18 +213,46 @@ package starlogo.debug
             {
                 var across:Vector3D = i < 2 ? u : v;
                 var distance:Number = i % 2 == 0 ? radius : -radius;
-                pen.drawLine(LinePen.along(start, across, distance, w, 0), LinePen.along(end, across, distance, w, 0));
+                drawLine(lines, along(start, across, distance, w, 0), along(end, across, distance, w, 0));
             }
-            drawArcs(pen, start, u, v, w, -radius, endDegrees);
-            drawArcs(pen, end, u, v, w, radius, endDegrees);
+            drawArcs(lines, start, u, v, w, -radius, endDegrees);
+            drawArcs(lines, end, u, v, w, radius, endDegrees);
         }
 
         // Draws a circle in the plane of u and v, and arcs of so many degrees from u and from v towards w.
-        private static function drawArcs(pen:LinePen, center:Vector3D, u:Vector3D, v:Vector3D, w:Vector3D, radius:Number, degrees:int):void
+        private static function drawArcs(lines:Vector.<Number>, center:Vector3D, u:Vector3D, v:Vector3D, w:Vector3D, radius:Number, degrees:int):void
         {
-            pen.drawArc(center, u, v, radius);
-            pen.drawArc(center, u, w, radius, degrees);
-            pen.drawArc(center, v, w, radius, degrees);
+            drawArc(lines, center, u, v, radius, 360);
+            drawArc(lines, center, u, w, radius, degrees);
+            drawArc(lines, center, v, w, radius, degrees);
+        }
+
+        // Draws a part of a circle, from direction a towards b. Both are unit vectors at right angles.
+        private static function drawArc(lines:Vector.<Number>, center:Vector3D, a:Vector3D, b:Vector3D, radius:Number, degrees:int):void
+        {
+            var from:Vector3D = along(center, a, radius, b, 0);
+            for (var i:int = 1; 360 * i <= degrees * SEGMENTS; i++)
+            {
+                var angle:Number = 360 * i / SEGMENTS;
+                var to:Vector3D = along(center, a, radius * Trigonometry.cosine(angle), b, radius * Trigonometry.sine(angle));
+                drawLine(lines, from, to);
+                from = to;
+            }
+        }
+
+        // Draws a line, if it has a length.
+        private static function drawLine(lines:Vector.<Number>, from:Vector3D, to:Vector3D):void
+        {
+            if (!from.equals(to))
+            {
+                lines.push(from.x, from.y, from.z, to.x, to.y, to.z);
+            }
+        }
+
+        // A point moved by atA along a, and by atB along b.
+        private static function along(from:Vector3D, a:Vector3D, atA:Number, b:Vector3D, atB:Number):Vector3D
+        {
+            return new Vector3D(from.x + a.x * atA + b.x * atB, from.y + a.y * atA + b.y * atB, from.z + a.z * atA + b.z * atB);
         }
     }
 }

@@ -241,7 +241,10 @@ package starlogo.models
             }
             _receiver.expectNoMore(load.name);
             load.cancel();
-            callWhenOver(load, null, null);
+            if (load.whenOver != null)
+            {
+                load.whenOver(null, null);
+            }
             if (_loads.length == 0 && !_isInFrame)
             {
                 end();
@@ -330,26 +333,19 @@ package starlogo.models
             {
                 _doneCount++;
                 _receiver.expectNoMore(load.name, problem == null ? null : problem.message);
-                var isTold:Boolean = callWhenOver(load, problem == null ? load.model : null, problem);
+                if (load.whenOver != null)
+                {
+                    load.whenOver(problem == null ? load.model : null, problem);
+                }
                 if (problem == null)
                 {
                     dispatchEvent(new ModelEvent(ModelEvent.LOADED, load.model));
                 }
-                else if (!isTold || hasEventListener(ErrorEvent.ERROR))
+                else if (load.whenOver == null || hasEventListener(ErrorEvent.ERROR))
                 {
                     dispatchEvent(new ErrorEvent(ErrorEvent.ERROR, false, false, problem.message));
                 }
             }
-        }
-
-        // Tells the load's callback. Returns whether it has one.
-        private static function callWhenOver(load:ModelLoad, model:Model, problem:Error):Boolean
-        {
-            if (load.whenOver != null)
-            {
-                load.whenOver(model, problem);
-            }
-            return load.whenOver != null;
         }
 
         // Returns whether the load was still in the queue.

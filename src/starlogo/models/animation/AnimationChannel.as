@@ -1,7 +1,7 @@
 package starlogo.models.animation
 {
     import starlogo.data.areFinite;
-    import starlogo.data.lastNotAfter;
+    import starlogo.data.lastAtMost;
     import starlogo.geometry.Trigonometry;
     import starlogo.models.ModelError;
     import starlogo.models.files.refuseModelIf;
@@ -107,7 +107,7 @@ package starlogo.models.animation
         // The numbers at a time. Before the first key and after the last one they stay. Throws a ModelError if one is not finite.
         private function numbersAt(time:Number):Vector.<Number>
         {
-            var key:int = lastNotAfter(_times, time);
+            var key:int = lastAtMost(_times, time);
             var next:int = Math.min(key + 1, _times.length - 1);
             var length:Number = _times[next] - _times[key];
             var fraction:Number = time > _times[key] && length > 0 ? (time - _times[key]) / length : 0;

@@ -1,7 +1,7 @@
 package starlogo.models.building
 {
     import starlogo.data.keyOf;
-    import starlogo.data.lastNotAfter;
+    import starlogo.data.lastAtMost;
 
     /**
      * The label of each triangle: the number of its material or of its mesh, which may have a name. A reader says where triangles with another label
@@ -16,7 +16,7 @@ package starlogo.models.building
 
         /**
          * Triangles that follow one another and have the same label are a run. This is the first triangle of each run. <code>seal()</code> adds the
-         * number of triangles, so each run ends where the next entry begins. They are Numbers, as <code>lastNotAfter()</code> takes them. Read only.
+         * number of triangles, so each run ends where the next entry begins. They are Numbers, as <code>lastAtMost()</code> takes them. Read only.
          */
         public var firstTriangles:Vector.<Number> = new <Number>[0];
 
@@ -97,7 +97,7 @@ package starlogo.models.building
         /** The label of a triangle, after <code>seal()</code>; -1 if it has none. */
         public function labelOf(triangle:int):int
         {
-            return labelsOfRuns[lastNotAfter(firstTriangles, triangle)];
+            return labelsOfRuns[lastAtMost(firstTriangles, triangle)];
         }
 
         /** The name of a label; null if it has none. */

@@ -35,11 +35,9 @@ package starlogo.models.collada
         // the values of the attributes, by keyOf() their names
         private var _attributes:Object;
 
-        // The first element of each name and id in the document, by name, "#" and id; and of each sid, by "#" and the sid. All elements share it.
+        // The first element of the document with each name and id, and with each sid; and the first child of each element with each name, and with
+        // each name and childKey. All elements share it.
         private var _elements:Object;
-
-        // The first child of each name; and of each name and childKey, by name, "#" and childKey. It is made when it is first needed.
-        private var _first:Object = null;
 
         // for an element that is a transform: the transform, after it was first needed
         private var _transform:AffineTransform = null;
@@ -62,13 +60,20 @@ package starlogo.models.collada
             if (parent != null)
             {
                 parent.children.push(this);
+                // no name has a space
+                addKey(parent.index + " " + name);
+                addKey(parent.index + " " + name + "#" + childKey);
             }
-            // of several with the same name and id, the first one counts
             if (id != "")
             {
-                _elements[keyOf(name + "#" + id)] ||= this;
+                addKey(name + "#" + id);
             }
-            _elements[keyOf("#" + attribute("sid"))] ||= this;
+            addKey("#" + attribute("sid"));
+        }
+
+        private function addKey(key:String):void
+        {
+            _elements[keyOf(key)] ||= this;
         }
 
         /** The element's id; "" if it has none. */
@@ -89,7 +94,7 @@ package starlogo.models.collada
             return _elements[keyOf(name + url)];
         }
 
-        /** The transform that this element is; null if it is none. Scenes may need it often, so it is computed once. */
+        /** The transform that this element is; null if it is none. Many nodes may have it, and its text may be long, so it is read once. */
         public function toTransform():AffineTransform
         {
             return _transform ||= ColladaTransform.of(this, null);
@@ -122,16 +127,7 @@ package starlogo.models.collada
          */
         public function child(name:String, key:String = null):ColladaElement
         {
-            if (_first == null)
-            {
-                _first = {};
-                for each (var element:ColladaElement in children)
-                {
-                    _first[keyOf(element.name)] ||= element;
-                    _first[keyOf(element.name + "#" + element.childKey)] ||= element;
-                }
-            }
-            return _first[keyOf(key == null ? name : name + "#" + key)];
+            return _elements[keyOf(index + " " + name + (key == null ? "" : "#" + key))];
         }
 
         private function get childKey():String

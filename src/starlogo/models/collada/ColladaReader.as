@@ -165,19 +165,13 @@ package starlogo.models.collada
                     enter(element);
                     break;
                 default:
-                    var local:AffineTransform = transformOf(element);
+                    var numbers:Vector.<Number> = posedNumbersOf(element);
+                    var local:AffineTransform = numbers == null ? element.toTransform() : ColladaTransform.of(element, numbers);
                     if (local != null)
                     {
                         _node.addTransform(local);
                     }
             }
-        }
-
-        // The transform that an element is; null if it is none.
-        private function transformOf(element:ColladaElement):AffineTransform
-        {
-            var numbers:Vector.<Number> = posedNumbersOf(element);
-            return numbers == null ? element.toTransform() : ColladaTransform.of(element, numbers);
         }
 
         // Follows controllers down to the geometry, and finds their skins and morphs.

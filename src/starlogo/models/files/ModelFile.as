@@ -56,7 +56,8 @@ package starlogo.models.files
         {
             if (_text == null)
             {
-                refuseModelIf(bytes == null || bytes.length == 0, name, "the file is empty");
+                refuseModelIf(bytes == null, name, "there is nothing to read: the file's content is null");
+                refuseModelIf(bytes.length == 0, name, "the file is empty");
                 checkSize();
                 refuseModelIf(isArchive(bytes), name, "this is a zip archive (.zae is one too): unpack it, and load the model file that is in it");
                 _text = TextWords.withoutByteOrderMark(decoded(expected));

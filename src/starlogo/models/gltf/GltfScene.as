@@ -5,6 +5,7 @@ package starlogo.models.gltf
     import starlogo.models.animation.Pose;
     import starlogo.models.animation.normaliseQuaternion;
     import starlogo.steps.StepSequence;
+    import starlogo.steps.Steps;
 
     /** The scene of a glTF file, at rest or in a pose. Its steps find the nodes with meshes. */
     internal final class GltfScene extends StepSequence
@@ -18,8 +19,6 @@ package starlogo.models.gltf
         private var _pose:Pose;
         private var _parents:Vector.<int>;
         private var _globalTransforms:Vector.<AffineTransform>;
-        private var _pending:Vector.<int> = new Vector.<int>();
-        private var _isVisited:Vector.<Boolean>;
         private var _jointMatrices:Array = []; // lists of those so far, by the skin's index
 
         /**
@@ -33,12 +32,11 @@ package starlogo.models.gltf
             var count:int = file.json.count("nodes");
             _parents = new Vector.<int>(count);
             _globalTransforms = new Vector.<AffineTransform>(count);
-            _isVisited = new Vector.<Boolean>(count);
             for (var i:int = 0; i < count; i++)
             {
                 _parents[i] = -1;
             }
-            slices(count, NODES_PER_STEP, findParents).call(findRoots).repeat(walk);
+            slices(count, NODES_PER_STEP, findParents).begin(findingNodes);
         }
 
         /**
@@ -119,55 +117,62 @@ package starlogo.models.gltf
             }
         }
 
-        // The scene that the file shows. If the file names none, all scenes. If there are no scenes, all nodes that are in no other node.
-        private function findRoots():void
+        // The steps that walk through the scene that the file shows.
+        private function findingNodes():Steps
         {
+            var pending:Vector.<int> = roots().reverse();
+            var isVisited:Vector.<Boolean> = new Vector.<Boolean>(_parents.length);
+            return new StepSequence().repeat(function():Boolean
+                {
+                    for (var i:int = 0; i < NODES_PER_STEP && pending.length > 0; i++)
+                    {
+                        var node:int = pending.pop();
+                        if (!isVisited[node])
+                        {
+                            isVisited[node] = true;
+                            visit(node, pending);
+                        }
+                    }
+                    return pending.length > 0;
+                });
+        }
+
+        // Notes whether a node has a mesh. Its children are visited next.
+        private function visit(node:int, pending:Vector.<int>):void
+        {
+            var entry:GltfJson = _file.json.rootEntry("nodes", node);
+            if (entry.has("mesh"))
+            {
+                nodes.push(node);
+            }
+            for (var k:int = entry.count("children") - 1; k >= 0; k--)
+            {
+                pending.push(entry.indexIn("children", k, "nodes"));
+            }
+        }
+
+        // The roots of the scene. If the file names none, those of all scenes. If there are no scenes, all nodes that are in no other node.
+        private function roots():Vector.<int>
+        {
+            var roots:Vector.<int> = new Vector.<int>();
             var shown:int = _file.json.indexOrNone("scene", "scenes");
             var sceneCount:int = _file.json.count("scenes");
             for (var index:int = Math.max(shown, 0); index < (shown < 0 ? sceneCount : shown + 1); index++)
             {
                 var scene:GltfJson = _file.json.rootEntry("scenes", index);
-                var rootCount:int = scene.count("nodes");
-                for (var i:int = 0; i < rootCount; i++)
+                for (var i:int = 0; i < scene.count("nodes"); i++)
                 {
-                    enter(scene.indexIn("nodes", i, "nodes"));
+                    roots.push(scene.indexIn("nodes", i, "nodes"));
                 }
             }
             for (i = 0; i < _parents.length && sceneCount == 0; i++)
             {
                 if (_parents[i] < 0)
                 {
-                    enter(i);
+                    roots.push(i);
                 }
             }
-            _pending.reverse();
-        }
-
-        private function enter(node:int):void
-        {
-            if (!_isVisited[node])
-            {
-                _isVisited[node] = true;
-                _pending.push(node);
-            }
-        }
-
-        private function walk():Boolean
-        {
-            for (var i:int = 0; i < NODES_PER_STEP && _pending.length > 0; i++)
-            {
-                var node:int = _pending.pop();
-                var entry:GltfJson = _file.json.rootEntry("nodes", node);
-                if (entry.has("mesh"))
-                {
-                    nodes.push(node);
-                }
-                for (var k:int = entry.count("children") - 1; k >= 0; k--)
-                {
-                    enter(entry.indexIn("children", k, "nodes"));
-                }
-            }
-            return _pending.length > 0;
+            return roots;
         }
 
         private function localTransformOf(index:int):AffineTransform

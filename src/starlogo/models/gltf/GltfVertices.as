@@ -18,14 +18,11 @@ package starlogo.models.gltf
         /** The number of vertices that the steps add. */
         public var count:int;
 
-        private var _node:GltfJson;
-        private var _rest:GltfAccessor;
-        private var _out:Vector.<Number>;
+        /** Whether the node mirrors, or the first joint of its skin. Read it when no step is left. */
+        public var isMirror:Boolean;
+
         // the points before the node places them
         private var _deformed:Vector.<Number>;
-        // What moves the points: the joints of a skin, or the transform of the node.
-        private var _jointMatrices:Vector.<AffineTransform> = null;
-        private var _transform:AffineTransform;
 
         /**
          * @param file the file
@@ -37,45 +34,55 @@ package starlogo.models.gltf
         public function GltfVertices(file:GltfFile, scene:GltfScene, node:int, primitive:GltfJson, vertices:Vector.<Number>)
         {
             var attributes:GltfJson = primitive.object("attributes");
-            _node = file.json.rootEntry("nodes", node);
-            _rest = file.accessor(attributes.indexOrNone("POSITION", "accessors"), "VEC3");
-            _out = vertices;
+            var json:GltfJson = file.json.rootEntry("nodes", node);
+            var rest:GltfAccessor = file.accessor(attributes.indexOrNone("POSITION", "accessors"), "VEC3");
             firstVertex = vertices.length / 3;
-            count = _rest.count;
+            count = rest.count;
             file.budget.checkMeshSize(firstVertex + Number(count), 0, primitive.place);
-            add(_rest).call(function():void
+            add(rest).call(function():void
                 {
                     // other nodes may have the same mesh
-                    _deformed = _rest.numbers.slice();
+                    _deformed = rest.numbers.slice();
                 });
             addMorphTargets(file, primitive, scene.weightsOf(node));
-            var skin:int = _node.indexOrNone("skin", "skins");
-            var isSkinned:Boolean = skin >= 0 && attributes.has("JOINTS_0");
-            if (isSkinned)
+            var skin:int = json.indexOrNone("skin", "skins");
+            var transform:AffineTransform = new AffineTransform();
+            if (skin >= 0 && attributes.has("JOINTS_0"))
             {
-                var matrices:GltfAccessor = scene.inverseBindMatricesOf(skin);
-                if (matrices != null)
-                {
-                    add(matrices);
-                }
-                var read:GltfSkinWeights = file.skinWeights(attributes, count, skin);
-                add(read).call(function():void
-                    {
-                        _jointMatrices = scene.jointMatricesOf(skin);
-                        file.budget.spendNumbers(read.influences.joints.length, attributes.place);
-                    }).slices(count, SKINNED_PER_STEP, function(first:int, end:int):void
-                    {
-                        read.influences.skinPoints(_deformed, _jointMatrices, first, end);
-                    });
+                addSkin(file, scene, attributes, skin);
             }
-            _transform = isSkinned ? new AffineTransform() : scene.globalTransformOf(node);
-            slices(count, VERTICES_PER_STEP, transformVertices);
+            else
+            {
+                transform = scene.globalTransformOf(node);
+                isMirror = transform.isMirror;
+            }
+            slices(count, VERTICES_PER_STEP, function(first:int, end:int):void
+                {
+                    if (!transform.transformPoints(_deformed, first, end, vertices, firstVertex + first))
+                    {
+                        throw json.error("its vertices are not finite numbers, or are too large at the node's place (" + rest.json.place + ")");
+                    }
+                });
         }
 
-        /** Whether the node mirrors, or the first joint of its skin. Read it when no step is left. */
-        public function get isMirror():Boolean
+        private function addSkin(file:GltfFile, scene:GltfScene, attributes:GltfJson, skin:int):void
         {
-            return (_jointMatrices == null ? _transform : _jointMatrices[0]).isMirror;
+            var matrices:GltfAccessor = scene.inverseBindMatricesOf(skin);
+            var weights:GltfSkinWeights = file.skinWeights(attributes, count, skin);
+            var jointMatrices:Vector.<AffineTransform>;
+            if (matrices != null)
+            {
+                add(matrices);
+            }
+            add(weights).call(function():void
+                {
+                    jointMatrices = scene.jointMatricesOf(skin);
+                    isMirror = jointMatrices[0].isMirror;
+                    file.budget.spendNumbers(weights.influences.joints.length, attributes.place);
+                }).slices(count, SKINNED_PER_STEP, function(first:int, end:int):void
+                {
+                    weights.influences.skinPoints(_deformed, jointMatrices, first, end);
+                });
         }
 
         private function addMorphTargets(file:GltfFile, primitive:GltfJson, weights:Vector.<Number>):void
@@ -102,14 +109,6 @@ package starlogo.models.gltf
                         _deformed[i] += weight * target.numbers[i];
                     }
                 });
-        }
-
-        private function transformVertices(first:int, end:int):void
-        {
-            if (!_transform.transformPoints(_deformed, first, end, _out, firstVertex + first))
-            {
-                throw _node.error("its vertices are not finite numbers, or are too large at the node's place (" + _rest.json.place + ")");
-            }
         }
     }
 }

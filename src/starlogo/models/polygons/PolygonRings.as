@@ -4,11 +4,14 @@ package starlogo.models.polygons
     import starlogo.models.files.FileBudget;
 
     /**
-     * A polygon's outline and holes as rings of corners in a plane. Once the holes are joined to the outline (HoleBridges), that ring is cut into
-     * triangles, one ear at a time. The polygon is projected along the coordinate axis nearest to the outline's normal (by M. E. Newell's method),
-     * so that the outline is counter-clockwise. Small bends out of the plane do no harm.
-     * Coordinates begin at the outline's first corner, are scaled by a power of two, and are rounded to a grid, on which the directions of turns are
-     * exact. So a corner that is on a line stays there, and one that is beside it by rounding is on the same side in each test.
+     * A polygon's outline and holes as rings of corners in a plane, which it cuts into triangles. If no other corner is in the triangle at a corner
+     * that turns left, this triangle is cut off. Otherwise the corner is connected to one in the triangle, by a diagonal inside the polygon (M. de
+     * Berg et al., "Computational Geometry", theorem 3.1). This divides the ring, or joins a hole to it.
+     *
+     * <p>The polygon is projected along the coordinate axis nearest to the outline's normal (by M. E. Newell's method), so that the outline is
+     * counter-clockwise. Small bends out of the plane do no harm. Coordinates begin at the outline's first corner, are scaled by a power of two, and
+     * are rounded to a grid, on which the directions of turns are exact. So a corner that is on a line stays there, and one that is beside it by
+     * rounding is on the same side in each test.</p>
      *
      * <p>A corner may be in a ring more than once. So rings are made of nodes, and an index stands for a node. Node 0 is in the outline's ring.</p>
      */
@@ -36,7 +39,10 @@ package starlogo.models.polygons
         /** The previous node in the ring, for each node. */
         internal var previous:Vector.<int> = new Vector.<int>();
 
-        /** Limit the tests of corners. */
+        /** A node of the outline, and of each hole that is not joined to another ring. Read only. */
+        internal var starts:Vector.<int> = new <int>[0];
+
+        /** Limits the tests of corners. */
         internal var budget:FileBudget;
 
         // x, y, z of each vertex, and the vertex of the outline's first corner
@@ -48,10 +54,8 @@ package starlogo.models.polygons
         private var _axisY:int;
         private var _scale:Number;
 
-        // while ears are cut: the present node, the number of corners left, and the number of corners passed since the last ear
-        private var _node:int = 0;
-        private var _count:int = 0;
-        private var _misses:int = 0;
+        // A node of each ring that is to be cut. The last ring is being cut, from this node on.
+        private var _uncut:Vector.<int> = new <int>[0];
 
         /**
          * The plane of a polygon, and the outline's ring, which is counter-clockwise.
@@ -94,10 +98,10 @@ package starlogo.models.polygons
             return _axisX != _axisY;
         }
 
-        /** Makes a clockwise ring from the corners of a hole, in either direction. Returns its first node. */
-        internal function addHole(corners:Vector.<uint>):int
+        /** Makes a clockwise ring from the corners of a hole, in either direction. */
+        internal function addHole(corners:Vector.<uint>):void
         {
-            return addLoop(corners, false);
+            starts.push(addLoop(corners, false));
         }
 
         private function addLoop(loop:Vector.<uint>, counterClockwise:Boolean):int
@@ -111,17 +115,6 @@ package starlogo.models.polygons
                 addNode(corner, coordinateOf(corner, _axisX), coordinateOf(corner, _axisY), first + (i + 1) % count, first + (i + count - 1) % count);
             }
             return first;
-        }
-
-        /** Opens a ring at a corner. It then goes to a node of another ring, around that, and back. */
-        internal function bridge(corner:int, other:int):void
-        {
-            var cornerAgain:int = addCopy(corner, corner);
-            var otherEnd:int = addCopy(other, previous[other]);
-            next[corner] = other;
-            previous[other] = corner;
-            next[otherEnd] = cornerAgain;
-            previous[cornerAgain] = otherEnd;
         }
 
         /** Adds a copy of a node after a node, in the ring of that one. Returns its index. */
@@ -166,7 +159,8 @@ package starlogo.models.polygons
             var left:Number = toBX * toCY;
             var right:Number = toBY * toCX;
             var area:Number = left - right;
-            if (Math.abs(area) > PRODUCTS_ROUNDING * (Math.abs(left) + Math.abs(right)))
+            // products of 0 are exact, too
+            if (Math.abs(area) > PRODUCTS_ROUNDING * (Math.abs(left) + Math.abs(right)) || left == 0 && right == 0)
             {
                 return area;
             }
@@ -174,81 +168,145 @@ package starlogo.models.polygons
         }
 
         /**
-         * Does a step that cuts the outline's ring into triangles. Only triangles with an area are added. This holds for corners in a straight line,
-         * and for rings that cross or cover themselves. It ends for every ring, because any corner is cut off after two rounds without an ear.
+         * Does a step that cuts the rings into triangles. Holes outside the outline are left out. Only triangles with an area are added. This holds
+         * for corners in a straight line, and for rings that cross or cover themselves.
          *
          * @param triangles takes the triangles
-         * @return whether more than two corners are left
+         * @return whether more is to be cut
          */
-        internal function cutEars(triangles:Vector.<uint>):Boolean
+        internal function cut(triangles:Vector.<uint>):Boolean
         {
             var end:Number = budget.cornerTestsLeft - TESTS_PER_STEP;
-            _count ||= countOutline();
-            while (_count > 2 && budget.cornerTestsLeft > end)
+            while (_uncut.length > 0 && budget.cornerTestsLeft > end)
             {
-                var before:int = previous[_node];
-                var after:int = next[_node];
-                var area:Number = orient2d(before, _node, after);
-                // An outline that crosses itself may have no ear left. After one round without an ear any left turn is cut, after two
-                // rounds any corner.
-                var cutsLeftTurns:Boolean = _misses > _count;
-                var cutsAll:Boolean = _misses > 2 * _count || budget.cornerTestsLeft <= 0;
-                budget.spendCornerTests(1);
-                if (cutsAll || area == 0 || area > 0 && (cutsLeftTurns || isEar(before, _node, after)))
+                var tip:int = cuttableFrom(_uncut.pop());
+                var before:int = previous[tip];
+                var after:int = next[tip];
+                var isLeftTurn:Boolean = turnsLeft(tip);
+                if (before != after && !(isLeftTurn && budget.cornerTestsLeft > 0 && connect(tip)))
                 {
-                    if (area > 0)
+                    if (isLeftTurn)
                     {
-                        triangles.push(vertex[before], vertex[_node], vertex[after]);
+                        triangles.push(vertex[before], vertex[tip], vertex[after]);
                     }
                     next[before] = after;
                     previous[after] = before;
-                    // once all are cut, it stays so
-                    _misses = cutsAll ? _misses : 0;
-                    _count--;
-                    // What is left of a cut part goes first, because no other triangle is right while the ring goes there and back.
-                    _node = turnsBack(before) ? before : (turnsBack(after) ? after : next[after]);
+                    // What is left of a cut part goes first, because no other triangle is right while the ring goes there and back. Triangles are less thin
+                    // if their tips do not follow one another.
+                    _uncut.push(turnsBack(before) ? before : (turnsBack(after) || !turnsLeft(next[after]) ? after : next[after]));
                 }
-                else
+            }
+            return _uncut.length > 0;
+        }
+
+        // The first node, from a given one on, at which the ring turns left or goes back. If there is none, as in a ring that crosses itself, or no
+        // tests are left, it is another node.
+        private function cuttableFrom(first:int):int
+        {
+            var node:int = first;
+            do
+            {
+                budget.spendCornerTests(1);
+                if (turnsLeft(node) || turnsBack(node))
                 {
-                    _misses++;
-                    _node = after;
+                    return node;
                 }
-            }
-            return _count > 2;
-        }
-
-        // The number of nodes in the outline's ring.
-        private function countOutline():int
-        {
-            var count:int = 1;
-            for (var node:int = next[0]; node != 0; node = next[node])
-            {
-                count++;
-            }
-            return count;
-        }
-
-        // Whether no other corner is in the triangle of a left turn.
-        private function isEar(before:int, tip:int, after:int):Boolean
-        {
-            var minX:Number = Math.min(x[before], x[tip], x[after]);
-            var maxX:Number = Math.max(x[before], x[tip], x[after]);
-            var outside:int = 0;
-            var node:int = next[after];
-            // most corners are beside the triangle
-            while (node != before && !(x[node] >= minX && x[node] <= maxX && isInWay(node, before, tip, after)))
-            {
-                outside++;
                 node = next[node];
             }
-            budget.spendCornerTests(outside);
-            return node == before;
+            while (node != first && budget.cornerTestsLeft > 0);
+            return node;
         }
 
-        private function isInWay(node:int, before:int, tip:int, after:int):Boolean
+        // Connects a left turn to the nearest node in its triangle, and back. Returns whether there is one.
+        private function connect(tip:int):Boolean
         {
-            var isAtEnd:Boolean = areAtOnePlace(node, before) || areAtOnePlace(node, after);
-            return !isAtEnd && (areAtOnePlace(node, tip) ? goesInto(node, before, tip, after) : isInside(node, before, tip, after));
+            var hole:int = 0;
+            var nearest:int = nearestInTriangle(tip, next[next[tip]], previous[tip], -1);
+            for (var i:int = 1; i < starts.length; i++)
+            {
+                var ofHole:int = nearestInTriangle(tip, starts[i], starts[i], nearest);
+                hole = ofHole == nearest ? hole : i;
+                nearest = ofHole;
+            }
+            if (nearest < 0)
+            {
+                return false;
+            }
+            var tipAgain:int = addCopy(tip, tip);
+            var nearestAgain:int = addCopy(nearest, previous[nearest]);
+            next[tip] = nearest;
+            previous[nearest] = tip;
+            next[nearestAgain] = tipAgain;
+            previous[tipAgain] = nearestAgain;
+            if (hole == 0)
+            {
+                _uncut.push(tipAgain);
+            }
+            else
+            {
+                starts.splice(hole, 1);
+            }
+            _uncut.push(tip);
+            return true;
+        }
+
+        // Of nodes that are in the triangle of a left turn, and of a node found before (-1 for none), the one that a line meets first which turns about the
+        // corner before the tip, away from the tip. No edge can be between the tip and this node. It looks at the nodes of a ring from one node on,
+        // before another one.
+        private function nearestInTriangle(tip:int, from:int, end:int, found:int):int
+        {
+            var before:int = previous[tip];
+            var after:int = next[tip];
+            var minX:Number = Math.min(x[before], x[tip], x[after]);
+            var maxX:Number = Math.max(x[before], x[tip], x[after]);
+            var nearest:int = found;
+            var count:int = 0;
+            var node:int = from;
+            do
+            {
+                // most corners are beside the triangle
+                if (x[node] >= minX && x[node] <= maxX && isInTriangle(node, before, tip, after))
+                {
+                    var turn:Number = nearest < 0 ? 1 : orient2d(before, node, nearest);
+                    nearest = turn > 0 || turn == 0 && distance(before, node) < distance(before, nearest) ? node : nearest;
+                }
+                count++;
+                node = next[node];
+            }
+            while (node != end);
+            budget.spendCornerTests(count);
+            return nearest;
+        }
+
+        // Of nodes in one direction, the lower distance is that of the nearer one.
+        private function distance(from:int, to:int):Number
+        {
+            return Math.abs(x[to] - x[from]) + Math.abs(y[to] - y[from]);
+        }
+
+        // Whether a node is in the triangle of a left turn, and sees the tip. If it is at the tip, whether its ring goes into the triangle.
+        private function isInTriangle(node:int, before:int, tip:int, after:int):Boolean
+        {
+            // most corners are beyond the third side
+            if (orient2d(after, before, node) < 0 || areAtOnePlace(node, before) || areAtOnePlace(node, after))
+            {
+                return false;
+            }
+            return areAtOnePlace(node, tip) ? goesInto(node, before, tip, after)
+                : orient2d(before, tip, node) >= 0 && orient2d(tip, after, node) >= 0 && sees(node, tip);
+        }
+
+        // Whether the direction from a node to another place goes into the polygon.
+        private function sees(node:int, other:int):Boolean
+        {
+            var isAfterNext:Boolean = orient2d(node, next[node], other) > 0;
+            var isBeforePrevious:Boolean = orient2d(node, other, previous[node]) > 0;
+            return orient2d(node, next[node], previous[node]) > 0 ? isAfterNext && isBeforePrevious : isAfterNext || isBeforePrevious;
+        }
+
+        private function turnsLeft(node:int):Boolean
+        {
+            return orient2d(previous[node], node, next[node]) > 0;
         }
 
         // Whether the ring goes back at a node the way it came, or stays in its place.
@@ -256,44 +314,23 @@ package starlogo.models.polygons
         {
             var before:int = previous[node];
             var after:int = next[node];
-            return orient2d(before, node, after) == 0 && (x[before] - x[node]) * (x[after] - x[node]) + (y[before] - y[node]) * (y[after] - y[node]) >= 0;
+            return (x[before] - x[node]) * (x[after] - x[node]) + (y[before] - y[node]) * (y[after] - y[node]) >= 0 && orient2d(before, node, after) == 0;
         }
 
-        // Whether the triangle of three nodes in a row has another node inside it or on its edge. The triangle must be counter-clockwise. A node
-        // that touches one of its two sides in the ring from outside does not count.
-        private function isInside(node:int, before:int, tip:int, after:int):Boolean
-        {
-            var left:Number = orient2d(before, tip, node);
-            var right:Number = left < 0 ? -1 : orient2d(tip, after, node);
-            return right >= 0 && orient2d(after, before, node) >= 0
-                && !(left == 0 && isBeyond(node, before, tip)) && !(right == 0 && isBeyond(node, tip, after));
-        }
-
-        // Whether the ring goes at a node at the tip's place into the triangle of three nodes in a row, which must be counter-clockwise, or leaves it
-        // out. The ends of its edges may be beyond the triangle: where a hole touches the tip, the ring goes there and back.
+        // Whether the ring of a node at the tip's place goes into the triangle of a left turn there, or comes along one side and leaves along the other, as
+        // a hole that fills the corner. The ends of its edges may be beyond the triangle.
         private function goesInto(node:int, before:int, tip:int, after:int):Boolean
         {
-            return isInCorner(previous[node], before, tip, after) || isInCorner(next[node], before, tip, after)
-                || isAlongSides(previous[node], next[node], before, tip, after);
-        }
-
-        // Whether a node is in the direction of the side after a left turn, and another one in the direction of the side before it.
-        private function isAlongSides(alongAfter:int, alongBefore:int, before:int, tip:int, after:int):Boolean
-        {
-            return orient2d(tip, after, alongAfter) == 0 && orient2d(before, tip, alongAfter) > 0
-                && orient2d(before, tip, alongBefore) == 0 && orient2d(tip, after, alongBefore) > 0;
+            var from:int = previous[node];
+            var to:int = next[node];
+            return isInCorner(from, before, tip, after) || isInCorner(to, before, tip, after)
+                || orient2d(tip, after, from) == 0 && orient2d(before, tip, from) > 0 && orient2d(before, tip, to) == 0 && orient2d(tip, after, to) > 0;
         }
 
         // Whether a node is between the two sides of a left turn, or of what goes on beyond them.
         private function isInCorner(node:int, before:int, tip:int, after:int):Boolean
         {
             return orient2d(before, tip, node) > 0 && orient2d(tip, after, node) > 0;
-        }
-
-        // Whether no edge at a node goes to the left of a line.
-        private function isBeyond(node:int, from:int, to:int):Boolean
-        {
-            return orient2d(from, to, previous[node]) <= 0 && orient2d(from, to, next[node]) <= 0;
         }
 
         // Twice the area of a loop in the plane of two axes; positive if it is counter-clockwise. Its coordinates are scaled.

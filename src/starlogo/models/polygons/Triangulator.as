@@ -9,9 +9,8 @@ package starlogo.models.polygons
      *
      * <p>A triangle stays as it is, and a quad is cut along the diagonal inside it; triangles that name a corner twice are left out. Other polygons
      * become rings in a plane (PolygonRings). If their first corner sees all others, as in a convex polygon without corners in a straight line,
-     * they are cut from there. Otherwise their holes are joined to the outline (HoleBridges), and ears are cut off. Outlines may cross
-     * or cover themselves, and holes may touch them. Every triangle that is cut from a ring has an area in the plane. A ring without area has no
-     * triangles.</p>
+     * they are cut from there. Otherwise HoleWelds finds where holes touch, and the rings cut themselves. Outlines may cross or cover themselves, and
+     * holes may touch them. Every triangle that is cut from a ring has an area in the plane. A ring without area has no triangles.</p>
      *
      * <p>Cost: linear for convex polygons, otherwise up to quadratic in the corners, but at most the tests of corners that the file's limits
      * allow. Beyond that, corners are cut off without a test, and holes are filled.</p>
@@ -95,18 +94,17 @@ package starlogo.models.polygons
                 }
                 return null;
             }
-            var nodes:Vector.<int> = new Vector.<int>();
             for each (var hole:Vector.<uint> in holes)
             {
                 if (hole.length > 2)
                 {
-                    nodes.push(rings.addHole(hole));
+                    rings.addHole(hole);
                 }
             }
-            var rest:StepSequence = nodes.length == 0 ? new StepSequence() : new StepSequence().add(new HoleBridges(rings, nodes));
+            var rest:StepSequence = hasHoles ? new StepSequence().add(new HoleWelds(rings)) : new StepSequence();
             rest.repeat(function():Boolean
                 {
-                    return rings.cutEars(triangles);
+                    return rings.cut(triangles);
                 });
             return rest.step() ? rest : null;
         }

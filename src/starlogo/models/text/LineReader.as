@@ -25,10 +25,8 @@ package starlogo.models.text
         private var _name:String;
         private var _text:String;
 
-        // The lines of the chunk that is being read, which is the text from _start up to _end; and the index of the next one.
+        // The lines of the present chunk that are not read yet, the last one first; and where it ends in the text.
         private var _lines:Array = [];
-        private var _next:int = 0;
-        private var _start:int = 0;
         private var _end:int = 0;
 
         private var _lineCount:int = 0; // before the next line
@@ -58,24 +56,24 @@ package starlogo.models.text
         /** Whether there is more to read. */
         public function get hasMore():Boolean
         {
-            return _next < _lines.length || _end < _text.length;
+            return _lines.length > 0 || _end < _text.length;
         }
 
         /**
          * Does a step: reads some statements, or none if the next chunk of the text must be divided first.
          *
          * @param read <code>function(words:Array):void</code>; gets the words of a statement, at least one
-         * @return the share of the text that is read, from 0 to 1
+         * @return the share of the text that is divided, from 0 to 1
          */
         public function readStatements(read:Function):Number
         {
-            if (_next == _lines.length)
+            if (_lines.length == 0)
             {
                 readChunk();
             }
             else
             {
-                for (var i:int = 0; i < STATEMENTS_PER_STEP && _next < _lines.length; i++)
+                for (var i:int = 0; i < STATEMENTS_PER_STEP && _lines.length > 0; i++)
                 {
                     var words:Array = nextStatement();
                     if (words.length > 0)
@@ -84,7 +82,7 @@ package starlogo.models.text
                     }
                 }
             }
-            return hasMore ? (_start + (_end - _start) * _next / _lines.length) / Math.max(1, _text.length) : 1;
+            return _end / Math.max(1, _text.length);
         }
 
         /**
@@ -117,11 +115,11 @@ package starlogo.models.text
             line = _lineCount + 1;
             do
             {
-                if (_next == _lines.length)
+                if (_lines.length == 0)
                 {
                     readChunk();
                 }
-                var next:String = _lines[_next++];
+                var next:String = _lines.pop();
                 _lineCount++;
                 length += 1 + next.length;
                 if (length > MAX_STATEMENT)
@@ -150,20 +148,20 @@ package starlogo.models.text
         // Divides the next lines: up to the end of the line after so many characters.
         private function readChunk():void
         {
-            _start = _end;
-            _end = TextWords.indexOfEither(_text, LINE_FEED, RETURN, Math.min(_start + CHARACTERS_PER_CHUNK, _text.length), _text.length);
+            var start:int = _end;
+            _end = TextWords.indexOfEither(_text, LINE_FEED, RETURN, Math.min(start + CHARACTERS_PER_CHUNK, _text.length), _text.length);
             _end = Math.min(_end + (_text.substr(_end, 2) == "\r\n" ? 2 : 1), _text.length);
-            var text:String = _text.substring(_start, _end);
+            var text:String = _text.substring(start, _end);
             text = TextWords.replaceAll(text, "\r\n", "\n");
             text = TextWords.replaceAll(text, "\r", "\n");
             text = TextWords.replaceAll(text, "\t", " ");
             _lines = text.split("\n");
-            _next = 0;
             if (_end < _text.length)
             {
                 // after the last line's end
                 _lines.pop();
             }
+            _lines.reverse();
         }
     }
 }

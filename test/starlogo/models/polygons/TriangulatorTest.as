@@ -219,6 +219,19 @@ package starlogo.models.polygons
             }
         }
 
+        /** A square of 9 with two triangular holes that touch in a corner, and a hole like a diamond, in a plane that leans, as a file writes it. */
+        [Test]
+        public function leavesRoundedHolesThatTouchOpen():void
+        {
+            var vertices:Vector.<Number> = new <Number>[0.3, -0.7, -0.7, 8.151412, 3.596835, -1.644743, 12.52673, -3.827065, 0.9518594, 4.675314, -8.123899, 1.896603,
+                    2.917137, 0.7322783, -1.014914, 6.992712, -0.3100766, -0.4642946, 5.534275, 2.164557, -1.329829,
+                    5.834013, -4.216988, 0.716154, 4.375576, -1.742355, -0.1493802, 6.992712, -0.3100766, -0.4642946,
+                    6.320159, -5.041866, 1.004665, 7.678684, -5.389318, 1.188205, 8.064918, -4.087014, 0.7947224, 6.706392, -3.739562, 0.6111825];
+            var triangles:Vector.<uint> = new Vector.<uint>();
+            cut(vertices, triangles, new <Vector.<uint>>[new <uint>[0, 1, 2, 3], new <uint>[4, 5, 6], new <uint>[7, 8, 9], new <uint>[10, 11, 12, 13]]);
+            assertTrue("area " + Surfaces.area(vertices, triangles), Math.abs(Surfaces.area(vertices, triangles) - 70) < 1e-4);
+        }
+
         [Test]
         public function cutsPolygonsOfAnySize():void
         {
@@ -356,33 +369,42 @@ package starlogo.models.polygons
 
         /**
          * A corner that lies on the line between two others, upright or level, is a corner of triangles on both of its sides. Otherwise the surface would
-         * have a gap there without width, and not be closed.
+         * have a gap there without width, and not be closed. A corner on a straight side has a triangle, too, because another face may meet it there.
          */
         [Test]
         public function noTriangleHasACornerOnItsEdge():void
         {
-            var chevron:Array = [[0, 0], [2, -2], [4, -2], [2, 0], [4, 2], [2, 2]];
-            for (var turn:int = 0; turn < 4; turn++)
+            const SHAPES:Array = [[[0, 0], [2, -2], [4, -2], [2, 0], [4, 2], [2, 2]], [[0, 0], [2, 0], [4, 0], [4, 1], [4, 2], [2, 2], [2, 4], [0, 4]]];
+            for each (var shape:Array in SHAPES)
             {
-                for (var start:int = 0; start < chevron.length; start++)
+                for (var turn:int = 0; turn < 4; turn++)
                 {
-                    var flat:Vector.<Number> = new Vector.<Number>();
-                    var corners:Vector.<uint> = new Vector.<uint>();
-                    for (var i:int = 0; i < chevron.length; i++)
+                    for (var start:int = 0; start < shape.length; start++)
                     {
-                        corners.push(i);
-                        flat.push(chevron[i][0], chevron[i][1], 0);
+                        checkEdges("turn " + turn + ", start " + start, shape);
+                        shape.push(shape.shift());
                     }
-                    var triangles:Vector.<uint> = new Vector.<uint>();
-                    cut(flat, triangles, new <Vector.<uint>>[corners]);
-                    assertEquals("turn " + turn + ", start " + start, "0>1 1>2 2>3 3>4 4>5 5>0", edgesOnce(triangles));
-                    chevron.push(chevron.shift());
-                }
-                for each (var corner:Array in chevron)
-                {
-                    corner.push(-corner.shift());
+                    for each (var corner:Array in shape)
+                    {
+                        corner.push(-corner.shift());
+                    }
                 }
             }
+        }
+
+        private static function checkEdges(what:String, shape:Array):void
+        {
+            var flat:Vector.<Number> = new Vector.<Number>();
+            var loops:Vector.<Vector.<uint>> = new Vector.<Vector.<uint>>();
+            addLoop(shape, loops, flat);
+            var sides:Array = [];
+            for (var i:int = 0; i < shape.length; i++)
+            {
+                sides.push(i + ">" + (i + 1) % shape.length);
+            }
+            var triangles:Vector.<uint> = new Vector.<uint>();
+            cut(flat, triangles, loops);
+            assertEquals(what, sides.sort().join(" "), edgesOnce(triangles));
         }
 
         // The edges that triangles pass in one direction only, sorted.

@@ -2,7 +2,7 @@ package starlogo.data
 {
     import org.flexunit.asserts.assertEquals;
 
-    public class LastNotAfterTest
+    public class LastAtMostTest
     {
         [Test]
         public function findsTheLastOfEqualNumbers():void
@@ -10,9 +10,9 @@ package starlogo.data
             var numbers:Vector.<Number> = new <Number>[0, 1, 1, 4, 9];
             for each (var each:Array in [[-1, 0], [0, 0], [0.5, 0], [1, 2], [3, 2], [4, 3], [8.5, 3], [9, 4], [10, 4]])
             {
-                assertEquals(each[0], each[1], lastNotAfter(numbers, each[0]));
+                assertEquals(each[0], each[1], lastAtMost(numbers, each[0]));
             }
-            assertEquals(0, lastNotAfter(new <Number>[5], 7));
+            assertEquals(0, lastAtMost(new <Number>[5], 7));
         }
     }
 }

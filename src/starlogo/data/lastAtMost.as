@@ -9,7 +9,7 @@ package starlogo.data
      *
      * @private
      */
-    public function lastNotAfter(numbers:Vector.<Number>, value:Number):int
+    public function lastAtMost(numbers:Vector.<Number>, value:Number):int
     {
         var low:int = 0;
         var high:int = numbers.length - 1;

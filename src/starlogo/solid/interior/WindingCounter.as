@@ -205,7 +205,8 @@ package starlogo.solid.interior
             var shell:int = surface.shellOf(triangle);
             if (shell >= 0)
             {
-                _windings[shell] += surface.isReversed(triangle) ? -crossing : crossing;
+                var turns:int = surface.isReversed(triangle) ? -crossing : crossing;
+                _windings[shell] += turns;
                 _crossed[_crossedCount++] = shell;
             }
         }

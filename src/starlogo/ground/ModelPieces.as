@@ -38,7 +38,7 @@ package starlogo.ground
         /** The kind of the current piece. Read only. */
         public var kind:int = STRUCTURE;
 
-        /** It decides about a triangle of the ground and the current piece, which is its shape, unless it is an inner node. */
+        /** Decides about the current piece, which is its shape, and a triangle of the ground. An inner node is never its shape. */
         public var kernel:TriangleKernel = new TriangleKernel();
 
         /** The margin of the current piece, with the margins of the model's place and surface. Read only. */
@@ -59,7 +59,7 @@ package starlogo.ground
         /** How many nodes come after the current piece and those inside of it. Read only. */
         public var nodesLeft:int = 0;
 
-        private var _tree:ModelTree;
+        private var _tree:BoxTree;
         private var _structure:BoundingStructure;
 
         // How many levels of the tree are visited; EXACT if the pieces are triangles.
@@ -80,14 +80,14 @@ package starlogo.ground
         /** Sets the model, as <code>GroundModelQuery.setTo()</code> takes it. The origin is the place of the placement. */
         public function setTo(tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int):void
         {
-            _tree = tree;
+            _tree = tree == null ? null : tree.treeFor(depth);
             _structure = structure;
             _depth = depth;
             // twice, as if another agent stood at the place of the touch
             _modelMargin = 2 * Touching.marginOfPlace(placement.x, placement.y, placement.z);
             if (_depth == BoxTree.EXACT)
             {
-                _modelMargin += Touching.marginOfSurface(tree.boxTree.boundingRadius * placement.size);
+                _modelMargin += Touching.marginOfSurface(_tree.boundingRadius * placement.size);
             }
             _placement.copyFrom(placement);
             moveTo(RelativeMotion.NONE, 0);
@@ -136,13 +136,12 @@ package starlogo.ground
         /** Divides the current piece, an inner node: the pieces inside of it come next. The lower one of two nodes comes first, because the ground is below. */
         public function divide():void
         {
-            var tree:BoxTree = _tree.boxTree;
             var node:int = _nodes[nodesLeft];
-            var left:int = tree.left[node];
+            var left:int = _tree.left[node];
             if (left == 0)
             {
-                _nextTriangle = tree.firstPrimitive[node];
-                _trianglesEnd = tree.endPrimitive[node];
+                _nextTriangle = _tree.firstPrimitive[node];
+                _trianglesEnd = _tree.endPrimitive[node];
                 return;
             }
             var isLeftLower:Boolean = heightOf(left) < heightOf(left + 1);
@@ -154,7 +153,7 @@ package starlogo.ground
         // How high the middle of a node is, as a multiple of the model's size.
         private function heightOf(node:int):Number
         {
-            var boxes:Vector.<Number> = _tree.boxTree.boxes;
+            var boxes:Vector.<Number> = _tree.boxes;
             var at:int = 6 * node;
             return _placement.r20 * boxes[at] + _placement.r21 * boxes[int(at + 1)] + _placement.r22 * boxes[int(at + 2)];
         }
@@ -174,7 +173,7 @@ package starlogo.ground
         // Makes the next triangle the current piece.
         private function enterTriangle():void
         {
-            _tree.triangleTree.readTriangle(_nextTriangle, corners);
+            _tree.readTriangle(_nextTriangle, corners);
             placePoints(_placement, corners, 0, 9, corners);
             _nextTriangle++;
             kind = TRIANGLE;
@@ -188,14 +187,13 @@ package starlogo.ground
         // Makes a node the current piece.
         private function enterNode(node:int):void
         {
-            var tree:BoxTree = _tree.boxTree;
-            if (_depth != BoxTree.EXACT && tree.leafUpToDepth[node] >= _depth)
+            if (_depth != BoxTree.EXACT && _tree.leafUpToDepth[node] >= _depth)
             {
-                enterStructure(tree.boxOf(node), NODE_BOX);
+                enterStructure(_tree.boxOf(node), NODE_BOX);
                 return;
             }
             kind = INNER_NODE;
-            findBoxAround(tree.boxOf(node), box);
+            findBoxAround(_tree.boxOf(node), box);
             point.x = box.x;
             point.y = box.y;
             point.z = box.z;

@@ -10,7 +10,7 @@ package starlogo.ground
         public var earliest:Number = 0;
         public var latest:Number = 0;
 
-        /** The square of how far the box is beside the square all the time, along x and y. */
+        /** How far the box is beside the square all the time, along x and y: this distance, multiplied by itself. */
         public var squaredDistanceBeside:Number = 0;
 
         /** Triangles between these heights count: where the box is then, or as near as the limits of the search say. */

@@ -93,18 +93,18 @@ package starlogo.solid
         // Raises the bound to the distance of two boxes along the axes of b's.
         private function estimateAlongAxesOfB(pair:BoxPair, out:BestPair):void
         {
-            var turn:Placement = pair.rotation;
-            var distance:Number = turn.r00 * pair.offsetX + turn.r10 * pair.offsetY + turn.r20 * pair.offsetZ;
+            var rotation:Placement = pair.rotation;
+            var distance:Number = rotation.r00 * pair.offsetX + rotation.r10 * pair.offsetY + rotation.r20 * pair.offsetZ;
             distance = distance < 0 ? -distance : distance;
             distance -= pair.abs00 * pair.aHalfX + pair.abs10 * pair.aHalfY + pair.abs20 * pair.aHalfZ + pair.bHalfX;
             distance = distance > 0 ? distance : 0;
             var squared:Number = distance * distance;
-            distance = turn.r01 * pair.offsetX + turn.r11 * pair.offsetY + turn.r21 * pair.offsetZ;
+            distance = rotation.r01 * pair.offsetX + rotation.r11 * pair.offsetY + rotation.r21 * pair.offsetZ;
             distance = distance < 0 ? -distance : distance;
             distance -= pair.abs01 * pair.aHalfX + pair.abs11 * pair.aHalfY + pair.abs21 * pair.aHalfZ + pair.bHalfY;
             distance = distance > 0 ? distance : 0;
             squared += distance * distance;
-            distance = turn.r02 * pair.offsetX + turn.r12 * pair.offsetY + turn.r22 * pair.offsetZ;
+            distance = rotation.r02 * pair.offsetX + rotation.r12 * pair.offsetY + rotation.r22 * pair.offsetZ;
             distance = distance < 0 ? -distance : distance;
             distance -= pair.abs02 * pair.aHalfX + pair.abs12 * pair.aHalfY + pair.abs22 * pair.aHalfZ + pair.bHalfZ;
             distance = distance > 0 ? distance : 0;
@@ -116,7 +116,7 @@ package starlogo.solid
         // nearer.
         private function estimateAlongLine(pair:BoxPair, out:BestPair):void
         {
-            var turn:Placement = pair.rotation;
+            var rotation:Placement = pair.rotation;
             var points:ClosestPoints = out.points;
             var toX:Number = points.b.x - points.a.x;
             var toY:Number = points.b.y - points.a.y;
@@ -126,9 +126,9 @@ package starlogo.solid
             {
                 return;
             }
-            var alongX:Number = toX * turn.r00 + toY * turn.r10 + toZ * turn.r20;
-            var alongY:Number = toX * turn.r01 + toY * turn.r11 + toZ * turn.r21;
-            var alongZ:Number = toX * turn.r02 + toY * turn.r12 + toZ * turn.r22;
+            var alongX:Number = toX * rotation.r00 + toY * rotation.r10 + toZ * rotation.r20;
+            var alongY:Number = toX * rotation.r01 + toY * rotation.r11 + toZ * rotation.r21;
+            var alongZ:Number = toX * rotation.r02 + toY * rotation.r12 + toZ * rotation.r22;
             alongX = alongX < 0 ? -alongX : alongX;
             alongY = alongY < 0 ? -alongY : alongY;
             alongZ = alongZ < 0 ? -alongZ : alongZ;

@@ -50,7 +50,7 @@ package starlogo.solid
          */
         override protected function estimate(trees:TreePair, a:int, b:int, out:BestPair):void
         {
-            readBoxesInTime(trees, a, b, out);
+            beginPair(trees, a, b, out);
             _sweep.findTimeOfFaces(_pair, _motion);
             out.bound = _motion.time;
         }
@@ -63,7 +63,7 @@ package starlogo.solid
                 kernel.findEarlier(a, b, out);
                 return;
             }
-            readBoxesInTime(trees, a, b, out);
+            beginPair(trees, a, b, out);
             _sweep.findTimeOfImpact(_pair, _motion);
             if (_motion.time < out.limit)
             {
@@ -73,8 +73,8 @@ package starlogo.solid
             }
         }
 
-        // Reads the boxes of two nodes. Times after the best one so far do not count.
-        private function readBoxesInTime(trees:TreePair, a:int, b:int, best:BestPair):void
+        // Reads the boxes of two nodes, and ends their motion at the best time so far.
+        private function beginPair(trees:TreePair, a:int, b:int, best:BestPair):void
         {
             trees.readBoxes(a, b, _pair);
             if (best.limit < _motion.latestTime)

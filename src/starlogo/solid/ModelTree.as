@@ -41,9 +41,8 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * A model's tree, together with its triangles and what is inside of them. Once the work that was begun has made or restored the tree's nodes, only
-     * <code>refit()</code> changes them. The triangles and their inside are prepared when they are first needed, or when the model is loaded. For the
-     * engine.
+     * A model's tree, and what is inside of its triangles. Once the work that was begun has made or restored the tree's nodes, only <code>refit()</code>
+     * changes them. The inside is prepared when it is first needed, or when the model is loaded. For the engine.
      *
      * @private
      */
@@ -82,7 +81,7 @@ package starlogo.solid
          * @param maxLeafVertices a node with at most this many vertices is a leaf
          * @param maxDepth a node on this level is a leaf
          * @param splitByMean whether to split at the mean, down to the leaves
-         * @param preparesExact whether to prepare the triangles for exact tests and rays now; otherwise the first of these does
+         * @param preparesExact whether to prepare exact tests and rays of triangles now; otherwise the first of these does
          */
         engine function beginBuilding(maxLeafVertices:int, maxDepth:int, splitByMean:Boolean, preparesExact:Boolean):void
         {
@@ -109,7 +108,7 @@ package starlogo.solid
         // The work that prepares what is inside of the triangles.
         private function newInteriorWork():Steps
         {
-            var builder:InteriorBuilder = new InteriorBuilder(triangleTree, surface);
+            var builder:InteriorBuilder = new InteriorBuilder(treeFor(BoxTree.EXACT), surface);
             return new StepSequence().add(builder).call(function():void
                 {
                     _interior = builder.windingCounter;
@@ -135,10 +134,13 @@ package starlogo.solid
             return _interior != null;
         }
 
-        /** @private The tree with its triangles' corners listed, for exact tests of a model that has triangles. The first call lists them. */
-        engine function get triangleTree():BoxTree
+        /** @private The tree for a search to a depth. For BoxTree.EXACT it has triangles, whose corners are listed: the first call lists them. */
+        engine function treeFor(depth:int):BoxTree
         {
-            boxTree.listCorners();
+            if (depth == BoxTree.EXACT)
+            {
+                boxTree.listCorners();
+            }
             return boxTree;
         }
 
@@ -172,9 +174,9 @@ package starlogo.solid
         }
 
         /**
-         * @private Follows the vertices of the tree to their new places. The tree keeps its division. The triangles follow at once if they
-         *     are prepared. Their inside has to be prepared again, because it depends on which surfaces are closed and around which others.
-         *     No building may be half done: ResultsBuilder refuses poses meanwhile.
+         * @private Follows the vertices of the tree to their new places. The tree keeps its division, and each triangle its corners. The inside has to
+         *     be prepared again, because it depends on which surfaces are closed and around which others. No building may be half done: ResultsBuilder
+         *     refuses poses meanwhile.
          */
         engine function refit():void
         {

@@ -65,7 +65,7 @@ package starlogo.solid
             _found = -1;
             limit = out.distance = Infinity;
             _search.setExtents(_extents, 0);
-            _search.visitNear(_isExact ? model.triangleTree : model.boxTree, depth, this);
+            _search.visitNear(model.treeFor(depth), depth, this);
             if (_found >= 0)
             {
                 // the kernel has the structure's point first

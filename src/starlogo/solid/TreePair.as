@@ -60,8 +60,8 @@ package starlogo.solid
         }
 
         /**
-         * The largest distance at which quick tests let two triangles pass. It is larger, because it includes the margin of a motion and Tolerances.CORES
-         * of two triangles. It is twice the margin: the second one has SURFACES of the radii, which is more than the CORES of two triangles.
+         * Quick tests rule out two triangles that are farther apart. It is more than <code>triangleMargin</code>, because the kernel also lets the margin of
+         * a motion and Tolerances.CORES of both triangles touch. Twice that margin is enough: it has SURFACES of the radii, which is more than the CORES.
          */
         public function cullDistance(motion:RelativeMotion):Number
         {

@@ -17,8 +17,8 @@ package starlogo.solid
      * <p>The thesis transforms both structures into the world for each pair of nodes (§4.5). Here one RelativePose for each pair of models transforms
      * b into a's space, where all is decided.</p>
      *
-     * <p>What a greater depth or the triangles find, a smaller depth finds too, no farther, and no later but for rounding. Nodes and triangles cover only
-     * the surface. So if the surfaces do not touch, <code>findInside()</code> decides.</p>
+     * <p>A smaller depth finds all that a greater depth or the triangles find: no farther away, and no later but for rounding. Nodes and triangles cover
+     * only the surface. So if the surfaces do not touch, <code>findInside()</code> decides.</p>
      *
      * @private
      */

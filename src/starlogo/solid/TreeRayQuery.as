@@ -102,6 +102,7 @@ package starlogo.solid
         // Visits what the ray may meet.
         private function search(model:ModelTree, depth:int, ray:Ray, all:RayCrossings):void
         {
+            var tree:BoxTree = model.treeFor(depth);
             _ray = ray;
             _all = all;
             _first = -1;
@@ -109,10 +110,9 @@ package starlogo.solid
             _isExact = depth == BoxTree.EXACT;
             if (_isExact)
             {
-                model.boxTree.listCorners();
-                _shearedRay.setTo(ray, model.boxTree.radiusAboutOrigin);
+                _shearedRay.setTo(ray, tree.radiusAboutOrigin);
             }
-            _search.visitAlong(ray, model.boxTree, depth, this);
+            _search.visitAlong(ray, tree, depth, this);
         }
 
         /** @inheritDoc */

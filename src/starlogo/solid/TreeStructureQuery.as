@@ -110,7 +110,7 @@ package starlogo.solid
         private function findFirstTouched(motion:RelativeMotion):int
         {
             return _depth == BoxTree.EXACT
-                ? _triangleImpact.findFirstTriangle(_tree.triangleTree, placed(), pose, motion)
+                ? _triangleImpact.findFirstTriangle(_tree.treeFor(_depth), placed(), pose, motion)
                 : _nodeImpact.findFirstNode(_tree.boxTree, _depth, placedWidened(), motion);
         }
 

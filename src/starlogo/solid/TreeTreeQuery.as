@@ -61,8 +61,8 @@ package starlogo.solid
             _b = b;
             this.placementA = placementA;
             this.placementB = placementB;
-            _trees.a = a.boxTree;
-            _trees.b = b.boxTree;
+            _trees.a = a.treeFor(depthA);
+            _trees.b = b.treeFor(depthB);
             _trees.depthA = depthA;
             _trees.depthB = depthB;
             return this;
@@ -166,13 +166,7 @@ package starlogo.solid
         // What tests two leaves: their triangles, or null for their boxes. The motion is that of b.
         private function kernelFor(motion:RelativeMotion):TrianglePairKernel
         {
-            if (!isExact)
-            {
-                return null;
-            }
-            _trees.a.listCorners();
-            _trees.b.listCorners();
-            return _pairKernel.begin(_trees, motion);
+            return isExact ? _pairKernel.begin(_trees, motion) : null;
         }
     }
 }

@@ -33,7 +33,7 @@ package starlogo.solid
         private var _cornersOfA:Vector.<Number> = new Vector.<Number>(9, true);
         private var _cornersOfB:Vector.<Number> = new Vector.<Number>(9, true);
 
-        // Has one triangle as its shape, then the probe; and the plane of the other triangle.
+        // Its shape is one triangle; then, for _triangleImpact, the probe. And the plane of the other triangle.
         private var _kernel:TriangleKernel = new TriangleKernel();
         private var _plane:TrianglePlane = new TrianglePlane();
 

@@ -57,12 +57,12 @@ package starlogo.solid
         public function trianglesTouchAcrossTheWholeGap():void
         {
             var cube:ModelTree = hierarchyOf(BuiltInModel.cube());
-            var half:Number = Math.abs(cube.triangleTree.vertices[0]);
+            var half:Number = Math.abs(cube.boxTree.vertices[0]);
             var stands:Placement = new Placement();
             var beside:Placement = new Placement();
             var triangle:ConvexShape = new ConvexShape();
             var corners:Vector.<Number> = new Vector.<Number>(9);
-            cube.triangleTree.readTriangle(0, corners);
+            cube.treeFor(BoxTree.EXACT).readTriangle(0, corners);
             triangle.setTriangle(corners, 0);
             var tested:int = 0;
             for (var step:int = 0; step < 800; step++)
@@ -93,7 +93,7 @@ package starlogo.solid
             var corners:Vector.<Number> = new Vector.<Number>(9);
             for (var index:int = bear.boxTree.primitiveCount - 1; index > cube.boxTree.primitiveCount; index -= 100)
             {
-                bear.triangleTree.readTriangle(index, corners);
+                bear.treeFor(BoxTree.EXACT).readTriangle(index, corners);
                 var sphere:Sphere = new Sphere(new Vector3D(corners[0], corners[1], corners[2]), 1e-6);
                 pair.setTo(bear, stands, BoxTree.EXACT, sphere, stands);
                 assertTrue(pair.areTouching());

@@ -8,7 +8,6 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.HierarchyNode;
-    import starlogo.hierarchy.BoxTree;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayCrossing;
     import starlogo.intersection.ray.RaySpan;
@@ -55,7 +54,7 @@ package starlogo.solid
         private function castThroughEdges(model:Model, count:int):void
         {
             var hierarchy:ModelTree = hierarchyOf(model);
-            var tree:BoxTree = hierarchy.triangleTree;
+            var tree:BoxTree = hierarchy.treeFor(BoxTree.EXACT);
             var corners:Vector.<Number> = new Vector.<Number>(9);
             var hit:RayCrossing = new RayCrossing();
             var ray:Ray = new Ray();

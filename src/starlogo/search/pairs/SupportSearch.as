@@ -123,7 +123,7 @@ package starlogo.search.pairs
         private function findOfTree(body:Body, direction:Vector3D, out:SupportPoint):void
         {
             var depth:int = _limits.depthOf(body);
-            var tree:BoxTree = depth == BoxTree.EXACT ? body.shape.tree.triangleTree : body.shape.tree.boxTree;
+            var tree:BoxTree = body.shape.tree.treeFor(depth);
             _nodes[0] = 0;
             _upperBounds[0] = Infinity;
             for (var top:int = 0; top >= 0; top--)

@@ -37,7 +37,7 @@ package starlogo.solid.interior
             {
                 begin(findSurface);
             }
-            call(beginComponents).slices(tree.primitiveCount, TRIANGLES_PER_STEP, takePoints);
+            call(beginPoints).slices(tree.primitiveCount, TRIANGLES_PER_STEP, takePoints);
         }
 
         private function takeSeams():void
@@ -61,7 +61,7 @@ package starlogo.solid.interior
                 });
         }
 
-        private function beginComponents():void
+        private function beginPoints():void
         {
             windingCounter.hasClosedShell = windingCounter.surface.hasClosedShell;
             windingCounter.componentPoints = zeroedNumbers(3 * windingCounter.surface.componentCount);

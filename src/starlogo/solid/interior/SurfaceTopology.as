@@ -56,14 +56,13 @@ package starlogo.solid.interior
             orientedShells = zeroedInts(triangleCount);
         }
 
-        /** The number of a triangle's shell, or -1 for a triangle with two corners at one place. The triangle is counted as the model does. */
+        /** The shell of a triangle, by the triangle's number; -1 if two of its corners are at one place. */
         public function shellOf(triangle:int):int
         {
-            var signed:int = orientedShells[triangle];
-            return signed < 0 ? -signed - 1 : signed - 1;
+            return Math.abs(orientedShells[triangle]) - 1;
         }
 
-        /** Whether a triangle has to be reversed, so that all of its shell have the same orientation. The triangle is counted as the model does. */
+        /** Whether a triangle, by its number, has to be reversed, so that all of its shell have the same orientation. */
         public function isReversed(triangle:int):Boolean
         {
             return orientedShells[triangle] < 0;

@@ -43,8 +43,8 @@ package starlogo.solid.interior
         public var hasClosedShell:Boolean = false;
 
         /**
-         * A point of each component of the surface: x, y, z. It is connected. So if it does not touch another surface, it is inside or outside of it as a
-         * whole, and its point decides. Known when the surface is complete.
+         * A point of each component of the surface: x, y, z. A component is connected. So if it does not touch another surface, all of it is inside of that
+         * one or outside, as its point is. Known when the surface is complete.
          */
         public var componentPoints:Vector.<Number> = null;
 
@@ -160,12 +160,12 @@ package starlogo.solid.interior
             var end:int = tree.endPrimitive[node];
             for (var i:int = tree.firstPrimitive[node]; i < end; i++)
             {
-                cross(i);
+                addIfCrossed(i);
             }
         }
 
         // Adds a triangle to its shell's winding number if the ray crosses it.
-        private function cross(index:int):void
+        private function addIfCrossed(index:int):void
         {
             var points:Vector.<Number> = tree.vertices;
             var p:int = tree.cornerOffsets[int(3 * index)];
@@ -179,8 +179,8 @@ package starlogo.solid.interior
                 q = 3 * welded[vertices[3 * triangle + 1]];
                 r = 3 * welded[vertices[3 * triangle + 2]];
             }
-            var axisB:int = _axis == 2 ? 0 : _axis + 1;
-            var axisC:int = _axis == 0 ? 2 : _axis - 1;
+            var axisB:int = (_axis + 1) % 3;
+            var axisC:int = (_axis + 2) % 3;
             var b:Number = _b;
             var c:Number = _c;
             var pc:Number = points[int(p + axisC)] - c;
@@ -231,8 +231,8 @@ package starlogo.solid.interior
         // of the half-line. Both begin at the same corner.
         private function isAhead(points:Vector.<Number>, alone:int, q:int, r:int):Boolean
         {
-            var axisB:int = _axis == 2 ? 0 : _axis + 1;
-            var axisC:int = _axis == 0 ? 2 : _axis - 1;
+            var axisB:int = (_axis + 1) % 3;
+            var axisC:int = (_axis + 2) % 3;
             var ac:Number = points[int(alone + axisC)] - _c;
             var toQ:Number = ac / (ac - (points[int(q + axisC)] - _c));
             var toR:Number = ac / (ac - (points[int(r + axisC)] - _c));

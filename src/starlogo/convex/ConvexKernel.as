@@ -1,7 +1,7 @@
 // The package convex decides about two convex shapes. A shape is a core of points with a radius (ConvexShape). A ConvexKernel answers: GjkDistance
 // finds the distance of two cores with the help of Simplex, ConservativeAdvancement steps to the time of impact, SatPenetration finds the shortest
-// displacement out of an overlap, ContactPointFinder the point of a contact. Read ConvexShape first, then ConvexKernel from the top, then CorePair, GjkDistance, Simplex and
-// SimplexPart.
+// displacement out of an overlap, ContactPointFinder the point of a contact. Read ConvexShape first, then ConvexKernel from the top, then CorePair,
+// GjkDistance, Simplex and SimplexPart.
 // 
 // In all packages a kernel decides about two shapes or structures, and a pair is two of them. The records of questions and answers (RelativeMotion,
 // ClosestPoints, ContactPoint) stand here for all packages, because the others that fill them may use this one.
@@ -115,15 +115,14 @@ package starlogo.convex
             cores.setMotion(motion);
             cores.limitToTouching();
             cores.searchLimit += motion.margin;
-            var balls:CoreGap = _balls;
             // the motion is that of a
             var side:int = cores.isSwapped ? -1 : 1;
-            balls.x = side * cores.x;
-            balls.y = side * cores.y;
-            balls.z = side * cores.z;
-            balls.radiusA = Tolerances.OUTER * (cores.searchLimit + cores.first.boundingRadius + cores.second.boundingRadius);
-            balls.radiusB = 0;
-            findTimeOfSpheres(balls, motion);
+            _balls.x = side * cores.x;
+            _balls.y = side * cores.y;
+            _balls.z = side * cores.z;
+            _balls.radiusA = Tolerances.OUTER * (cores.searchLimit + cores.first.boundingRadius + cores.second.boundingRadius);
+            _balls.radiusB = 0;
+            findTimeOfSpheres(_balls, motion);
             motion.time = motion.earliestTime > motion.time ? motion.earliestTime : motion.time;
         }
 

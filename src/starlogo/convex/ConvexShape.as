@@ -52,8 +52,8 @@ package starlogo.convex
         public var margin:Number = 0;
 
         /**
-         * No point of the core is farther from the origin, and rounding is relative to it: twice the largest coordinate of a point, relative to the
-         * origin. Twice the sum of the half-extents for a box, 0 for a sphere.
+         * The radius of a ball around the origin that contains the core. Rounding is relative to it. It is twice the largest coordinate of a point,
+         * or twice the sum of a box's half-extents; 0 for a sphere.
          */
         public var boundingRadius:Number = 0;
 
@@ -164,7 +164,7 @@ package starlogo.convex
          *
          * @param faces three points of each face, counter-clockwise as seen from outside, as indices of their first numbers
          * @param edges of each edge both ends, and one more point of each of its two faces
-         * @param isRadiusKnown whether <code>boundingRadius</code> has what an earlier call found for the same points. To find it takes long beside a test
+         * @param isRadiusKnown whether an earlier call has found <code>boundingRadius</code> for the same points. To find it takes long beside a test
          */
         public function setHull(center:Vector3D, points:Vector.<Number>, faces:Vector.<int>, edges:Vector.<int>, isRadiusKnown:Boolean = false):void
         {

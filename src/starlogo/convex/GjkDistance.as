@@ -8,7 +8,7 @@ package starlogo.convex
      * difference, and the cores' distance is the set's distance from the origin. Each step adds the corner of the set that is farthest towards the
      * origin to a simplex. Then it drops the corners that the simplex does not need for its point nearest to the origin.
      *
-     * <p>The result is exact except for rounding, which is 1e-15 of the extents, however small the distance is. The separation proves it where it is the
+     * <p>The result is exact except for rounding, which is 1e-15 of the bounding radii, however small the distance is. The separation proves it where it is the
      * same length. Between hulls that are hardly thicker than rounding it may be less, because no direction of the search is precise. The search ends,
      * because no simplex comes twice: each step finds a nearer one, but for the few that rounding hides. Two hulls of 40,000 points each need up to 27
      * steps.</p>

@@ -114,7 +114,7 @@ package starlogo.convex
                 out.setTo(0, 0, 0);
                 return;
             }
-            // If the two are nearly parallel, rounding has tilted the axis towards both.
+            // If the two are nearly parallel, rounding has tilted the axis. It becomes perpendicular to the one again, and so to the other.
             var along:Number = squared < Tolerances.NEARLY_PARALLEL * uu * vv ? (x * ux + y * uy + z * uz) / uu : 0;
             out.setTo(x - along * ux, y - along * uy, z - along * uz);
         }

@@ -203,6 +203,7 @@ package starlogo.diagnostics
         private function get lines():Array
         {
             var did:CollisionStatistics = _collision.statistics;
+            var ownMs:Number = ownMsPerFrame;
             return [
                     ["agents", did.agents],
                     ["candidate pairs", did.candidatePairs],
@@ -219,7 +220,7 @@ package starlogo.diagnostics
                     ["collisions", did.collisions],
                     ["handler calls", did.handlerCalls],
                     ["memory", (System.totalMemory / 1048576).toFixed(1) + " MB"],
-                    ["this monitor", ownMsPerFrame.toFixed(2) + " ms, " + (100 * ownMsPerFrame / FRAME_MS).toFixed(1) + " %"]
+                    ["this monitor", ownMs.toFixed(2) + " ms, " + (100 * ownMs / FRAME_MS).toFixed(1) + " %"]
                 ];
         }
 

@@ -91,12 +91,13 @@ package starlogo.geometry
             }
             for (var i:int = 0; i < _end; i += 4)
             {
-                // at first, what no displacement may be longer than
+                // no displacement may be longer than this
                 distance = Math.max(distance, MAX_LENGTH_RATIO * planes[int(i + 3)]);
             }
             for (i = 0; i < _end; i += 4)
             {
                 var depth:Number = planes[int(i + 3)];
+                // the shortest displacement does not end on the plane alone if it may go against the normal
                 if (depth > 0)
                 {
                     _tried.setTo(depth * planes[i], depth * planes[int(i + 1)], depth * planes[int(i + 2)]);

@@ -123,8 +123,8 @@ package starlogo.geometry
 
         /**
          * As a length, DIRECTION for the gaps that the package convex finds. They are made perpendicular to the edges and faces that they end at, so
-         * shorter ones have a certain direction: the normal of the contact, if the cores are farther apart than this fraction of their extents. Smaller
-         * than 1e-12: rounding turns the normal by more than 4e-4. Larger: depths have an error of that fraction.
+         * shorter ones have a certain direction: the normal of the contact, if the cores are farther apart than this fraction of their bounding radii.
+         * Smaller than 1e-12: rounding turns the normal by more than 4e-4. Larger: depths have an error of that fraction.
          */
         public static const PERPENDICULAR_GAP:Number = 1e-11;
 
@@ -159,17 +159,17 @@ package starlogo.geometry
         // The closest points of two convex cores: the package convex.
 
         /**
-         * The rounding of the difference of a point of one convex core and a point of the other, as a fraction of the extents and of the distance of
-         * their places: about four units in the last place. Smaller: the search for the closest points goes on among rounding errors. Larger: it ends
-         * too early, with an error of that fraction.
+         * The rounding of the difference of a point of one convex core and a point of the other, as a fraction of the bounding radii and of the
+         * distance of their places: about four units in the last place. Smaller: the search for the closest points goes on among rounding errors.
+         * Larger: it ends too early, with an error of that fraction.
          */
         public static const CORE_POINTS:Number = 4e-16;
 
         /**
          * The squared height of a triangle over its longest edge, as a fraction of that edge squared, below which a triangle between two convex
-         * cores counts as its edges. It is smaller than FLAT_TRIANGLE, because a point in
-         * a needle has more digits than the needle's normal. Smaller: the height of a needle is a rounding error, and distances from it are wrong.
-         * Larger: the nearest point of a narrow triangle is taken from its edges, and is farther by its height.
+         * cores counts as its edges. It is smaller than FLAT_TRIANGLE, because a point in a needle has more digits than the needle's normal. Smaller:
+         * the height of a needle is a rounding error, and distances from it are wrong. Larger: the nearest point of a narrow triangle is taken from its
+         * edges, and is farther by its height.
          */
         public static const NARROW_TRIANGLE:Number = 1e-28;
 

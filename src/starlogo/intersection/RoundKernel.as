@@ -10,7 +10,7 @@ package starlogo.intersection
 
     /**
      * The kernel of two structures of which at least one is a sphere or a capsule, except for two spheres. It answers by the gap between their cores
-     * and the radii. The GapFinder finds the gap. If the cores overlap, or if the gap is as short as rounding, the ConvexPairKernel finds the contact.
+     * and the radii. The GapFinder finds the gap. If there is hardly any, the ConvexPairKernel finds the contact.
      *
      * <p>The steps to the time of impact are those of all convex shapes: see ConservativeAdvancement. Here a formula gives the gap of each. With hardly any
      * radius the last gaps are so short that rounding hides their direction, so the ConvexPairKernel finds the time.</p>
@@ -67,6 +67,10 @@ package starlogo.intersection
             {
                 _finder.centerLastGap(first, second, gap);
                 out.setFromGap(gap, motion);
+            }
+            else if (gap.squaredLength == 0)
+            {
+                _convex.findOverlapInOrder(first, second, motion, out);
             }
             else
             {

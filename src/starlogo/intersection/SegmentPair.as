@@ -33,13 +33,13 @@ package starlogo.intersection
         public function setTo(startA:Vector3D, endA:Vector3D, b:Capsule):void
         {
             var startB:Vector3D = b.start;
-            var end:Vector3D = b.end;
+            var endB:Vector3D = b.end;
             uX = endA.x - startA.x;
             uY = endA.y - startA.y;
             uZ = endA.z - startA.z;
-            vX = end.x - startB.x;
-            vY = end.y - startB.y;
-            vZ = end.z - startB.z;
+            vX = endB.x - startB.x;
+            vY = endB.y - startB.y;
+            vZ = endB.z - startB.z;
             x = startA.x - startB.x;
             y = startA.y - startB.y;
             z = startA.z - startB.z;

@@ -112,7 +112,7 @@ package starlogo.collision
             agent.collideAs = Agent.CAPSULE;
             for each (var name:String in ["ball", "", null, "Sphere"])
             {
-                assertThrows(ArgumentError, /collideAs must be "tightest", "sphere", "box", "capsule" or "hull", not /, assign, agent, "collideAs", name);
+                assertThrows(ArgumentError, /collideAs must be ("tightest", "sphere", "box", "capsule" or "hull", not |a string, not null)/, assign, agent, "collideAs", name);
             }
             assertEquals(Agent.CAPSULE, agent.collideAs);
         }

@@ -55,6 +55,29 @@ package starlogo.geometry
             assertFalse("with two planes", _solver.solve(2, 0));
         }
 
+        // The shortest one leads along x, to where both walls meet. It may go against the other normal, but farther than that is not shorter.
+        [Test]
+        public function noPlaneThatMayBeCrossedIsTheOnlyOne():void
+        {
+            for each (var isLast:Boolean in [false, true])
+            {
+                _solver.clear();
+                if (!isLast)
+                {
+                    _solver.add(-1, 0, 0, -0.5);
+                }
+                _solver.add(0.8, 0.6, 0, 0.3);
+                _solver.add(0.8, -0.6, 0, 0.3);
+                if (isLast)
+                {
+                    _solver.add(-1, 0, 0, -0.5);
+                }
+                assertFalse("last: " + isLast, _solver.solve(1));
+                assertTrue(_solver.solve(2));
+                assertTrue("at " + _solver.distance, Math.abs(_solver.distance - 0.375) < CLOSE);
+            }
+        }
+
         [Test]
         public function betweenOppositeWallsThereIsNoExit():void
         {

@@ -68,34 +68,33 @@ package starlogo.intersection.boxes
             bHalfX = b.halfX;
             bHalfY = b.halfY;
             bHalfZ = b.halfZ;
-            var turn:Placement = rotation;
             var bX:Vector3D = b.axisX;
             var bY:Vector3D = b.axisY;
             var bZ:Vector3D = b.axisZ;
             var axis:Vector3D = a.axisX;
-            turn.r00 = axis.x * bX.x + axis.y * bX.y + axis.z * bX.z;
-            turn.r01 = axis.x * bY.x + axis.y * bY.y + axis.z * bY.z;
-            turn.r02 = axis.x * bZ.x + axis.y * bZ.y + axis.z * bZ.z;
+            rotation.r00 = axis.x * bX.x + axis.y * bX.y + axis.z * bX.z;
+            rotation.r01 = axis.x * bY.x + axis.y * bY.y + axis.z * bY.z;
+            rotation.r02 = axis.x * bZ.x + axis.y * bZ.y + axis.z * bZ.z;
             axis = a.axisY;
-            turn.r10 = axis.x * bX.x + axis.y * bX.y + axis.z * bX.z;
-            turn.r11 = axis.x * bY.x + axis.y * bY.y + axis.z * bY.z;
-            turn.r12 = axis.x * bZ.x + axis.y * bZ.y + axis.z * bZ.z;
+            rotation.r10 = axis.x * bX.x + axis.y * bX.y + axis.z * bX.z;
+            rotation.r11 = axis.x * bY.x + axis.y * bY.y + axis.z * bY.z;
+            rotation.r12 = axis.x * bZ.x + axis.y * bZ.y + axis.z * bZ.z;
             axis = a.axisZ;
-            turn.r20 = axis.x * bX.x + axis.y * bX.y + axis.z * bX.z;
-            turn.r21 = axis.x * bY.x + axis.y * bY.y + axis.z * bY.z;
-            turn.r22 = axis.x * bZ.x + axis.y * bZ.y + axis.z * bZ.z;
+            rotation.r20 = axis.x * bX.x + axis.y * bX.y + axis.z * bX.z;
+            rotation.r21 = axis.x * bY.x + axis.y * bY.y + axis.z * bY.z;
+            rotation.r22 = axis.x * bZ.x + axis.y * bZ.y + axis.z * bZ.z;
             setAbsolutes(0);
         }
 
         /**
          * Sets the rotation of b.
          *
-         * @param turn its rotation is copied
+         * @param placement its rotation is copied
          * @param rounding is added to the absolute values
          */
-        public function setRotation(turn:Placement, rounding:Number = 0):void
+        public function setRotation(placement:Placement, rounding:Number = 0):void
         {
-            rotation.copyRotation(turn);
+            rotation.copyRotation(placement);
             setAbsolutes(rounding);
         }
 
@@ -116,16 +115,15 @@ package starlogo.intersection.boxes
 
         private function setAbsolutes(rounding:Number):void
         {
-            var turn:Placement = rotation;
-            abs00 = turn.r00 < 0 ? rounding - turn.r00 : rounding + turn.r00;
-            abs01 = turn.r01 < 0 ? rounding - turn.r01 : rounding + turn.r01;
-            abs02 = turn.r02 < 0 ? rounding - turn.r02 : rounding + turn.r02;
-            abs10 = turn.r10 < 0 ? rounding - turn.r10 : rounding + turn.r10;
-            abs11 = turn.r11 < 0 ? rounding - turn.r11 : rounding + turn.r11;
-            abs12 = turn.r12 < 0 ? rounding - turn.r12 : rounding + turn.r12;
-            abs20 = turn.r20 < 0 ? rounding - turn.r20 : rounding + turn.r20;
-            abs21 = turn.r21 < 0 ? rounding - turn.r21 : rounding + turn.r21;
-            abs22 = turn.r22 < 0 ? rounding - turn.r22 : rounding + turn.r22;
+            abs00 = rotation.r00 < 0 ? rounding - rotation.r00 : rounding + rotation.r00;
+            abs01 = rotation.r01 < 0 ? rounding - rotation.r01 : rounding + rotation.r01;
+            abs02 = rotation.r02 < 0 ? rounding - rotation.r02 : rounding + rotation.r02;
+            abs10 = rotation.r10 < 0 ? rounding - rotation.r10 : rounding + rotation.r10;
+            abs11 = rotation.r11 < 0 ? rounding - rotation.r11 : rounding + rotation.r11;
+            abs12 = rotation.r12 < 0 ? rounding - rotation.r12 : rounding + rotation.r12;
+            abs20 = rotation.r20 < 0 ? rounding - rotation.r20 : rounding + rotation.r20;
+            abs21 = rotation.r21 < 0 ? rounding - rotation.r21 : rounding + rotation.r21;
+            abs22 = rotation.r22 < 0 ? rounding - rotation.r22 : rounding + rotation.r22;
         }
     }
 }

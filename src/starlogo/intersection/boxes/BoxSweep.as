@@ -80,27 +80,22 @@ package starlogo.intersection.boxes
         // Sweeps box a past b, and leaves the time in _motion. While a moves, b moves in the opposite direction as seen from a.
         private function sweep(a:Box, b:Box, motion:RelativeMotion):void
         {
-            var pair:BoxPair = _boxes;
-            var seen:RelativeMotion = _motion;
-            var moveX:Number = motion.x;
-            var moveY:Number = motion.y;
-            var moveZ:Number = motion.z;
             var fromX:Number = b.center.x - a.center.x - motion.startX;
             var fromY:Number = b.center.y - a.center.y - motion.startY;
             var fromZ:Number = b.center.z - a.center.z - motion.startZ;
             var axis:Vector3D = a.axisX;
-            seen.x = -(axis.x * moveX + axis.y * moveY + axis.z * moveZ);
-            pair.offsetX = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
+            _motion.x = -(axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
+            _boxes.offsetX = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
             axis = a.axisY;
-            seen.y = -(axis.x * moveX + axis.y * moveY + axis.z * moveZ);
-            pair.offsetY = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
+            _motion.y = -(axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
+            _boxes.offsetY = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
             axis = a.axisZ;
-            seen.z = -(axis.x * moveX + axis.y * moveY + axis.z * moveZ);
-            pair.offsetZ = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
-            pair.setBoxes(a, b);
-            pair.margin = motion.margin;
-            seen.latestTime = motion.latestTime;
-            findTimeOfImpact(pair, seen);
+            _motion.z = -(axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
+            _boxes.offsetZ = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
+            _boxes.setBoxes(a, b);
+            _boxes.margin = motion.margin;
+            _motion.latestTime = motion.latestTime;
+            findTimeOfImpact(_boxes, _motion);
         }
 
         // Writes when the boxes first touch, if they do.
@@ -112,27 +107,27 @@ package starlogo.intersection.boxes
         // Narrows the interval by the faces of both. Returns whether anything is left.
         private function narrowByFaces(pair:BoxPair, motion:RelativeMotion):Boolean
         {
-            var turn:Placement = pair.rotation;
+            var rotation:Placement = pair.rotation;
             var fromX:Number = pair.offsetX;
             var fromY:Number = pair.offsetY;
             var fromZ:Number = pair.offsetZ;
-            var moveX:Number = motion.x;
-            var moveY:Number = motion.y;
-            var moveZ:Number = motion.z;
             var aHalfX:Number = pair.aHalfX;
             var aHalfY:Number = pair.aHalfY;
             var aHalfZ:Number = pair.aHalfZ;
             var bHalfX:Number = pair.bHalfX;
             var bHalfY:Number = pair.bHalfY;
             var bHalfZ:Number = pair.bHalfZ;
-            return narrow(pair, fromX, moveX, aHalfX + bHalfX * pair.abs00 + bHalfY * pair.abs01 + bHalfZ * pair.abs02, 1)
-                && narrow(pair, fromY, moveY, aHalfY + bHalfX * pair.abs10 + bHalfY * pair.abs11 + bHalfZ * pair.abs12, 1)
-                && narrow(pair, fromZ, moveZ, aHalfZ + bHalfX * pair.abs20 + bHalfY * pair.abs21 + bHalfZ * pair.abs22, 1)
-                && narrow(pair, fromX * turn.r00 + fromY * turn.r10 + fromZ * turn.r20, turn.r00 * moveX + turn.r10 * moveY + turn.r20 * moveZ,
+            return narrow(pair, fromX, motion.x, aHalfX + bHalfX * pair.abs00 + bHalfY * pair.abs01 + bHalfZ * pair.abs02, 1)
+                && narrow(pair, fromY, motion.y, aHalfY + bHalfX * pair.abs10 + bHalfY * pair.abs11 + bHalfZ * pair.abs12, 1)
+                && narrow(pair, fromZ, motion.z, aHalfZ + bHalfX * pair.abs20 + bHalfY * pair.abs21 + bHalfZ * pair.abs22, 1)
+                && narrow(pair, fromX * rotation.r00 + fromY * rotation.r10 + fromZ * rotation.r20,
+                    rotation.r00 * motion.x + rotation.r10 * motion.y + rotation.r20 * motion.z,
                     bHalfX + aHalfX * pair.abs00 + aHalfY * pair.abs10 + aHalfZ * pair.abs20, 1)
-                && narrow(pair, fromX * turn.r01 + fromY * turn.r11 + fromZ * turn.r21, turn.r01 * moveX + turn.r11 * moveY + turn.r21 * moveZ,
+                && narrow(pair, fromX * rotation.r01 + fromY * rotation.r11 + fromZ * rotation.r21,
+                    rotation.r01 * motion.x + rotation.r11 * motion.y + rotation.r21 * motion.z,
                     bHalfY + aHalfX * pair.abs01 + aHalfY * pair.abs11 + aHalfZ * pair.abs21, 1)
-                && narrow(pair, fromX * turn.r02 + fromY * turn.r12 + fromZ * turn.r22, turn.r02 * moveX + turn.r12 * moveY + turn.r22 * moveZ,
+                && narrow(pair, fromX * rotation.r02 + fromY * rotation.r12 + fromZ * rotation.r22,
+                    rotation.r02 * motion.x + rotation.r12 * motion.y + rotation.r22 * motion.z,
                     bHalfZ + aHalfX * pair.abs02 + aHalfY * pair.abs12 + aHalfZ * pair.abs22, 1);
         }
 

@@ -4,8 +4,7 @@ package starlogo.intersection.boxes
 
     /**
      * The interval of time in which no axis tried so far separates two moving shapes. Callers write how the shapes move along an axis of any length, and
-     * then narrow the interval by it. The margin is included in the decision whether they
-     * touch at all. The time of impact does not include it.
+     * then narrow the interval by it. The margin is included in the decision whether they touch at all. The time of impact does not include it.
      *
      * @private
      */

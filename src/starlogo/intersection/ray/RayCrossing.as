@@ -36,7 +36,7 @@ package starlogo.intersection.ray
         /** The number of the triangle there, as the model counts them. It is -1 if no triangle decides, or if the ray begins inside. */
         public var triangle:int = -1;
 
-        /** INSIDE, ENTERS or LEAVES. For triangles INSIDE, FRONT, BACK or EDGE_ON. This, the rounding and the end are only for RayCrossings. */
+        /** INSIDE, ENTERS or LEAVES. For triangles INSIDE, FRONT, BACK or EDGE_ON. A ray's first entry has no side, rounding and end. */
         public var side:int = 0;
 
         /** How far the distance may be wrong because of rounding. */

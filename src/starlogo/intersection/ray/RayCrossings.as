@@ -13,7 +13,7 @@ package starlogo.intersection.ray
         /** The crossings. The list may be longer: others are for the next ray. */
         public var all:Vector.<RayCrossing> = new Vector.<RayCrossing>();
 
-        /** Adds a crossing, and returns it to be written. Who has none to write takes 1 off the count. */
+        /** Adds a crossing, and returns it to be written. If there is none after all, reduce <code>count</code> by 1. */
         public function add():RayCrossing
         {
             if (count == all.length)

@@ -95,6 +95,27 @@ package starlogo.search
             return hasPair(number, otherNumber) || hasPair(number, anyOfOther) || hasPair(anyOfFirst, otherNumber) || hasPair(anyOfFirst, anyOfOther);
         }
 
+        /** @private Whether all pairs of two breeds of agents that have numbers here are of interest. The ground and the edges do not count. */
+        engine function includesAllOfAgents():Boolean
+        {
+            if (isNamed(Breeds.ANY_NUMBER))
+            {
+                // the breeds that no pair names are told apart from the others
+                return hasPair(Breeds.ANY_NUMBER, Breeds.ANY_NUMBER);
+            }
+            for (var breed:int = Breeds.ANY_NUMBER + 1; breed < _isNamed.length; breed++)
+            {
+                for (var other:int = breed; _isNamed[breed] && other < _isNamed.length; other++)
+                {
+                    if (_isNamed[other] && !hasPair(breed, other))
+                    {
+                        return false;
+                    }
+                }
+            }
+            return true;
+        }
+
         /**
          * @private The breed of the pairs that matches a breed, both by their numbers in the class Breeds: the breed itself if a pair names it,
          *     Breeds.ANY_NUMBER if not and a pair has ANY_BREED, or -1.
@@ -121,7 +142,7 @@ package starlogo.search
             var own:int = matchingBreedOf(breeds[row]);
             // ANY_BREED does not stand for the ground or the edges
             var mayBeAny:Boolean = isNamed(Breeds.ANY_NUMBER) && !Breeds.isEnvironment(own);
-            if (hasPair(own, Breeds.ANY_NUMBER) || mayBeAny && hasPair(Breeds.ANY_NUMBER, Breeds.ANY_NUMBER))
+            if (hasPair(own, Breeds.ANY_NUMBER))
             {
                 return count;
             }

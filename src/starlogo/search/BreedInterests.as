@@ -139,13 +139,6 @@ package starlogo.search
          */
         internal function keepOfInterest(breeds:Vector.<int>, row:int, others:Vector.<int>, count:int):int
         {
-            var own:int = matchingBreedOf(breeds[row]);
-            // ANY_BREED does not stand for the ground or the edges
-            var mayBeAny:Boolean = isNamed(Breeds.ANY_NUMBER) && !Breeds.isEnvironment(own);
-            if (hasPair(own, Breeds.ANY_NUMBER))
-            {
-                return count;
-            }
             var kept:int = 0;
             // candidates often have the breed of the one before
             var last:int = -1;
@@ -156,7 +149,7 @@ package starlogo.search
                 if (breeds[other] != last)
                 {
                     last = breeds[other];
-                    isWanted = hasPair(own, last) || mayBeAny && hasPair(Breeds.ANY_NUMBER, last);
+                    isWanted = includes(breeds[row], last);
                 }
                 if (isWanted)
                 {

@@ -114,6 +114,7 @@ package starlogo.collision
             assertEquals(1, bytes.readInt());
             var length:int = bytes.readInt();
             var older:ByteArray = new ByteArray();
+            older.endian = bytes.endian;
             older.writeBytes(bytes, 0, 9);
             older.writeInt(2);
             older.writeBytes(bytes, 13, 4 + length);

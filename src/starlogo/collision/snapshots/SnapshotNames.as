@@ -15,49 +15,38 @@ package starlogo.collision.snapshots
      */
     internal final class SnapshotNames
     {
-        // By number here: the name. Bytes of older versions may have one twice, as a breed's and as a model's.
-        private var _names:Vector.<String> = new Vector.<String>();
-
-        // The numbers here of names that are written.
         private var _numbers:NameNumbers = new NameNumbers(new Vector.<String>());
 
         /** The number here of a breed's name. */
         public function ofBreed(breed:int):int
         {
-            return numberOf(Breeds.NAMES.nameOf(breed));
+            return _numbers.numberOf(Breeds.NAMES.nameOf(breed));
         }
 
         /** The number here of a model's name. */
         public function ofModel(model:int):int
         {
-            return numberOf(Agent.MODEL_NAMES.nameOf(model));
-        }
-
-        private function numberOf(name:String):int
-        {
-            var number:int = _numbers.numberOf(name);
-            _names[number] = name;
-            return number;
+            return _numbers.numberOf(Agent.MODEL_NAMES.nameOf(model));
         }
 
         /** The name with a number. @throws RangeError if there is none */
         public function nameAt(number:uint):String
         {
-            if (number >= _names.length)
+            if (number >= _numbers.count)
             {
                 throw new RangeError("there is no name with the number " + number);
             }
-            return _names[number];
+            return _numbers.nameOf(number);
         }
 
         /** Writes the names. */
         public function write(bytes:ByteArray):void
         {
-            bytes.writeInt(_names.length);
-            for (var number:int = 0; number < _names.length; number++)
+            bytes.writeInt(_numbers.count);
+            for (var number:int = 0; number < _numbers.count; number++)
             {
                 var name:ByteArray = new ByteArray();
-                name.writeUTFBytes(_names[number]);
+                name.writeUTFBytes(_numbers.nameOf(number));
                 bytes.writeInt(name.length);
                 bytes.writeBytes(name);
             }
@@ -73,7 +62,8 @@ package starlogo.collision.snapshots
                 {
                     throw new RangeError("a name is empty");
                 }
-                _names.push(name);
+                // older versions wrote a breed's name that is a model's too once for each
+                _numbers.add(name);
             }
         }
     }

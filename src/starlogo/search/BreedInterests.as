@@ -98,16 +98,12 @@ package starlogo.search
         /** @private Whether all pairs of two breeds of agents that have numbers here are of interest. The ground and the edges do not count. */
         engine function includesAllOfAgents():Boolean
         {
-            if (isNamed(Breeds.ANY_NUMBER))
-            {
-                // the breeds that no pair names are told apart from the others
-                return hasPair(Breeds.ANY_NUMBER, Breeds.ANY_NUMBER);
-            }
-            for (var breed:int = Breeds.ANY_NUMBER + 1; breed < _isNamed.length; breed++)
+            // ANY_NUMBER is the first breed here, and stands for those that no pair names
+            for (var breed:int = Breeds.ANY_NUMBER; breed < _isNamed.length; breed++)
             {
                 for (var other:int = breed; _isNamed[breed] && other < _isNamed.length; other++)
                 {
-                    if (_isNamed[other] && !hasPair(breed, other))
+                    if (_isNamed[other] && !includes(breed, other))
                     {
                         return false;
                     }

@@ -26,10 +26,8 @@ package starlogo.search
         private var _narrowPhase:NarrowPhase;
         private var _motions:RowMotions;
 
-        // The pairs of breeds that count in the search under way; null if all of agents do.
+        // The pairs of breeds that count in the search under way, or null if all of agents do; and what takes the pairs that it finds.
         private var _interests:BreedInterests = null;
-
-        // Takes the pairs of the search.
         private var _out:FoundPairs = null;
 
         // By pair, as they are found: the time of the touch.

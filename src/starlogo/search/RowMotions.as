@@ -57,9 +57,8 @@ package starlogo.search
          */
         public function read(anySweeps:Boolean):void
         {
-            var isLikeBefore:Boolean = anySweeps == this.anySweeps;
-            this.anySweeps = anySweeps;
-            if (!isLikeBefore)
+            rowsToRetest.count = 0;
+            if (anySweeps != this.anySweeps)
             {
                 rowsToRetest.copyFrom(_table.listed.rows);
             }
@@ -67,10 +66,7 @@ package starlogo.search
             {
                 rowsToRetest.copyFrom(_changed);
             }
-            else
-            {
-                rowsToRetest.count = 0;
-            }
+            this.anySweeps = anySweeps;
             if (anySweeps)
             {
                 makeRoom(_table.listed.rowCapacity);

@@ -95,12 +95,8 @@ package starlogo.search.penetration
         // Whether no other way is tried, because a depth is short, or because no exit is much shorter.
         private function isShortEnough(depth:Number):Boolean
         {
-            if (depth <= _pair.minOpening)
-            {
-                return true;
-            }
             // a point of the body that is deep where a push ended also has to get out from where the push began
-            return areExitsLong(_contact, depth) || areExitsLong(_pushOut.lastBlocked, depth);
+            return depth <= _pair.minOpening || areExitsLong(_contact, depth) || areExitsLong(_pushOut.lastBlocked, depth);
         }
 
         // Whether a contact whose deepest point is of the first body shows that each exit is at least a share of a depth.

@@ -19,7 +19,7 @@
  * Of more steps than any case needs, one is left out (TouchSweep). What has not changed is read again (AgentTable.currentBodyOf).
  *
  * What is there for rounding alone, or for a counter that only long games fill, hardly any test of every day runs: DisplacedPair.findGrazing and its
- * second push against the motion, the shorter depth in DirectionSearch.makeSure, the end of a triangle in the ray that ShearedRay makes longer by its
+ * second push against the motion, the shorter depth in DirectionSearch.correctDepth, the end of a triangle in the ray that ShearedRay makes longer by its
  * slack, a sheet under the ground in ShrunkSweep, RowFilter.forget.
  */
 import { spawnSync } from "node:child_process";

@@ -30,10 +30,12 @@ package starlogo.agents
         public function numberOf(name:String):int
         {
             var number:int = knownNumberOf(name);
-            if (number >= 0)
-            {
-                return number;
-            }
+            return number >= 0 ? number : add(name);
+        }
+
+        /** Gives a name the next number, which it returns. A name that had one already keeps both. */
+        public function add(name:String):int
+        {
             _order.splice(countBefore(name), 0, _names.length);
             return _names.push(name) - 1;
         }

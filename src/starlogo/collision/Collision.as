@@ -45,6 +45,7 @@ package starlogo.collision
      *
      * <p>In a pair, the handlers of the agent that is first in the list run first: those for starts, then the others, each in the order in which they
      * were added. The two agents' breeds count as they are when the calls of the pair begin.</p>
+     *
      * <p>Any number of Collisions may share agents. A handler of one Collision may update another. But each Collision needs a collider of its own,
      * because a collider keeps the agents' positions of the last frame. The time for the calls is in proportion to the number of agents and
      * calls. If a handler removes an agent from the list, or gives it another place in it, this costs one search of the list.</p>

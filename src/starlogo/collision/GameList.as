@@ -9,8 +9,8 @@ package starlogo.collision
     {
         private var _agents:Vector.<Agent> = null;
 
-        // By row: the last known index, or -1 once the agent was missing. It is a copy once a handler has changed the list, and before that the
-        // indices of the frame.
+        // By row: the last known index, or -1 once the agent was missing. These are the indices of the frame's search until an agent is found elsewhere,
+        // and from then on a copy.
         private var _indices:Vector.<int> = null;
         private var _copy:Vector.<int> = new Vector.<int>();
 
@@ -49,7 +49,10 @@ package starlogo.collision
                 {
                     index = _agents.indexOf(agent);
                 }
-                copyIndices();
+                if (_indices !== _copy)
+                {
+                    copyIndices();
+                }
                 _indices[row] = index;
             }
             return index;
@@ -57,10 +60,6 @@ package starlogo.collision
 
         private function copyIndices():void
         {
-            if (_indices === _copy)
-            {
-                return;
-            }
             for (var row:int = 0; row < _indices.length; row++)
             {
                 _copy[row] = _indices[row];

@@ -10,7 +10,7 @@ package starlogo.handlers
     use namespace engine;
 
     /**
-     * The touches of a Collision. It compares the pairs of a frame with those of the last one: which touches go on, and which end. A frame calls
+     * Keeps the touches of a Collision from frame to frame, and finds which of them begin, go on and end. A frame calls
      * <code>beginFrame()</code> and <code>endNotContinued()</code> before its handlers, and <code>endFrame()</code> after them. If the search has only
      * updated the pairs of the last one, kept pairs keep their touches without a look at their agents. Objects of ended touches are used again, so it
      * allocates nothing unless there are more touches than before.

@@ -95,6 +95,23 @@ package starlogo.search
             return hasPair(number, otherNumber) || hasPair(number, anyOfOther) || hasPair(anyOfFirst, otherNumber) || hasPair(anyOfFirst, anyOfOther);
         }
 
+        /** @private Whether all pairs of two breeds of agents that have numbers here are of interest. The ground and the edges do not count. */
+        engine function includesAllOfAgents():Boolean
+        {
+            // ANY_NUMBER is the first breed here, and stands for those that no pair names
+            for (var breed:int = Breeds.ANY_NUMBER; breed < _isNamed.length; breed++)
+            {
+                for (var other:int = breed; _isNamed[breed] && other < _isNamed.length; other++)
+                {
+                    if (_isNamed[other] && !includes(breed, other))
+                    {
+                        return false;
+                    }
+                }
+            }
+            return true;
+        }
+
         /**
          * @private The breed of the pairs that matches a breed, both by their numbers in the class Breeds: the breed itself if a pair names it,
          *     Breeds.ANY_NUMBER if not and a pair has ANY_BREED, or -1.
@@ -118,13 +135,6 @@ package starlogo.search
          */
         internal function keepOfInterest(breeds:Vector.<int>, row:int, others:Vector.<int>, count:int):int
         {
-            var own:int = matchingBreedOf(breeds[row]);
-            // ANY_BREED does not stand for the ground or the edges
-            var mayBeAny:Boolean = isNamed(Breeds.ANY_NUMBER) && !Breeds.isEnvironment(own);
-            if (hasPair(own, Breeds.ANY_NUMBER) || mayBeAny && hasPair(Breeds.ANY_NUMBER, Breeds.ANY_NUMBER))
-            {
-                return count;
-            }
             var kept:int = 0;
             // candidates often have the breed of the one before
             var last:int = -1;
@@ -135,7 +145,7 @@ package starlogo.search
                 if (breeds[other] != last)
                 {
                     last = breeds[other];
-                    isWanted = hasPair(own, last) || mayBeAny && hasPair(Breeds.ANY_NUMBER, last);
+                    isWanted = includes(breeds[row], last);
                 }
                 if (isWanted)
                 {

@@ -26,8 +26,8 @@ package starlogo.search
         private var _narrowPhase:NarrowPhase;
         private var _motions:RowMotions;
 
-        // The input of the search under way, and what takes its pairs.
-        private var _input:SearchInput = null;
+        // The pairs of breeds that count in the search under way, or null if all of agents do; and what takes the pairs that it finds.
+        private var _interests:BreedInterests = null;
         private var _out:FoundPairs = null;
 
         // By pair, as they are found: the time of the touch.
@@ -56,7 +56,7 @@ package starlogo.search
         public function begin(input:SearchInput, out:FoundPairs):void
         {
             out.count = 0;
-            _input = input;
+            _interests = input.interests.includesAllOfAgents() ? null : input.interests;
             _out = out;
         }
 
@@ -69,7 +69,10 @@ package starlogo.search
         /** @inheritDoc */
         override public function onCandidates(row:int, others:Vector.<int>, count:int, level:BinLevel):void
         {
-            count = _input.interests.keepOfInterest(_table.breeds, row, others, count);
+            if (_interests != null)
+            {
+                count = _interests.keepOfInterest(_table.breeds, row, others, count);
+            }
             _narrowPhase.counts.candidatePairs += count;
             addTouching(row, others, count, level);
         }
@@ -79,16 +82,17 @@ package starlogo.search
          *
          * @param environmentRow GROUND_ROW or EDGES_ROW of ListedAgents
          * @param rows the rows; those that are no members are left out
+         * @param input as in begin()
          */
-        public function testWithEnvironment(environmentRow:int, rows:IntList):void
+        public function testWithEnvironment(environmentRow:int, rows:IntList, input:SearchInput):void
         {
-            if (_table.listed.agentsByRow[environmentRow] == null || !_input.interests.isNamed(_table.breeds[environmentRow]))
+            if (_table.listed.agentsByRow[environmentRow] == null || !input.interests.isNamed(_table.breeds[environmentRow]))
             {
                 return;
             }
-            _input.copyMembers(rows, _table, _environmentCandidates);
+            input.copyMembers(rows, _table, _environmentCandidates);
             var others:Vector.<int> = _environmentCandidates.values;
-            var count:int = _input.interests.keepOfInterest(_table.breeds, environmentRow, others, _environmentCandidates.count);
+            var count:int = input.interests.keepOfInterest(_table.breeds, environmentRow, others, _environmentCandidates.count);
             addTouching(environmentRow, others, count, BinLevel.ANY_GAP);
         }
 

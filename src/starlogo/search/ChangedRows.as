@@ -49,11 +49,7 @@ package starlogo.search
             return _cells.count;
         }
 
-        /**
-         * Begins with a search of all rows that has ended: notes the cells of its members.
-         *
-         * @param members the members of the search
-         */
+        /** Begins with a search of all rows that has ended: notes the cells of its members. */
         public function begin(members:IntList):void
         {
             _cells.begin(_motions.searchExtents, members, _table.listed.rowCapacity);

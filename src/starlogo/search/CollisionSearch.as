@@ -231,8 +231,8 @@ package starlogo.search
             _motions.findExtents(table.listed.rows);
             _candidateTests.begin(input, _pairs);
             _bins.findPairs(_motions.searchExtents, members, _candidateTests);
-            _candidateTests.testWithEnvironment(ListedAgents.GROUND_ROW, members);
-            _candidateTests.testWithEnvironment(ListedAgents.EDGES_ROW, members);
+            _candidateTests.testWithEnvironment(ListedAgents.GROUND_ROW, members, input);
+            _candidateTests.testWithEnvironment(ListedAgents.EDGES_ROW, members, input);
             _pairOrder.putInOrder(_pairs, _candidateTests.times);
             _pairs.forgetTouches();
             narrowPhase.counts.members = members.count;
@@ -245,8 +245,8 @@ package starlogo.search
         {
             _candidateTests.begin(input, _pairsOfChanged);
             _changedRows.findPairs(_candidateTests);
-            _candidateTests.testWithEnvironment(ListedAgents.GROUND_ROW, _changedRows.rowsToTestWith(ListedAgents.GROUND_ROW));
-            _candidateTests.testWithEnvironment(ListedAgents.EDGES_ROW, _changedRows.rowsToTestWith(ListedAgents.EDGES_ROW));
+            _candidateTests.testWithEnvironment(ListedAgents.GROUND_ROW, _changedRows.rowsToTestWith(ListedAgents.GROUND_ROW), input);
+            _candidateTests.testWithEnvironment(ListedAgents.EDGES_ROW, _changedRows.rowsToTestWith(ListedAgents.EDGES_ROW), input);
             var earlyCount:int = _pairOrder.putInOrder(_pairsOfChanged, _candidateTests.times);
             _pairs.replacePairsOf(_changedRows.invalidRows, _pairsOfChanged, earlyCount);
             narrowPhase.counts.members = _changedRows.memberCount;

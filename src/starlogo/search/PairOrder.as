@@ -85,8 +85,8 @@ package starlogo.search
         // Finds by list index where the pairs begin whose rows on a side have it.
         private function findStarts(pairs:FoundPairs, side:int):void
         {
-            // the ground and the edges of the world have the indices after those of the agents
-            var indexCount:int = pairs.listed.rows.count + ListedAgents.ENVIRONMENT_ROW_COUNT;
+            // the edges of the world have the last index
+            var indexCount:int = pairs.listed.listIndices[ListedAgents.EDGES_ROW] + 1;
             if (_next.length < indexCount)
             {
                 _next.length = indexCount;

@@ -19,12 +19,12 @@ package starlogo.search
         /** Whether an agent of the search sweeps. If none does, the motions do not count. Read only. */
         internal var anySweeps:Boolean = false;
 
-        /** By row: the way from the place in the search before. It is 0 for an agent that has not moved, or has come without a motion. */
+        /** By row: the way from the place in the search before. It is 0 for an agent that has not moved, or has no motion. */
         internal var displacements:Points = new Points();
 
         /**
-         * By row: whether the agent sweeps, and has not come without a motion. It has if it is new, has jumped, or has the shape of another model. The
-         * ground and the edges of the world do not sweep.
+         * By row: whether the agent sweeps on its motion. It has none if it is new, has jumped, or has the shape of another model. The ground and the
+         * edges of the world do not sweep.
          */
         internal var areSweeping:Vector.<Boolean> = new Vector.<Boolean>();
 
@@ -57,9 +57,8 @@ package starlogo.search
          */
         public function read(anySweeps:Boolean):void
         {
-            var isLikeBefore:Boolean = anySweeps == this.anySweeps;
-            this.anySweeps = anySweeps;
-            if (!isLikeBefore)
+            rowsToRetest.count = 0;
+            if (anySweeps != this.anySweeps)
             {
                 rowsToRetest.copyFrom(_table.listed.rows);
             }
@@ -67,10 +66,7 @@ package starlogo.search
             {
                 rowsToRetest.copyFrom(_changed);
             }
-            else
-            {
-                rowsToRetest.count = 0;
-            }
+            this.anySweeps = anySweeps;
             if (anySweeps)
             {
                 makeRoom(_table.listed.rowCapacity);
@@ -161,7 +157,7 @@ package starlogo.search
             motion.time = RelativeMotion.NEVER;
         }
 
-        /** Whether one of two rows sweeps, and has not come without a motion. */
+        /** Whether one of two rows sweeps on its motion. */
         public function eitherSweeps(a:int, b:int):Boolean
         {
             return areSweeping[a] || areSweeping[b];

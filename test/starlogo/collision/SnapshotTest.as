@@ -103,6 +103,29 @@ package starlogo.collision
         }
 
         [Test]
+        public function bytesOfOlderVersionsHaveANameTwice():void
+        {
+            var agents:Vector.<Agent> = new <Agent>[agentAt("sphere", 0, 0, 0, "sphere"), agentAt("sphere", 1, 0, 0, "sphere")];
+            var collision:Collision = new Collision(new BinCollider());
+            collision.update(agents);
+            // after the mark, what is in it, and the number of agents: the names. The breed's name is the model's
+            var bytes:ByteArray = collision.snapshot(true);
+            bytes.position = 9;
+            assertEquals(1, bytes.readInt());
+            var length:int = bytes.readInt();
+            var older:ByteArray = new ByteArray();
+            older.endian = bytes.endian;
+            older.writeBytes(bytes, 0, 9);
+            older.writeInt(2);
+            older.writeBytes(bytes, 13, 4 + length);
+            older.writeBytes(bytes, 13);
+            agents[1].x = 9;
+            collision.restore(older, agents);
+            assertEquals(1, agents[1].x);
+            assertEquals("sphere", agents[1].breed);
+        }
+
+        [Test]
         public function anotherKindOfSystemIsRefused():void
         {
             var systems:Array = ["bins", "BinCollider", "tightest fits", "TightestFitCollider", "hierarchies", "HierarchicalCollider", "combinations", "CombinationCollider"];

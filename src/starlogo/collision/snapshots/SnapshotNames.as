@@ -52,17 +52,18 @@ package starlogo.collision.snapshots
             }
         }
 
-        /** Reads names. @throws RangeError if one is empty, or there twice */
+        /** Reads names. @throws RangeError if one is empty */
         public function read(bytes:ByteArray):void
         {
-            var count:uint = bytes.readUnsignedInt();
-            for (var number:uint = 0; number < count; number++)
+            for (var left:uint = bytes.readUnsignedInt(); left > 0; left--)
             {
                 var name:String = bytes.readUTFBytes(bytes.readUnsignedInt());
-                if (name == "" || _numbers.numberOf(name) != number)
+                if (name == "")
                 {
-                    throw new RangeError("a name is empty, or there twice");
+                    throw new RangeError("a name is empty");
                 }
+                // older versions wrote a breed's name that is a model's too once for each
+                _numbers.add(name);
             }
         }
     }

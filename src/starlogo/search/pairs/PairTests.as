@@ -79,7 +79,9 @@ package starlogo.search.pairs
             motion.endAfter(0, 0, 0);
             motion.time = 1;
             findContactOfParts(a, b, motion, out);
-            if (areTouching(a, b))
+            // structures that are deep in each other touch, but the contact of trees may be deep without a touch
+            var isDeep:Boolean = areStructures(a, b) && out.depth > 2 * depthToleranceOf(a, b);
+            if (isDeep || areTouching(a, b))
             {
                 separate(a, b, motion, out);
                 return;

@@ -75,7 +75,7 @@ package starlogo.search.penetration
          */
         public function shorten(free:Displacement, out:ContactPoint):void
         {
-            _tried.setDirection(free.x, free.y, free.z);
+            _tried.setDirection(free.directionX, free.directionY, free.directionZ);
             _inner = 0;
             _outer = free.distance;
             refine(out);
@@ -134,7 +134,7 @@ package starlogo.search.penetration
             _pair.displace(_tried);
             // the first body is at the inner distance, so its motion from the outer one is against the direction
             var back:Number = _inner - _outer;
-            _back.endAfter(back * _tried.x, back * _tried.y, back * _tried.z);
+            _back.endAfter(back * _tried.directionX, back * _tried.directionY, back * _tried.directionZ);
             _pair.findImpactOfSurfaces(_back, _parting);
             if (_back.time == RelativeMotion.NEVER)
             {
@@ -142,7 +142,7 @@ package starlogo.search.penetration
                 _pair.findContactOfParts(_parting);
             }
             var time:Number = Math.min(_back.time, 1);
-            out.setNormal(_tried.x, _tried.y, _tried.z);
+            out.setNormal(_tried.directionX, _tried.directionY, _tried.directionZ);
             out.depth = _outer + time * back;
         }
 

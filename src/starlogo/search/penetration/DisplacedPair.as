@@ -153,7 +153,7 @@ package starlogo.search.penetration
         /** Displaces the first body along a direction. */
         public function displace(by:Displacement):void
         {
-            _place.setTo(_from.x + by.distance * by.x, _from.y + by.distance * by.y, _from.z + by.distance * by.z);
+            _place.setTo(_from.x + by.distance * by.directionX, _from.y + by.distance * by.directionY, _from.z + by.distance * by.directionZ);
             first.moveTo(_place);
         }
 

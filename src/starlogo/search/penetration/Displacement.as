@@ -3,17 +3,17 @@ package starlogo.search.penetration
     /** A displacement, as a record: a direction of the length 1, and how far along it, in patches. */
     internal final class Displacement
     {
-        public var x:Number = 0;
-        public var y:Number = 0;
-        public var z:Number = 0;
+        public var directionX:Number = 0;
+        public var directionY:Number = 0;
+        public var directionZ:Number = 0;
         public var distance:Number = 0;
 
         /** Sets the direction. The function is short so that V8 inlines it and allocates no objects for the Numbers. */
         public function setDirection(x:Number, y:Number, z:Number):void
         {
-            this.x = x;
-            this.y = y;
-            this.z = z;
+            directionX = x;
+            directionY = y;
+            directionZ = z;
         }
     }
 }

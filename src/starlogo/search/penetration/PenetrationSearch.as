@@ -9,11 +9,9 @@ package starlogo.search.penetration
     use namespace engine;
 
     /**
-     * Finds a short way out of an overlap. It pushes the first body out along the normals that it meets (PushOut). If an exit may be much shorter than
-     * this push, it also tries the direction that leads out of convex covers of the two (DirectionSearch). If the second body is the ground, it tries
-     * many places above the ground after that (PlacesAbove).
-     *
-     * <p>The way is about the shortest, not always the shortest.</p>
+     * Finds a short way out of an overlap: nearly the minimum translation that separates two bodies. It pushes the first body out along the normals
+     * that it meets (PushOut). If an exit may be much shorter than this push, it also tries the direction that leads out of convex covers of the two
+     * (DirectionSearch). If the second body is the ground, it tries many places above the ground after that (PlacesAbove).
      *
      * @private
      */
@@ -31,9 +29,9 @@ package starlogo.search.penetration
         private var _groundExits:GroundExits;
         private var _placesAbove:PlacesAbove;
 
-        // The contact of the two, another contact to begin with, and the displacement that is tried.
-        private var _first:ContactPoint = new ContactPoint();
-        private var _other:ContactPoint = new ContactPoint();
+        // The contact of the two at the touch, a contact with another direction to try, and the displacement that is tried.
+        private var _contact:ContactPoint = new ContactPoint();
+        private var _guess:ContactPoint = new ContactPoint();
         private var _tried:Displacement = new Displacement();
 
         /**
@@ -71,18 +69,18 @@ package starlogo.search.penetration
         // Finds a way out for two bodies that touch.
         private function findWayOut(motion:RelativeMotion, out:ContactPoint):void
         {
-            _first.copyFrom(out);
+            _contact.copyFrom(out);
             out.depth = Infinity;
-            _pushOut.clearBlocks();
-            var isPushed:Boolean = _pushOut.findPush(_first, Infinity, out);
+            _pushOut.begin();
+            var isPushed:Boolean = _pushOut.findPush(_contact, Infinity, out);
             if (DisplacedPair.touchesAfterStart(motion) && out.depth > DirectionSearch.MIN_DEPTH_TO_IMPROVE * _pair.largestExtent)
             {
-                _other.copyFrom(_first);
-                _other.setNormalAgainst(motion);
-                _other.depth = 0;
+                _guess.copyFrom(_contact);
+                _guess.setNormalAgainst(motion);
+                _guess.depth = 0;
                 // its point need not be the deepest
-                _other.forgetDeepest();
-                isPushed = _pushOut.findPush(_other, DirectionSearch.MAX_BETTER_RATIO * out.depth, out) || isPushed;
+                _guess.forgetDeepest();
+                isPushed = _pushOut.findPush(_guess, DirectionSearch.MAX_BETTER_RATIO * out.depth, out) || isPushed;
             }
             if (!isShortEnough(out.depth))
             {
@@ -97,12 +95,8 @@ package starlogo.search.penetration
         // Whether no other way is tried, because a depth is short, or because no exit is much shorter.
         private function isShortEnough(depth:Number):Boolean
         {
-            if (depth <= _pair.minOpening)
-            {
-                return true;
-            }
             // a point of the body that is deep where a push ended also has to get out from where the push began
-            return areExitsLong(_first, depth) || areExitsLong(_pushOut.lastBlock, depth);
+            return depth <= _pair.minOpening || areExitsLong(_contact, depth) || areExitsLong(_pushOut.lastBlocked, depth);
         }
 
         // Whether a contact whose deepest point is of the first body shows that each exit is at least a share of a depth.
@@ -116,13 +110,13 @@ package starlogo.search.penetration
         private function tryOutOfCovers(isPushed:Boolean, out:ContactPoint):void
         {
             _pair.putBack();
-            _pair.findContactOfCovers(_other);
+            _pair.findContactOfCovers(_guess);
             if (!isPushed)
             {
-                _directions.findAlong(_other, out);
+                _directions.findAlong(_guess, out);
                 return;
             }
-            _tried.setDirection(_other.normalX, _other.normalY, _other.normalZ);
+            _tried.setDirection(_guess.normalX, _guess.normalY, _guess.normalZ);
             _tried.distance = out.depth - _pair.tolerance;
             if (_tried.distance > 0 && !_pair.touchesAt(_tried))
             {

@@ -17,7 +17,7 @@ package starlogo.search.penetration
     public final class PlacesAbove
     {
         // How many places are tried.
-        private static const PLACES:int = 120;
+        private static const PLACE_COUNT:int = 120;
 
         // The cosine and the sine of the golden angle, the angle between two places after each other.
         private static const TURN_X:Number = -0.7373688780783197;
@@ -68,9 +68,9 @@ package starlogo.search.penetration
                 _place.setTo(pushOut.blockedPlaces[push], pushOut.blockedPlaces[int(push + 1)], 0);
                 tryAbove(_place);
             }
-            for (var i:int = 0; i < PLACES; i++)
+            for (var i:int = 0; i < PLACE_COUNT; i++)
             {
-                var along:Number = _shortest * Math.sqrt((i + 0.5) / PLACES);
+                var along:Number = _shortest * Math.sqrt((i + 0.5) / PLACE_COUNT);
                 _place.setTo(along * x, along * y, 0);
                 tryAbove(_place);
                 var before:Number = x;
@@ -84,9 +84,9 @@ package starlogo.search.penetration
             }
         }
 
-        // Tries a place that is so high above a place beside the body's own that it is as far as the shortest way. If the body is free there, finds a shorter way. The
-        // place is minOpening farther, and the way ends before it. So the body is free a little farther along the way too, even between walls that
-        // are as far apart as it is wide.
+        // Tries to put the body above a place beside its own, as far from its own as the shortest way is long. If it is free there, finds a shorter way. It is
+        // tried minOpening farther to the side, and the way ends before that. So the body is free a little farther along the way too, even between
+        // walls that are as far apart as it is wide.
         private function tryAbove(place:Vector3D):void
         {
             var along:Number = Math.sqrt(place.x * place.x + place.y * place.y);
@@ -107,7 +107,7 @@ package starlogo.search.penetration
                 // halfway between the place and the one farther; and a little higher, because the ground may rise on the way back to there
                 var fraction:Number = (1 + fartherFactor) / (2 * fartherFactor);
                 var lowest:Number = high * (1 - free) + _pair.minOpening;
-                if (moveIfFree(fartherX * fraction, fartherY * fraction, lowest, _pair.tolerance))
+                if (takeIfFree(fartherX * fraction, fartherY * fraction, lowest, _pair.tolerance))
                 {
                     slideBackRepeatedly();
                 }
@@ -115,7 +115,7 @@ package starlogo.search.penetration
         }
 
         // Takes the way to a place if it is shorter than the others and the first body is free a distance beyond it. Returns whether it is taken.
-        private function moveIfFree(x:Number, y:Number, z:Number, beyond:Number):Boolean
+        private function takeIfFree(x:Number, y:Number, z:Number, beyond:Number):Boolean
         {
             var length:Number = Math.sqrt(x * x + y * y + z * z);
             if (!(length > 0 && length < _shortest))
@@ -129,7 +129,7 @@ package starlogo.search.penetration
                 return false;
             }
             _shortest = length;
-            _free.setDirection(_tried.x, _tried.y, _tried.z);
+            _free.setDirection(_tried.directionX, _tried.directionY, _tried.directionZ);
             _free.distance = _tried.distance;
             return true;
         }
@@ -151,9 +151,9 @@ package starlogo.search.penetration
         // to where it ends, if the body is free as far beyond as after a push, because it may have slid into a gap.
         private function slideBack():void
         {
-            var x:Number = _shortest * _free.x;
-            var y:Number = _shortest * _free.y;
-            var z:Number = _shortest * _free.z;
+            var x:Number = _shortest * _free.directionX;
+            var y:Number = _shortest * _free.directionY;
+            var z:Number = _shortest * _free.directionZ;
             _planes.clear();
             for (var i:int = 0; i < MAX_PLANES && _planes.distance < _shortest; i++)
             {
@@ -176,7 +176,7 @@ package starlogo.search.penetration
                 _planes.add(_met.normalX, _met.normalY, _met.normalZ, x * _met.normalX + y * _met.normalY + z * _met.normalZ - _pair.tolerance);
                 _planes.solve();
             }
-            moveIfFree(x, y, z, _pair.minOpening);
+            takeIfFree(x, y, z, _pair.minOpening);
         }
 
         // Sweeps the first body down from the place above to the height of its own place. Returns which part of this way is free.

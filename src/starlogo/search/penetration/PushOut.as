@@ -22,10 +22,10 @@ package starlogo.search.penetration
         // surfaces touch.
         private static const OVERSHOOT:Number = 0.001;
 
-        // The most searches between two calls of clearBlocks().
+        // The most searches between two calls of begin().
         private static const MAX_SEARCHES:int = 2;
 
-        /** Where the pushes end that do not free the body, in all searches since <code>clearBlocks()</code>: x and y of each. Read only. */
+        /** Where the pushes end that do not free the body, in all searches since <code>begin()</code>: x and y of each. Read only. */
         public var blockedPlaces:Vector.<Number> = new Vector.<Number>(2 * MAX_CONTACTS * MAX_SEARCHES, true);
 
         /** The end of the numbers of <code>blockedPlaces</code>. Read only. */
@@ -35,7 +35,7 @@ package starlogo.search.penetration
          * The contact at which the last of these pushes ended whose deepest point is known to be of the body, but with its place where the body was at
          * the beginning. If there is none, no deepest point is known. Read only.
          */
-        public var lastBlock:ContactPoint = new ContactPoint();
+        public var lastBlocked:ContactPoint = new ContactPoint();
 
         // The push: the shortest way out of the contacts that decide about it, whose depths are from where the body was at the beginning.
         private var _push:HalfSpaceSolver = new HalfSpaceSolver();
@@ -62,35 +62,35 @@ package starlogo.search.penetration
             _directions = directions;
         }
 
-        /** Begins with a pair. Forgets the places of the last one. */
-        public function clearBlocks():void
+        /** Begins with the pair: forgets the pushes of the last one. */
+        public function begin():void
         {
             blockedEnd = 0;
-            lastBlock.forgetDeepest();
+            lastBlocked.forgetDeepest();
         }
 
         /**
          * Looks for the shortest push that leads out of all contacts.
          *
-         * @param first the contact of the two at the touch
+         * @param contact the contact of the two at the touch
          * @param maxLength the length of the longest push that counts
          * @param out receives the normal and the depth if there is such a push
          * @return whether there is one
          */
-        public function findPush(first:ContactPoint, maxLength:Number, out:ContactPoint):Boolean
+        public function findPush(contact:ContactPoint, maxLength:Number, out:ContactPoint):Boolean
         {
             var count:int = 1;
             _push.clear();
             _pair.putBack();
-            addContact(first);
+            addContact(contact);
             while (_push.distance <= maxLength && _push.distance < Infinity && count <= MAX_CONTACTS)
             {
                 if (tryPush())
                 {
-                    writePush(first, out);
+                    writePush(contact, out);
                     return true;
                 }
-                addBlock();
+                addBlockedPush();
                 count++;
             }
             return false;
@@ -105,23 +105,24 @@ package starlogo.search.penetration
             _push.solve();
         }
 
-        // Adds the contact of the first body where tryPush() has left it: where it is blocked on its way along the push.
-        private function addBlock():void
+        // Adds the contact where a push is blocked: tryPush() has left the first body there.
+        private function addBlockedPush():void
         {
             blockedPlaces[blockedEnd++] = _push.displacement.x;
             blockedPlaces[blockedEnd++] = _push.displacement.y;
             _pair.findContactOfParts(_next);
             if (_next.isDeepestOfA)
             {
-                lastBlock.copyFrom(_next);
+                lastBlocked.copyFrom(_next);
                 // its exits are known where the push ended, not where the body was
-                lastBlock.exitBound = 0;
-                lastBlock.x -= _tried.distance * _tried.x;
-                lastBlock.y -= _tried.distance * _tried.y;
-                lastBlock.z -= _tried.distance * _tried.z;
+                lastBlocked.exitBound = 0;
+                lastBlocked.x -= _tried.distance * _tried.directionX;
+                lastBlocked.y -= _tried.distance * _tried.directionY;
+                lastBlocked.z -= _tried.distance * _tried.directionZ;
             }
             // the body is a little farther than the push
-            _next.depth += (_tried.distance - _push.distance) * (_next.normalX * _tried.x + _next.normalY * _tried.y + _next.normalZ * _tried.z);
+            _next.depth += (_tried.distance - _push.distance)
+                * (_next.normalX * _tried.directionX + _next.normalY * _tried.directionY + _next.normalZ * _tried.directionZ);
             addContact(_next);
         }
 
@@ -146,12 +147,12 @@ package starlogo.search.penetration
         }
 
         // Takes the push, whose direction is free. If the two are free before its end, the depth is refined.
-        private function writePush(first:ContactPoint, out:ContactPoint):void
+        private function writePush(contact:ContactPoint, out:ContactPoint):void
         {
-            out.setNormal(_tried.x, _tried.y, _tried.z);
+            out.setNormal(_tried.directionX, _tried.directionY, _tried.directionZ);
             out.depth = _push.distance;
             _tried.distance = _push.distance - _pair.probeDistance;
-            if (_tried.distance > 0 && !(first.isDeepestOfA && isDeepestStillInside(first)) && !_pair.touchesAt(_tried))
+            if (_tried.distance > 0 && !(contact.isDeepestOfA && isDeepestStillInside(contact)) && !_pair.touchesAt(_tried))
             {
                 _directions.shorten(_tried, out);
             }
@@ -161,9 +162,9 @@ package starlogo.search.penetration
         private function isDeepestStillInside(contact:ContactPoint):Boolean
         {
             _next.copyFrom(contact);
-            _next.x += _tried.distance * _tried.x;
-            _next.y += _tried.distance * _tried.y;
-            _next.z += _tried.distance * _tried.z;
+            _next.x += _tried.distance * _tried.directionX;
+            _next.y += _tried.distance * _tried.directionY;
+            _next.z += _tried.distance * _tried.directionZ;
             return _groundExits.isInside(_pair.second.shape.grid, _next);
         }
     }

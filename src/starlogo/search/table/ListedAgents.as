@@ -25,11 +25,8 @@ package starlogo.search.table
         /** The row of the agent of the edges of the world, which is given beside the list too. */
         public static const EDGES_ROW:int = 1;
 
-        /** How many rows stand for the environment: the ground and the edges. */
-        public static const ENVIRONMENT_ROW_COUNT:int = 2;
-
         /** The first row for agents of a list. */
-        public static const FIRST_LISTED:int = ENVIRONMENT_ROW_COUNT;
+        public static const FIRST_LISTED:int = 2;
 
         // The order key of the oldest agent that has no row. It is more than the number of agents in any list.
         private static const FIRST_UNLISTED_KEY:int = 1 << 30;

@@ -179,8 +179,8 @@ package starlogo.queries
         }
 
         /**
-         * @private How far a one-way row is above its height in the update before the last one, or in the last one if its agent has come or jumped between
-         * the two. Less than 0 if below; 0 if the agent has jumped since, and for all other rows.
+         * @private How far a one-way row has risen since the update before the last one. If its agent has come or jumped between these two, it is how far
+         * it has risen since the last one. It is less than 0 if it has sunk, and 0 if the agent has jumped since, and for all other rows.
          */
         engine function riseOf(row:int):Number
         {
@@ -192,7 +192,7 @@ package starlogo.queries
         }
 
         /**
-         * @private Questions need tests that their collision system may lack. It has them from now on.
+         * @private Adds tests that questions need and their collision system may lack: now, and when they see with another one.
          *
          * @param addTo <code>function(narrowPhase:NarrowPhase):void</code>
          */

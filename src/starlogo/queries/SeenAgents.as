@@ -184,11 +184,8 @@ package starlogo.queries
          */
         engine function riseOf(row:int):Number
         {
-            if (!table.listed.agentsByRow[row].isOneWay || !_heights.has(table, row))
-            {
-                return 0;
-            }
-            return _heightsBefore.has(table, row) ? _heightsBefore.riseOf(table, row) : _heights.riseOf(table, row);
+            var since:SeenHeights = _heightsBefore.has(table, row) ? _heightsBefore : _heights;
+            return table.listed.agentsByRow[row].isOneWay && _heights.has(table, row) ? since.riseOf(table, row) : 0;
         }
 
         /**

@@ -129,7 +129,11 @@ package starlogo.queries.motion
                 pushOutOfDeep(walk, lift);
                 down = _slider.moveVertically(walk.body, walk.place, -walk.closeDepth);
             }
-            walk.pushed = Vector3D.distance(walk.place, walk.substepStart);
+            // not Vector3D.distance, which allocates in Flash Player
+            var x:Number = walk.place.x - walk.substepStart.x;
+            var y:Number = walk.place.y - walk.substepStart.y;
+            var z:Number = walk.place.z - walk.substepStart.z;
+            walk.pushed = Math.sqrt(x * x + y * y + z * z);
             walk.substepStart.copyFrom(walk.place);
             return _foothold.tryStandAtEnd(walk, down);
         }

@@ -70,11 +70,10 @@ package starlogo.queries.rays
             {
                 var index:int = _all.values[i];
                 var isKept:Boolean = true;
-                var crossing:RayCrossing = crossings.all[index];
-                switch (crossing.side)
+                switch (crossings.all[index].side)
                 {
                     case RayCrossing.INSIDE:
-                        insideFrom = crossing.distance;
+                        insideFrom = crossings.all[index].distance;
                         break;
                     case RayCrossing.ENTERS:
                         isKept = depth == 0 && _all.keys[i] > insideFrom;

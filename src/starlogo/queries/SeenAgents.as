@@ -179,20 +179,17 @@ package starlogo.queries
         }
 
         /**
-         * @private How far a one-way row is above its height in the update before the last one, or in the last one if its agent has come or jumped between
-         * the two. Less than 0 if below; 0 if the agent has jumped since, and for all other rows.
+         * @private How far a one-way row has risen since the update before the last one. If its agent has come or jumped between these two, it is how far
+         * it has risen since the last one. It is less than 0 if it has sunk, and 0 if the agent has jumped since, and for all other rows.
          */
         engine function riseOf(row:int):Number
         {
-            if (!table.listed.agentsByRow[row].isOneWay || !_heights.has(table, row))
-            {
-                return 0;
-            }
-            return _heightsBefore.has(table, row) ? _heightsBefore.riseOf(table, row) : _heights.riseOf(table, row);
+            var since:SeenHeights = _heightsBefore.has(table, row) ? _heightsBefore : _heights;
+            return table.listed.agentsByRow[row].isOneWay && _heights.has(table, row) ? since.riseOf(table, row) : 0;
         }
 
         /**
-         * @private Questions need tests that their collision system may lack. It has them from now on.
+         * @private Adds tests that questions need and their collision system may lack: now, and when they see with another one.
          *
          * @param addTo <code>function(narrowPhase:NarrowPhase):void</code>
          */

@@ -7,7 +7,7 @@ package starlogo.queries
     use namespace engine;
 
     /**
-     * How high an update of a SeenAgents has seen its agents. What is higher now has risen.
+     * The heights of all rows in one update of a SeenAgents. What is higher now has risen.
      *
      * @private
      */
@@ -37,7 +37,7 @@ package starlogo.queries
             }
         }
 
-        /** Whether the agent that a row of the table has now had it then, and has not jumped since. */
+        /** Whether the agent of a row of the table had the same row then, and has not jumped since. */
         public function has(table:AgentTable, row:int):Boolean
         {
             return row < _revisions.length && table.listed.agentsByRow[row].jumpRevision <= _revisions[row];

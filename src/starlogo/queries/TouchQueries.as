@@ -35,8 +35,10 @@ package starlogo.queries
         private var _search:SweptBoxSearch = new SweptBoxSearch();
         private var _closest:ClosestPoints = new ClosestPoints();
 
-        // A second body: an agent's, one at another place, or the edges of the world; the body of a structure or a point; and this place or point, a sphere.
+        // A second body: another agent's, that of the agent at another place, or that of the edges of the world.
         private var _body:Body = new Body();
+
+        // The body of a structure or a point, and a point or a place as a sphere without radius.
         private var _structureBody:StructureBody = new StructureBody();
         private var _point:Sphere = new Sphere(new Vector3D(), 0);
 

@@ -58,14 +58,14 @@ package starlogo.queries.motion
          */
         public function depenetrate(sweep:ShrunkSweep):void
         {
-            if (replaceByPlanes(sweep, false) && !pushOut(sweep.shrunk, sweep.obstacles, sweep.start, false, sweep.pushes))
+            if (replaceByPlanes(sweep, false) && !pushOutOfShallow(sweep))
             {
                 replaceByPlanes(sweep, true);
             }
             if (sweep.shrunk.isFlat && sweep.planes.count == 0)
             {
                 // the shrunk body is as flat, and a sweep touches across a wider gap than a body that stands
-                pushOut(sweep.shrunk, sweep.obstacles, sweep.start, true, _pushesOff);
+                pushOffTouches(sweep.shrunk, sweep.obstacles, sweep.start);
             }
         }
 
@@ -78,7 +78,7 @@ package starlogo.queries.motion
         public function restoreClearance(body:MovingBody, place:Vector3D):void
         {
             _shrunk.begin(body, body.rows, place, NO_MOTION);
-            pushOut(_shrunk, body.rows, place, true, _pushesOff);
+            pushOffTouches(_shrunk, body.rows, place);
         }
 
         /**
@@ -108,9 +108,21 @@ package starlogo.queries.motion
             return sum;
         }
 
-        // Pushes a body out of the rows that the shrunk body overlaps, or off those that the body touches: one after the other, in rounds, until a round needs no
-        // push. Returns whether it is free then. If not, it is where it was, and there are no pushes.
-        private function pushOut(shrunk:ShrunkBody, rows:IntList, place:Vector3D, offTouches:Boolean, pushes:ContactList):Boolean
+        // Pushes a body out of the obstacles that the shrunk body overlaps. Returns whether it is free then.
+        private function pushOutOfShallow(sweep:ShrunkSweep):Boolean
+        {
+            return pushInRounds(sweep.shrunk, sweep.obstacles, sweep.start, false, sweep.pushes);
+        }
+
+        // Pushes a body a clearance off the rows that it touches, if it gets free.
+        private function pushOffTouches(shrunk:ShrunkBody, rows:IntList, place:Vector3D):void
+        {
+            pushInRounds(shrunk, rows, place, true, _pushesOff);
+        }
+
+        // Pushes a body away from one row after the other, in rounds, until a round needs no push. Returns whether it is free then. If not, it is where it was,
+        // and there are no pushes. Its callers say what it is pushed away from.
+        private function pushInRounds(shrunk:ShrunkBody, rows:IntList, place:Vector3D, offTouches:Boolean, pushes:ContactList):Boolean
         {
             var last:ContactPoint = null;
             var isFree:Boolean = false;

@@ -4,7 +4,7 @@ package starlogo.queries.motion
     import starlogo.convex.ContactPoint;
 
     /**
-     * How a motion of a body ends, a slide or a straight one, as a record. Slider and TouchSweep write it.
+     * How a motion of a body ends, a slide or a straight one, as a record. Slider, ShrunkSweep.findStop and TouchSweep write it.
      *
      * @private
      */
@@ -28,8 +28,8 @@ package starlogo.queries.motion
         /** TouchSweep alone: the place of the body where the shrunk body touches the row. */
         public var shrunkPlace:Vector3D = new Vector3D();
 
-        /** Whether planes stand for what the body overlaps at the start, deeply or without a way out. */
-        public var hasPlanes:Boolean = false;
+        /** Whether the body starts in an overlap for which a plane stands: a deep one, or one without a way out. Of TouchSweep's only if that stops it. */
+        public var startsPenetrating:Boolean = false;
 
         /** Whether it has a contact. */
         public function get hasContact():Boolean

@@ -13,7 +13,6 @@ package starlogo.queries.motion
     import starlogo.convex.RelativeMotion;
     import starlogo.data.IntList;
     import starlogo.engine;
-    import starlogo.geometry.isInWorld;
     import starlogo.geometry.requireInWorld;
     import starlogo.queries.AgentFilter;
     import starlogo.queries.SeenAgents;
@@ -122,12 +121,9 @@ package starlogo.queries.motion
         /** Sets the motion that is wanted. Returns this body. Throws a RangeError that names the first of the three that is not in the world. */
         public function aim(dx:Number, dy:Number, dz:Number):MovingBody
         {
-            if (!isInWorld(dx, dy, dz))
-            {
-                requireInWorld("dx of a motion", dx, 0, 0, agent);
-                requireInWorld("dy of a motion", 0, dy, 0, agent);
-                requireInWorld("dz of a motion", 0, 0, dz, agent);
-            }
+            requireInWorld("dx of a motion", dx, 0, 0, agent);
+            requireInWorld("dy of a motion", 0, dy, 0, agent);
+            requireInWorld("dz of a motion", 0, 0, dz, agent);
             motion.x = dx;
             motion.y = dy;
             motion.z = dz;
@@ -306,7 +302,7 @@ package starlogo.queries.motion
         /**
          * Whether the body goes on through a row that it touches at a place: the row is one-way, and the body does not rest on it.
          *
-         * @param contact is written
+         * @param contact is overwritten
          */
         public function passesOneWayAt(row:int, place:Vector3D, contact:ContactPoint):Boolean
         {

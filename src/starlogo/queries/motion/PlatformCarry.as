@@ -28,7 +28,7 @@ package starlogo.queries.motion
         // The rows without the platform, or one row alone.
         private var _rows:IntList = new IntList();
 
-        // Where the platform carries the agent, and the way from there to where it comes; where the agent was above a row, and the way down from there.
+        // The way of the agent as the platform or a row sees it: where it begins, and the motion.
         private var _from:Vector3D = new Vector3D();
         private var _motion:Vector3D = new Vector3D();
 
@@ -115,8 +115,6 @@ package starlogo.queries.motion
         public function carry(walk:WalkState, platformRow:int):void
         {
             _rows.copyExcept(walk.body.rows, platformRow);
-            _from.copyFrom(walk.place);
-            _from.incrementBy(walk.carry);
             var end:MotionResult = _slider.slide(walk.body, _rows, walk.place, walk.carry, SlideLimits.NONE);
             if (end.fraction < 1 && leadsIntoPlatform(platformRow, walk, end.place))
             {
@@ -129,9 +127,11 @@ package starlogo.queries.motion
             walk.place.copyFrom(end.place);
         }
 
-        // Whether the way to a place, from where the platform carries the agent, leads into the platform.
+        // Whether the way from where the platform would carry the agent to where the agent comes leads into the platform.
         private function leadsIntoPlatform(platformRow:int, walk:WalkState, place:Vector3D):Boolean
         {
+            _from.copyFrom(walk.place);
+            _from.incrementBy(walk.carry);
             _motion.copyFrom(place);
             _motion.decrementBy(_from);
             return _sweep.meets(walk.body, platformRow, _from, _motion);

@@ -40,8 +40,8 @@ package starlogo.queries.motion
         public var planes:ContactList = new ContactList();
 
         /**
-         * The rows that can stop the motion. Who begins it sets them to the rows that may be in its way. Later they are not those that a plane stands
-         * for, and no one-way rows that the body passes.
+         * The rows that can stop the motion. The caller sets them to the rows near its way, before <code>begin()</code>. Rows that a plane stands for, and
+         * one-way rows that the body passes, leave them.
          */
         public var obstacles:IntList = new IntList();
 
@@ -101,7 +101,7 @@ package starlogo.queries.motion
             out.fraction = crossesPlane ? 0 : (impact.hasRow ? findTouchTime(start, motion) : 1);
             out.row = impact.row;
             out.wallRow = -1;
-            out.hasPlanes = planes.count > 0;
+            out.startsPenetrating = planes.count > 0;
             out.contact.copyFrom(impact.contact);
         }
 

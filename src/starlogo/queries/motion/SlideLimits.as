@@ -17,7 +17,7 @@ package starlogo.queries.motion
         /** For a horizontal motion: it keeps its height, and all contacts but horizontal ones are upright walls. It must not be changed. */
         public static const HORIZONTAL:SlideLimits = new SlideLimits(HORIZONTAL_Z, true);
 
-        /** A contact counts as an upright wall if the z of its normal is less than this, and else as floor. At -Infinity nothing is either. */
+        /** A contact counts as an upright wall if the z of its normal is less than this, else as a floor. With -Infinity it is neither. */
         public var minFloorNormalZ:Number;
 
         /** Whether it ends as high as it begins. The planes of what the body overlaps deeply where it begins are upright walls then. */

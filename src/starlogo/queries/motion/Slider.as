@@ -8,7 +8,8 @@ package starlogo.queries.motion
      * Moves a body as characters move: along what it meets, or straight on. The body ends a clearance before what stops it, so that the next motion
      * begins free.
      *
-     * <p>It returns how a motion ends. The result of a slide is valid until the next slide, that of a straight motion until the next straight one.</p>
+     * <p>It returns how a motion ends. The result of a slide is valid until the next slide, that of a straight motion until the next straight one. The next
+     * motion of either kind may begin at the place of a result.</p>
      *
      * @private
      */
@@ -46,15 +47,15 @@ package starlogo.queries.motion
          */
         public function slide(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D, limits:SlideLimits):MotionResult
         {
-            var out:MotionResult = _slid;
+            var result:MotionResult = _slid;
             var impact:Impact = _sweep.impact;
-            out.wallRow = -1;
-            out.row = -1;
+            result.wallRow = -1;
+            result.row = -1;
             _remaining.begin(motion, limits);
             _sweep.obstacles.copyFrom(rows);
             var isKnown:Boolean = _sweep.begin(body, from, _remaining.motion);
-            out.hasPlanes = _sweep.planes.count > 0;
-            out.place.copyFrom(_sweep.start);
+            result.startsPenetrating = _sweep.planes.count > 0;
+            result.place.copyFrom(_sweep.start);
             if (!isKnown)
             {
                 _remaining.beginCorner();
@@ -62,7 +63,7 @@ package starlogo.queries.motion
                 {
                     makePlanesUpright(_sweep.planes, _remaining);
                 }
-                turn(out.place);
+                projectAndSweep(result.place);
             }
             // the planes from this index on belong to the corner where the body is
             var corner:int = _sweep.planes.count;
@@ -73,22 +74,22 @@ package starlogo.queries.motion
                     _remaining.beginCorner();
                     corner = _sweep.planes.count;
                 }
-                var touchTime:Number = _sweep.findTouchTime(out.place, _remaining.motion);
-                _remaining.advance(out.place, Math.max(touchTime + _sweep.shrunk.clearance / impact.contact.along(_remaining.motion), 0));
-                noteContact(impact, limits, _remaining, out);
-                dropNeedlessPlanes(out.place, corner, _sweep.planes.add(impact.contact, impact.row));
-                turn(out.place);
+                var touchTime:Number = _sweep.findTouchTime(result.place, _remaining.motion);
+                _remaining.advance(result.place, Math.max(touchTime + _sweep.shrunk.clearance / impact.contact.along(_remaining.motion), 0));
+                noteContact(impact, limits, _remaining, result);
+                dropNeedlessPlanes(result.place, corner, _sweep.planes.add(impact.contact, impact.row));
+                projectAndSweep(result.place);
             }
             if (!impact.hasRow)
             {
-                _remaining.advance(out.place, 1);
+                _remaining.advance(result.place, 1);
             }
-            out.fraction = _remaining.travelled < motion.length ? _remaining.travelled / motion.length : 1;
-            return out;
+            result.fraction = _remaining.travelled < motion.length ? _remaining.travelled / motion.length : 1;
+            return result;
         }
 
         // Turns what remains of the motion out of the planes, and finds what stops it then.
-        private function turn(place:Vector3D):void
+        private function projectAndSweep(place:Vector3D):void
         {
             _remaining.project(_sweep.planes);
             _sweep.findStoppingImpact(place, _remaining.motion);
@@ -103,12 +104,12 @@ package starlogo.queries.motion
          */
         public function moveStraight(body:MovingBody, rows:IntList, from:Vector3D, motion:Vector3D):MotionResult
         {
-            var out:MotionResult = _straight;
+            var result:MotionResult = _straight;
             _sweep.obstacles.copyFrom(rows);
-            _sweep.findStop(body, from, motion, out);
-            var end:Number = out.hasContact ? Math.max(out.fraction + _sweep.shrunk.clearance / out.contact.along(motion), 0) : 1;
-            ShrunkSweep.setAlong(_sweep.start, motion, end, out.place);
-            return out;
+            _sweep.findStop(body, from, motion, result);
+            var end:Number = result.hasContact ? Math.max(result.fraction + _sweep.shrunk.clearance / result.contact.along(motion), 0) : 1;
+            ShrunkSweep.setAlong(_sweep.start, motion, end, result.place);
+            return result;
         }
 
         /** Computes a way straight up, or down if dz is less than 0: a straight motion among the body's own rows. */

@@ -71,7 +71,7 @@ package starlogo.queries.motion
             var free:MotionResult = _results[0];
             free.row = -1;
             free.fraction = 1;
-            free.hasPlanes = false;
+            free.startsPenetrating = false;
             setEnd(body, 1, free.place);
             return free;
         }
@@ -103,7 +103,7 @@ package starlogo.queries.motion
                 var touch:MotionResult = _results[count];
                 findTouch(body, body.rows.values[i], touch);
                 // the row alone pushes the body, or stops it at once in a shallow overlap
-                mayPush ||= compareVectors(_sweepOfRow.start, _sweepOfAll.start) != 0 || (touch.fraction == 0 && !touch.hasPlanes);
+                mayPush ||= compareVectors(_sweepOfRow.start, _sweepOfAll.start) != 0 || (touch.fraction == 0 && !touch.startsPenetrating);
                 if (touch.hasContact)
                 {
                     _touches.add(count, touch.fraction);
@@ -121,7 +121,7 @@ package starlogo.queries.motion
             _sweepOfRow.findStop(body, _sweepOfAll.start, body.motion, out);
             if (out.hasContact)
             {
-                if (!out.hasPlanes)
+                if (!out.startsPenetrating)
                 {
                     out.contact.depth = 0;
                     ShrunkSweep.setAlong(_sweepOfRow.start, body.motion, _sweepOfRow.impact.time, out.shrunkPlace);

@@ -124,11 +124,12 @@ package starlogo.queries.motion
             walk.substepStart.copyFrom(walk.place);
             var lift:Number = liftByPlatforms(walk, platformRow);
             var down:MotionResult = _slider.moveVertically(walk.body, walk.place, -walk.closeDepth);
-            if (down.hasPlanes)
+            if (down.startsPenetrating)
             {
                 pushOutOfDeep(walk, lift);
                 down = _slider.moveVertically(walk.body, walk.place, -walk.closeDepth);
             }
+            // not Vector3D.distance, which allocates in Flash Player
             var x:Number = walk.place.x - walk.substepStart.x;
             var y:Number = walk.place.y - walk.substepStart.y;
             var z:Number = walk.place.z - walk.substepStart.z;
@@ -289,18 +290,18 @@ package starlogo.queries.motion
             {
                 return false;
             }
-            // It goes in drops that get longer, because rounding errors grow with the length of a motion, and no farther than below all that is near: walls of
-            // the ground have no lower end, and a very long wall would have errors as large as a floor.
-            var heightAboveAll:Number = Math.max(body.extent, walk.place.z + body.whole.offsetZ + body.extent - lowestOf(body));
+            // It goes in drops that get longer, because rounding errors grow with the length of a motion. It goes no farther than to where it is below all that is
+            // near: walls of the ground have no lower end, and a very long wall would have errors as large as a floor.
+            var depthBelowAll:Number = Math.max(body.extent, walk.place.z + body.whole.offsetZ + body.extent - lowestOf(body));
             var fallLeft:Number = walk.options.fall;
             var from:Vector3D = walk.place;
-            for (var drop:Number = 1; fallLeft > 0 && heightAboveAll > 0; drop *= 2)
+            for (var drop:Number = 1; fallLeft > 0 && depthBelowAll > 0; drop *= 2)
             {
-                var depth:Number = Math.min(fallLeft, Math.min(drop, heightAboveAll));
+                var depth:Number = Math.min(fallLeft, Math.min(drop, depthBelowAll));
                 var down:MotionResult = _slider.moveVertically(body, from, -depth);
                 // the touch counts, not the clearance before it
                 fallLeft -= down.fraction * depth;
-                heightAboveAll -= depth;
+                depthBelowAll -= depth;
                 if (down.hasContact)
                 {
                     return settle(walk, down, fallLeft);

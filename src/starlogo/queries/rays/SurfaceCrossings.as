@@ -33,7 +33,7 @@ package starlogo.queries.rays
             _all.count = indices.count = 0;
             for (var i:int = 0; i < crossings.count; i++)
             {
-                _all.add(i, areTriangles ? crossings.all[i].distance : endKeyOf(crossings, i));
+                _all.add(i, areTriangles ? crossings.all[i].distance : endKeyOf(crossings.all[i]));
             }
             _all.sortFirst(_all.count);
             if (areTriangles)
@@ -47,16 +47,16 @@ package starlogo.queries.rays
         }
 
         // By what an entry and a way out are sorted. Where the ray begins inside comes first; nodes that touch up to rounding overlap.
-        private static function endKeyOf(crossings:RayCrossings, index:int):Number
+        private static function endKeyOf(crossing:RayCrossing):Number
         {
-            switch (crossings.all[index].side)
+            switch (crossing.side)
             {
                 case RayCrossing.INSIDE:
                     return -Infinity;
                 case RayCrossing.ENTERS:
-                    return crossings.all[index].distance - crossings.all[index].rounding;
+                    return crossing.distance - crossing.rounding;
                 default:
-                    return crossings.all[index].distance;
+                    return crossing.distance;
             }
         }
 
@@ -99,20 +99,20 @@ package starlogo.queries.rays
             for (var i:int = 0; i < crossings.count; i++)
             {
                 var index:int = _all.values[i];
-                var side:int = crossings.all[index].side;
-                if (side == RayCrossing.EDGE_ON)
+                var crossing:RayCrossing = crossings.all[index];
+                if (crossing.side == RayCrossing.EDGE_ON)
                 {
-                    var runsOn:Boolean = crossings.all[index].distance <= runsUntil;
-                    runsUntil = Math.max(runsUntil, crossings.all[index].end);
+                    var runsOn:Boolean = crossing.distance <= runsUntil;
+                    runsUntil = Math.max(runsUntil, crossing.end);
                     if (runsOn)
                     {
                         continue;
                     }
                 }
-                if (!joinKept(crossings, index, side, mostSlack))
+                if (!joinKept(crossings, index, mostSlack))
                 {
-                    _sides[indices.count] = side;
-                    mostSlack = Math.max(mostSlack, crossings.all[index].rounding);
+                    _sides[indices.count] = crossing.side;
+                    mostSlack = Math.max(mostSlack, crossing.rounding);
                     indices.add(index);
                 }
             }
@@ -120,25 +120,27 @@ package starlogo.queries.rays
 
         // Joins a crossing to a kept one of the same surface. Returns whether there is one. As in ShearedRay, a triangle that the ray runs along
         // gives way to one that it crosses at the same place.
-        private function joinKept(crossings:RayCrossings, index:int, side:int, mostSlack:Number):Boolean
+        private function joinKept(crossings:RayCrossings, index:int, mostSlack:Number):Boolean
         {
-            var distance:Number = crossings.all[index].distance;
-            var slack:Number = crossings.all[index].rounding;
+            var crossing:RayCrossing = crossings.all[index];
             for (var k:int = indices.count - 1; k >= 0; k--)
             {
-                var other:int = indices.values[k];
-                var gap:Number = distance - crossings.all[other].distance;
-                if (gap > slack + mostSlack)
+                var kept:RayCrossing = crossings.all[indices.values[k]];
+                var gap:Number = crossing.distance - kept.distance;
+                if (gap > crossing.rounding + mostSlack)
                 {
                     return false;
                 }
-                if (areOneSurface(side, _sides[k]) && gap <= slack + crossings.all[other].rounding)
+                if (areOneSurface(crossing.side, _sides[k]) && gap <= crossing.rounding + kept.rounding)
                 {
-                    if (_sides[k] == RayCrossing.EDGE_ON && side != RayCrossing.EDGE_ON)
+                    if (_sides[k] == RayCrossing.EDGE_ON && crossing.side != RayCrossing.EDGE_ON)
                     {
-                        _sides[k] = side;
-                        // none is kept between the two, because it would have joined the other one
-                        indices.values[k] = gap <= crossings.all[other].rounding ? index : other;
+                        _sides[k] = crossing.side;
+                        if (gap <= kept.rounding)
+                        {
+                            // none is kept between the two, because it would have joined the other one
+                            indices.values[k] = index;
+                        }
                     }
                     return true;
                 }

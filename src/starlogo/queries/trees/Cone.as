@@ -13,7 +13,7 @@ package starlogo.queries.trees
     {
         private var _placement:Placement;
 
-        // Of the angle between the axis and the border.
+        // The sine and cosine of the angle between the axis and the border.
         private var _sine:Number = 0;
         private var _cosine:Number = 1;
 
@@ -46,7 +46,8 @@ package starlogo.queries.trees
             var acrossZ:Number = axisX * toY - axisY * toX;
             var across:Number = Math.sqrt(acrossX * acrossX + acrossY * acrossY + acrossZ * acrossZ);
             var along:Number = axisX * toX + axisY * toY + axisZ * toZ;
-            // the left side is the sine of the angle beyond the border. It is 0 half a turn away too, so the last condition excludes rows there if the angle is less than 45 degrees
+            // the left side is the sine of the angle beyond the border. It is 0 half a turn away too. So in a narrow cone, with an angle below 45 degrees, places
+            // behind the tip are excluded
             return across * _cosine - along * _sine <= Tolerances.CONE * (across + Math.abs(along)) && (along >= 0 || _sine >= _cosine);
         }
     }

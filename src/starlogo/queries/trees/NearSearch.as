@@ -31,7 +31,7 @@ package starlogo.queries.trees
         private var _y:Number = 0;
         private var _z:Number = 0;
 
-        // The nodes that wait for a visit, a stack, and their squared distances.
+        // A stack of the nodes that are still to be visited, and their squared distances.
         private var _nodes:Vector.<int> = new Vector.<int>();
         private var _squares:Vector.<Number> = new Vector.<Number>();
 
@@ -143,8 +143,8 @@ package starlogo.queries.trees
             return toX * toX + toY * toY + toZ * toZ <= _collector.limit;
         }
 
-        // Lets a leaf be visited first, because it probably has the nearest rows. The nodes beside the path from the root to the leaf come after it. Returns
-        // how many nodes wait.
+        // Pushes a leaf on the stack, above the nodes beside the path from the root to the leaf. It is visited first, because it probably has the nearest
+        // rows. Returns how many nodes wait.
         private function pushBeside(leaf:int):int
         {
             var waiting:int = 0;
@@ -178,7 +178,7 @@ package starlogo.queries.trees
             _squares[last] = square;
         }
 
-        // Lets a node wait if its box is within the limit, and it may have rows that count. Returns how many nodes wait.
+        // Pushes a node on the stack if its box is within the limit, and it may have rows that count. Returns how many nodes wait.
         private function push(node:int, waiting:int):int
         {
             var boxes:Vector.<Number> = _tree.nodeBoxes;

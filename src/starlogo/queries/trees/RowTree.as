@@ -101,7 +101,7 @@ package starlogo.queries.trees
             {
                 firstLeaf *= 2;
             }
-            grow(points.x.length);
+            reserve(points.x.length);
             for (var i:int = 0; i < count; i++)
             {
                 this.rows[i] = rows[i];
@@ -208,7 +208,8 @@ package starlogo.queries.trees
             }
         }
 
-        private function grow(rowCount:int):void
+        // Makes room for the rows and the nodes.
+        private function reserve(rowCount:int):void
         {
             if (_slots.length < rowCount)
             {
@@ -233,16 +234,13 @@ package starlogo.queries.trees
                 _slots[rows[slot]] = slot;
                 boundRow(slot);
             }
-            for (var node:int = 2 * firstLeaf - 1; node > 0; node--)
+            for (var leaf:int = 2 * firstLeaf - 1; leaf >= firstLeaf; leaf--)
             {
-                if (node < firstLeaf)
-                {
-                    boundNode(node, nodeBoxes, 2 * node, 2 * node + 2);
-                }
-                else
-                {
-                    boundNode(node, rowBoxes, startOf(node), startOf(node + 1));
-                }
+                boundNode(leaf, rowBoxes, startOf(leaf), startOf(leaf + 1));
+            }
+            for (var node:int = firstLeaf - 1; node > 0; node--)
+            {
+                boundNode(node, nodeBoxes, 2 * node, 2 * node + 2);
             }
         }
 

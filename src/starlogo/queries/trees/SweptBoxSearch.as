@@ -24,7 +24,7 @@ package starlogo.queries.trees
         private var _box:Vector.<Number> = new Vector.<Number>(RowTree.PER_BOX, true);
         private var _inverse:Vector.<Number> = new Vector.<Number>(3, true);
 
-        // What waits, a stack: the number of a node, or -1 - slot for a row; and when the box meets it.
+        // A stack of what is still to be visited: the number of a node, or -1 - slot for a row; and when the box meets it.
         private var _stack:Vector.<int> = new Vector.<int>();
         private var _entries:Vector.<Number> = new Vector.<Number>();
         private var _waiting:int = 0;
@@ -140,7 +140,7 @@ package starlogo.queries.trees
             return isGround ? ListedAgents.GROUND_ROW : -1;
         }
 
-        // Lets those of some boxes wait that the box meets on its way. Of two, the nearer one comes next.
+        // Pushes the nodes or slots on the stack whose boxes the moving box meets. Of two, the nearer one is popped first.
         private function push(boxes:Vector.<Number>, first:int, end:int, areSlots:Boolean, limit:Number):void
         {
             var count:int = _waiting;

@@ -34,6 +34,29 @@ package starlogo.queries.motion
             assertEquals(-1, result.wallRow);
         }
 
+        /** A fall goes on from the result of its last drop, and a walk keeps a slide's result while it goes straight down. */
+        [Test]
+        public function aMotionMayBeginAtThePlaceOfAResult():void
+        {
+            var seen:SeenAgents = new SeenAgents(new TightestFitCollider(landOf(BuiltInModel.cube())));
+            var slider:Slider = new Slider();
+            var agent:Agent = agentAt("cube", 0, 0, 3);
+            seen.update(new <Agent>[agent, agentAt("cube", 0.2, 0, 0), agentAt("cube", 1.5, 0, 3)]);
+            var body:MovingBody = new MovingBody(seen);
+            body.setToAgent(agent);
+            body.collectRowsWithin(4, 0, 0, null);
+            var slid:Vector3D = slider.slide(body, body.rows, body.from, new Vector3D(-0.5, 0.1, 0), SlideLimits.NONE).place;
+            var expected:Vector3D = slid.clone();
+            var dropped:Vector3D = slider.moveVertically(body, slid, -1).place;
+            assertTrue("the slide's result has changed: " + slid, slid.equals(expected));
+            expected = new Slider().moveVertically(body, dropped, -5).place;
+            var landed:Vector3D = slider.moveVertically(body, dropped, -5).place;
+            assertTrue("it landed elsewhere: " + landed, landed.equals(expected) && landed.z > 1);
+            expected = new Slider().slide(body, body.rows, slid, new Vector3D(0.2, 0, 0), SlideLimits.NONE).place;
+            slid = slider.slide(body, body.rows, slid, new Vector3D(0.2, 0, 0), SlideLimits.NONE).place;
+            assertTrue("it slid elsewhere: " + slid, slid.equals(expected));
+        }
+
         /** A push out of what is very large may be long, but not where nothing large is near. */
         [Test]
         public function whatIsLargeAndFarAwayBringsNoRowsNearer():void

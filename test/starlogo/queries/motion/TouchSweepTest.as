@@ -103,9 +103,9 @@ package starlogo.queries.motion
         {
             var from:Vector3D = new Vector3D(2, 0, 2);
             assertStops(true, from, new Vector3D(-0.5, 0, 0));
-            assertTrue("deep", _result.hasPlanes);
+            assertTrue("deep", _result.startsPenetrating);
             assertStops(false, from, new Vector3D(9, 0, 0));
-            assertFalse("nothing stops it, so nothing is deep", _result.hasPlanes);
+            assertFalse("nothing stops it, so nothing is deep", _result.startsPenetrating);
         }
 
         private function assertStops(isStopped:Boolean, from:Vector3D, motion:Vector3D):void
@@ -158,7 +158,7 @@ package starlogo.queries.motion
 
         private function check(tree:Body):void
         {
-            if (_result.hasPlanes)
+            if (_result.startsPenetrating)
             {
                 assertEquals("the contact's plane stands for all triangles", -1, _result.contact.triangle);
                 _deep++;

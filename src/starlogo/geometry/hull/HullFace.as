@@ -144,7 +144,8 @@ package starlogo.geometry.hull
             return isInside(points, a, b, x, y, z) && isInside(points, b, c, x, y, z) && isInside(points, c, a, x, y, z);
         }
 
-        // Whether a point is inside of an edge, or at most HULL_COPLANAR outside.
+        // Whether a point is inside of an edge, or at most HULL_COPLANAR outside. It is then beyond neither end by more, because the lines of a narrow
+        // triangle's edges are close to each other far beyond its tip.
         private function isInside(points:Vector.<Number>, from:int, to:int, x:Number, y:Number, z:Number):Boolean
         {
             var fromX:Number = points[3 * from];
@@ -157,7 +158,14 @@ package starlogo.geometry.hull
             y -= fromY;
             z -= fromZ;
             var outside:Number = normalX * (edgeZ * y - edgeY * z) + normalY * (edgeX * z - edgeZ * x) + normalZ * (edgeY * x - edgeX * y);
-            return outside <= Tolerances.HULL_COPLANAR * Math.sqrt(edgeX * edgeX + edgeY * edgeY + edgeZ * edgeZ);
+            if (outside <= 0)
+            {
+                return true;
+            }
+            var along:Number = edgeX * x + edgeY * y + edgeZ * z;
+            var square:Number = edgeX * edgeX + edgeY * edgeY + edgeZ * edgeZ;
+            var slack:Number = Tolerances.HULL_COPLANAR * Math.sqrt(square);
+            return outside <= slack && along >= -slack && along <= square + slack;
         }
     }
 }

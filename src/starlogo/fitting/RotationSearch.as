@@ -47,11 +47,11 @@ package starlogo.fitting
         {
             var perAxis:int = Math.ceil(90 / incrementXY);
             var next:int = 0;
-            var least:Number;
+            var lowerBound:Number;
             call(function():void
                 {
                     _hull = session.hull;
-                    least = _hull.volume * (1 + Tolerances.FIT_TIE);
+                    lowerBound = _hull.volume * (1 + Tolerances.FIT_TIE);
                     _rotated = new Vector.<Number>(_hull.points.length);
                     for (var i:int = 0; i < _rotated.length; i += 3)
                     {
@@ -61,7 +61,7 @@ package starlogo.fitting
                 {
                     tryAboutZ(int(next / perAxis) * incrementXY, next % perAxis * incrementXY, incrementZ, next % 2 == 1);
                     next++;
-                    return next < perAxis * perAxis && _leastVolume > least;
+                    return next < perAxis * perAxis && _leastVolume > lowerBound;
                 });
         }
 

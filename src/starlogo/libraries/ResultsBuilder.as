@@ -57,7 +57,7 @@ package starlogo.libraries
             {
                 takeFrom(model.data.cooked);
             }
-            // it has the fitters' settings as they are now
+            // made now, so that later changes of the fitters' settings do not count
             var fitting:Steps = hasStructures ? null : structuresLibrary.newBuilder(model.name, structures);
             if (store == null || isComplete)
             {

@@ -41,6 +41,7 @@ package starlogo.libraries
     import support.FrameByFrame;
     import support.LibraryContents;
     import support.Mutations;
+    import support.PointSets;
     import support.SteppedModels;
     import support.Surfaces;
     import support.assertThrows;
@@ -55,8 +56,8 @@ package starlogo.libraries
         // What the twelve models' fits come to. Where it changes, raise FitSettings.REVISION: what players have kept is void.
         private static const FINGERPRINT:String = "0cb8523f4cf89d27";
 
-        // The same of their hulls.
-        private static const HULLS:String = "0efeb66201e6dfdf";
+        // The same of their hulls, and of that of a turned cube with many vertices on its sides.
+        private static const HULLS:String = "2bee007cdcd1a6fd";
 
         private var _greatLand:GreatLand = new GreatLand();
 
@@ -538,7 +539,8 @@ package starlogo.libraries
             var all:Fingerprint = new Fingerprint();
             _greatLand.loadHulls = true;
             _greatLand.loadHierarchies = false;
-            for each (var model:Model in SteppedModels.twelve())
+            var cube:Vector.<Number> = PointSets.turned(PointSets.box(0.5, 0.5, 0.5, 12), new SeededRandom(3));
+            for each (var model:Model in SteppedModels.twelve().concat(new Model("cube", cube)))
             {
                 var file:CookedFile = new CookedFile(_greatLand.cook(model));
                 finish(file);

@@ -162,11 +162,8 @@ package starlogo.fitting.hull
         // Queues an edge if it can collapse, unless it is queued already.
         private function queueEdge(edge:int):void
         {
-            if (!_solid.isOnSurface(edge) || isQueued(edge) || isTip(_solid.startOf(edge)) || isTip(_solid.endOf(edge)))
-            {
-                return;
-            }
-            if (_solid.findCollapse(edge, _collapse))
+            var mayCollapse:Boolean = _solid.isOnSurface(edge) && !isQueued(edge) && !isTip(_solid.startOf(edge)) && !isTip(_solid.endOf(edge));
+            if (mayCollapse && _solid.findCollapse(edge, _collapse))
             {
                 _queue.push(edge, _collapse.growth);
             }

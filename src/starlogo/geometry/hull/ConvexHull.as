@@ -218,13 +218,13 @@ package starlogo.geometry.hull
         private function number(corners:Vector.<int>):void
         {
             var given:Vector.<Number> = _simplex.vertices;
-            var positions:Vector.<int> = new Vector.<int>(apex);
-            var i:int;
-            for (i = 0; i < corners.length; i++)
+            var count:int = given.length / 3;
+            var positions:Vector.<int> = new Vector.<int>(count);
+            for each (var corner:int in corners)
             {
-                positions[corners[i]] = 1;
+                positions[corner] = 1;
             }
-            for (i = 0; i < apex; i++)
+            for (var i:int = 0; i < count; i++)
             {
                 if (positions[i] == 1)
                 {

@@ -138,26 +138,27 @@ package starlogo.geometry.hull
             return exact > 0 ? 1 : exact < 0 ? -1 : 0;
         }
 
-        /** Whether a point is over the triangle, or over a place that is at most HULL_COPLANAR outside of it. */
-        public function isAbove(points:Vector.<Number>, x:Number, y:Number, z:Number):Boolean
+        /** Whether a point is over the triangle, or over a place that is at most HULL_COPLANAR beside it. */
+        public function isOver(points:Vector.<Number>, x:Number, y:Number, z:Number):Boolean
         {
-            return isInside(points, a, b, x, y, z) && isInside(points, b, c, x, y, z) && isInside(points, c, a, x, y, z);
+            return isWithinEdge(points, a, b, x, y, z) && isWithinEdge(points, b, c, x, y, z) && isWithinEdge(points, c, a, x, y, z);
         }
 
-        // Whether a point is inside of an edge, or at most HULL_COPLANAR outside.
-        private function isInside(points:Vector.<Number>, from:int, to:int, x:Number, y:Number, z:Number):Boolean
+        // Whether a point is on the inner side of an edge, or at most HULL_COPLANAR beside it and past its ends. Beyond the tip of a narrow triangle,
+        // places far from the triangle are near the lines of two edges.
+        private function isWithinEdge(points:Vector.<Number>, from:int, to:int, x:Number, y:Number, z:Number):Boolean
         {
-            var fromX:Number = points[3 * from];
-            var fromY:Number = points[3 * from + 1];
-            var fromZ:Number = points[3 * from + 2];
-            var edgeX:Number = points[3 * to] - fromX;
-            var edgeY:Number = points[3 * to + 1] - fromY;
-            var edgeZ:Number = points[3 * to + 2] - fromZ;
-            x -= fromX;
-            y -= fromY;
-            z -= fromZ;
+            var edgeX:Number = points[3 * to] - points[3 * from];
+            var edgeY:Number = points[3 * to + 1] - points[3 * from + 1];
+            var edgeZ:Number = points[3 * to + 2] - points[3 * from + 2];
+            x -= points[3 * from];
+            y -= points[3 * from + 1];
+            z -= points[3 * from + 2];
             var outside:Number = normalX * (edgeZ * y - edgeY * z) + normalY * (edgeX * z - edgeZ * x) + normalZ * (edgeY * x - edgeX * y);
-            return outside <= Tolerances.HULL_COPLANAR * Math.sqrt(edgeX * edgeX + edgeY * edgeY + edgeZ * edgeZ);
+            var along:Number = edgeX * x + edgeY * y + edgeZ * z;
+            var square:Number = edgeX * edgeX + edgeY * edgeY + edgeZ * edgeZ;
+            var slack:Number = Tolerances.HULL_COPLANAR * Math.sqrt(square);
+            return outside <= 0 || (outside <= slack && along >= -slack && along <= square + slack);
         }
     }
 }

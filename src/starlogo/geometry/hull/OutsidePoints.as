@@ -118,7 +118,7 @@ package starlogo.geometry.hull
 
         /**
          * Puts a point on the list of a face that it lies beyond. If it lies beyond none of the faces, it is inside of the hull from now
-         * on. A point that is over a face or hardly beside it, not more than HULL_COPLANAR above it, is left out like one inside.
+         * on. A point that is at most HULL_COPLANAR above a face is left out like one inside, if it is over the face or at most as far beside it.
          */
         public function assign(point:int, faces:Vector.<HullFace>):void
         {
@@ -139,7 +139,7 @@ package starlogo.geometry.hull
                 }
                 if (distance > Tolerances.HULL_CERTAIN)
                 {
-                    if (face.isAbove(_points, x, y, z))
+                    if (face.isOver(_points, x, y, z))
                     {
                         return;
                     }

@@ -10,8 +10,8 @@ package starlogo.geometry.hull
      * <p>Quickhull over rounded numbers needs merging, because coplanar points break it otherwise. Here the faces that a new vertex sees are
      * found without rounding: coordinates are whole numbers up to 2^25, so a face's normal is exact in one double, and a point's side of the
      * face is exact in two. So coplanar, collinear and duplicate points need no special case: a point in a face's plane does not see that
-     * face. Which points become vertices is rounded: OutsidePoints leaves out a point that is over a face or hardly
-     * beside it, less than Tolerances.HULL_COPLANAR above it. So the hull is convex, and a point may be outside of it by that much.</p>
+     * face. Which points become vertices is rounded: OutsidePoints leaves out a point that is at most
+     * Tolerances.HULL_COPLANAR above a face and beside it. So the hull is convex, and a point may be outside of it by about that much.</p>
      *
      * <p>The cost is about n log n for n points, for curves and rings too: OutsidePoints chooses the next vertex so that few faces see it. A
      * step takes one or two milliseconds for thousands of points. A new vertex may take a pass over them all.</p>
@@ -97,7 +97,8 @@ package starlogo.geometry.hull
 
         private function grow():Boolean
         {
-            for (var testCount:int = 0; testCount <= TESTS_PER_STEP; testCount += TESTS_PER_FACE * _created.length)
+            var testCount:int = 0;
+            while (testCount <= TESTS_PER_STEP)
             {
                 var face:HullFace = _outside.nextFace();
                 if (face == null)
@@ -105,7 +106,7 @@ package starlogo.geometry.hull
                     return false;
                 }
                 replaceSeenFaces(face.farthest, face);
-                testCount += _outside.redistribute(_seen, _created) * _created.length;
+                testCount += (TESTS_PER_FACE + _outside.redistribute(_seen, _created)) * _created.length;
             }
             return true;
         }

@@ -57,6 +57,16 @@ package starlogo.geometry.hull
             assertEquals("0,20,273,293", new ConvexHull(floor).indices.join());
         }
 
+        // Vertex 3 is 8.6 steps of the grid outside of the others, beyond the tip of a narrow triangle.
+        [Test]
+        public function whatIsBeyondTheTipOfANarrowTriangleIsACorner():void
+        {
+            var side:Number = 33554432;
+            var hull:ConvexHull = new ConvexHull(new <Number>[0, 0, 0, side, side, side, 21877191, 9471874, 22887190, 21877225, 9471903, 22887210,
+                        21877240, 9471935, 22887222, 24349789, 13872224, 24589438, 1802418, 20444868, 22340784]);
+            checkSupport("tip", hull, 0.708, -0.676, 0.205);
+        }
+
         [Test]
         public function knowsItsDimension():void
         {
@@ -251,23 +261,25 @@ package starlogo.geometry.hull
             var p:Vector.<Number> = hull.points;
             for (var trial:int = 0; trial < 30; trial++)
             {
-                var x:Number = random.normal();
-                var y:Number = random.normal();
-                var z:Number = random.normal();
-                var length:Number = Math.sqrt(x * x + y * y + z * z);
-                var farthest:Number = -Infinity;
-                for (var i:int = 0; i < hull.vertices.length; i += 3)
-                {
-                    farthest = Math.max(farthest, hull.vertices[i] * x + hull.vertices[i + 1] * y + hull.vertices[i + 2] * z);
-                }
-                var best:Number = -Infinity;
-                for (i = 0; i < p.length; i += 3)
-                {
-                    best = Math.max(best, p[i] * x + p[i + 1] * y + p[i + 2] * z);
-                }
-                var missing:Number = (farthest - best) / length;
-                assertTrue(name + ": short by " + missing, missing <= FARTHEST_OUTSIDE * hull.extent);
+                checkSupport(name, hull, random.normal(), random.normal(), random.normal());
             }
+        }
+
+        private static function checkSupport(name:String, hull:ConvexHull, x:Number, y:Number, z:Number):void
+        {
+            var missing:Number = farthestAlong(hull.vertices, x, y, z) - farthestAlong(hull.points, x, y, z);
+            var allowed:Number = FARTHEST_OUTSIDE * hull.extent * Math.sqrt(x * x + y * y + z * z);
+            assertTrue(name + ": short by " + missing, missing <= allowed);
+        }
+
+        private static function farthestAlong(points:Vector.<Number>, x:Number, y:Number, z:Number):Number
+        {
+            var most:Number = -Infinity;
+            for (var i:int = 0; i < points.length; i += 3)
+            {
+                most = Math.max(most, points[i] * x + points[i + 1] * y + points[i + 2] * z);
+            }
+            return most;
         }
     }
 }

@@ -7,7 +7,7 @@ import path from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import vm from "node:vm";
-import { launch } from "../../build/headless/browsers.mjs";
+import { PATIENCE, launch } from "../../build/headless/browsers.mjs";
 import { serve } from "../../build/headless/server.mjs";
 import { publicSignatures } from "../../js/module/names.mjs";
 import { mayHaveNull } from "../../js/module/signatures.mjs";
@@ -43,7 +43,7 @@ function bundle(name, options = {}) {
 
 /** The JSON that a program prints in a process of its own. */
 function printedBy(program) {
-	return JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program], { encoding: "utf8" }));
+	return JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program], { encoding: "utf8", timeout: PATIENCE }));
 }
 
 /** The first lines of a program: it imports names of one of the package's modules, and lists its warnings in said. */
@@ -108,7 +108,10 @@ before(async () => {
 import { use } from "/use.js";
 window.use = use;
 `);
-	writeFileSync(path.join(work, "worker.js"), 'import { use } from "/use.js";\nuse(location.search.slice(1)).then(postMessage);\n');
+	writeFileSync(path.join(work, "worker.js"), `import { use } from "/use.js";
+// nobody hears of a promise that is rejected
+use(location.search.slice(1)).then(postMessage, (error) => setTimeout(() => { throw error; }));
+`);
 	writeFileSync(path.join(work, "use.js"), `const run = ${use};
 export async function use(name) {
 	const sample = await import(name);
@@ -1095,7 +1098,7 @@ test("bundled by esbuild it runs in Node, and what is not used is left out", asy
 	assert.ok(readFileSync(path.join(work, "unused.js")).length < 200);
 });
 
-test("it runs in a browser and in a Worker there, bundled or not, under a strict content security policy", async () => {
+test("it runs in a browser and in a Worker there, bundled or not, under a strict content security policy", { timeout: PATIENCE }, async () => {
 	const browser = await launch();
 	try {
 		const page = await browser.newPage();

@@ -143,7 +143,6 @@ package starlogo
         public function aModelMayBeRemoved():void
         {
             assertFalse(_greatLand.removeModel("cube"));
-            assertFalse(_greatLand.removeModel(null));
             _greatLand.addModel(BuiltInModel.cube());
             _greatLand.addModel(BuiltInModel.sphere());
             assertTrue(_greatLand.removeModel("cube"));

@@ -22,7 +22,7 @@ const WARNINGS = new Map([
 		"$warnOfAddition(this, breed, otherBreed);",
 	]),
 	["agents.Agent.moveTo", ["$warnOfPlace(this, x, y, z, false);"]],
-	["agents.Agent.jumpTo", ["$warnOfPlace(this, x, y, z, true);", "$warnOfJump(this, x, y, z);"]],
+	["agents.Agent.jumpTo", ["$warnOfPlace(this, x, y, z, true);", "$warnOfJump(this, x, y);"]],
 	["collision.Collision.snapshot", ["$warnOfSnapshot(this, withTraits);"]],
 	["collision.Collision.restore", ["$warnOfRestore(this, bytes, agents);"]],
 	["collision.Collision.removeHandler", ["$warnOfRemoval(this, breed, otherBreed, handler);"]],

@@ -29,7 +29,6 @@ package starlogo.libraries
                 add(name, vertices);
                 assertTrue(name, _library.has(name));
             }
-            assertFalse(_library.has(null));
         }
 
         [Test]

@@ -318,7 +318,6 @@ package starlogo.models
             fails(/accessor: its count of 5 with a stride of 1 reaches beyond the 4/, moved("translate.X", "0 0 0 0", "LINEAR").replace('"#OUTPUTf" count="4"', '"#OUTPUTf" count="5"'));
             fails(/animation_clip#c: it ends before it starts/, documentOf("", '<library_animation_clips><animation_clip id="c" start="2" end="1"/></library_animation_clips>'));
             fails(/no <animation> with the id "x"/, documentOf("", '<library_animation_clips><animation_clip><instance_animation url="#x"/></animation_clip></library_animation_clips>'));
-            fails(/there is nothing to read/, null);
             fails(/root element is <svg>/, "<svg/>");
             var far:ColladaAnimations = new ColladaAnimations("a", moved("translate.X", "-1e308 1e308 0 0", "LINEAR"));
             assertThrows(ModelError, /sampler#t: its numbers at 0.5 seconds are not finite/, far.verticesAt, 0, 0.5);

@@ -15,7 +15,6 @@ package starlogo.models
         [Test]
         public function whatIsNoDocument():void
         {
-            fails("", "there is nothing to read: the file's content is null", null);
             fails("", "not XML", "");
             fails("", "not XML", "hello");
             fails("", "not XML", "\u0089PNG\r\n\u001a\n");

@@ -227,7 +227,6 @@ package starlogo.models
             fails("line 5", "/1", SQUARE + "f 1 2 /1");
             fails("line 6", "1e9", SQUARE + "\nf 1 2 3 1e9x");
             fails("line 5", "no vertex 1000000000", SQUARE + "f 1 2 3 1e9");
-            Failures.assertFails("", "is null", create, ObjModel, "a", null);
             Failures.assertFails("", "name", create, ObjModel, "", SQUARE);
         }
 

@@ -33,7 +33,7 @@ let $lastWalk = null;
 const $MANY_JUMPS = 10;
 const $SHORT_JUMP = 1;
 
-/** How often platforms have jumped below a walker. */
+/** Of a platform that has jumped below a walker: by which way, below whom and where that one was, and how often in turn. */
 const $jumps = /* @__PURE__ */ new WeakMap();
 
 /** How many walks of one breed another has stopped, by the text of both. */
@@ -93,13 +93,22 @@ function $countStop({ interests, _pairIndices: met }, does, agent, other) {
 		+ "If it should bump into them, ask what has stopped it: the Footing's against");
 }
 
-/** Warns of a platform that moves by jumps while a walker stands on it: it carries nobody. */
-export function $warnOfJump(platform, x, y, z) {
-	if ($lastWalk?.footing.on !== platform || Math.hypot(x - platform.x, y - platform.y, z - platform.z) > $SHORT_JUMP) return;
-	const jumps = ($jumps.get(platform) ?? 0) + 1;
-	$jumps.set(platform, jumps);
+/**
+ * Warns of a platform that moves sideways by jumps, always by the same way, while a walker stands on it and does not move with it. A walk
+ * itself follows one that jumps up or down.
+ */
+export function $warnOfJump(platform, x, y) {
+	if ($lastWalk?.footing.on !== platform) return;
+	const { agent } = $lastWalk;
+	const way = [x - platform.x, y - platform.y];
+	const length = Math.hypot(...way);
+	const isSame = ([dx, dy]) => Math.hypot(dx - way[0], dy - way[1]) <= 0.2 * length;
+	const before = $jumps.get(platform);
+	const isLeft = before?.agent === agent && length > 0 && length < $SHORT_JUMP && isSame(before.way) && !isSame([agent.x - before.x, agent.y - before.y]);
+	const jumps = isLeft ? before.jumps + 1 : 0;
+	$jumps.set(platform, { way, agent, x: agent.x, y: agent.y, jumps });
 	if (jumps !== $MANY_JUMPS) return;
-	$warn(`${platform} is moved by jumpTo() while ${$lastWalk.agent} stands on it. A jump carries nobody: a platform that moves has moveTo()`, "jump");
+	$warn(`${platform} is moved by jumpTo() while ${agent} stands on it. A jump carries nobody: a platform that moves has moveTo()`, "jump");
 }
 
 /**

@@ -49,7 +49,6 @@ package starlogo.models.files
         [Test]
         public function saysWhatIsWrongWithBytes():void
         {
-            fails("is null", null);
             fails("empty", new ByteArray());
             fails("binary", bytesOf("\u0089PNG\r\n\u001A\n", "iso-8859-1", [], 40));
             fails("binary", bytesOf("<COLLADA>\u00E9" + new Array(3000).join(" "), "utf-8", [], 40));

@@ -36,7 +36,7 @@ package starlogo.models.collada
         private var _attributes:Object;
 
         // The first element of the document with each name and id, and with each sid; and of the elements of which a child was asked for, the first
-        // child with each name, and with each name and childKey. All elements share it.
+        // child with each name, and with each name and key of child(). All elements share it.
         private var _elements:Object;
 
         // for an element that is a transform: the transform, after it was first needed
@@ -126,16 +126,12 @@ package starlogo.models.collada
                 _elements[prefix] = this;
                 for each (var element:ColladaElement in children)
                 {
+                    var keyName:String = element.name == "input" ? "semantic" : (element.name == "instance_material" ? "symbol" : "id");
                     _elements[prefix + element.name] ||= element;
-                    _elements[prefix + element.name + "#" + element.childKey] ||= element;
+                    _elements[prefix + element.name + "#" + element.attribute(keyName)] ||= element;
                 }
             }
             return _elements[prefix + (key == null ? name : name + "#" + key)];
-        }
-
-        private function get childKey():String
-        {
-            return attribute(name == "input" ? "semantic" : (name == "instance_material" ? "symbol" : "id"));
         }
 
         /** The first child element with a name. @throws ModelError if there is none */

@@ -19,7 +19,7 @@ package soak
                     "OBJ: empty lines", "OBJ: spaces", "UTF-16",
                     "XML: small elements", "XML: siblings", "XML: deep", "XML: attributes", "XML: entities", "XML: laughs", "XML: comments",
                     "XML: broken at the end",
-                    "COLLADA: zigzags in many meshes", "COLLADA: a polygon with many holes", "COLLADA: many lists of corners",
+                    "COLLADA: zigzags in many meshes", "COLLADA: a polygon with many holes", "COLLADA: a long hole after others", "COLLADA: many lists of corners",
                     "COLLADA: many primitives", "COLLADA: many meshes of one source", "COLLADA: an error among siblings",
                     "COLLADA: transforms placed again", "COLLADA: instances placed again", "COLLADA: controllers",
                     "COLLADA: deep nodes", "COLLADA: long numbers", "COLLADA: counts"].concat(HostileGltf.names);
@@ -104,7 +104,9 @@ package soak
                 case "COLLADA: zigzags in many meshes":
                     return zigzagMeshes(size);
                 case "COLLADA: a polygon with many holes":
-                    return holes(size);
+                    return holes(size, 0);
+                case "COLLADA: a long hole after others":
+                    return holes(70 * Math.sqrt(8 * size), size / 5);
                 case "COLLADA: many lists of corners":
                     return Collada.document(Collada.geometry("a", POINTS, "<triangles>" + Collada.INPUT + times("<p>0 1 2</p>", size / 12) +
                                 "</triangles>"));
@@ -148,7 +150,7 @@ package soak
             return parts.join("");
         }
 
-        // The outline of a comb, whose teeth hide each other's corners: ears are far to seek.
+        // The outline of a comb, whose teeth hide each other's corners: most triangles have corners in them.
         private static function zigzag(corners:int, toText:Function):String
         {
             var parts:Array = [];
@@ -191,7 +193,8 @@ package soak
             return Collada.document(times(geometry, size / geometry.length));
         }
 
-        private static function holes(size:int):String
+        // Many holes, and beside them a last one, which goes forth and back so often.
+        private static function holes(size:int, turns:int):String
         {
             var points:Array = ["-1 -1 0 1e6 -1 0 1e6 1e6 0 -1 1e6 0"];
             var holes:Array = [];
@@ -201,7 +204,7 @@ package soak
                 holes.push("<h>" + (3 * i + 4) + " " + (3 * i + 5) + " " + (3 * i + 6) + "</h>");
             }
             return Collada.document(Collada.geometry("a", points.join(" "), '<polygons count="1">' + Collada.INPUT + "<ph><p>0 1 2 3</p>" +
-                        holes.join("") + "</ph></polygons>"));
+                        holes.join("") + (turns > 0 ? "<h>" + times("1 2 ", turns) + "</h>" : "") + "</ph></polygons>"));
         }
 
         private static function meshesOfOneSource(size:int):String

@@ -56,7 +56,10 @@ package starlogo.debug
                     drawArcs(lines, Sphere(structure).center, Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, Sphere(structure).radius, 360);
                     break;
                 case BoundingStructure.BOX:
-                    drawBox(lines, Box(structure));
+                    var box:Box = Box(structure);
+                    drawEdges(lines, box.center, box.axisX, box.halfX, box.axisY, box.halfY, box.axisZ, box.halfZ);
+                    drawEdges(lines, box.center, box.axisY, box.halfY, box.axisZ, box.halfZ, box.axisX, box.halfX);
+                    drawEdges(lines, box.center, box.axisZ, box.halfZ, box.axisX, box.halfX, box.axisY, box.halfY);
                     break;
                 case BoundingStructure.CAPSULE:
                     var capsule:Capsule = Capsule(structure);
@@ -167,13 +170,6 @@ package starlogo.debug
                 throw new RangeError("there is no vertex " + index);
             }
             return new Vector3D(vertices[3 * index], vertices[3 * index + 1], vertices[3 * index + 2]);
-        }
-
-        private static function drawBox(lines:Vector.<Number>, box:Box):void
-        {
-            drawEdges(lines, box.center, box.axisX, box.halfX, box.axisY, box.halfY, box.axisZ, box.halfZ);
-            drawEdges(lines, box.center, box.axisY, box.halfY, box.axisZ, box.halfZ, box.axisX, box.halfX);
-            drawEdges(lines, box.center, box.axisZ, box.halfZ, box.axisX, box.halfX, box.axisY, box.halfY);
         }
 
         // Draws the edges of a hull, without its radius.

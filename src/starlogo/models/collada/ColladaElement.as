@@ -35,8 +35,8 @@ package starlogo.models.collada
         // the values of the attributes, by keyOf() their names
         private var _attributes:Object;
 
-        // The first element of the document with each name and id, and with each sid; and the first child of each element with each name, and with
-        // each name and childKey. All elements share it.
+        // The first element of the document with each name and id, and with each sid; and of the elements of which a child was asked for, the first
+        // child with each name, and with each name and key of child(). All elements share it.
         private var _elements:Object;
 
         // for an element that is a transform: the transform, after it was first needed
@@ -60,20 +60,12 @@ package starlogo.models.collada
             if (parent != null)
             {
                 parent.children.push(this);
-                // no name has a space
-                addKey(parent.index + " " + name);
-                addKey(parent.index + " " + name + "#" + childKey);
             }
             if (id != "")
             {
-                addKey(name + "#" + id);
+                _elements[keyOf(name + "#" + id)] ||= this;
             }
-            addKey("#" + attribute("sid"));
-        }
-
-        private function addKey(key:String):void
-        {
-            _elements[keyOf(key)] ||= this;
+            _elements[keyOf("#" + attribute("sid"))] ||= this;
         }
 
         /** The element's id; "" if it has none. */
@@ -127,12 +119,19 @@ package starlogo.models.collada
          */
         public function child(name:String, key:String = null):ColladaElement
         {
-            return _elements[keyOf(index + " " + name + (key == null ? "" : "#" + key))];
-        }
-
-        private function get childKey():String
-        {
-            return attribute(name == "input" ? "semantic" : (name == "instance_material" ? "symbol" : "id"));
+            // no name has a space
+            var prefix:String = keyOf(index + " ");
+            if (_elements[prefix] == null)
+            {
+                _elements[prefix] = this;
+                for each (var element:ColladaElement in children)
+                {
+                    var keyName:String = element.name == "input" ? "semantic" : (element.name == "instance_material" ? "symbol" : "id");
+                    _elements[prefix + element.name] ||= element;
+                    _elements[prefix + element.name + "#" + element.attribute(keyName)] ||= element;
+                }
+            }
+            return _elements[prefix + (key == null ? name : name + "#" + key)];
         }
 
         /** The first child element with a name. @throws ModelError if there is none */

@@ -32,19 +32,13 @@ package starlogo.models.polygons
             var end:Number = Math.max(0, budget.cornerTestsLeft - PolygonRings.TESTS_PER_STEP);
             while (_hole < _rings.starts.length && budget.cornerTestsLeft > end)
             {
-                weldEdges(end);
-                if (_edge == _rings.starts[_ring])
-                {
-                    _ring = (_ring + 1) % _hole;
-                    _hole += _ring == 0 ? 1 : 0;
-                    _edge = _rings.starts[_ring];
-                }
+                weldHole(end);
             }
             return _hole < _rings.starts.length && budget.cornerTestsLeft > 0;
         }
 
-        // Welds edges of the ring to the hole, until all are done, or as few tests are left as are given.
-        private function weldEdges(testsLeft:Number):void
+        // Welds the present hole to the edges of the rings before it, until all are done, or as few tests are left as are given.
+        private function weldHole(testsLeft:Number):void
         {
             var xs:Vector.<Number> = _rings.x;
             var hole:int = _rings.starts[_hole];
@@ -76,8 +70,18 @@ package starlogo.models.polygons
                 }
                 _rings.budget.spendCornerTests(tests);
                 _edge = _rings.next[_edge];
+                if (_edge == _rings.starts[_ring])
+                {
+                    _edge = _rings.starts[++_ring];
+                }
             }
-            while (_edge != _rings.starts[_ring] && _rings.budget.cornerTestsLeft > testsLeft);
+            while (_ring < _hole && _rings.budget.cornerTestsLeft > testsLeft);
+            if (_ring == _hole)
+            {
+                _hole++;
+                _ring = 0;
+                _edge = 0;
+            }
         }
 
         // Moves a node to where an edge of another ring begins, or adds a copy of it to the edge, if it is there.

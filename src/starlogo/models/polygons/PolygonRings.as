@@ -33,10 +33,8 @@ package starlogo.models.polygons
         /** The vertex of each node. */
         internal var vertex:Vector.<uint> = new Vector.<uint>();
 
-        /** The next node in the ring, for each node. */
+        /** The next and the previous node in the ring, for each node. */
         internal var next:Vector.<int> = new Vector.<int>();
-
-        /** The previous node in the ring, for each node. */
         internal var previous:Vector.<int> = new Vector.<int>();
 
         /** A node of the outline, and of each hole that is not joined to another ring. Read only. */
@@ -142,8 +140,8 @@ package starlogo.models.polygons
             return scaled + ROUNDER - ROUNDER;
         }
 
-        /** Whether two nodes have the same coordinates. */
-        internal function areAtOnePlace(node:int, other:int):Boolean
+        // Whether two nodes have the same coordinates.
+        private function areAtOnePlace(node:int, other:int):Boolean
         {
             return x[node] == x[other] && y[node] == y[other];
         }
@@ -221,12 +219,15 @@ package starlogo.models.polygons
         private function connect(tip:int):Boolean
         {
             var hole:int = 0;
-            var nearest:int = nearestInTriangle(tip, next[next[tip]], previous[tip], -1);
-            for (var i:int = 1; i < starts.length; i++)
+            var nearest:int = -1;
+            for (var i:int = 0; i < starts.length; i++)
             {
-                var ofHole:int = nearestInTriangle(tip, starts[i], starts[i], nearest);
-                hole = ofHole == nearest ? hole : i;
-                nearest = ofHole;
+                var nearer:int = nearestInTriangle(tip, i == 0 ? tip : starts[i], nearest);
+                if (nearer != nearest)
+                {
+                    nearest = nearer;
+                    hole = i;
+                }
             }
             if (nearest < 0)
             {
@@ -250,10 +251,9 @@ package starlogo.models.polygons
             return true;
         }
 
-        // Of nodes that are in the triangle of a left turn, and of a node found before (-1 for none), the one that a line meets first which turns about the
-        // corner before the tip, away from the tip. No edge can be between the tip and this node. It looks at the nodes of a ring from one node on,
-        // before another one.
-        private function nearestInTriangle(tip:int, from:int, end:int, found:int):int
+        // The node in the triangle of a left turn that is nearest to the side before the tip, by the angle at this side's start. So no edge is between the
+        // tip and this node. It looks at the nodes of a ring, and at the node found before (-1 for none).
+        private function nearestInTriangle(tip:int, start:int, found:int):int
         {
             var before:int = previous[tip];
             var after:int = next[tip];
@@ -261,7 +261,7 @@ package starlogo.models.polygons
             var maxX:Number = Math.max(x[before], x[tip], x[after]);
             var nearest:int = found;
             var count:int = 0;
-            var node:int = from;
+            var node:int = start;
             do
             {
                 // most corners are beside the triangle
@@ -273,7 +273,7 @@ package starlogo.models.polygons
                 count++;
                 node = next[node];
             }
-            while (node != end);
+            while (node != start);
             budget.spendCornerTests(count);
             return nearest;
         }
@@ -284,7 +284,8 @@ package starlogo.models.polygons
             return Math.abs(x[to] - x[from]) + Math.abs(y[to] - y[from]);
         }
 
-        // Whether a node is in the triangle of a left turn, and sees the tip. If it is at the tip, whether its ring goes into the triangle.
+        // Whether a node is in the triangle of a left turn, and a line from it to the tip begins inside the polygon. If it is at the tip, whether its ring
+        // goes into the triangle.
         private function isInTriangle(node:int, before:int, tip:int, after:int):Boolean
         {
             // most corners are beyond the third side
@@ -293,11 +294,11 @@ package starlogo.models.polygons
                 return false;
             }
             return areAtOnePlace(node, tip) ? goesInto(node, before, tip, after)
-                : orient2d(before, tip, node) >= 0 && orient2d(tip, after, node) >= 0 && sees(node, tip);
+                : orient2d(before, tip, node) >= 0 && orient2d(tip, after, node) >= 0 && isLocallyInside(node, tip);
         }
 
-        // Whether the direction from a node to another place goes into the polygon.
-        private function sees(node:int, other:int):Boolean
+        // Whether a line from a node to another one begins inside the polygon.
+        private function isLocallyInside(node:int, other:int):Boolean
         {
             var isAfterNext:Boolean = orient2d(node, next[node], other) > 0;
             var isBeforePrevious:Boolean = orient2d(node, other, previous[node]) > 0;

@@ -265,9 +265,9 @@ test("the types of functions are the same wherever they stand, what subclasses s
 	const parameters = [{ name: "agent", type: "Agent", value: null, isRest: false }];
 	const declared = writeDeclarations(new Map([agents, ["of", { ...finish, name: "of", parameters, result: "Agent" }], ...types.filter(([, type]) => type.name === "Agent")]));
 	assert.match(declared, /export function of\(agent: Agent\): Agent;/);
-	const withSetter = types.find(([, type]) => type.members.some((member) => member.kind === "set" && !member.isStatic))[1];
+	const [qname, withSetter] = types.find(([, type]) => type.members.some((member) => member.kind === "set" && !member.isStatic));
 	const members = withSetter.members.map((member) => (member.kind === "set" ? { ...member, isProtected: true } : member));
-	assert.match(writeDeclarations(new Map([["a", { ...withSetter, members }]])), /^\tprotected set \w+/m);
+	assert.match(writeDeclarations(new Map([...types, [qname, { ...withSetter, members }]])), /^\tprotected set \w+/m);
 	for (const [docs, isSo] of [["null for a mesh", true], ["null for an object", true], ["null for all", false], ["null for any", false]]) {
 		assert.equal(mayHaveNull(docs), isSo, docs);
 	}

@@ -540,7 +540,9 @@ package starlogo.libraries
             _greatLand.loadHulls = true;
             _greatLand.loadHierarchies = false;
             var cube:Vector.<Number> = PointSets.turned(PointSets.box(0.5, 0.5, 0.5, 12), new SeededRandom(3));
-            for each (var model:Model in SteppedModels.twelve().concat(new Model("cube", cube)))
+            var models:Vector.<Model> = SteppedModels.twelve();
+            models.push(new Model("cube", cube));
+            for each (var model:Model in models)
             {
                 var file:CookedFile = new CookedFile(_greatLand.cook(model));
                 finish(file);

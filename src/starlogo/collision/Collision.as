@@ -2,8 +2,8 @@
 // 1. HandlerTable (in the room handlers) takes the handlers as they are now. SearchInput asks the game's filter who takes part.
 // 2. Collider, the base of the collision systems, searches for the pairs: CollisionSearch, in the room search. In its place BaseCollider asks a
 // system of the game's own, and PairReader reads what that has found.
-// 3. HandlerCalls lets FrameContacts compute the contacts that handlers take. It calls the handlers for ended touches (TouchTracker), then those of pairs.
-// Snapshots (snapshots/) goes back to earlier frames. Read this file first, then Collider, HandlerCalls, and CollisionSearch.
+// 3. HandlerDispatcher lets FrameContacts compute the contacts that handlers take. It calls handlers for ended touches (TouchTracker), then for pairs.
+// Snapshots (snapshots/) goes back to earlier frames. Read this file first, then Collider, HandlerDispatcher, and CollisionSearch.
 package starlogo.collision
 {
     import flash.errors.IllegalOperationError;
@@ -107,7 +107,7 @@ package starlogo.collision
 
         private var _statistics:CollisionStatistics = new CollisionStatistics();
         private var _handlers:HandlerTable = new HandlerTable();
-        private var _calls:HandlerCalls = new HandlerCalls(_handlers);
+        private var _dispatcher:HandlerDispatcher = new HandlerDispatcher(_handlers);
         private var _handlerErrors:Vector.<Error> = new Vector.<Error>();
         private var _pairReader:PairReader = new PairReader();
         private var _snapshots:Snapshots = new Snapshots();
@@ -302,7 +302,7 @@ package starlogo.collision
             }
             finally
             {
-                _calls.endFrame();
+                _dispatcher.endFrame();
                 frameStep = Collider.IDLE;
                 _frameSystem = null;
                 if (_heldGround != null)
@@ -395,7 +395,7 @@ package starlogo.collision
                 _heldGround = frameInput.ground.surface.grid;
                 _heldGround.hold();
             }
-            _statistics.handlerCalls = _calls.callHandlers(pairs, system, lastFrame.tracker, agents, _handlerErrors);
+            _statistics.handlerCalls = _dispatcher.callHandlers(pairs, system, lastFrame.tracker, agents, _handlerErrors);
             var searched:Collider = system.samePairsCollider;
             lastFrame.search = searched == null ? null : searched.search;
         }

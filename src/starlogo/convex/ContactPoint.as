@@ -34,7 +34,7 @@ package starlogo.convex
          */
         public var isDeepestOfA:Boolean = false;
 
-        /** If so, no way out of b is shorter for the deepest point: a length. 0 if no bound is known. */
+        /** If so, no exit of the deepest point from b is shorter: a length. 0 if no bound is known. */
         public var exitBound:Number = 0;
 
         /** Becomes the same as another contact. */

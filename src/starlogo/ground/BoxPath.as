@@ -119,20 +119,20 @@ package starlogo.ground
         public function findPassage(level:int, column:int, row:int, out:SquarePassage):Boolean
         {
             out.reset(search.motion.latestTime);
-            return narrowToSquare(level, column, row, out);
+            return clipToSquare(level, column, row, out);
         }
 
         /** Finds the passage over a cell until the time that was the latest when the search began. The box passes over the cell. */
         public function findLongestPassage(column:int, row:int, out:SquarePassage):void
         {
             out.reset(_latest);
-            narrowToSquare(0, column, row, out);
+            clipToSquare(0, column, row, out);
         }
 
-        // Narrows a passage to the part in which the box is over a square, and finds its heights. Returns whether there is such a part.
-        private function narrowToSquare(level:int, column:int, row:int, passage:SquarePassage):Boolean
+        // Clips a passage to the part in which the box is over a square, and finds its heights. Returns whether there is such a part.
+        private function clipToSquare(level:int, column:int, row:int, passage:SquarePassage):Boolean
         {
-            if (!narrowAlong(alongX, column, level, passage) || !narrowAlong(alongY, row, level, passage))
+            if (!clipAlong(alongX, column, level, passage) || !clipAlong(alongY, row, level, passage))
             {
                 return false;
             }
@@ -146,9 +146,9 @@ package starlogo.ground
             return true;
         }
 
-        // Narrows a passage to the part in which the box is over a column or a row. If the box does not move along this axis, it is near enough to the
+        // Clips a passage to the part in which the box is over a column or a row. If the box does not move along this axis, it is near enough to the
         // column or row all the time or never. Returns whether there is such a part.
-        private function narrowAlong(axis:AxisPath, square:int, level:int, passage:SquarePassage):Boolean
+        private function clipAlong(axis:AxisPath, square:int, level:int, passage:SquarePassage):Boolean
         {
             var speed:Number = axis.speed;
             var width:Number = widthAt(level);

@@ -1,6 +1,6 @@
 // This room keeps a game's handlers, and the touches that begin and end. HandlerTable takes what a game adds (HandlerList), and finds what a
-// frame calls for two breeds (PairHandlers); TouchTracker keeps the touches, and finds which of them go on. Read this file first, then HandlerCalls in
-// the room collision, which calls them.
+// frame calls for two breeds (PairHandlers); TouchTracker keeps the touches, and finds which of them go on. Read this file first, then the room
+// collision's HandlerDispatcher, which calls them.
 package starlogo.handlers
 {
     import starlogo.agents.Agent;

@@ -11,8 +11,8 @@ package starlogo.handlers
         /** The handlers of all phases, in the order of their calls. */
         public var handlers:Vector.<CollisionHandler>;
 
-        /** The number of handlers whose collider is the first agent. */
-        public var countForFirst:int;
+        /** The index at which the handlers begin whose collider is the second agent. */
+        public var splitIndex:int;
 
         /** The phases of the handlers that take the contact of a touch: a sum of CollisionHandler.START and EVERY_FRAME. */
         public var contactPhases:int = 0;
@@ -27,7 +27,7 @@ package starlogo.handlers
         public function PairHandlers(ofFirst:Vector.<CollisionHandler>, ofSecond:Vector.<CollisionHandler>)
         {
             handlers = ofFirst.sort(compare).concat(ofSecond.sort(compare));
-            countForFirst = ofFirst.length;
+            splitIndex = ofFirst.length;
             for each (var handler:CollisionHandler in handlers)
             {
                 phases |= handler.phase;

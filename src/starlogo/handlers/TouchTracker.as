@@ -11,7 +11,7 @@ package starlogo.handlers
 
     /**
      * Keeps the touches of a Collision from frame to frame, and finds which of them begin, go on and end. A frame calls
-     * <code>beginFrame()</code> and <code>endNotContinued()</code> before its handlers, and <code>endFrame()</code> after them. If the search has only
+     * <code>beginFrame()</code> and <code>endLostTouches()</code> before its handlers, and <code>endFrame()</code> after them. If the search has only
      * updated the pairs of the last one, kept pairs keep their touches without a look at their agents. Objects of ended touches are used again, so it
      * allocates nothing unless there are more touches than before.
      *
@@ -89,8 +89,8 @@ package starlogo.handlers
             return _starting;
         }
 
-        /** Ends the touches that do not go on in this frame. */
-        public function endNotContinued():void
+        /** Ends the lost touches: those that do not go on in this frame. */
+        public function endLostTouches():void
         {
             for (var index:int = 0; index < _lastFrames.length; index++)
             {

@@ -16,7 +16,7 @@ package starlogo.search
      * A shape at a place in the world: what tests take. Each row of a table has a body. A question makes bodies: of an agent as it is now, of a
      * structure (StructureBody), or of another body at another place.
      *
-     * <p>Only the table of a row moves the row's body.</p>
+     * <p>The body owns its extents. Only the table of a row moves the row's body, and copies these extents into its columns, for the bins.</p>
      *
      * @private
      */

@@ -247,19 +247,20 @@ package starlogo.search
             var standing:Extents = _table.extents;
             _interval.reset(1);
             _interval.margin = level.slack;
-            return narrow(standing.x, standing.halfX, _motions.displacements.x, a, b) && narrow(standing.y, standing.halfY, _motions.displacements.y, a, b)
-                && narrow(standing.z, standing.halfZ, _motions.displacements.z, a, b);
+            return clipAlong(standing.x, standing.halfX, _motions.displacements.x, a, b)
+                && clipAlong(standing.y, standing.halfY, _motions.displacements.y, a, b)
+                && clipAlong(standing.z, standing.halfZ, _motions.displacements.z, a, b);
         }
 
-        // Narrows the interval by one direction. It gets the places at the end of the motions, half the lengths, and the motions.
-        private function narrow(at:Vector.<Number>, half:Vector.<Number>, motion:Vector.<Number>, a:int, b:int):Boolean
+        // Clips the interval by one direction. It gets the places at the end of the motions, half the lengths, and the motions.
+        private function clipAlong(at:Vector.<Number>, half:Vector.<Number>, motion:Vector.<Number>, a:int, b:int):Boolean
         {
             // The reverse of what ContactInterval names: row a seen from row b. The interval is the same.
             var speed:Number = motion[a] - motion[b];
             _interval.offset = at[a] - at[b] - speed;
             _interval.speed = speed;
             _interval.halfExtents = half[a] + half[b];
-            return _interval.narrow();
+            return _interval.clip();
         }
     }
 }

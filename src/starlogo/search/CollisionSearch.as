@@ -61,8 +61,8 @@ package starlogo.search
         private var _depth:int = 0;
         private var _isFiltered:Boolean = false;
 
-        // Whether ChangedRows has the cells of the members, so that the next search may begin with these pairs.
-        private var _areCellsCurrent:Boolean = false;
+        // Whether the next search may update these pairs, because ChangedRows has the cells of the members.
+        private var _canUpdatePairs:Boolean = false;
 
         // The bodies of agents that have changed since the search.
         private var _bodyA:Body = new Body();
@@ -96,8 +96,8 @@ package starlogo.search
                 throw new IllegalOperationError("findCollisions must not be called from bind(), while the collider searches");
             }
             // if the search throws, the next one is of all rows
-            var wereCellsCurrent:Boolean = _areCellsCurrent;
-            _areCellsCurrent = false;
+            var couldUpdatePairs:Boolean = _canUpdatePairs;
+            _canUpdatePairs = false;
             readInput(input);
             // tests since the last search, as those of questions, do not count
             narrowPhase.counts.clear();
@@ -108,7 +108,7 @@ package starlogo.search
                 findOfAll(input);
                 return _pairs;
             }
-            if (wereCellsCurrent && tryMoveChanged(input))
+            if (couldUpdatePairs && tryMoveChanged(input))
             {
                 findOfChanged(input);
             }
@@ -116,7 +116,7 @@ package starlogo.search
             {
                 _changedRows.begin(findOfAll(input));
             }
-            _areCellsCurrent = true;
+            _canUpdatePairs = true;
             return _pairs;
         }
 
@@ -185,11 +185,10 @@ package starlogo.search
         /** The table was read without a search: the next search is one of all rows. */
         public function invalidatePairs():void
         {
-            _areCellsCurrent = false;
+            _canUpdatePairs = false;
         }
 
-        // Reads the input into the table. The motions are read before the table reads the places, because they begin at
-        // those of the last search.
+        // Reads the input into the table. The motions are read before the places, because they begin at those of the last search.
         private function readInput(input:SearchInput):void
         {
             table.setList(input.agents);

@@ -34,11 +34,11 @@ package starlogo.search
         /** By pair: the index of its touch, which the TouchTracker writes, or NO_TOUCH. Pairs that are kept for the next search keep it. */
         public var touchIndices:Vector.<int> = new Vector.<int>();
 
-        /** The list to which rows are written when the pairs or their order change: see <code>exchangeLists()</code>. */
-        internal var spareRows:Vector.<int> = new Vector.<int>();
+        /** The back buffer of <code>rows</code>: other pairs, or the pairs in another order, are written here before <code>swapBuffers()</code>. */
+        internal var backRows:Vector.<int> = new Vector.<int>();
 
-        // The same for the touches.
-        private var _spareTouchIndices:Vector.<int> = new Vector.<int>();
+        // The back buffer of touchIndices.
+        private var _backTouchIndices:Vector.<int> = new Vector.<int>();
 
         /** @param listed has the agent of each row */
         public function FoundPairs(listed:ListedAgents)
@@ -88,16 +88,16 @@ package starlogo.search
             {
                 write(kept + added, found.rows[int(2 * added)], found.rows[int(2 * added + 1)], NO_TOUCH);
             }
-            exchangeLists();
+            swapBuffers();
             count = kept + added;
         }
 
-        // Writes a pair of two rows to the spare lists.
+        // Writes a pair of two rows to the back buffers.
         private function write(to:int, a:int, b:int, touchIndex:int):void
         {
-            spareRows[int(2 * to)] = a;
-            spareRows[int(2 * to + 1)] = b;
-            _spareTouchIndices[to] = touchIndex;
+            backRows[int(2 * to)] = a;
+            backRows[int(2 * to + 1)] = b;
+            _backTouchIndices[to] = touchIndex;
         }
 
         // Whether a pair comes before a pair of two rows in the order of the list.
@@ -108,29 +108,29 @@ package starlogo.search
             return index < listIndices[a] || index == listIndices[a] && listIndices[rows[int(2 * pair + 1)]] < listIndices[b];
         }
 
-        /** Makes room for a number of pairs in the spare lists. */
+        /** Makes room for a number of pairs in the back buffers. */
         internal function makeRoom(pairCount:int):void
         {
             // they grow by an eighth, because a vector that grows a little in each frame is copied each time
-            if (spareRows.length < 2 * pairCount)
+            if (backRows.length < 2 * pairCount)
             {
-                spareRows.length = 2 * (pairCount + (pairCount >> 3));
+                backRows.length = 2 * (pairCount + (pairCount >> 3));
             }
-            if (_spareTouchIndices.length < pairCount)
+            if (_backTouchIndices.length < pairCount)
             {
-                _spareTouchIndices.length = pairCount + (pairCount >> 3);
+                _backTouchIndices.length = pairCount + (pairCount >> 3);
             }
         }
 
-        /** Exchanges the lists of the pairs and the spare ones. */
-        internal function exchangeLists():void
+        /** Swaps the lists of the pairs and their back buffers. */
+        internal function swapBuffers():void
         {
             var rowsBefore:Vector.<int> = rows;
-            rows = spareRows;
-            spareRows = rowsBefore;
+            rows = backRows;
+            backRows = rowsBefore;
             var touchesBefore:Vector.<int> = touchIndices;
-            touchIndices = _spareTouchIndices;
-            _spareTouchIndices = touchesBefore;
+            touchIndices = _backTouchIndices;
+            _backTouchIndices = touchesBefore;
         }
 
         /** Adds a pair of two rows. */

@@ -37,10 +37,10 @@ package starlogo.search
             for (i = 0; i < pairs.count; i++)
             {
                 var pair:int = order[i];
-                pairs.spareRows[int(2 * i)] = pairs.rows[int(2 * pair)];
-                pairs.spareRows[int(2 * i + 1)] = pairs.rows[int(2 * pair + 1)];
+                pairs.backRows[int(2 * i)] = pairs.rows[int(2 * pair)];
+                pairs.backRows[int(2 * i + 1)] = pairs.rows[int(2 * pair + 1)];
             }
-            pairs.exchangeLists();
+            pairs.swapBuffers();
             return earlyCount;
         }
 

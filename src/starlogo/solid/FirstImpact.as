@@ -12,7 +12,7 @@ package starlogo.solid
      * makes the contact. So there the order of a model's triangles decides.
      *
      * <p>What touches at time 0 ends the search: the first one found makes the contact, because nothing is earlier. If the models overlap there, it
-     * depends on the order of the triangles which one that is. The way out of an overlap is another search.</p>
+     * depends on the order of the triangles which one that is. The push out of an overlap is another search.</p>
      *
      * @private
      */

@@ -6,7 +6,7 @@ package starlogo.ground
     import starlogo.convex.ContactPoint;
     import support.Complaints;
 
-    /** How long ways out of the ground are at least, beside a search of many. */
+    /** How long exits from the ground are at least, beside a search of many. */
     public class GroundExitsTest
     {
         private static const WIDTH:Number = 0.5;
@@ -18,7 +18,7 @@ package starlogo.ground
         private var _contact:ContactPoint = new ContactPoint();
 
         [Test]
-        public function noWayOutIsShorterThanTheBound():void
+        public function noExitIsShorterThanTheBound():void
         {
             var known:int = 0;
             var count:int = 3000;
@@ -50,7 +50,7 @@ package starlogo.ground
 
         // At a border between columns the ground ends beside a point that is higher than the lower column, and at the border of the grid it ends too.
         [Test]
-        public function atABorderOfColumnsThereIsAWayOutOfNoLength():void
+        public function atABorderOfColumnsThereIsAnExitOfNoLength():void
         {
             var grid:HeightGrid = new HeightGrid(SIDE, SIDE, WIDTH, -2, -2);
             grid.isBlocky = true;

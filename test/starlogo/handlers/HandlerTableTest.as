@@ -137,7 +137,7 @@ package starlogo.handlers
             {
                 if (!pair.handlers[i].isRemoved)
                 {
-                    found.push(textOf(i < pair.countForFirst, pair.handlers[i].phase, pair.handlers[i].callback));
+                    found.push(textOf(i < pair.splitIndex, pair.handlers[i].phase, pair.handlers[i].callback));
                 }
             }
             assertEquals(callsOf("bears", "trees", true).concat(callsOf("trees", "bears", false)).join("\n"), found.join("\n"));

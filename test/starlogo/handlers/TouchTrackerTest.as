@@ -227,7 +227,7 @@ package starlogo.handlers
                 touching += _tracker.touchAt(i) == null ? 0 : 1;
             }
             assertEquals("all others go on", _found.count, starting.count + touching);
-            _tracker.endNotContinued();
+            _tracker.endLostTouches();
             return starting.count;
         }
 

@@ -63,7 +63,7 @@ package starlogo.intersection.boxes
         public function findTimeOfImpact(pair:BoxPair, motion:RelativeMotion):void
         {
             _times.reset(motion.latestTime);
-            writeTime(narrowByFaces(pair, motion) && narrowByEdges(pair, motion), motion);
+            writeTime(clipByFaces(pair, motion) && clipByEdges(pair, motion), motion);
         }
 
         /**
@@ -74,7 +74,7 @@ package starlogo.intersection.boxes
         public function findTimeOfFaces(pair:BoxPair, motion:RelativeMotion):void
         {
             _times.reset(motion.latestTime);
-            writeTime(narrowByFaces(pair, motion), motion);
+            writeTime(clipByFaces(pair, motion), motion);
         }
 
         // Sweeps box a past b, and leaves the time in _motion. While a moves, b moves in the opposite direction as seen from a.
@@ -104,8 +104,8 @@ package starlogo.intersection.boxes
             motion.time = areTouching ? Math.min(_times.timeOfImpact, _times.latestTime) : RelativeMotion.NEVER;
         }
 
-        // Narrows the interval by the faces of both. Returns whether anything is left.
-        private function narrowByFaces(pair:BoxPair, motion:RelativeMotion):Boolean
+        // Clips the interval by the faces of both. Returns whether anything is left.
+        private function clipByFaces(pair:BoxPair, motion:RelativeMotion):Boolean
         {
             var rotation:Placement = pair.rotation;
             var fromX:Number = pair.offsetX;
@@ -117,46 +117,46 @@ package starlogo.intersection.boxes
             var bHalfX:Number = pair.bHalfX;
             var bHalfY:Number = pair.bHalfY;
             var bHalfZ:Number = pair.bHalfZ;
-            return narrow(pair, fromX, motion.x, aHalfX + bHalfX * pair.abs00 + bHalfY * pair.abs01 + bHalfZ * pair.abs02, 1)
-                && narrow(pair, fromY, motion.y, aHalfY + bHalfX * pair.abs10 + bHalfY * pair.abs11 + bHalfZ * pair.abs12, 1)
-                && narrow(pair, fromZ, motion.z, aHalfZ + bHalfX * pair.abs20 + bHalfY * pair.abs21 + bHalfZ * pair.abs22, 1)
-                && narrow(pair, fromX * rotation.r00 + fromY * rotation.r10 + fromZ * rotation.r20,
+            return clipByAxis(pair, fromX, motion.x, aHalfX + bHalfX * pair.abs00 + bHalfY * pair.abs01 + bHalfZ * pair.abs02, 1)
+                && clipByAxis(pair, fromY, motion.y, aHalfY + bHalfX * pair.abs10 + bHalfY * pair.abs11 + bHalfZ * pair.abs12, 1)
+                && clipByAxis(pair, fromZ, motion.z, aHalfZ + bHalfX * pair.abs20 + bHalfY * pair.abs21 + bHalfZ * pair.abs22, 1)
+                && clipByAxis(pair, fromX * rotation.r00 + fromY * rotation.r10 + fromZ * rotation.r20,
                     rotation.r00 * motion.x + rotation.r10 * motion.y + rotation.r20 * motion.z,
                     bHalfX + aHalfX * pair.abs00 + aHalfY * pair.abs10 + aHalfZ * pair.abs20, 1)
-                && narrow(pair, fromX * rotation.r01 + fromY * rotation.r11 + fromZ * rotation.r21,
+                && clipByAxis(pair, fromX * rotation.r01 + fromY * rotation.r11 + fromZ * rotation.r21,
                     rotation.r01 * motion.x + rotation.r11 * motion.y + rotation.r21 * motion.z,
                     bHalfY + aHalfX * pair.abs01 + aHalfY * pair.abs11 + aHalfZ * pair.abs21, 1)
-                && narrow(pair, fromX * rotation.r02 + fromY * rotation.r12 + fromZ * rotation.r22,
+                && clipByAxis(pair, fromX * rotation.r02 + fromY * rotation.r12 + fromZ * rotation.r22,
                     rotation.r02 * motion.x + rotation.r12 * motion.y + rotation.r22 * motion.z,
                     bHalfZ + aHalfX * pair.abs02 + aHalfY * pair.abs12 + aHalfZ * pair.abs22, 1);
         }
 
-        // Narrows the interval by an axis, if it is longer than rounding. Returns whether anything is left. @param size at least the length of the axis
-        private function narrow(pair:BoxPair, offset:Number, speed:Number, halfExtents:Number, size:Number):Boolean
+        // Clips the interval by an axis, if it is longer than rounding. Returns whether anything is left. @param size at least the length of the axis
+        private function clipByAxis(pair:BoxPair, offset:Number, speed:Number, halfExtents:Number, size:Number):Boolean
         {
             var times:ContactInterval = _times;
             times.offset = offset;
             times.speed = speed;
             times.halfExtents = halfExtents;
             times.margin = pair.margin * size;
-            return !(size > SHORTEST) || times.narrow();
+            return !(size > SHORTEST) || times.clip();
         }
 
-        // Narrows the interval by the edges of both. Returns whether anything is left. The boxes are projected in full on the cross product of an edge of
+        // Clips the interval by the edges of both. Returns whether anything is left. The boxes are projected in full on the cross product of an edge of
         // each. So even a short cross product of nearly parallel edges is an axis like any other. The test uses no identity between axes, because
         // rounding would break it.
-        private function narrowByEdges(pair:BoxPair, motion:RelativeMotion):Boolean
+        private function clipByEdges(pair:BoxPair, motion:RelativeMotion):Boolean
         {
             pair.rotation.readRows(_rows, 0);
             _halves[0] = pair.bHalfX;
             _halves[1] = pair.bHalfY;
             _halves[2] = pair.bHalfZ;
-            return narrowAcross(pair, motion, 0, 1, 2) && narrowAcross(pair, motion, 1, 2, 0) && narrowAcross(pair, motion, 2, 0, 1);
+            return clipAcross(pair, motion, 0, 1, 2) && clipAcross(pair, motion, 1, 2, 0) && clipAcross(pair, motion, 2, 0, 1);
         }
 
-        // Narrows the interval by the cross products of edge p of b and the three edges of a, which are the coordinate axes. q and r are b's other edges.
+        // Clips the interval by the cross products of edge p of b and the three edges of a, which are the coordinate axes. q and r are b's other edges.
         // All three are columns of the rotation. Returns whether anything is left.
-        private function narrowAcross(pair:BoxPair, motion:RelativeMotion, p:int, q:int, r:int):Boolean
+        private function clipAcross(pair:BoxPair, motion:RelativeMotion, p:int, q:int, r:int):Boolean
         {
             var rows:Vector.<Number> = _rows;
             var halfQ:Number = _halves[q];
@@ -173,11 +173,11 @@ package starlogo.intersection.boxes
             var sizeX:Number = Math.abs(pX);
             var sizeY:Number = Math.abs(pY);
             var sizeZ:Number = Math.abs(pZ);
-            return narrow(pair, pair.offsetZ * pY - pair.offsetY * pZ, motion.z * pY - motion.y * pZ,
+            return clipByAxis(pair, pair.offsetZ * pY - pair.offsetY * pZ, motion.z * pY - motion.y * pZ,
                     pair.aHalfY * sizeZ + pair.aHalfZ * sizeY + Math.abs(qZ * pY - qY * pZ) + Math.abs(rZ * pY - rY * pZ), sizeY + sizeZ)
-                && narrow(pair, pair.offsetX * pZ - pair.offsetZ * pX, motion.x * pZ - motion.z * pX,
+                && clipByAxis(pair, pair.offsetX * pZ - pair.offsetZ * pX, motion.x * pZ - motion.z * pX,
                     pair.aHalfZ * sizeX + pair.aHalfX * sizeZ + Math.abs(qX * pZ - qZ * pX) + Math.abs(rX * pZ - rZ * pX), sizeX + sizeZ)
-                && narrow(pair, pair.offsetY * pX - pair.offsetX * pY, motion.y * pX - motion.x * pY,
+                && clipByAxis(pair, pair.offsetY * pX - pair.offsetX * pY, motion.y * pX - motion.x * pY,
                     pair.aHalfX * sizeY + pair.aHalfY * sizeX + Math.abs(qY * pX - qX * pY) + Math.abs(rY * pX - rX * pY), sizeX + sizeY);
         }
     }

@@ -4,7 +4,7 @@ package starlogo.intersection.boxes
 
     /**
      * The interval of time in which no axis tried so far separates two moving shapes. Callers write how the shapes move along an axis of any length, and
-     * then narrow the interval by it. The margin is included in the decision whether they touch at all. The time of impact does not include it.
+     * then clip the interval by it. The margin is included in the decision whether they touch at all. The time of impact does not include it.
      *
      * @private
      */
@@ -41,8 +41,8 @@ package starlogo.intersection.boxes
             this.latestTime = latestTime;
         }
 
-        /** Narrows the interval to the time in which the axis does not separate the shapes. Returns whether anything is left. If not, they do not touch. */
-        public function narrow():Boolean
+        /** Clips the interval to the time in which the axis does not separate the shapes. Returns whether anything is left. If not, they do not touch. */
+        public function clip():Boolean
         {
             var from:Number = offset;
             var rise:Number = speed;

@@ -116,7 +116,7 @@ package starlogo.search.pairs
         }
 
         /**
-         * The cover of the ground is all below its greatest height under the body, so the way out leads straight up.
+         * The cover of the ground is all below its greatest height under the body, so the push leads straight up.
          *
          * @inheritDoc
          */

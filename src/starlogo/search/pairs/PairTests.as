@@ -152,7 +152,7 @@ package starlogo.search.pairs
             return a.margin + b.margin;
         }
 
-        /** The largest extent of the two, which tolerances of a way out are fractions of. It is 0 for two points. */
+        /** The largest extent of the two, which tolerances of a push are fractions of. It is 0 for two points. */
         public function largestExtentOf(a:Body, b:Body):Number
         {
             return 2 * Math.max(a.maxHalf, b.maxHalf);
@@ -182,7 +182,7 @@ package starlogo.search.pairs
         }
 
         /**
-         * Finds the contact of convex covers of two bodies, where they are. The way out of the covers leads out of the bodies too. Convex bodies are
+         * Finds the contact of convex covers of two bodies, where they are. A push out of the covers leads out of the bodies too. Convex bodies are
          * their own covers.
          */
         public function findContactOfCovers(a:Body, b:Body, out:ContactPoint):void

@@ -6,15 +6,15 @@ package starlogo.search.penetration
     /**
      * Finds the distance at which two touching bodies are free of each other if the first one moves along a direction. It tries places farther and
      * farther away until the two do not touch. Then it sweeps back to the place where they part. The surfaces have a normal at that place.
-     * Along this normal the way out is usually shorter. For convex bodies it always is, because it is at most the depth times the cosine of
+     * Along this normal the push is usually shorter. For convex bodies it always is, because it is at most the depth times the cosine of
      * the angle between the two directions. So it tries that normal next, as Je, Tang, Lee, Lee and Kim do ("PolyDepth: Real-time penetration depth
      * computation using iterative contact-space projection", 2012). It improves a direction twice at most.
      */
     internal final class DirectionSearch
     {
         /**
-         * The search improves the direction of a contact whose depth is more than this fraction of the largest extent. The search for a way out
-         * also begins with steps of this length. After a push that is longer, PenetrationSearch tries one against the motion too.
+         * The search improves the direction of a contact whose depth is more than this fraction of the largest extent. The search for a push
+         * also begins with steps of this length. After a longer push of PushOut, PenetrationSearch tries one against the motion too.
          */
         internal static const MIN_DEPTH_TO_IMPROVE:Number = 1 / 256;
 
@@ -53,7 +53,7 @@ package starlogo.search.penetration
         }
 
         /**
-         * Finds a way out along a direction, or a better one along normals that it meets.
+         * Finds a push along a direction, or a shorter one along normals that it meets.
          *
          * @param guess a contact with the direction; its depth is the first guess of the distance
          * @param out receives the normal, the depth and the point
@@ -68,7 +68,7 @@ package starlogo.search.penetration
         }
 
         /**
-         * Shortens a way out.
+         * Shortens a push.
          *
          * @param free a displacement after which the two do not touch
          * @param out receives the normal, the depth and the point
@@ -99,7 +99,7 @@ package starlogo.search.penetration
             correctDepth(out);
         }
 
-        // Starts along the normal of the surfaces where the two parted. Returns whether the way out along it is shorter than a contact's depth.
+        // Starts along the normal of the surfaces where the two parted. Returns whether the push along it is shorter than a contact's depth.
         private function startAlongNormal(contact:ContactPoint):Boolean
         {
             var cosine:Number = _parting.normalX * contact.normalX + _parting.normalY * contact.normalY + _parting.normalZ * contact.normalZ;
@@ -126,10 +126,10 @@ package starlogo.search.penetration
             return _inner == 0;
         }
 
-        // Finds the contact at the place where the two part (_parting). The distance of this place becomes the depth of the way out.
+        // Finds the contact at the place where the two part (_parting). The distance of this place becomes the depth, the length of the push.
         private function sweepBack(out:ContactPoint):void
         {
-            narrow(SWEPT_WIDTH * _pair.largestExtent);
+            bisect(SWEPT_WIDTH * _pair.largestExtent);
             _tried.distance = _inner;
             _pair.displace(_tried);
             // the first body is at the inner distance, so its motion from the outer one is against the direction
@@ -147,7 +147,7 @@ package starlogo.search.penetration
         }
 
         // Halves the interval until it is no longer than a width. The width may be less than the distance between two Numbers as large as the ends.
-        private function narrow(width:Number):void
+        private function bisect(width:Number):void
         {
             for (var i:int = 0; i < MAX_HALVINGS && _outer - _inner > width; i++)
             {
@@ -179,7 +179,7 @@ package starlogo.search.penetration
                 }
                 _outer = _tried.distance;
             }
-            narrow(probe);
+            bisect(probe);
             out.depth = (_outer + _inner) / 2;
         }
 

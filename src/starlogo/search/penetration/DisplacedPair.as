@@ -1,6 +1,6 @@
-// This folder finds short ways out of overlaps, for contacts that separate two bodies. A DisplacedPair puts the first body to places that are tried.
-// A PenetrationSearch tries pushes out of all contacts so far (PushOut, with HalfSpaceSolver), looks for the end of a way along one direction
-// (DirectionSearch), and tries places above the ground (PlacesAbove). An exit leads one point out, a way out the whole body.
+// This folder finds short pushes out of overlaps, for contacts that separate two bodies. A DisplacedPair puts the first body to places that are tried.
+// A PenetrationSearch tries pushes out of all contacts so far (PushOut, with HalfSpaceSolver), looks for the end of a push along one direction
+// (DirectionSearch), and tries places above the ground (PlacesAbove). An exit leads one point out, a push the whole body.
 // Read this file first, then PenetrationSearch, then PushOut.
 package starlogo.search.penetration
 {
@@ -45,7 +45,7 @@ package starlogo.search.penetration
 
         /**
          * How far a depth may be off, in patches: see PairTests.depthToleranceOf. It is more than the gap of rounding, because two bodies touch across
-         * that gap: no way out would ever seem free to a search that goes less far.
+         * that gap: no push would ever seem free to a search that goes less far.
          */
         public var tolerance:Number = 0;
 
@@ -89,8 +89,8 @@ package starlogo.search.penetration
         }
 
         /**
-         * A way out past several sides counts only if the first body is free this much farther along it too. Otherwise it ends in a gap between parts
-         * of the second body. A way out that is not longer is short enough.
+         * A push past several sides counts only if the first body is free this much farther along it too. Otherwise it ends in a gap between parts
+         * of the second body. A push that is not longer is short enough.
          */
         public function get minOpening():Number
         {

@@ -9,7 +9,7 @@ package starlogo.search.penetration
     use namespace engine;
 
     /**
-     * Finds a short way out of an overlap: nearly the minimum translation that separates two bodies. It pushes the first body out along the normals
+     * Finds a short push out of an overlap: nearly the minimum translation that separates two bodies. It pushes the first body out along the normals
      * that it meets (PushOut). If an exit may be much shorter than this push, it also tries the direction that leads out of convex covers of the two
      * (DirectionSearch). If the second body is the ground, it tries many places above the ground after that (PlacesAbove).
      *
@@ -17,15 +17,15 @@ package starlogo.search.penetration
      */
     public final class PenetrationSearch
     {
-        // No other way is tried if each exit is at least this fraction of the push. Smaller: contacts are longer. Larger: most searches in smooth ground
-        // try all places.
+        // No other push is tried if each exit is at least this fraction of the push. Smaller: contacts are longer. Larger: most searches in smooth
+        // ground try all places.
         private static const MIN_EXIT_RATIO:Number = 0.68;
 
         private var _pair:DisplacedPair;
         private var _directions:DirectionSearch;
         private var _pushOut:PushOut;
 
-        // What is known about the ways out of the ground, and places above it. Null if the second body is not the ground.
+        // What is known about the exits from the ground, and places above it. Null if the second body is not the ground.
         private var _groundExits:GroundExits;
         private var _placesAbove:PlacesAbove;
 
@@ -36,7 +36,7 @@ package starlogo.search.penetration
 
         /**
          * @param pair the two bodies are those of its last beginning
-         * @param groundExits what is known about the ways out of the ground; null if the second body is not the ground. Then the deepest point of no
+         * @param groundExits what is known about the exits from the ground; null if the second body is not the ground. Then the deepest point of no
          *     contact is known
          * @param placesAbove of the pair; null if the second body is not the ground
          */
@@ -61,13 +61,13 @@ package starlogo.search.penetration
             _pair.setTo(a, b, motion);
             if (!_pair.findGrazing(motion, out))
             {
-                findWayOut(motion, out);
+                findPush(motion, out);
             }
             _pair.finish(out);
         }
 
-        // Finds a way out for two bodies that touch.
-        private function findWayOut(motion:RelativeMotion, out:ContactPoint):void
+        // Finds a push for two bodies that touch.
+        private function findPush(motion:RelativeMotion, out:ContactPoint):void
         {
             _contact.copyFrom(out);
             out.depth = Infinity;
@@ -92,7 +92,7 @@ package starlogo.search.penetration
             }
         }
 
-        // Whether no other way is tried, because a depth is short, or because no exit is much shorter.
+        // Whether no other push is tried, because a depth is short, or because no exit is much shorter.
         private function isShortEnough(depth:Number):Boolean
         {
             // a point of the body that is deep where a push ended also has to get out from where the push began
@@ -106,7 +106,7 @@ package starlogo.search.penetration
             return contact.exitBound >= least || contact.isDeepestOfA && _groundExits.boundOf(_pair.second.shape.grid, contact, depth) >= least;
         }
 
-        // Tries the shortest way out of covers of the two. If there is no push, it is taken, however long it is.
+        // Tries the shortest push out of covers of the two. If PushOut has found none, it is taken, however long it is.
         private function tryOutOfCovers(isPushed:Boolean, out:ContactPoint):void
         {
             _pair.putBack();

@@ -6,11 +6,10 @@ package starlogo.search.penetration
     import starlogo.geometry.HalfSpaceSolver;
 
     /**
-     * Shortens a way out of the ground. All places above a free one are free. So if a way out is shorter than another one, the body is also free
-     * somewhere on the upper half of the sphere around it whose radius is the longer way. The search tries places that are spread over this half. From a
+     * Shortens a push out of the ground. All places above a free one are free. So if a push is shorter than another one, the body is also free
+     * somewhere on the upper half of the sphere around it whose radius is the longer push. The search tries places that are spread over this half. From a
      * free one, a sweep down finds how high the body has to be there, and from there it slides back towards its own place, as long as this shortens the
-     * way. Then the radius is that of the shorter way. Pits that are hardly wider than the body may have no such place, so places above pushes are
-     * tried too.
+     * push, which becomes the radius. Pits hardly wider than the body may have no such place, so places above blocked pushes are tried too.
      *
      * @private
      */
@@ -31,14 +30,14 @@ package starlogo.search.penetration
         // The planes that the body slides along. The displacement out of them is the place where it slides to.
         private var _planes:HalfSpaceSolver = new HalfSpaceSolver();
 
-        // The length of the shortest way out so far, a place above which one is looked for, another one as high as the body can begin, and the end of a
-        // way that is tried.
+        // The length of the shortest push so far, a place above which one is looked for, another one as high as the body can begin, and the end of a
+        // push that is tried.
         private var _shortest:Number = 0;
         private var _place:Vector3D = new Vector3D();
         private var _above:Vector3D = new Vector3D();
         private var _tried:Displacement = new Displacement();
 
-        // The displacement along the shortest way at which the body was found free: a little beyond the way's end.
+        // The displacement along the shortest push at which the body was found free: a little beyond the push's end.
         private var _free:Displacement = new Displacement();
 
         // A sweep, and the contact at its end.
@@ -52,11 +51,11 @@ package starlogo.search.penetration
         }
 
         /**
-         * Shortens a way out.
+         * Shortens a push.
          *
          * @param pushOut has tried pushes of the two
-         * @param directions finds the end of the shortest way
-         * @param out the normal and the depth lead the first body out; receives those of a shorter way if one is found
+         * @param directions finds the end of the shortest push
+         * @param out the normal and the depth lead the first body out; receives those of a shorter push if one is found
          */
         internal function shorten(pushOut:PushOut, directions:DirectionSearch, out:ContactPoint):void
         {
@@ -79,14 +78,14 @@ package starlogo.search.penetration
             }
             if (_shortest < out.depth)
             {
-                // the body may touch between the way's end and the place where it is free
+                // the body may touch between the push's end and the place where it is free
                 directions.shorten(_free, out);
             }
         }
 
-        // Tries to put the body above a place beside its own, as far from its own as the shortest way is long. If it is free there, finds a shorter way. It is
-        // tried minOpening farther to the side, and the way ends before that. So the body is free a little farther along the way too, even between
-        // walls that are as far apart as it is wide.
+        // Tries to put the body above a place beside its own, as far from its own as the shortest push is long. If it is free there, finds a shorter
+        // push. It is tried minOpening farther to the side, and the push ends before that. So the body is free a little farther along the push too,
+        // even between walls that are as far apart as it is wide.
         private function tryAbove(place:Vector3D):void
         {
             var along:Number = Math.sqrt(place.x * place.x + place.y * place.y);
@@ -114,7 +113,7 @@ package starlogo.search.penetration
             }
         }
 
-        // Takes the way to a place if it is shorter than the others and the first body is free a distance beyond it. Returns whether it is taken.
+        // Takes the push to a place if it is shorter than the others and the first body is free a distance beyond it. Returns whether it is taken.
         private function takeIfFree(x:Number, y:Number, z:Number, beyond:Number):Boolean
         {
             var length:Number = Math.sqrt(x * x + y * y + z * z);
@@ -134,8 +133,8 @@ package starlogo.search.penetration
             return true;
         }
 
-        // Slides the first body back from the end of the shortest way until a slide hardly shortens it. What a body slides along may be round, so at
-        // the end of a slide it may have left the planes that it met first, and is free to go on.
+        // Slides the first body back from the end of the shortest push, until a slide hardly shortens the push. What a body slides along may be round,
+        // so at the end of a slide it may have left the planes that it met first, and is free to go on.
         private function slideBackRepeatedly():void
         {
             var before:Number;
@@ -147,8 +146,8 @@ package starlogo.search.penetration
             while (_shortest < DirectionSearch.MAX_BETTER_RATIO * before);
         }
 
-        // Slides the first body from the end of the shortest way back towards its own place. What it meets are planes that it slides along. Takes the way
-        // to where it ends, if the body is free as far beyond as after a push, because it may have slid into a gap.
+        // Slides the first body back towards its own place, from the end of the shortest push. What it meets are planes that it slides along. Takes the
+        // push to where the slide ends, if the body is free minOpening beyond, because it may have slid into a gap.
         private function slideBack():void
         {
             var x:Number = _shortest * _free.directionX;

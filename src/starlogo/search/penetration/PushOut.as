@@ -37,7 +37,7 @@ package starlogo.search.penetration
          */
         public var lastBlocked:ContactPoint = new ContactPoint();
 
-        // The push: the shortest way out of the contacts that decide about it, whose depths are from where the body was at the beginning.
+        // The push: the shortest out of the contacts that decide about it, whose depths are from where the body was at the beginning.
         private var _push:HalfSpaceSolver = new HalfSpaceSolver();
 
         // The contact after a push, or the first contact displaced by it.

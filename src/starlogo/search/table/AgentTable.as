@@ -49,7 +49,7 @@ package starlogo.search.table
         /** By row: the agent's revision at which the row was read; NOT_READ if it is read with the next list in any case. */
         engine var revisions:Vector.<int> = new Vector.<int>();
 
-        /** By row: the extents of the shape at that place. */
+        /** By row: the extents of the row's body at that place, copied for the bins. */
         engine var extents:Extents = new Extents();
 
         /** The number of rows read last whose models are still loading. */
@@ -409,7 +409,7 @@ package starlogo.search.table
             extents.follow(places, row);
         }
 
-        // Writes the extents of a row's body, which has another shape, turn or size than before.
+        // Copies the extents of a row's body, which has another shape, turn or size than before.
         private function writeExtents(row:int, body:Body):void
         {
             extents.offsets.x[row] = body.offsetX;

@@ -21,7 +21,7 @@ package starlogo.search.penetration
     import support.agentAt;
     import support.assertClose;
 
-    /** A ball whose middle is 0.4 below the top of a wide box: the shortest way out is straight up. */
+    /** A ball whose middle is 0.4 below the top of a wide box: the shortest push is straight up. */
     public class DirectionSearchTest
     {
         private static const RADIUS:Number = 0.1;

@@ -71,12 +71,12 @@ package starlogo.search.penetration
         }
 
         /**
-         * The point of a contact is in the middle of the way out: once the collider is out, both touch a little ball there, half of the depth on. Trees
-         * that touch at several places may have their point between these. A collider that is shorter than the way out has its point in
+         * The point of a contact is in the middle of the push: once the collider is out, both touch a little ball there, half of the depth on. Trees
+         * that touch at several places may have their point between these. A collider that is shorter than the push has its point in
          * its own middle, so only contacts count that are shallower than half of the smaller size.
          */
         [Test]
-        public function pointsAreInTheMiddleOfTheWayOut():void
+        public function pointsAreInTheMiddleOfThePush():void
         {
             var ball:Agent = new Agent("sphere");
             for each (var name:String in SYSTEMS)
@@ -108,9 +108,9 @@ package starlogo.search.penetration
             }
         }
 
-        /** Along a part of a long way out the two may be free. The point belongs to the way that is left, not to the long one. */
+        /** Along a part of a long push the two may be free. The point belongs to the push that is left, not to the long one. */
         [Test]
-        public function thePointOfAShortWayOutIsWhereTheTwoTouch():void
+        public function thePointOfAShortPushIsWhereTheTwoTouch():void
         {
             var greatLand:GreatLand = landOf(new Model("triangle", new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0], new <uint>[0, 1, 2], Model.AS_GIVEN),
                     BuiltInModel.box(0.00001, 1, 2, "sheet"));
@@ -373,9 +373,9 @@ package starlogo.search.penetration
             return new Model("corner", corners, triangles, Model.AS_GIVEN);
         }
 
-        // The way out of one sheet often leads into another.
+        // The push out of one sheet often leads into another.
         [Test]
-        public function noWayOutOfALargeCrossIsTwiceAsLongAsNeeded():void
+        public function noPushOutOfALargeCrossIsTwiceAsLongAsNeeded():void
         {
             var land:GreatLand = new GreatLand();
             for each (var degrees:Number in [15, 40, 80])
@@ -393,7 +393,7 @@ package starlogo.search.penetration
                 {
                     rest--;
                     var contact:Contact = collider.contactOf(small, large);
-                    _wrong.addIf(isFreeNearby(collider, small, large, contact.depth / 2), "a way out that is too long", describe(small, large, contact));
+                    _wrong.addIf(isFreeNearby(collider, small, large, contact.depth / 2), "a push that is too long", describe(small, large, contact));
                 }
             }
             _wrong.assertNone();

@@ -14,7 +14,7 @@ package starlogo.collision
     use namespace engine;
 
     /** Calls the handlers of a frame: first for touches that have ended, then for the pairs. If a handler throws, the next one is still called. */
-    internal final class HandlerCalls
+    internal final class HandlerDispatcher
     {
         // In place of the index of a pair: a touch that has ended.
         private static const NO_PAIR:int = -1;
@@ -43,7 +43,7 @@ package starlogo.collision
         private var _callCount:int = 0;
 
         /** @param table the handlers of each pair of breeds */
-        public function HandlerCalls(table:HandlerTable)
+        public function HandlerDispatcher(table:HandlerTable)
         {
             _table = table;
         }
@@ -72,7 +72,7 @@ package starlogo.collision
                 _contacts.begin();
                 findContacts(starting);
             }
-            tracker.endNotContinued();
+            tracker.endLostTouches();
             callAll((_table.all.phases & CollisionHandler.EVERY_FRAME) == 0 ? starting : null, errors);
             return _callCount;
         }
@@ -154,12 +154,13 @@ package starlogo.collision
 
         private function callForEnded(touch:Touch):void
         {
-            beginCalls(touch.firstBreed, touch.secondBreed);
-            callUntil(NO_PAIR, touch.first, touch.second, CollisionHandler.END, touch.hasReachedSecond ? _handlersOfPair.handlers.length : _handlersOfPair.countForFirst);
+            ensureHandlers(touch.firstBreed, touch.secondBreed);
+            var end:int = touch.hasReachedSecond ? _handlersOfPair.handlers.length : _handlersOfPair.splitIndex;
+            callRemaining(NO_PAIR, touch.first, touch.second, CollisionHandler.END, end);
         }
 
-        // Finds the handlers of a pair or ended touch, unless its calls have begun. The breeds count as they are when the calls begin.
-        private function beginCalls(firstBreed:int, secondBreed:int):void
+        // Finds the handlers of a pair or ended touch, unless an error has interrupted its calls. The breeds count as they are when the calls begin.
+        private function ensureHandlers(firstBreed:int, secondBreed:int):void
         {
             if (_handlersOfPair == null)
             {
@@ -172,11 +173,11 @@ package starlogo.collision
         {
             var first:Agent = _pairs.firstOf(pair);
             var second:Agent = _pairs.secondOf(pair);
-            beginCalls(first.breedNumber, second.breedNumber);
+            ensureHandlers(first.breedNumber, second.breedNumber);
             var end:int = _handlersOfPair.handlers.length;
             if (!_handlersOfPair.tracksTouches)
             {
-                callUntil(pair, first, second, CollisionHandler.EVERY_FRAME, end);
+                callRemaining(pair, first, second, CollisionHandler.EVERY_FRAME, end);
                 return;
             }
             var touch:Touch = _tracker.touchAt(pair);
@@ -190,10 +191,10 @@ package starlogo.collision
             }
             // a touch of an earlier frame that has not reached the second agent has ended
             var isStarting:Boolean = !touch.hasReachedSecond;
-            callUntil(pair, first, second, isStarting ? CollisionHandler.EVERY_FRAME | CollisionHandler.START : CollisionHandler.EVERY_FRAME, end);
+            callRemaining(pair, first, second, isStarting ? CollisionHandler.EVERY_FRAME | CollisionHandler.START : CollisionHandler.EVERY_FRAME, end);
             if (isStarting)
             {
-                touch.hasReachedSecond = _nextHandler > _handlersOfPair.countForFirst || _nextHandler == end;
+                touch.hasReachedSecond = _nextHandler > _handlersOfPair.splitIndex || _nextHandler == end;
                 if (!touch.hasReachedSecond)
                 {
                     _tracker.dropAt(pair);
@@ -201,12 +202,12 @@ package starlogo.collision
             }
         }
 
-        // Calls the handlers of the phases from the next one to an index. In the first frame of a touch, those for starts come before those for every
+        // Calls the remaining handlers of the phases, up to an index. In the first frame of a touch, those for starts come before those for every
         // frame. An ended touch has no contact, and its agents may have left the list: pass NO_PAIR. For a pair it stops when one of the two has left.
-        private function callUntil(pair:int, first:Agent, second:Agent, phases:int, end:int):void
+        private function callRemaining(pair:int, first:Agent, second:Agent, phases:int, end:int):void
         {
             var handlers:Vector.<CollisionHandler> = _handlersOfPair.handlers;
-            var countForFirst:int = _handlersOfPair.countForFirst;
+            var splitIndex:int = _handlersOfPair.splitIndex;
             while (_nextHandler < end)
             {
                 var handler:CollisionHandler = handlers[_nextHandler];
@@ -215,7 +216,7 @@ package starlogo.collision
                 {
                     return;
                 }
-                var isSecondCollider:Boolean = _nextHandler >= countForFirst;
+                var isSecondCollider:Boolean = _nextHandler >= splitIndex;
                 _nextHandler++;
                 if (isOfPhases && !handler.isRemoved)
                 {

@@ -33,7 +33,7 @@ const COLD = {
 	'starlogo.solid.interior.ShellFinder': 'when a model loads',
 	'starlogo.solid.interior.ComponentFinder': 'when a model loads',
 	'starlogo.solid.interior.SurfaceTopology': 'when a model loads',
-	'starlogo.solid.interior.Welding': 'when a model loads',
+	'starlogo.solid.interior.VertexWelder': 'when a model loads',
 	'starlogo.search.BaseShapeChoice': 'when agents get other models, and when models are replaced',
 	'starlogo.search.BreedInterests': 'made when handlers change',
 	'starlogo.terrain.TerrainSurface': 'when the ground is drawn anew',

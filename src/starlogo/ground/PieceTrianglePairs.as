@@ -106,7 +106,7 @@ package starlogo.ground
             while (pieces.next())
             {
                 beginPiece();
-                if (pieces.kind != ModelPieces.INNER_NODE || !nextNear())
+                if (pieces.kind != ModelPieces.INNER_NODE || !nextNearPiece())
                 {
                     return true;
                 }
@@ -118,7 +118,7 @@ package starlogo.ground
         /** Goes on to the next triangle near the piece. Returns false if there is none. */
         public function nextTriangle():Boolean
         {
-            if (!nextNear())
+            if (!nextNearPiece())
             {
                 return false;
             }
@@ -180,7 +180,7 @@ package starlogo.ground
         private function chooseForLeaf():void
         {
             _leafTriangleCount = 0;
-            while (nextFound())
+            while (nextNearBox())
             {
                 _leafTriangles[_leafTriangleCount] = triangle;
                 _leafTriangleCount++;
@@ -188,12 +188,12 @@ package starlogo.ground
             _next = 0;
         }
 
-        // Goes on to the next triangle near the piece.
-        private function nextNear():Boolean
+        // Goes on to the next triangle near the piece, without its margin.
+        private function nextNearPiece():Boolean
         {
             if (!_isInLeaf)
             {
-                return nextFound();
+                return nextNearBox();
             }
             while (_next < _leafTriangleCount)
             {
@@ -208,13 +208,13 @@ package starlogo.ground
         }
 
         // Goes on to the next triangle near the box.
-        private function nextFound():Boolean
+        private function nextNearBox():Boolean
         {
-            while (_next < _count || findMore())
+            while (_next < _count || fetchFromSource())
             {
                 triangle = _found[_next];
                 _next++;
-                if (isNear())
+                if (isNearBox())
                 {
                     return true;
                 }
@@ -222,8 +222,8 @@ package starlogo.ground
             return false;
         }
 
-        // Finds one more triangle. Returns false if there is none.
-        private function findMore():Boolean
+        // Fetches one more triangle from the source. Returns false if there is none.
+        private function fetchFromSource():Boolean
         {
             if (!_areKept)
             {
@@ -243,7 +243,7 @@ package starlogo.ground
         }
 
         // Whether the current triangle is near the box: the box comes near the triangle's own box, and is not all in front of its plane.
-        private function isNear():Boolean
+        private function isNearBox():Boolean
         {
             var box:GroundBox = _box;
             var other:GroundBox = triangle.box;

@@ -174,8 +174,8 @@ package starlogo.queries
                 throw new ArgumentError(agent + " is not in the list of the last update");
             }
             table.readRow(row);
-            _placeTree.refit(row);
-            _extentTree.refit(row);
+            _placeTree.enlargeAround(row);
+            _extentTree.enlargeAround(row);
         }
 
         /**

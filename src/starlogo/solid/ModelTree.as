@@ -31,9 +31,9 @@ package starlogo.solid
     import starlogo.hierarchy.BoxTreeBuilder;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.solid.interior.ClearRayVisitor;
+    import starlogo.solid.interior.Interior;
     import starlogo.solid.interior.InteriorBuilder;
     import starlogo.solid.interior.SurfaceTopology;
-    import starlogo.solid.interior.WindingCounter;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
@@ -67,7 +67,7 @@ package starlogo.solid
 
         // Null before they are asked for: the root, as clients see it; what is inside of the triangles.
         private var _root:HierarchyNode = null;
-        private var _interior:WindingCounter = null;
+        private var _interior:Interior = null;
 
         /** @param tree the tree of the model's triangles or vertices. <code>beginBuilding()</code> makes its nodes if it has none */
         public function ModelTree(tree:BoxTree)
@@ -111,7 +111,7 @@ package starlogo.solid
             var builder:InteriorBuilder = new InteriorBuilder(treeFor(BoxTree.EXACT), surface);
             return new StepSequence().add(builder).call(function():void
                 {
-                    _interior = builder.windingCounter;
+                    _interior = builder.interior;
                     surface = _interior.surface;
                 });
         }
@@ -145,7 +145,7 @@ package starlogo.solid
         }
 
         /** @private What is inside of the triangles; null if there are none. The first call prepares it, as exact tests need it, which is slow. */
-        engine function preparedInterior():WindingCounter
+        engine function preparedInterior():Interior
         {
             if (_interior == null && hasTriangles)
             {

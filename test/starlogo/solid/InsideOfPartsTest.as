@@ -9,7 +9,7 @@ package starlogo.solid
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
-    import starlogo.solid.interior.WindingCounter;
+    import starlogo.solid.interior.Interior;
     import support.SolidModels;
 
     use namespace engine;
@@ -238,7 +238,7 @@ package starlogo.solid
             return solidOf(vertices, triangles).isInside(new Vector3D(at[0], at[1], at[2]));
         }
 
-        private static function solidOf(vertices:Vector.<Number>, triangles:Vector.<uint>):WindingCounter
+        private static function solidOf(vertices:Vector.<Number>, triangles:Vector.<uint>):Interior
         {
             return hierarchyOf(vertices, triangles).preparedInterior();
         }

@@ -3,8 +3,8 @@ package starlogo.solid
     import starlogo.GreatLand;
     import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
+    import starlogo.solid.interior.Interior;
     import starlogo.solid.interior.SurfaceTopology;
-    import starlogo.solid.interior.WindingCounter;
 
     use namespace engine;
 
@@ -19,10 +19,10 @@ package starlogo.solid
             {
                 return "none";
             }
-            var windings:WindingCounter = hierarchy.preparedInterior();
-            var surface:SurfaceTopology = windings.surface;
-            return [windings.hasClosedShell, surface.orientedShells, surface.shellStates, surface.widestSeam, windings.welded, windings.componentPoints, windings.tree.cornerOffsets,
-                    windings.tree.vertices, axesOf(hierarchy.boxTree)].join("\n");
+            var interior:Interior = hierarchy.preparedInterior();
+            var surface:SurfaceTopology = interior.surface;
+            return [interior.hasClosedShell, surface.orientedShells, surface.shellStates, surface.widestSeam, interior.welded, interior.componentPoints, interior.tree.cornerOffsets,
+                    interior.tree.vertices, axesOf(hierarchy.boxTree)].join("\n");
         }
 
         private static function axesOf(tree:BoxTree):String

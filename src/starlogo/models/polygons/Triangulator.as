@@ -9,7 +9,7 @@ package starlogo.models.polygons
      *
      * <p>A triangle stays as it is, and a quad is cut along the diagonal inside it; triangles that name a corner twice are left out. Other polygons
      * become rings in a plane (PolygonRings). If their first corner sees all others, as in a convex polygon without corners in a straight line,
-     * they are cut from there. Otherwise HoleWelds finds where holes touch, and the rings cut themselves. Outlines may cross or cover themselves, and
+     * they are cut from there. Otherwise HoleWelder finds where holes touch, and the rings cut themselves. Outlines may cross or cover themselves, and
      * holes may touch them. Every triangle that is cut from a ring has an area in the plane. A ring without area has no triangles.</p>
      *
      * <p>Cost: linear for convex polygons, otherwise up to quadratic in the corners, but at most the tests of corners that the file's limits
@@ -101,7 +101,7 @@ package starlogo.models.polygons
                     rings.addHole(hole);
                 }
             }
-            var rest:StepSequence = hasHoles ? new StepSequence().add(new HoleWelds(rings)) : new StepSequence();
+            var rest:StepSequence = hasHoles ? new StepSequence().add(new HoleWelder(rings)) : new StepSequence();
             rest.repeat(function():Boolean
                 {
                     return rings.cut(triangles);

@@ -134,7 +134,7 @@ package starlogo.queries.motion
                 for (var i:int = 0; i < rows.count; i++)
                 {
                     var row:int = rows.values[i];
-                    var length:Number = offTouches ? findPushOff(shrunk, row, place, round, last, _contact) : findPushOut(shrunk, row, place, round, last, _contact);
+                    var length:Number = offTouches ? findPushOff(shrunk, row, place, round, last) : findPushOut(shrunk, row, place, round, last);
                     if (!(length > 0))
                     {
                         continue;
@@ -155,14 +155,14 @@ package starlogo.queries.motion
 
         // Finds the contact for a push out of a row. Returns the length of the push: 0 if the shrunk body does not touch the row, Infinity if the overlap is not
         // shallow.
-        private static function findPushOut(shrunk:ShrunkBody, row:int, place:Vector3D, round:int, last:ContactPoint, out:ContactPoint):Number
+        private function findPushOut(shrunk:ShrunkBody, row:int, place:Vector3D, round:int, last:ContactPoint):Number
         {
             if (!shrunk.shrunkTouches(row, place))
             {
                 return 0;
             }
-            findContactOfPush(shrunk.body, row, place, round, last, out);
-            return shrunk.body.isShallow(row, out) ? out.depth + shrunk.clearance : Infinity;
+            findContactOfPush(shrunk.body, row, place, round, last);
+            return shrunk.body.isShallow(row, _contact) ? _contact.depth + shrunk.clearance : Infinity;
         }
 
         // Lets planes stand for obstacles that the shrunk body overlaps: for deep overlaps, and also for shallow ones if they are to count. These are
@@ -207,41 +207,41 @@ package starlogo.queries.motion
         }
 
         // Finds the contact for a push off a row. Returns the length of the push: 0 if the body does not touch the row, overlaps it deeply or passes it.
-        private function findPushOff(shrunk:ShrunkBody, row:int, place:Vector3D, round:int, last:ContactPoint, out:ContactPoint):Number
+        private function findPushOff(shrunk:ShrunkBody, row:int, place:Vector3D, round:int, last:ContactPoint):Number
         {
             var body:MovingBody = shrunk.body;
             // mostly it is known faster that the shrunk body touches the row than how deep the overlap is
-            if (!findTouchingPlace(shrunk, row, place, _tried) || body.passesOneWayAt(row, _tried, out)
+            if (!findTouchingPlace(shrunk, row, place, _tried) || body.passesOneWayAt(row, _tried, _contact)
                     || (!shrunk.isFlat && shrunk.shrunkTouches(row, place)))
             {
                 return 0;
             }
-            findContactOfPush(body, row, _tried, round, last, out);
+            findContactOfPush(body, row, _tried, round, last);
             var most:Number = SLOPS_OF_TOUCH * shrunk.slop;
-            if (out.depth > most && !body.isShallow(row, out))
+            if (_contact.depth > most && !body.isShallow(row, _contact))
             {
                 return 0;
             }
             // how far the body's own place, at which a flat body does not touch the row, is along the normal
-            var shift:Number = out.normalX * (place.x - _tried.x) + out.normalY * (place.y - _tried.y) + out.normalZ * (place.z - _tried.z);
+            var shift:Number = _contact.normalX * (place.x - _tried.x) + _contact.normalY * (place.y - _tried.y) + _contact.normalZ * (place.z - _tried.z);
             if (shift < 0)
             {
                 // the body is so thin that the shortest way out there leads to the other side of the row: it goes on from the row along the axis
-                out.setNormal(place.x - _tried.x, place.y - _tried.y, place.z - _tried.z);
-                out.normalise();
+                _contact.setNormal(place.x - _tried.x, place.y - _tried.y, place.z - _tried.z);
+                _contact.normalise();
                 return shrunk.clearance;
             }
-            return Math.min(out.depth, most) - shift + shrunk.clearance;
+            return Math.min(_contact.depth, most) - shift + shrunk.clearance;
         }
 
         // Finds the contact with a row that the body touches at a place. It does not lead back against the last push if another contact does not.
-        private static function findContactOfPush(body:MovingBody, row:int, place:Vector3D, round:int, last:ContactPoint, out:ContactPoint):void
+        private function findContactOfPush(body:MovingBody, row:int, place:Vector3D, round:int, last:ContactPoint):void
         {
             var isSeparating:Boolean = round >= FIRST_SEPARATING_ROUND;
-            body.findContact(row, place, isSeparating, out);
-            if (!isSeparating && leadsBack(out, last))
+            body.findContact(row, place, isSeparating, _contact);
+            if (!isSeparating && leadsBack(_contact, last))
             {
-                body.findContact(row, place, true, out);
+                body.findContact(row, place, true, _contact);
             }
         }
 
@@ -261,7 +261,7 @@ package starlogo.queries.motion
             body.warnIfInside(row, out);
             out.depth += shrunk.clearance;
             // the shortest way out of a tree may lead through a wall of the tree if it is longer than the way to the middle of the body
-            return body.bodyOf(row).kind != ModelShape.TREE || out.depth <= body.whole.halfAlong(out);
+            return body.bodyOf(row).kind != ModelShape.TREE || out.depth <= body.fullBody.halfAlong(out);
         }
 
         // Whether a push leads back against the last one, which is null at first. Then the body is between two rows.

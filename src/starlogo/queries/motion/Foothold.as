@@ -60,7 +60,7 @@ package starlogo.queries.motion
             {
                 return true;
             }
-            var slid:MotionResult = _slider.slideDown(walk.body, down.place, walk.closeDepth, walk.minFloorNormalZ, walk.body.extent);
+            var slid:MotionResult = _slider.slideDown(walk.body, down.place, walk.maxFloorDistance, walk.minFloorNormalZ, walk.body.extent);
             return slid.hasContact && tryStandOn(walk, slid, down.place);
         }
 
@@ -86,9 +86,9 @@ package starlogo.queries.motion
         // Whether an edge is more than a step above the lowest point of the agent, where the substep began or at its place.
         private static function isTooHigh(walk:WalkState, contact:ContactPoint, place:Vector3D):Boolean
         {
-            var body:Body = walk.body.whole;
+            var body:Body = walk.body.fullBody;
             var bottom:Number = body.middleZ - body.halfZ - body.placement.z;
-            return contact.z > Math.min(walk.substepStart.z, place.z) + bottom + walk.options.stepHeight + walk.closeDepth;
+            return contact.z > Math.min(walk.substepStart.z, place.z) + bottom + walk.options.stepHeight + walk.maxFloorDistance;
         }
 
         // Finds the normal of the face behind an edge. Returns whether there is a face that is not too steep.

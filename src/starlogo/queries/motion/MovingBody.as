@@ -41,8 +41,8 @@ package starlogo.queries.motion
         // A body that is this many times half of its extent inside of a structure is inside with room to spare. Two equal ones in one place are not.
         private static const WITH_ROOM:Number = 2.1;
 
-        /** The whole body where it was tested last. Only <code>moveTo()</code> moves it. Read only. */
-        public var whole:Body = null;
+        /** The body at its full size, not shrunk, where it was tested last. Only <code>moveTo()</code> moves it. Read only. */
+        public var fullBody:Body = null;
 
         /** The rows that count and are near its way, in the order of the list. Read only. */
         public var rows:IntList = new IntList();
@@ -88,13 +88,13 @@ package starlogo.queries.motion
         {
             if (degrees != 0 && hasShape)
             {
-                whole.turn(agent, degrees);
+                fullBody.turn(agent, degrees);
             }
         }
 
         private function begin(body:Body):MovingBody
         {
-            whole = body;
+            fullBody = body;
             from.x = body.placement.x;
             from.y = body.placement.y;
             from.z = body.placement.z;
@@ -108,7 +108,7 @@ package starlogo.queries.motion
         public function setToCastAgent(agent:Agent):MovingBody
         {
             setToAgent(agent);
-            return hasShape && whole.kind < ModelShape.TREE ? begin(_structureBody.setTo(whole.shape.structure, whole.placement)) : this;
+            return hasShape && fullBody.kind < ModelShape.TREE ? begin(_structureBody.setTo(fullBody.shape.structure, fullBody.placement)) : this;
         }
 
         /** Becomes the body of a structure in the world. See <code>StructureBody.setTo()</code>. */
@@ -133,13 +133,13 @@ package starlogo.queries.motion
         /** Whether it has a shape: false while the model of its agent is loading. */
         public function get hasShape():Boolean
         {
-            return whole.shape != null;
+            return fullBody.shape != null;
         }
 
         /** Its largest extent. */
         public function get extent():Number
         {
-            return 2 * whole.maxHalf;
+            return 2 * fullBody.maxHalf;
         }
 
         /**
@@ -245,14 +245,14 @@ package starlogo.queries.motion
             return _seen.narrowPhase;
         }
 
-        /** Moves the whole body to a place. Returns the body, which stays there until the next call. */
+        /** Moves the full body to a place. Returns the body, which stays there until the next call. */
         public function moveTo(place:Vector3D):Body
         {
-            whole.moveTo(place);
-            return whole;
+            fullBody.moveTo(place);
+            return fullBody;
         }
 
-        /** Whether the whole body touches a row when it stands at a place. */
+        /** Whether the full body touches a row when it stands at a place. */
         public function touches(row:int, place:Vector3D):Boolean
         {
             return narrowPhase.areTouching(moveTo(place), bodyOf(row));
@@ -277,7 +277,7 @@ package starlogo.queries.motion
         }
 
         /**
-         * Finds a contact of the whole body with a row that it touches when it stands at a place.
+         * Finds a contact of the full body with a row that it touches when it stands at a place.
          *
          * @param isSeparating whether the contact must separate the two. The ground can be floor and wall at once, and a contact with one does not lead away
          *     from the other. Otherwise a shallow contact may be that of two of their parts
@@ -285,11 +285,11 @@ package starlogo.queries.motion
         public function findContact(row:int, place:Vector3D, isSeparating:Boolean, out:ContactPoint):void
         {
             var other:Body = bodyOf(row);
-            var tests:PairTests = narrowPhase.pairTestsFor(whole, other);
+            var tests:PairTests = narrowPhase.pairTestsFor(fullBody, other);
             tests.findContactOfParts(moveTo(place), other, RelativeMotion.NONE, out);
             if (isSeparating || !isShallow(row, out))
             {
-                tests.separate(whole, other, RelativeMotion.NONE, out);
+                tests.separate(fullBody, other, RelativeMotion.NONE, out);
             }
         }
 
@@ -322,15 +322,15 @@ package starlogo.queries.motion
         {
             var kind:int = bodyOf(row).kind;
             var isTree:Boolean = kind == ModelShape.TREE;
-            var allowed:Number = whole.halfAlong(contact);
+            var allowed:Number = fullBody.halfAlong(contact);
             if (!isTree)
             {
                 allowed *= WITH_ROOM;
             }
             if (kind != ModelShape.GROUND && contact.depth > allowed)
             {
-                var below:Number = whole.placement.r22 == 1 ? whole.halfZ - whole.offsetZ : 0;
-                warnOfInside(_seen.table.listed.agentsByRow, row, agent, whole.placement, below, contact.depth, isTree);
+                var below:Number = fullBody.placement.r22 == 1 ? fullBody.halfZ - fullBody.offsetZ : 0;
+                warnOfInside(_seen.table.listed.agentsByRow, row, agent, fullBody.placement, below, contact.depth, isTree);
             }
         }
     }

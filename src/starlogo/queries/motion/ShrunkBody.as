@@ -12,7 +12,7 @@ package starlogo.queries.motion
 
     /**
      * A body on one motion, made smaller by a slop about the middle of its extents, and the tolerances of this motion. So it does not touch what the
-     * whole body only touches.
+     * full body only touches.
      *
      * <p>docs/mover.md derives the quantities.</p>
      *
@@ -42,7 +42,7 @@ package starlogo.queries.motion
         // gap.
         private static const FLAT_SLOPS:Number = 0.01;
 
-        /** Has the whole body. Read only. */
+        /** Has the full body. Read only. */
         public var body:MovingBody;
 
         /**
@@ -76,7 +76,7 @@ package starlogo.queries.motion
         /**
          * Becomes the shrunk body on a motion, with an inset of a slop, and finds the motion's tolerances.
          *
-         * @param body has the whole body
+         * @param body has the full body
          * @param rows the rows that may be in the way
          * @param from where the motion begins
          * @param motion the whole motion
@@ -100,7 +100,7 @@ package starlogo.queries.motion
             clearance = slop / 4;
             _maxInset = slop + SHALLOW * largest;
             setInset(slop);
-            isFlat = shrink * body.whole.minHalf < FLAT_SLOPS * slop;
+            isFlat = shrink * body.fullBody.minHalf < FLAT_SLOPS * slop;
         }
 
         /**
@@ -143,23 +143,23 @@ package starlogo.queries.motion
         private function setInset(width:Number):void
         {
             _inset = width;
-            shrink = shrinkOf(body.whole, width);
-            _shrunk.copyFrom(body.whole);
+            shrink = shrinkOf(body.fullBody, width);
+            _shrunk.copyFrom(body.fullBody);
             _shrunk.shrink(shrink);
         }
 
         /** Moves the shrunk body to where it is when the body stands at a place. Returns the shrunk body, which stays there until the next call. */
         public function moveTo(place:Vector3D):Body
         {
-            var whole:Body = body.whole;
-            _place.x = place.x + shrink * whole.offsetX;
-            _place.y = place.y + shrink * whole.offsetY;
-            _place.z = place.z + shrink * whole.offsetZ;
+            var fullBody:Body = body.fullBody;
+            _place.x = place.x + shrink * fullBody.offsetX;
+            _place.y = place.y + shrink * fullBody.offsetY;
+            _place.z = place.z + shrink * fullBody.offsetZ;
             _shrunk.moveTo(_place);
             return _shrunk;
         }
 
-        /** Whether the extents of a body, the whole one or the shrunk body, come within a slop of a row's on a motion that ends where it is. */
+        /** Whether the extents of a body, the full one or the shrunk one, come within a slop of a row's on a motion that ends where it is. */
         public function isNear(moved:Body, other:Body, motion:RelativeMotion):Boolean
         {
             if (other.kind == ModelShape.GROUND)
@@ -174,34 +174,34 @@ package starlogo.queries.motion
                 && Math.abs(moved.middleZ - z - other.middleZ) <= moved.halfZ + other.halfZ + Math.abs(z) + slop;
         }
 
-        /** Whether the whole body touches a row when it stands at a place. It compares their extents first. */
+        /** Whether the full body touches a row when it stands at a place. It compares their extents first. */
         public function bodyTouches(row:int, place:Vector3D):Boolean
         {
             return isNear(body.moveTo(place), body.bodyOf(row), RelativeMotion.NONE) && body.touches(row, place);
         }
 
-        /** Whether the shrunk body touches a row when the body stands at a place. The whole body is tested first, because mostly it does not touch either. */
+        /** Whether the shrunk body touches a row when the body stands at a place. The full body is tested first, because mostly it does not touch either. */
         public function shrunkTouches(row:int, place:Vector3D):Boolean
         {
             return bodyTouches(row, place) && body.narrowPhase.areTouching(moveTo(place), body.bodyOf(row));
         }
 
         /**
-         * Whether the whole body overlaps a row that the shrunk body touches. If a concave body has something exactly between two of its sides, the
+         * Whether the full body overlaps a row that the shrunk body touches. If a concave body has something exactly between two of its sides, the
          * shrunk body may touch that, but the body does not overlap it. So the row is made smaller instead, and must touch the body then. In the
          * ground, a part of the body must be deep.
          */
         public function bodyOverlaps(row:int, place:Vector3D):Boolean
         {
             var other:Body = body.bodyOf(row);
-            var whole:Body = body.moveTo(place);
+            var fullBody:Body = body.moveTo(place);
             if (other.kind == ModelShape.GROUND)
             {
-                return body.narrowPhase.groundTestsOf(other).isDeeper(whole, other, slop);
+                return body.narrowPhase.groundTestsOf(other).isDeeper(fullBody, other, slop);
             }
             _smaller.copyFrom(other);
             _smaller.shrink(shrinkOf(other, slop));
-            return body.narrowPhase.areTouching(whole, _smaller);
+            return body.narrowPhase.areTouching(fullBody, _smaller);
         }
 
         // The part of its size that a body loses with an inset.

@@ -137,7 +137,7 @@ package starlogo.queries.motion
         }
 
         /**
-         * Finds when the whole body touches the row of the impact. The body touches the contact's plane earlier than the shrunk body, because its surface
+         * Finds when the full body touches the row of the impact. The body touches the contact's plane earlier than the shrunk body, because its surface
          * is in front of the shrunk body's at the contact. Only an inner face of a concave body is behind the shrunk body's, and touches later.
          * Mostly the touch of the plane is the touch. But at a grazing angle, the body touches a curved surface much nearer to where the shrunk body
          * does. So there, and at an inner face, the body is swept too. Its time counts if it is between the two. If the body touches the row
@@ -146,11 +146,11 @@ package starlogo.queries.motion
         public function findTouchTime(from:Vector3D, motion:Vector3D):Number
         {
             var contact:ContactPoint = impact.contact;
-            var whole:Body = shrunk.body.whole;
+            var fullBody:Body = shrunk.body.fullBody;
             var shrink:Number = shrunk.shrink;
-            var recess:Number = shrink / (1 - shrink) * (contact.normalX * (from.x + whole.offsetX + impact.time * motion.x - contact.x)
-                    + contact.normalY * (from.y + whole.offsetY + impact.time * motion.y - contact.y)
-                    + contact.normalZ * (from.z + whole.offsetZ + impact.time * motion.z - contact.z));
+            var recess:Number = shrink / (1 - shrink) * (contact.normalX * (from.x + fullBody.offsetX + impact.time * motion.x - contact.x)
+                    + contact.normalY * (from.y + fullBody.offsetY + impact.time * motion.y - contact.y)
+                    + contact.normalZ * (from.z + fullBody.offsetZ + impact.time * motion.z - contact.z));
             var along:Number = contact.along(motion);
             var ofPlane:Number = Math.max(0, Math.min(1, impact.time + recess / along));
             var isGrazing:Boolean = !(along < -GRAZING_SINE * motion.length);
@@ -162,7 +162,7 @@ package starlogo.queries.motion
             shrunk.body.moveTo(_end);
             var other:Body = shrunk.body.bodyOf(impact.row);
             _relative.endAfter(motion.x, motion.y, motion.z);
-            shrunk.body.narrowPhase.pairTestsFor(whole, other).findImpactOfSurfaces(whole, other, _relative, null);
+            shrunk.body.narrowPhase.pairTestsFor(fullBody, other).findImpactOfSurfaces(fullBody, other, _relative, null);
             var earliest:Number = Math.min(ofPlane, impact.time);
             var latest:Number = Math.max(ofPlane, impact.time);
             return Math.max(earliest, Math.min(latest, _relative.time));

@@ -30,10 +30,10 @@ package starlogo.queries.motion
         // A substep of a walk is as long as the agent, or longer if the walk would have more substeps than this.
         private static const MAX_SUBSTEPS:int = 64;
 
-        // WalkState.closeDepth is this part of the extent, or this many slops if they are more: near what is far larger, and far from the origin. A walk ends a
-        // clearance above the ground, and the shrunk body meets the ground up to ten slops farther down.
-        private static const CLOSE_DEPTH:Number = 1e-6;
-        private static const CLOSE_SLOPS:Number = 20;
+        // WalkState.maxFloorDistance is this part of the extent, or this many slops if they are more: near what is far larger, and far from the origin. A walk
+        // ends a clearance above the ground, and the shrunk body meets the ground up to ten slops farther down.
+        private static const FLOOR_DISTANCE:Number = 1e-6;
+        private static const FLOOR_SLOPS:Number = 20;
 
         // The least way down of a fall with the slide after it. A shorter one is undone. A part of the extent.
         private static const MIN_FALL:Number = 1e-8;
@@ -100,22 +100,22 @@ package starlogo.queries.motion
             return platformRow;
         }
 
-        // Finds the rows near a walk, and up to a distance from it, and how close to them it stands.
+        // Finds the rows near a walk, and up to a distance from it, and how far below the agent its floor may be.
         private function collectRows(walk:WalkState, distance:Number):void
         {
             var options:WalkOptions = walk.options;
             var body:MovingBody = walk.body;
             // the way on the steepest slope, how far a slide after a fall goes sideways, and the way of the platform, whatever their directions
             var range:Number = walk.substepCount * walk.substepLength / walk.minFloorNormalZ + depthAfterFall(walk) / 2 + walk.carry.length + distance;
-            range += closeDepthAmong(walk, body.largestExtentBound);
+            range += maxFloorDistanceAmong(walk, body.largestExtentBound);
             body.collectRowsWithin(range, walk.substepCount * options.stepHeight, walk.substepCount * options.snap + options.fall, options.filter);
-            walk.closeDepth = closeDepthAmong(walk, body.largestExtent);
+            walk.maxFloorDistance = maxFloorDistanceAmong(walk, body.largestExtent);
         }
 
-        // How close a walk stands to rows of at most this extent.
-        private static function closeDepthAmong(walk:WalkState, largest:Number):Number
+        // How far below the agent its floor may be, among rows of at most this extent.
+        private static function maxFloorDistanceAmong(walk:WalkState, largest:Number):Number
         {
-            return Math.max(CLOSE_DEPTH * walk.body.extent, CLOSE_SLOPS * walk.body.maxSlop(walk.substepLength, largest));
+            return Math.max(FLOOR_DISTANCE * walk.body.extent, FLOOR_SLOPS * walk.body.maxSlop(walk.substepLength, largest));
         }
 
         // Pushes the agent out of what it overlaps. Returns whether it stands then.
@@ -123,11 +123,11 @@ package starlogo.queries.motion
         {
             walk.substepStart.copyFrom(walk.place);
             var lift:Number = liftByPlatforms(walk, platformRow);
-            var down:MotionResult = _slider.moveVertically(walk.body, walk.place, -walk.closeDepth);
+            var down:MotionResult = _slider.moveVertically(walk.body, walk.place, -walk.maxFloorDistance);
             if (down.startsPenetrating)
             {
                 pushOutOfDeep(walk, lift);
-                down = _slider.moveVertically(walk.body, walk.place, -walk.closeDepth);
+                down = _slider.moveVertically(walk.body, walk.place, -walk.maxFloorDistance);
             }
             // not Vector3D.distance, which allocates in Flash Player
             var x:Number = walk.place.x - walk.substepStart.x;
@@ -183,7 +183,7 @@ package starlogo.queries.motion
                 {
                     walk.substepStart.copyFrom(walk.place);
                     // beyond a gap there may be ground again
-                    stands ||= beginsStanding && _foothold.tryStandBelow(walk, walk.place, walk.closeDepth);
+                    stands ||= beginsStanding && _foothold.tryStandBelow(walk, walk.place, walk.maxFloorDistance);
                 }
                 if (stands)
                 {
@@ -223,7 +223,7 @@ package starlogo.queries.motion
             }
             // the ground may have led up only for a part of the substep: on a ramp, and over the edge of a step
             var height:Number = Math.max(0, walk.place.z - walk.substepStart.z);
-            return _foothold.tryStandBelow(walk, walk.place, height + walk.options.snap + walk.closeDepth);
+            return _foothold.tryStandBelow(walk, walk.place, height + walk.options.snap + walk.maxFloorDistance);
         }
 
         // Ends a substep where its slide ended.
@@ -242,7 +242,7 @@ package starlogo.queries.motion
         {
             var up:MotionResult = _slider.moveVertically(walk.body, walk.substepStart, walk.options.stepHeight);
             var height:Number = up.place.z - walk.substepStart.z;
-            if (height <= walk.closeDepth)
+            if (height <= walk.maxFloorDistance)
             {
                 return false;
             }
@@ -252,7 +252,7 @@ package starlogo.queries.motion
                 return false;
             }
             var upperWall:int = slid.wallRow;
-            var depth:Number = height + walk.options.snap + walk.closeDepth;
+            var depth:Number = height + walk.options.snap + walk.maxFloorDistance;
             var top:Number = slid.place.z;
             var down:MotionResult = _slider.moveVertically(walk.body, slid.place, -depth);
             if (_foothold.tryStandAtEnd(walk, down) || (down.hasContact && trySlideOff(walk, down.place, depth - (top - down.place.z))))
@@ -267,7 +267,7 @@ package starlogo.queries.motion
         private static function isFarther(walk:WalkState, place:Vector3D):Boolean
         {
             var farther:Number = (place.x - walk.place.x) * walk.substepMotion.x + (place.y - walk.place.y) * walk.substepMotion.y;
-            return farther > walk.closeDepth * walk.substepLength;
+            return farther > walk.maxFloorDistance * walk.substepLength;
         }
 
         // Slides down what is too steep to stand on, from the end of the way down: a round agent that has met the edge of the next step hangs on it. Returns
@@ -278,7 +278,7 @@ package starlogo.queries.motion
             var dx:Number = end.x - walk.substepStart.x;
             var dy:Number = end.y - walk.substepStart.y;
             return dx * dx + dy * dy <= walk.substepLength * walk.substepLength && isFarther(walk, end)
-                && _foothold.tryStandBelow(walk, end, walk.closeDepth);
+                && _foothold.tryStandBelow(walk, end, walk.maxFloorDistance);
         }
 
         // Falls until something stops the agent, and slides down what is too steep. If nothing stops an endless fall, it ends where it began. Returns whether the
@@ -292,7 +292,7 @@ package starlogo.queries.motion
             }
             // It goes in drops that get longer, because rounding errors grow with the length of a motion. It goes no farther than to where it is below all that is
             // near: walls of the ground have no lower end, and a very long wall would have errors as large as a floor.
-            var depthBelowAll:Number = Math.max(body.extent, walk.place.z + body.whole.offsetZ + body.extent - lowestOf(body));
+            var depthBelowAll:Number = Math.max(body.extent, walk.place.z + body.fullBody.offsetZ + body.extent - lowestOf(body));
             var fallLeft:Number = walk.options.fall;
             var from:Vector3D = walk.place;
             for (var drop:Number = 1; fallLeft > 0 && depthBelowAll > 0; drop *= 2)
@@ -314,7 +314,7 @@ package starlogo.queries.motion
             }
             walk.place.setTo(from.x, from.y, from.z - fallLeft);
             // a fall can also end where the ground begins, without being stopped
-            return _foothold.tryStandBelow(walk, walk.place, walk.closeDepth);
+            return _foothold.tryStandBelow(walk, walk.place, walk.maxFloorDistance);
         }
 
         // The lowest height of the rows near a walk. Below it, only walls of the ground are left.
@@ -343,13 +343,13 @@ package starlogo.queries.motion
             {
                 walk.place.copyFrom(end);
             }
-            return _foothold.tryStandBelow(walk, walk.place, walk.closeDepth);
+            return _foothold.tryStandBelow(walk, walk.place, walk.maxFloorDistance);
         }
 
         // How far down the slide after a fall may lead. Sideways it may lead half as far.
         private static function depthAfterFall(walk:WalkState):Number
         {
-            return Math.min(walk.options.fall, walk.body.whole.placement.size);
+            return Math.min(walk.options.fall, walk.body.fullBody.placement.size);
         }
 
         // Slides along the way of a substep, and up or down.

@@ -28,8 +28,8 @@ package starlogo.queries.motion
         /** The least z of the normal of a surface that is not too steep to stand on. */
         public var minFloorNormalZ:Number = 1;
 
-        /** The agent stands on ground that is at most this far below it. The shrunk body meets such ground. */
-        public var closeDepth:Number = 0;
+        /** The agent stands on what is at most this far below it. */
+        public var maxFloorDistance:Number = 0;
 
         /** How the platform that the agent stood on carries it: the motion, and the turn in degrees. Both are 0 if none does. */
         public var carry:Vector3D = new Vector3D();

@@ -39,8 +39,8 @@ package starlogo.queries.trees
         /** The set of all breeds. */
         public static const ALL_BREEDS:int = -1;
 
-        // After this many refits per row that make a leaf's box grow, the tree has to be built again.
-        private static const REFITS_PER_ROW:Number = 0.5;
+        // After this many enlargements of a leaf's box per row, the tree has to be built again.
+        private static const ENLARGEMENTS_PER_ROW:Number = 0.5;
 
         /** The number of rows. Read only. */
         public var count:int = 0;
@@ -69,8 +69,8 @@ package starlogo.queries.trees
         private var _breedSets:Vector.<int> = new Vector.<int>();
         private var _breedsAsOf:int = -1;
 
-        // How many refits may still make a leaf's box grow. If it is less than 0, the tree is stale.
-        private var _refitsLeft:int = -1;
+        // How many times a leaf's box may still be enlarged. If it is less than 0, the tree is stale.
+        private var _enlargementsLeft:int = -1;
 
         // By row: its slot.
         private var _slots:Vector.<int> = new Vector.<int>();
@@ -80,7 +80,7 @@ package starlogo.queries.trees
         private var _halves:Extents;
 
         /**
-         * Builds the tree again. It keeps the columns, because <code>refit()</code> reads them later.
+         * Builds the tree again. It keeps the columns, because <code>enlargeAround()</code> reads them later.
          *
          * @param rows a list of rows
          * @param count how many rows the tree has: the first ones of the list
@@ -89,7 +89,7 @@ package starlogo.queries.trees
          */
         public function build(rows:Vector.<int>, count:int, points:Points, sizes:Extents):void
         {
-            _refitsLeft = REFITS_PER_ROW * count;
+            _enlargementsLeft = ENLARGEMENTS_PER_ROW * count;
             excludedCount = 0;
             maxExtent = 0;
             _breedsAsOf = -1;
@@ -113,13 +113,13 @@ package starlogo.queries.trees
         /** Whether the tree must be built again before the next search. */
         public function get isStale():Boolean
         {
-            return _refitsLeft < 0;
+            return _enlargementsLeft < 0;
         }
 
         /** The rows have changed: the tree is built again before it is asked. */
         public function makeStale():void
         {
-            _refitsLeft = -1;
+            _enlargementsLeft = -1;
         }
 
         /** The bit of a breed in a set of breeds. Breeds with the same remainder share one. */
@@ -186,8 +186,8 @@ package starlogo.queries.trees
             return except >= 0 && _slots[except] >= start && _slots[except] < end ? end - start - 1 : end - start;
         }
 
-        /** Reads the box of one row again, and refits the boxes around it, unless the tree is stale. They only grow, so searches take more time. */
-        public function refit(row:int):void
+        /** Reads the box of one row again, and enlarges the boxes around it to contain it, unless the tree is stale. No box gets smaller. */
+        public function enlargeAround(row:int):void
         {
             if (isStale)
             {
@@ -204,7 +204,7 @@ package starlogo.queries.trees
             }
             if (node < leaf)
             {
-                _refitsLeft--;
+                _enlargementsLeft--;
             }
         }
 

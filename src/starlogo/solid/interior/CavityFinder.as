@@ -35,7 +35,7 @@ package starlogo.solid.interior
         // In place of the number of a corner: the middle of the triangle.
         private static const MIDDLE:int = 3;
 
-        private var _windingCounter:WindingCounter;
+        private var _interior:Interior;
         private var _shellFinder:ShellFinder;
 
         // For each vertex, the first one at its place, and one more than the last shell that was found to have a corner there.
@@ -56,13 +56,13 @@ package starlogo.solid.interior
         private var _countedCrossings:int = 0;
 
         /**
-         * @param windingCounter of the surface, which has the shells and receives which of them bound cavities
+         * @param interior of the surface, which has the shells and receives which of them bound cavities
          * @param shellFinder has found the shells
          * @param welded for each vertex, the first one at its place
          */
-        public function CavityFinder(windingCounter:WindingCounter, shellFinder:ShellFinder, welded:Vector.<int>)
+        public function CavityFinder(interior:Interior, shellFinder:ShellFinder, welded:Vector.<int>)
         {
-            _windingCounter = windingCounter;
+            _interior = interior;
             _shellFinder = shellFinder;
             _welded = welded;
             if (shellFinder.balances.length > 1)
@@ -76,13 +76,13 @@ package starlogo.solid.interior
         // Adds triangles to their shells: their volumes, and the places of their corners, each place once. The triangles come shell by shell.
         private function addTriangles(first:int, end:int):void
         {
-            var vertices:Vector.<Number> = _windingCounter.tree.vertices;
-            var triangles:Vector.<uint> = _windingCounter.tree.triangles;
+            var vertices:Vector.<Number> = _interior.tree.vertices;
+            var triangles:Vector.<uint> = _interior.tree.triangles;
             for (var i:int = first; i < end; i++)
             {
                 var triangle:int = _shellFinder.triangles[i];
-                var shell:int = _windingCounter.surface.shellOf(triangle);
-                if (_windingCounter.surface.shellStates[shell] != SurfaceTopology.ORIENTABLE)
+                var shell:int = _interior.surface.shellOf(triangle);
+                if (_interior.surface.shellStates[shell] != SurfaceTopology.ORIENTABLE)
                 {
                     continue;
                 }
@@ -92,7 +92,7 @@ package starlogo.solid.interior
                 readTriangle(triangle);
                 var volume:Number = _plane.doubleArea * (_plane.normal.x * (_corners[0] - vertices[from])
                         + _plane.normal.y * (_corners[1] - vertices[from + 1]) + _plane.normal.z * (_corners[2] - vertices[from + 2]));
-                closed.sixfoldVolume += _windingCounter.surface.isReversed(triangle) ? -volume : volume;
+                closed.sixfoldVolume += _interior.surface.isReversed(triangle) ? -volume : volume;
                 for (var corner:int = 3 * triangle; corner < 3 * triangle + 3; corner++)
                 {
                     var place:int = _welded[triangles[corner]];
@@ -109,7 +109,7 @@ package starlogo.solid.interior
         // Sets _corners and _plane to those of a triangle.
         private function readTriangle(triangle:int):void
         {
-            var tree:BoxTree = _windingCounter.tree;
+            var tree:BoxTree = _interior.tree;
             for (var i:int = 0; i < 3; i++)
             {
                 var vertex:int = 3 * tree.triangles[int(3 * triangle + i)];
@@ -166,7 +166,7 @@ package starlogo.solid.interior
                 shellWith[corners] ||= closed;
                 if (earlier != null && !isLarger(earlier, closed) && !isLarger(closed, earlier))
                 {
-                    _windingCounter.surface.shellStates[shell] = SurfaceTopology.OPEN;
+                    _interior.surface.shellStates[shell] = SurfaceTopology.OPEN;
                     _shells[shell] = null;
                 }
             }
@@ -178,7 +178,7 @@ package starlogo.solid.interior
             for (var i:int = first; i < end; i++)
             {
                 var triangle:int = _shellFinder.triangles[i];
-                var closed:ClosedShell = _shells[_windingCounter.surface.shellOf(triangle)];
+                var closed:ClosedShell = _shells[_interior.surface.shellOf(triangle)];
                 readTriangle(triangle);
                 for (var corner:int = MIDDLE; corner >= 0 && closed != null && !_plane.isFlat && isUndecided(closed); corner--)
                 {
@@ -199,7 +199,7 @@ package starlogo.solid.interior
         // must have read the triangle.
         private function findEnclosingNear(closed:ClosedShell, triangle:int, corner:int):void
         {
-            var facesInwards:Boolean = _windingCounter.surface.isReversed(triangle) == closed.sixfoldVolume > 0;
+            var facesInwards:Boolean = _interior.surface.isReversed(triangle) == closed.sixfoldVolume > 0;
             var inwards:Number = (facesInwards ? INWARDS : -INWARDS) * cubeRoot(Math.abs(closed.sixfoldVolume));
             var fraction:Number = corner == MIDDLE ? 1 / 3 : SHARE_OF_EACH;
             var point:Vector.<Number> = new <Number>[inwards * _plane.normal.x, inwards * _plane.normal.y, inwards * _plane.normal.z];
@@ -208,7 +208,7 @@ package starlogo.solid.interior
                 point[axis] += fraction * (_corners[axis] + _corners[3 + axis] + _corners[6 + axis])
                     + (corner == MIDDLE ? 0 : SHARE_OF_NEAREST * _corners[3 * corner + axis]);
             }
-            _countedCrossings += _windingCounter.findEnclosing(point[0], point[1], point[2], _shellsAroundPoint);
+            _countedCrossings += _interior.findEnclosing(point[0], point[1], point[2], _shellsAroundPoint);
         }
 
         // Keeps those of a shell's enclosing shells that enclose the last point too; after its first point, all larger shells that enclose it. Keeps none if
@@ -259,9 +259,9 @@ package starlogo.solid.interior
                         innermost = outer;
                     }
                 }
-                if (innermost >= 0 && !_windingCounter.surface.boundsCavity(innermost) && _shells[innermost].orientation == -closed.orientation)
+                if (innermost >= 0 && !_interior.surface.boundsCavity(innermost) && _shells[innermost].orientation == -closed.orientation)
                 {
-                    _windingCounter.surface.shellStates[shell] = innermost;
+                    _interior.surface.shellStates[shell] = innermost;
                 }
             }
         }

@@ -32,7 +32,7 @@ package starlogo.solid.interior
         public var partners:Vector.<int>;
 
         private var _triangles:Vector.<uint>;
-        private var _welding:Welding;
+        private var _welder:VertexWelder;
 
         // For each vertex, one more than the last edge of which it is the lower vertex, or 0. For each edge, one more than the one before it with the same
         // lower vertex, or 0. Null after the edges are linked.
@@ -54,13 +54,13 @@ package starlogo.solid.interior
 
         /**
          * @param triangles three vertex indices each
-         * @param welding says which vertices are at the same place; read from the first step on
+         * @param welder says which vertices are at the same place; read from the first step on
          */
-        public function EdgeMatcher(triangles:Vector.<uint>, welding:Welding)
+        public function EdgeMatcher(triangles:Vector.<uint>, welder:VertexWelder)
         {
             _triangles = triangles;
-            _welding = welding;
-            var vertexCount:int = welding.welded.length;
+            _welder = welder;
+            var vertexCount:int = welder.welded.length;
             partners = zeroedInts(triangles.length);
             _beforeOfLow = zeroedInts(triangles.length);
             _beforeBetweenSame = zeroedInts(triangles.length);
@@ -82,7 +82,7 @@ package starlogo.solid.interior
         /** The vertex at which an edge begins. */
         public function beginOf(edge:int):int
         {
-            return _welding.welded[_triangles[edge]];
+            return _welder.welded[_triangles[edge]];
         }
 
         private function endOf(edge:int):int

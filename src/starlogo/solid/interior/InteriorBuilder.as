@@ -15,11 +15,11 @@ package starlogo.solid.interior
     {
         private static const TRIANGLES_PER_STEP:int = 400;
 
-        /** Knows the surface that the triangles make, and what is inside of it, when no step is left. */
-        public var windingCounter:WindingCounter;
+        /** What is inside of the triangles, and their surface: complete when no step is left. */
+        public var interior:Interior;
 
         // Which vertices are at the same place; null if the surface is known, and no vertices of its seams are apart.
-        private var _welding:Welding = null;
+        private var _welder:VertexWelder = null;
 
         /**
          * @param tree of the triangles, whose corners are listed
@@ -27,11 +27,11 @@ package starlogo.solid.interior
          */
         public function InteriorBuilder(tree:BoxTree, knownSurface:SurfaceTopology)
         {
-            windingCounter = new WindingCounter(tree, knownSurface || new SurfaceTopology(tree.primitiveCount));
+            interior = new Interior(tree, knownSurface || new SurfaceTopology(tree.primitiveCount));
             if (knownSurface == null || knownSurface.widestSeam > 0)
             {
-                _welding = new Welding(tree.vertices);
-                add(_welding).call(takeSeams);
+                _welder = new VertexWelder(tree.vertices);
+                add(_welder).call(takeSeams);
             }
             if (knownSurface == null)
             {
@@ -42,42 +42,42 @@ package starlogo.solid.interior
 
         private function takeSeams():void
         {
-            if (_welding.widestSeam > 0)
+            if (_welder.widestSeam > 0)
             {
-                windingCounter.welded = _welding.welded;
+                interior.welded = _welder.welded;
             }
         }
 
         private function findSurface():Steps
         {
-            var surface:SurfaceTopology = windingCounter.surface;
-            var triangles:Vector.<uint> = windingCounter.tree.triangles;
-            var edges:EdgeMatcher = new EdgeMatcher(triangles, _welding);
+            var surface:SurfaceTopology = interior.surface;
+            var triangles:Vector.<uint> = interior.tree.triangles;
+            var edges:EdgeMatcher = new EdgeMatcher(triangles, _welder);
             var shells:ShellFinder = new ShellFinder(surface, edges);
-            surface.widestSeam = _welding.widestSeam;
-            return new StepSequence().add(new ComponentFinder(surface, triangles, _welding.welded)).add(edges).add(shells).begin(function():Steps
+            surface.widestSeam = _welder.widestSeam;
+            return new StepSequence().add(new ComponentFinder(surface, triangles, _welder.welded)).add(edges).add(shells).begin(function():Steps
                 {
-                    return new CavityFinder(windingCounter, shells, _welding.welded);
+                    return new CavityFinder(interior, shells, _welder.welded);
                 });
         }
 
         private function beginPoints():void
         {
-            windingCounter.hasClosedShell = windingCounter.surface.hasClosedShell;
-            windingCounter.componentPoints = zeroedNumbers(3 * windingCounter.surface.componentCount);
+            interior.hasClosedShell = interior.surface.hasClosedShell;
+            interior.componentPoints = zeroedNumbers(3 * interior.surface.componentCount);
         }
 
         // Takes a corner of each triangle as the point of its component. The last one counts.
         private function takePoints(first:int, end:int):void
         {
-            var tree:BoxTree = windingCounter.tree;
+            var tree:BoxTree = interior.tree;
             for (var index:int = first; index < end; index++)
             {
-                var to:int = 3 * windingCounter.surface.components[tree.primitives[index]];
+                var to:int = 3 * interior.surface.components[tree.primitives[index]];
                 var from:int = tree.cornerOffsets[int(3 * index)];
                 for (var axis:int = 0; axis < 3; axis++)
                 {
-                    windingCounter.componentPoints[int(to + axis)] = tree.vertices[int(from + axis)];
+                    interior.componentPoints[int(to + axis)] = tree.vertices[int(from + axis)];
                 }
             }
         }

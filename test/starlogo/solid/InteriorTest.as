@@ -16,7 +16,7 @@ package starlogo.solid
      * What is inside of random surfaces that cross themselves. Solid angles say it of a surface with two sides; of a surface with one side, the number
      * of its triangles on a ray in a random direction.
      */
-    public class WindingCounterTest
+    public class InteriorTest
     {
         private static const OCTAHEDRON:Vector.<uint> = new <uint>[0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5];
 

@@ -6,12 +6,12 @@ package starlogo.solid.interior
     import starlogo.steps.StepSequence;
 
     /**
-     * Finds the vertices that are at the same place, within a tolerance, because rounding may have separated the vertices of a seam. A hash
+     * Welds vertices: finds those that are at the same place, within a tolerance, because rounding may have separated the vertices of a seam. A hash
      * table has the places by the cells of a grid. A cell is so much wider than the tolerance that most vertices are farther than that from
      * all other cells. Then no other cell is searched. Places are farther apart than the tolerance, so a cell has few of them. The table is not
      * an IntPairMap, because it need not tell cells apart: a vertex is compared with the places anyway. An IntPairMap would take longer.
      */
-    internal final class Welding extends StepSequence
+    internal final class VertexWelder extends StepSequence
     {
         private static const VERTICES_PER_STEP:int = 500;
 
@@ -39,7 +39,7 @@ package starlogo.solid.interior
         /**
          * @param vertices x, y, z of each
          */
-        public function Welding(vertices:Vector.<Number>)
+        public function VertexWelder(vertices:Vector.<Number>)
         {
             _vertices = vertices;
             var count:int = vertices.length / 3;

@@ -1,15 +1,15 @@
 // The package solid.interior says which points are inside of a model whose triangles come from a file: with seams, holes, shells that overlap and
 // cavities. A shell is connected over edges, a component over vertices. Engines whose meshes are hollow need none of it.
 // 
-// An InteriorBuilder makes a WindingCounter, which answers, and prepares it in steps:
-// Welding           finds the vertices that are at the same place
+// An InteriorBuilder makes an Interior, which answers, and prepares it in steps:
+// VertexWelder      finds the vertices that are at the same place
 // then the SurfaceTopology is found, by four classes:
 // - ComponentFinder finds the components
 // - EdgeMatcher     pairs the triangles that continue each other over an edge
 // - ShellFinder     follows these pairs, and so finds the shells
 // - CavityFinder    decides which shells bound cavities
 // 
-// Read WindingCounter first, then SurfaceTopology and InteriorBuilder.
+// Read Interior first, then SurfaceTopology and InteriorBuilder.
 
 package starlogo.solid.interior
 {
@@ -20,15 +20,15 @@ package starlogo.solid.interior
     import starlogo.hierarchy.NodeVisitor;
 
     /**
-     * Counts how often the shells of a surface wind around a point, so it knows what is inside of them. As a visitor, it counts the triangles that a
-     * ray along an axis crosses.
+     * Says which points are inside of a model's surface, by the winding numbers of its shells. As a visitor, it counts the triangles that a ray along an
+     * axis crosses.
      *
      * <p>In the arithmetic, p, q and r are the corners of a triangle. Each has three coordinates as seen from the ray's origin: a along the ray's axis,
      * b and c along the other two. So qb is the b of corner q.</p>
      *
      * @private
      */
-    public final class WindingCounter extends NodeVisitor
+    public final class Interior extends NodeVisitor
     {
         /** The tree of the triangles. */
         public var tree:BoxTree;
@@ -36,7 +36,7 @@ package starlogo.solid.interior
         /** The surface that they make. */
         public var surface:SurfaceTopology;
 
-        /** For each vertex, the vertex to whose place it is welded. Null if all vertices of each seam are at one place. */
+        /** See <code>VertexWelder.welded</code>. Null if all vertices of each seam are at one place. */
         public var welded:Vector.<int> = null;
 
         /** Whether at least one shell of the surface is closed, so that it has an inside. Known when the surface is complete. */
@@ -70,7 +70,7 @@ package starlogo.solid.interior
          * @param tree of the triangles, whose corners are listed
          * @param surface the surface that they make: its shells must be known when a point is asked about
          */
-        public function WindingCounter(tree:BoxTree, surface:SurfaceTopology)
+        public function Interior(tree:BoxTree, surface:SurfaceTopology)
         {
             var box:Vector.<Number> = tree.boxes;
             this.tree = tree;

@@ -4,10 +4,10 @@ package starlogo.models.polygons
     import starlogo.steps.Steps;
 
     /**
-     * Where a hole of a polygon touches the outline or another hole, gives both a corner at one place. So a touch counts also if rounding has put it
-     * inside or outside.
+     * Welds the holes of a polygon: where a hole touches the outline or another hole, both get a corner at one place. So a touch counts also if
+     * rounding has put it inside or outside.
      */
-    internal final class HoleWelds implements Steps
+    internal final class HoleWelder implements Steps
     {
         // Corners touch what they are closer to. The outline has a size of about 1. Files round to seven digits.
         private static const TOUCH_DISTANCE:Number = 1e-6;
@@ -20,7 +20,7 @@ package starlogo.models.polygons
         private var _edge:int = 0;
 
         /** @param rings contains the outline and the holes, which are not joined yet */
-        public function HoleWelds(rings:PolygonRings)
+        public function HoleWelder(rings:PolygonRings)
         {
             _rings = rings;
         }

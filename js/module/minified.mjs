@@ -12,7 +12,7 @@ const DIGITS = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
 /**
  * The settings of esbuild that give short names to the members that only the engine's classes read.
  *
- * @param program the engine, as translate.mjs has it after text()
+ * @param {import("./translation/translate.mjs").Program} program the translated engine, whose text() was called
  * @param productionText the module's text for users
  */
 export function manglingOf(program, productionText) {

@@ -2,7 +2,7 @@ import { Matrix4, Quaternion, Vector3 } from "three";
 import { Agent, ArgumentError } from "starlogo-collision";
 import { isYUp as isAxisY, optionsOf, textOf, warnings } from "./arguments.js";
 import { AgentTransform, toSceneAxes } from "./axes.js";
-import { poseModel, sourceOf } from "./model.js";
+import { conversionOf, poseModel } from "./model.js";
 
 /** The relative error that a scene's numbers may have, because many are of single precision. */
 const TOLERANCE = 1e-6;
@@ -49,7 +49,7 @@ export class ThreeAgentBinding {
 		this.#model = model;
 		if (model !== null) this.#setModel(model, isYUp);
 		else warnings?.ofNoModel(agent, object);
-		if ((modelUp === undefined ? sourceOf(model)?.isYUp ?? isYUp : isAxisY(modelUp)) !== isYUp) {
+		if ((modelUp === undefined ? conversionOf(model)?.isYUp ?? isYUp : isAxisY(modelUp)) !== isYUp) {
 			const upright = new Quaternion(isYUp ? -Math.SQRT1_2 : Math.SQRT1_2, 0, 0, Math.SQRT1_2);
 			this.#turn = this.#turn ? this.#turn.multiply(upright) : upright;
 		}
@@ -57,7 +57,7 @@ export class ThreeAgentBinding {
 
 	#setModel(model, isYUp) {
 		if (!model.source?.matrix) throw new ArgumentError(`ThreeAgentBinding: model must be a Model or null, not ${textOf(model)}`);
-		if (sourceOf(model)?.isPlaced) {
+		if (conversionOf(model)?.isPlaced) {
 			throw new ArgumentError(`model "${model.name}" is of levelFromObject and has its object's place in it: its agent stays at the origin, without a binding. `
 				+ "What moves has a model of modelFromObject(name, object, { scaling: Model.AS_GIVEN })");
 		}
@@ -222,7 +222,7 @@ class InstanceTransform {
 		if (!mesh.isInstancedMesh) throw new ArgumentError(`ThreeAgentBinding: object must be an InstancedMesh, not ${textOf(mesh)}`);
 		const { count } = mesh.instanceMatrix;
 		if (!(Number.isInteger(index) && index >= 0 && index < count)) throw new RangeError(`the mesh has instances 0 to ${count - 1}, not ${textOf(index)}`);
-		if (sourceOf(model)?.indices.has(mesh)) throw new ArgumentError(`model "${model.name}" was made of all instances: an instance has a model of the mesh's geometry`);
+		if (conversionOf(model)?.indices.has(mesh)) throw new ArgumentError(`model "${model.name}" was made of all instances: an instance has a model of the mesh's geometry`);
 		this.object = mesh;
 		this.index = index;
 	}

@@ -5,13 +5,13 @@ import { toEngineAxes } from "./axes.js";
 import { countOf, eachMesh, identity, surfaceOf, updateMatrices } from "./surface.js";
 
 /**
- * For each model: whether its source has y up, whether that is placed, of which vertices and faces of which meshes it was made, and by mesh the index of
- * the first of these.
+ * How each model was converted from three.js: whether y is up there, whether the object's own transform counts, from which vertices and faces of which
+ * meshes, and by mesh the index of the first of these.
  */
-const sources = new WeakMap();
+const conversions = new WeakMap();
 
-/** What is known of a model's source; undefined if the model was not made of an object or a geometry. */
-export const sourceOf = (model) => sources.get(model);
+/** How a model was converted; undefined if it was not made of an object or a geometry. */
+export const conversionOf = (model) => conversions.get(model);
 
 const point = new Vector3();
 
@@ -52,7 +52,7 @@ function modelOf(name, source, { data, meshes }, made, scaling) {
 	Object.assign(data, { scaling, isInModelSpace: scaling === Model.AS_GIVEN });
 	const model = new Model(name, null, null, Model.AS_GIVEN, build(name, data, meshes));
 	const indices = new Map(meshes.map(({ object }, i) => [object, i]).reverse());
-	sources.set(model, { ...made, meshes, indices, isGeometry: !source.isObject3D, posed: null });
+	conversions.set(model, { ...made, meshes, indices, isGeometry: !source.isObject3D, posed: null });
 	warnings?.keepSource(source, model);
 	return model;
 }
@@ -81,7 +81,7 @@ function whatIsMissing(source) {
  * @param {number} triangle the number of the triangle, as a hit has it
  */
 export function faceOf(model, triangle) {
-	const { meshes, isGeometry } = sourceOf(model) ?? {};
+	const { meshes, isGeometry } = conversionOf(model) ?? {};
 	if (!meshes || isGeometry) {
 		throw new ArgumentError(`faceOf: model must be one that modelFromObject or levelFromObject has made of an Object3D, not ${textOf(model)}`);
 	}
@@ -101,10 +101,10 @@ export function faceOf(model, triangle) {
  * @param {object} object its source, or a clone of it
  */
 export function poseModel(model, object) {
-	const source = sourceOf(model);
-	if (!source) throw new ArgumentError(`model "${model.name}" was not made of an object: modelFromObject makes models that objects can pose`);
-	const { meshes, indices, isGeometry, isYUp } = source;
-	const posed = source.posed ??= new Float64Array(model.vertices.length);
+	const conversion = conversionOf(model);
+	if (!conversion) throw new ArgumentError(`model "${model.name}" was not made of an object: modelFromObject makes models that objects can pose`);
+	const { meshes, indices, isGeometry, isYUp } = conversion;
+	const posed = conversion.posed ??= new Float64Array(model.vertices.length);
 	let number = 0;
 	let areOwn = null;
 	const poseMesh = (mesh, matrix, instanceId = null) => {

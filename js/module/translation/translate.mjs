@@ -22,7 +22,7 @@ import { unitsOf } from "./unit.mjs";
 // Classes of plain data, which tools show as they are.
 const SHOWN_AS_THEY_ARE = new Set(["flash.geom.Vector3D", "flash.geom.Matrix3D"]);
 
-/** A program made of the compiler's files, and of names from elsewhere. */
+/** All that is translated together, as a Program is in TypeScript: the compiler's files, and names from elsewhere. */
 export class Program {
 	#units = new Map(); // by qualified name
 	#shortNames = new Map();

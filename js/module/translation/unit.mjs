@@ -8,18 +8,18 @@ import { isWithin, keyName, lazyValue, pathOf } from "./syntax.mjs";
  */
 export function unitsOf(file, source) {
 	const comments = [];
-	const program = parse(source, { ecmaVersion: 2022, preserveParens: true, onComment: comments });
+	const ast = parse(source, { ecmaVersion: 2022, preserveParens: true, onComment: comments });
 	const qnames = [...source.matchAll(/^goog\.provide\('([\w.]+)'\)/gm)].map((match) => match[1]);
 	const caught = caughtIn(file, source);
 	return qnames.map((qname) => {
 		const isOwn = (path) => path === qname || path.startsWith(`${qname}.`) && !qnames.some((other) => other.length > qname.length && isWithin(path, other));
-		return new Unit({ file, source, caught, comments, qname, isOwn, isInner: qname !== qnames[0] }, program);
+		return new Unit({ file, source, caught, comments, qname, isOwn, isInner: qname !== qnames[0] }, ast);
 	}).filter((unit) => unit.main !== null);
 }
 
 /** A class, an interface, a function of a package, or a variable of a file. */
 class Unit {
-	constructor({ file, source, caught, comments, qname, isOwn, isInner }, program) {
+	constructor({ file, source, caught, comments, qname, isOwn, isInner }, ast) {
 		this.source = source;
 		this.file = file;
 		this.caught = caught;
@@ -40,7 +40,7 @@ class Unit {
 		this.fields = []; // { name, value }
 		this.staticValues = []; // { name, value, doc }
 		this.tests = [];
-		for (const statement of program.body) this.#read(statement);
+		for (const statement of ast.body) this.#read(statement);
 		if (this.kind === "function" && this.main && this.main.type !== "FunctionExpression") this.kind = "variable";
 	}
 

@@ -1,7 +1,7 @@
 /** Questions whose update is forgotten, or whose Collision's is, and that have not seen the ground. */
 import { $isUpdated, $updates } from "./frames.mjs";
 import { $breedsWithHandlers } from "./handlers.mjs";
-import { $forgetFlight } from "./shots.mjs";
+import { $forgetShot } from "./shots.mjs";
 import { $hasWarned, $getOrInsert, $warn } from "./warn.mjs";
 
 /** After so many frames without an update, or walks of one agent, the agents' places are compared. */
@@ -37,7 +37,7 @@ let $askedUpdate = 0;
  */
 export function $warnOfStale(queries, agents, mover) {
 	if (agents === null && queries.terrain !== null) $warnOfLateGround(queries);
-	if (mover !== null) $forgetFlight(mover);
+	if (mover !== null) $forgetShot(mover);
 	// most questions follow others of the same frame
 	if (queries === $lastAsked && $updates === $askedUpdate && agents === null && mover === null) return;
 	$lastAsked = queries;

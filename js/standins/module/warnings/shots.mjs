@@ -1,87 +1,87 @@
-/** Ways that are not tested: of agents that sweep, before the first frame that sees them; and of fast agents that do not sweep. */
+/** Shots that pass through others untested: that sweep, but move before their first frame; and that do not sweep, and tunnel. */
 import { $greatestId } from "./frames.mjs";
 import { $hasWarned, $rounded, $warn } from "./warn.mjs";
 
 /** So many agents are looked at in a frame, and so many are followed. */
 const $MOST_PLACED = 100;
 
-/** A way of more sizes of the agent than this may lead through a wall. */
+/** A path of more sizes of the agent than this may lead through a wall. */
 const $FAR = 0.5;
 
 /** A class's own fields of these names hide the engine's, which is warned of: the agent is where it was. */
 const $FIELDS = ["x", "y", "z", "sweeps", "size"];
 
-/** An agent that was put somewhere and then moves by more of its sizes than these in each of so many frames, always by the same way, is a shot. */
+/** An agent that was put somewhere and then moves by more than this many of its sizes in each of so many frames, by the same step, is a shot. */
 const $FAST = 2;
-const $MANY_WAYS = 4;
+const $MANY_STEPS = 4;
 
 /** Two agents that are nearer than this part of the sum of their sizes touch, whatever their shapes; those that are farther than this one do not. */
 const $MIDDLE = 0.25;
 const $BESIDE = 0.6;
 
-/** Where agents have been put first since the last frame. */
+/** Where agents have been put since the last frame, and not moved to. */
 const $placed = /* @__PURE__ */ new Map();
 
-/** Of agents that do not sweep and are fast from the beginning on: their middle in the last frame, the way to it, and in how many frames the way was this one. */
-const $flights = /* @__PURE__ */ new Map();
+/** Shots that do not sweep: their middle in the last frame, the step to it, and in how many frames in turn the step was this one. */
+const $shots = /* @__PURE__ */ new Map();
 
-/** Keeps where an agent is put, if no way leads there: a new one by moveTo, or any by jumpTo. */
+/** Keeps where an agent is put, if no path leads there: a new one by moveTo, or any by jumpTo. */
 export function $warnOfPlace(agent, x, y, z, isJump) {
 	if (!isJump && (agent.id <= $greatestId || $placed.has(agent)) || $placed.size >= $MOST_PLACED) return;
 	if (!isInWorld(x, y, z)) return; // the engine refuses it
 	$placed.set(agent, { x, y, z });
 }
 
-/** Warns of agents of a list that sweep, and have been moved since; and of those that do not sweep, and fly through others. */
+/** Warns of agents of a list that sweep, and have been moved since; and of shots that do not sweep, and tunnel. */
 export function $warnOfShots(collision, agents) {
-	if ($hasWarned("flight")) $flights.clear();
-	for (const [agent, flight] of $flights) $followFlight(collision, agents, agent, flight);
+	if ($hasWarned("tunneling")) $shots.clear();
+	for (const [agent, shot] of $shots) $followShot(collision, agents, agent, shot);
 	if ($placed.size === 0) return;
 	for (const [agent, place] of $placed) {
 		if (!agents.includes(agent)) continue;
-		if (agent.sweeps) $lookAtFirstWay(agent, place);
-		else if ($flights.size < $MOST_PLACED) $flights.set(agent, { place: $middleOf(agent), way: new Vector3D(), alike: 0 });
+		if (agent.sweeps) $lookAtFirstPath(agent, place);
+		else if ($shots.size < $MOST_PLACED) $shots.set(agent, { place: $middleOf(agent), step: new Vector3D(), repeats: 0 });
 	}
 	$placed.clear();
 }
 
-function $lookAtFirstWay(agent, { x, y, z }) {
-	const way = Math.hypot(agent.x - x, agent.y - y, agent.z - z);
-	if (!(way > $FAR * agent.size) || $FIELDS.some((name) => Object.hasOwn(agent, name))) return;
-	$warn(`${agent} sweeps, and was moved by ${$rounded(way)} between its place (${[x, y, z].map($rounded).join(", ")}) and its first frame. `
-		+ "This part of its way is not tested: put a shot into the muzzle in one frame, and move it from the next one on", "shot");
+function $lookAtFirstPath(agent, { x, y, z }) {
+	const length = Math.hypot(agent.x - x, agent.y - y, agent.z - z);
+	if (!(length > $FAR * agent.size) || $FIELDS.some((name) => Object.hasOwn(agent, name))) return;
+	$warn(`${agent} sweeps, and was moved by ${$rounded(length)} between its place (${[x, y, z].map($rounded).join(", ")}) and its first frame. `
+		+ "This part of its path is not tested: put a shot into the muzzle in one frame, and move it from the next one on", "first path");
 }
 
-/** Warns of an agent that has passed through another one in the last of some frames, if handlers would have been called for the two. */
-function $followFlight({ _handlers: { interests } }, agents, agent, flight) {
-	const before = flight.place;
+/** Warns of a shot that has passed through an agent since the last frame, if handlers would have been called for the two. */
+function $followShot({ _handlers: { interests } }, agents, agent, shot) {
+	const before = shot.place;
 	const place = $middleOf(agent);
-	const way = place.subtract(before);
-	const { length } = way;
+	const step = place.subtract(before);
+	const { length } = step;
 	if (agent.sweeps || length <= $FAST * agent.size) {
-		$flights.delete(agent);
+		$shots.delete(agent);
 		return;
 	}
-	const alike = way.subtract(flight.way).length < 0.2 * length ? flight.alike + 1 : 0;
-	Object.assign(flight, { place, way, alike });
-	if (alike < $MANY_WAYS || !agents.includes(agent)) return;
-	// what sweeps meets it, and what flies may fly beside it
-	const passed = agents.find((other) => !other.sweeps && !$flights.has(other) && interests.includes(agent.$breedNumber, other.$breedNumber)
+	const repeats = step.subtract(shot.step).length < 0.2 * length ? shot.repeats + 1 : 0;
+	Object.assign(shot, { place, step, repeats });
+	if (repeats < $MANY_STEPS || !agents.includes(agent)) return;
+	// an agent that sweeps meets the shot, and another shot may fly beside it
+	const passed = agents.find((other) => !other.sweeps && !$shots.has(other) && interests.includes(agent.$breedNumber, other.$breedNumber)
 		&& $isBetween(before, place, other, agent.size + other.size));
 	if (!passed) return;
 	$warn(`${agent} does not sweep, and has passed through ${passed}: it moves by ${$rounded(length)} patches in a frame, `
-		+ `${$rounded(length / agent.size)} times its size. With agent.sweeps = true it meets all that is on its way`, "flight");
+		+ `${$rounded(length / agent.size)} times its size. With agent.sweeps = true it meets all that is on its way`, "tunneling");
 }
 
-/** Whether the middle of a way leads through an agent, and its ends are beside it. `sizes` is the sum of the sizes of the two. */
+/** Whether the middle of a step leads through an agent, and its ends are beside it. `sizes` is the sum of the sizes of the two. */
 function $isBetween(from, to, agent, sizes) {
 	const center = $middleOf(agent);
-	const way = to.subtract(from);
-	const part = center.subtract(from).dotProduct(way) / way.lengthSquared;
+	const step = to.subtract(from);
+	const part = center.subtract(from).dotProduct(step) / step.lengthSquared;
 	if (!(part > 0 && part < 1)) return false;
-	way.scaleBy(part);
+	step.scaleBy(part);
 	const distanceTo = (point) => center.subtract(point).length;
-	return distanceTo(from.add(way)) < $MIDDLE * sizes && Math.min(distanceTo(from), distanceTo(to)) > $BESIDE * sizes;
+	return distanceTo(from.add(step)) < $MIDDLE * sizes && Math.min(distanceTo(from), distanceTo(to)) > $BESIDE * sizes;
 }
 
 /** The middle of an agent whose model is as high as it is wide. */
@@ -89,7 +89,7 @@ function $middleOf({ x, y, z, size }) {
 	return new Vector3D(x, y, z + size / 2);
 }
 
-/** Forgets an agent that a question moves, which tests its way. */
-export function $forgetFlight(agent) {
-	$flights.delete(agent);
+/** Forgets an agent that a question moves, because this tests its path. */
+export function $forgetShot(agent) {
+	$shots.delete(agent);
 }

@@ -33,7 +33,7 @@ let $lastWalk = null;
 const $MANY_JUMPS = 10;
 const $SHORT_JUMP = 1;
 
-/** Of a platform that has jumped below a walker: by which way, below whom and where that one was, and how often in turn. */
+/** Of a platform that has jumped below a walker: by which step, below whom and where that one was, and how often in turn. */
 const $jumps = /* @__PURE__ */ new WeakMap();
 
 /** How many walks of one breed another has stopped, by the text of both. */
@@ -41,24 +41,24 @@ const $stops = /* @__PURE__ */ new Map();
 
 /**
  * Warns of an agent that falls without end: in each of many walks it has come down by more than it went sideways. Steeper than that is no
- * ground that it walks on. And of many walks in turn that are probably each the way of a second.
+ * ground that it walks on. And of many walks in turn that are each as long as a second's, probably.
  */
 export function $warnOfFall(agent, dx, dy) {
 	const walker = $getOrInsert($walkers, agent, $newWalker);
-	const way = Math.hypot(dx, dy);
-	$countStride(walker, agent, way);
-	$countFall(walker, agent, way);
+	const length = Math.hypot(dx, dy);
+	$countStride(walker, agent, length);
+	$countFall(walker, agent, length);
 }
 
-function $countStride(walker, agent, way) {
-	walker.strides = way > $LONG_STRIDE * agent.size ? walker.strides + 1 : 0;
+function $countStride(walker, agent, length) {
+	walker.strides = length > $LONG_STRIDE * agent.size ? walker.strides + 1 : 0;
 	if (walker.strides !== $MANY_STRIDES) return;
-	$warn(`${agent} walks ${$rounded(way)} patches in each frame. The engine knows no time: if this is the way of a second, `
+	$warn(`${agent} walks ${$rounded(length)} patches in each frame. The engine knows no time: if this is its speed, in patches a second, `
 		+ "multiply it by the time since the last frame", "stride");
 }
 
-function $countFall(walker, agent, way) {
-	walker.falls = walker.z - agent.z > way ? walker.falls + 1 : 0;
+function $countFall(walker, agent, length) {
+	walker.falls = walker.z - agent.z > length ? walker.falls + 1 : 0;
 	if (walker.falls === 0) walker.top = agent.z;
 	walker.z = agent.z;
 	if (walker.falls !== $LONG_FALL) return;
@@ -94,19 +94,19 @@ function $countStop({ interests, _pairIndices: met }, does, agent, other) {
 }
 
 /**
- * Warns of a platform that moves sideways by jumps, always by the same way, while a walker stands on it and does not move with it. A walk
+ * Warns of a platform that moves sideways by jumps, always by the same step, while a walker stands on it and does not move with it. A walk
  * itself follows one that jumps up or down.
  */
 export function $warnOfJump(platform, x, y) {
 	if ($lastWalk?.footing.on !== platform) return;
 	const { agent } = $lastWalk;
-	const way = [x - platform.x, y - platform.y];
-	const length = Math.hypot(...way);
-	const isSame = ([dx, dy]) => Math.hypot(dx - way[0], dy - way[1]) <= 0.2 * length;
+	const step = [x - platform.x, y - platform.y];
+	const length = Math.hypot(...step);
+	const isSame = ([dx, dy]) => Math.hypot(dx - step[0], dy - step[1]) <= 0.2 * length;
 	const before = $jumps.get(platform);
-	const isLeft = before?.agent === agent && length > 0 && length < $SHORT_JUMP && isSame(before.way) && !isSame([agent.x - before.x, agent.y - before.y]);
+	const isLeft = before?.agent === agent && length > 0 && length < $SHORT_JUMP && isSame(before.step) && !isSame([agent.x - before.x, agent.y - before.y]);
 	const jumps = isLeft ? before.jumps + 1 : 0;
-	$jumps.set(platform, { way, agent, x: agent.x, y: agent.y, jumps });
+	$jumps.set(platform, { step, agent, x: agent.x, y: agent.y, jumps });
 	if (jumps !== $MANY_JUMPS) return;
 	$warn(`${platform} is moved by jumpTo() while ${agent} stands on it. A jump carries nobody: a platform that moves has moveTo()`, "jump");
 }

@@ -4,9 +4,9 @@ package starlogo.models.polygons
     import starlogo.models.files.FileBudget;
 
     /**
-     * A polygon's outline and holes as rings of corners in a plane, which it cuts into triangles. If no other corner is in the triangle at a corner
-     * that turns left, this triangle is cut off. Otherwise the corner is connected to one in the triangle, by a diagonal inside the polygon (M. de
-     * Berg et al., "Computational Geometry", theorem 3.1). This divides the ring, or joins a hole to it.
+     * Triangulates a polygon with holes in a plane by ear clipping. A convex vertex, the tip, makes a triangle with its two neighbours. If no other
+     * vertex is in the triangle, it is an ear, and is clipped off. Otherwise a diagonal inside the polygon connects the tip to a vertex in the triangle
+     * (M. de Berg et al., "Computational Geometry", theorem 3.1). The diagonal splits the ring, or is a bridge to a hole.
      *
      * <p>The polygon is projected along the coordinate axis nearest to the outline's normal (by M. E. Newell's method), so that the outline is
      * counter-clockwise. Small bends out of the plane do no harm. Coordinates begin at the outline's first corner, are scaled by a power of two, and
@@ -52,8 +52,8 @@ package starlogo.models.polygons
         private var _axisY:int;
         private var _scale:Number;
 
-        // A node of each ring that is to be cut. The last ring is being cut, from this node on.
-        private var _uncut:Vector.<int> = new <int>[0];
+        // A node of each ring that is not clipped yet. The last ring is next, from this node on.
+        private var _unclipped:Vector.<int> = new <int>[0];
 
         /**
          * The plane of a polygon, and the outline's ring, which is counter-clockwise.
@@ -166,46 +166,45 @@ package starlogo.models.polygons
         }
 
         /**
-         * Does a step that cuts the rings into triangles. Holes outside the outline are left out. Only triangles with an area are added. This holds
+         * Clips some ears off the rings, in one step. Holes outside the outline are left out. Only triangles with an area are added. This holds
          * for corners in a straight line, and for rings that cross or cover themselves.
          *
-         * @param triangles takes the triangles
-         * @return whether more is to be cut
+         * @param triangles takes the ears
+         * @return whether more is left
          */
-        internal function cut(triangles:Vector.<uint>):Boolean
+        internal function clipEars(triangles:Vector.<uint>):Boolean
         {
             var end:Number = budget.cornerTestsLeft - TESTS_PER_STEP;
-            while (_uncut.length > 0 && budget.cornerTestsLeft > end)
+            while (_unclipped.length > 0 && budget.cornerTestsLeft > end)
             {
-                var tip:int = cuttableFrom(_uncut.pop());
+                var tip:int = clippableFrom(_unclipped.pop());
                 var before:int = previous[tip];
                 var after:int = next[tip];
-                var isLeftTurn:Boolean = turnsLeft(tip);
-                if (before != after && !(isLeftTurn && budget.cornerTestsLeft > 0 && connect(tip)))
+                var isTipConvex:Boolean = isConvex(tip);
+                if (before != after && !(isTipConvex && budget.cornerTestsLeft > 0 && addDiagonal(tip)))
                 {
-                    if (isLeftTurn)
+                    if (isTipConvex)
                     {
                         triangles.push(vertex[before], vertex[tip], vertex[after]);
                     }
                     next[before] = after;
                     previous[after] = before;
-                    // What is left of a cut part goes first, because no other triangle is right while the ring goes there and back. Triangles are less thin
-                    // if their tips do not follow one another.
-                    _uncut.push(turnsBack(before) ? before : (turnsBack(after) || !turnsLeft(next[after]) ? after : next[after]));
+                    // A neighbour where the ring now turns back comes first, because no other ear is right before it is gone. Ears are less thin if
+                    // their tips do not follow one another.
+                    _unclipped.push(turnsBack(before) ? before : (turnsBack(after) || !isConvex(next[after]) ? after : next[after]));
                 }
             }
-            return _uncut.length > 0;
+            return _unclipped.length > 0;
         }
 
-        // The first node, from a given one on, at which the ring turns left or goes back. If there is none, as in a ring that crosses itself, or no
-        // tests are left, it is another node.
-        private function cuttableFrom(first:int):int
+        // The next node, from a given one on, that is convex or turns back. If there is none, or no tests are left, it is another node.
+        private function clippableFrom(first:int):int
         {
             var node:int = first;
             do
             {
                 budget.spendCornerTests(1);
-                if (turnsLeft(node) || turnsBack(node))
+                if (isConvex(node) || turnsBack(node))
                 {
                     return node;
                 }
@@ -215,14 +214,14 @@ package starlogo.models.polygons
             return node;
         }
 
-        // Connects a left turn to the nearest node in its triangle, and back. Returns whether there is one.
-        private function connect(tip:int):Boolean
+        // Adds the diagonal from a convex node to a node in its triangle, as an edge there and an edge back. Returns false if the triangle is an ear.
+        private function addDiagonal(tip:int):Boolean
         {
             var hole:int = 0;
             var nearest:int = -1;
             for (var i:int = 0; i < starts.length; i++)
             {
-                var nearer:int = nearestInTriangle(tip, i == 0 ? tip : starts[i], nearest);
+                var nearer:int = diagonalEnd(tip, i == 0 ? tip : starts[i], nearest);
                 if (nearer != nearest)
                 {
                     nearest = nearer;
@@ -233,27 +232,27 @@ package starlogo.models.polygons
             {
                 return false;
             }
-            var tipAgain:int = addCopy(tip, tip);
-            var nearestAgain:int = addCopy(nearest, previous[nearest]);
+            var tipCopy:int = addCopy(tip, tip);
+            var endCopy:int = addCopy(nearest, previous[nearest]);
             next[tip] = nearest;
             previous[nearest] = tip;
-            next[nearestAgain] = tipAgain;
-            previous[tipAgain] = nearestAgain;
+            next[endCopy] = tipCopy;
+            previous[tipCopy] = endCopy;
             if (hole == 0)
             {
-                _uncut.push(tipAgain);
+                _unclipped.push(tipCopy);
             }
             else
             {
                 starts.splice(hole, 1);
             }
-            _uncut.push(tip);
+            _unclipped.push(tip);
             return true;
         }
 
-        // The node in the triangle of a left turn that is nearest to the side before the tip, by the angle at this side's start. So no edge is between the
-        // tip and this node. It looks at the nodes of a ring, and at the node found before (-1 for none).
-        private function nearestInTriangle(tip:int, start:int, found:int):int
+        // The other end of a diagonal from a convex tip: the first node that the side before the tip meets if it turns about its start into the triangle.
+        // So no edge hides this node from the tip. Compares the nodes of one ring, and the node found in the rings before (-1 for none).
+        private function diagonalEnd(tip:int, start:int, found:int):int
         {
             var before:int = previous[tip];
             var after:int = next[tip];
@@ -265,7 +264,7 @@ package starlogo.models.polygons
             do
             {
                 // most corners are beside the triangle
-                if (x[node] >= minX && x[node] <= maxX && isInTriangle(node, before, tip, after))
+                if (x[node] >= minX && x[node] <= maxX && isDiagonalEnd(node, before, tip, after))
                 {
                     var turn:Number = nearest < 0 ? 1 : orient2d(before, node, nearest);
                     nearest = turn > 0 || turn == 0 && distance(before, node) < distance(before, nearest) ? node : nearest;
@@ -284,33 +283,34 @@ package starlogo.models.polygons
             return Math.abs(x[to] - x[from]) + Math.abs(y[to] - y[from]);
         }
 
-        // Whether a node is in the triangle of a left turn, and a line from it to the tip begins inside the polygon. If it is at the tip, whether its ring
-        // goes into the triangle.
-        private function isInTriangle(node:int, before:int, tip:int, after:int):Boolean
+        // Whether a node is in the triangle of a convex tip, and the diagonal from it to the tip begins inside the polygon. A node at the tip's place
+        // counts if its ring enters the triangle.
+        private function isDiagonalEnd(node:int, before:int, tip:int, after:int):Boolean
         {
             // most corners are beyond the third side
             if (orient2d(after, before, node) < 0 || areAtOnePlace(node, before) || areAtOnePlace(node, after))
             {
                 return false;
             }
-            return areAtOnePlace(node, tip) ? goesInto(node, before, tip, after)
+            return areAtOnePlace(node, tip) ? entersCone(node, before, tip, after)
                 : orient2d(before, tip, node) >= 0 && orient2d(tip, after, node) >= 0 && isLocallyInside(node, tip);
         }
 
-        // Whether a line from a node to another one begins inside the polygon.
+        // Whether the line from a node to another one begins inside the polygon, which is left of each edge. At a convex node the line must be left of
+        // both edges. At a reflex node it must be left of one of them.
         private function isLocallyInside(node:int, other:int):Boolean
         {
-            var isAfterNext:Boolean = orient2d(node, next[node], other) > 0;
-            var isBeforePrevious:Boolean = orient2d(node, other, previous[node]) > 0;
-            return orient2d(node, next[node], previous[node]) > 0 ? isAfterNext && isBeforePrevious : isAfterNext || isBeforePrevious;
+            var isLeftOfNext:Boolean = orient2d(node, next[node], other) > 0;
+            var isLeftOfPrevious:Boolean = orient2d(previous[node], node, other) > 0;
+            return isConvex(node) ? isLeftOfPrevious && isLeftOfNext : isLeftOfPrevious || isLeftOfNext;
         }
 
-        private function turnsLeft(node:int):Boolean
+        private function isConvex(node:int):Boolean
         {
             return orient2d(previous[node], node, next[node]) > 0;
         }
 
-        // Whether the ring goes back at a node the way it came, or stays in its place.
+        // Whether the ring turns around at a node, as at the end of a spike, or the node is at the same place as a neighbour.
         private function turnsBack(node:int):Boolean
         {
             var before:int = previous[node];
@@ -318,18 +318,18 @@ package starlogo.models.polygons
             return (x[before] - x[node]) * (x[after] - x[node]) + (y[before] - y[node]) * (y[after] - y[node]) >= 0 && orient2d(before, node, after) == 0;
         }
 
-        // Whether the ring of a node at the tip's place goes into the triangle of a left turn there, or comes along one side and leaves along the other, as
-        // a hole that fills the corner. The ends of its edges may be beyond the triangle.
-        private function goesInto(node:int, before:int, tip:int, after:int):Boolean
+        // Whether the ring of a node at a convex tip's place has an edge in the tip's cone, or has its edges along both sides of it, as a hole that
+        // fills the corner. The ends of the edges may be beyond the triangle.
+        private function entersCone(node:int, before:int, tip:int, after:int):Boolean
         {
             var from:int = previous[node];
             var to:int = next[node];
-            return isInCorner(from, before, tip, after) || isInCorner(to, before, tip, after)
+            return isInCone(from, before, tip, after) || isInCone(to, before, tip, after)
                 || orient2d(tip, after, from) == 0 && orient2d(before, tip, from) > 0 && orient2d(before, tip, to) == 0 && orient2d(tip, after, to) > 0;
         }
 
-        // Whether a node is between the two sides of a left turn, or of what goes on beyond them.
-        private function isInCorner(node:int, before:int, tip:int, after:int):Boolean
+        // Whether a node is in the cone of a convex tip: between its two sides, however long these are.
+        private function isInCone(node:int, before:int, tip:int, after:int):Boolean
         {
             return orient2d(before, tip, node) > 0 && orient2d(tip, after, node) > 0;
         }

@@ -7,13 +7,13 @@ package starlogo.models.polygons
     /**
      * Triangulates polygons in space. They may be concave and have holes.
      *
-     * <p>A triangle stays as it is, and a quad is cut along the diagonal inside it; triangles that name a corner twice are left out. Other polygons
+     * <p>A triangle stays as it is, and a quad is split along the diagonal inside it. Triangles that name a corner twice are left out. Other polygons
      * become rings in a plane (PolygonRings). If their first corner sees all others, as in a convex polygon without corners in a straight line,
-     * they are cut from there. Otherwise HoleWelder finds where holes touch, and the rings cut themselves. Outlines may cross or cover themselves, and
-     * holes may touch them. Every triangle that is cut from a ring has an area in the plane. A ring without area has no triangles.</p>
+     * they are a triangle fan around it. Otherwise HoleWelder welds holes where they touch, and PolygonRings clips ears. Outlines may cross or cover
+     * themselves, and holes may touch them. Every ear has an area in the plane. A ring without area has no triangles.</p>
      *
      * <p>Cost: linear for convex polygons, otherwise up to quadratic in the corners, but at most the tests of corners that the file's limits
-     * allow. Beyond that, corners are cut off without a test, and holes are filled.</p>
+     * allow. Beyond that, ears are clipped without a test, and holes are filled.</p>
      *
      * @private
      */
@@ -104,7 +104,7 @@ package starlogo.models.polygons
             var rest:StepSequence = hasHoles ? new StepSequence().add(new HoleWelder(rings)) : new StepSequence();
             rest.repeat(function():Boolean
                 {
-                    return rings.cut(triangles);
+                    return rings.clipEars(triangles);
                 });
             return rest.step() ? rest : null;
         }
@@ -118,7 +118,7 @@ package starlogo.models.polygons
             }
         }
 
-        // Adds an outline of three or four corners. A quad is cut along the diagonal inside it.
+        // Adds an outline of three or four corners. A quad is split along the diagonal inside it.
         private function addSmall(outline:Vector.<uint>):void
         {
             var a:uint = outline[0];
@@ -143,7 +143,7 @@ package starlogo.models.polygons
             }
         }
 
-        // Whether ac cuts the quad into two triangles of the same direction. The scale keeps the products of four lengths from being 0 or infinite.
+        // Whether ac is a diagonal inside the quad. The scale keeps the products of four lengths from being 0 or infinite.
         private function isDiagonal(a:uint, b:uint, c:uint, d:uint, scale:Number):Boolean
         {
             var vertices:Vector.<Number> = _vertices;
@@ -166,7 +166,7 @@ package starlogo.models.polygons
             return (by * cz - bz * cy) * (cy * dz - cz * dy) + (bz * cx - bx * cz) * (cz * dx - cx * dz) + (bx * cy - by * cx) * (cx * dy - cy * dx) > 0;
         }
 
-        // Whether the ring turns left as seen from its first corner, as a convex polygon without corners in a straight line does.
+        // Whether all triangles from the first corner are counter-clockwise, as in a convex polygon without corners in a straight line.
         private static function isFan(rings:PolygonRings):Boolean
         {
             for (var i:int = 2; i < rings.vertex.length; i++)

@@ -3,9 +3,9 @@ package starlogo.models.text
     import starlogo.geometry.roundingOfProduct;
 
     /**
-     * Reads decimal numbers with the same result on every machine. The result is the nearest Number. If the decimal is almost halfway
-     * between two Numbers (within 1e-12 of their distance), the result is one of these two. The players' own functions differ in the last
-     * bits if a number has more than fifteen digits.
+     * Parses a decimal number to the nearest Number, to the same bits on every machine. If the decimal is almost halfway between two Numbers
+     * (within 1e-12 of their distance), the result is one of these two. The players' own functions differ in the last bits if a number has
+     * more than fifteen digits.
      *
      * <p>A decimal with more than fifteen digits is taken as the sum of two Numbers. Products are computed exactly, by the method of T.
      * J. Dekker ("A floating-point technique for extending the available precision", Numerische Mathematik 18, 1971).</p>

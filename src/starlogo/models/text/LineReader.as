@@ -4,7 +4,7 @@ package starlogo.models.text
     import starlogo.models.files.shortened;
 
     /**
-     * Divides text that has one statement per line into words, some lines at a time. Comments are left out.
+     * Reads the statements of a text file, such as an OBJ file, one line each, as lists of words. It reads some in each step, without comments.
      *
      * @private
      */
@@ -60,10 +60,10 @@ package starlogo.models.text
         }
 
         /**
-         * Does a step: reads some statements, or none if the next chunk of the text must be divided first.
+         * Does a step: reads some statements, or none if the next chunk of the text must be split into lines first.
          *
          * @param read <code>function(words:Array):void</code>; gets the words of a statement, at least one
-         * @return the share of the text that is divided, from 0 to 1
+         * @return the share of the text that is split into lines, from 0 to 1
          */
         public function readStatements(read:Function):Number
         {
@@ -145,7 +145,7 @@ package starlogo.models.text
             return words;
         }
 
-        // Divides the next lines: up to the end of the line after so many characters.
+        // Splits the next chunk into lines. It ends where a line ends.
         private function readChunk():void
         {
             var start:int = _end;

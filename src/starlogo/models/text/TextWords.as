@@ -4,7 +4,7 @@ package starlogo.models.text
     import starlogo.steps.Steps;
 
     /**
-     * Splits text with native functions of the player, because a loop over characters is slow.
+     * Splits text into words, and trims and replaces. It uses the player's native functions, because a loop over characters is slow.
      *
      * @private
      */

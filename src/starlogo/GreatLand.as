@@ -3,10 +3,10 @@ package starlogo
     import flash.utils.ByteArray;
     import starlogo.data.requireGiven;
     import starlogo.libraries.BoundingStructuresLibrary;
+    import starlogo.libraries.CollisionDataBuilder;
     import starlogo.libraries.FitStore;
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.libraries.ModelTable;
-    import starlogo.libraries.ResultsBuilder;
     import starlogo.models.Model;
     import starlogo.models.ModelReceiver;
     import starlogo.models.building.ModelData;
@@ -152,11 +152,11 @@ package starlogo
         public function receive(model:Model):Steps
         {
             requireGiven("model", model);
-            var results:ResultsBuilder = newResults(model, fitStore);
-            return results.call(function():void
+            var builder:CollisionDataBuilder = newDataBuilder(model, fitStore);
+            return builder.call(function():void
                 {
                     // a result that was not computed is set to null too, because the entry's old result belongs to another model
-                    models.entryToWrite(model.name).replace(model, results.structures, results.tree);
+                    models.entryToWrite(model.name).replace(model, builder.structures, builder.tree);
                 });
         }
 
@@ -177,9 +177,9 @@ package starlogo
         {
             requireGiven("model", model);
             ModelData.requireUpAxis(model.name, upAxis);
-            var results:ResultsBuilder = newResults(model, null);
-            finish(results);
-            return results.toCooked(CookedFile.keyOfLoad(upAxis, model.data.scaling, usesTransforms));
+            var builder:CollisionDataBuilder = newDataBuilder(model, null);
+            finish(builder);
+            return builder.toCooked(CookedFile.keyOfLoad(upAxis, model.data.scaling, usesTransforms));
         }
 
         /** @inheritDoc */
@@ -257,10 +257,10 @@ package starlogo
                 });
         }
 
-        /** @private The work that finds the results that the flags ask for. None of its steps is done yet. @param store null for none */
-        engine function newResults(model:Model, store:FitStore):ResultsBuilder
+        /** @private The work that builds the collision data that the flags ask for. None of its steps is done yet. @param store null for none */
+        engine function newDataBuilder(model:Model, store:FitStore):CollisionDataBuilder
         {
-            return new ResultsBuilder(model, loadTightestFit ? _boundingStructures : null, loadHierarchies ? _hierarchies : null, store);
+            return new CollisionDataBuilder(model, loadTightestFit ? _boundingStructures : null, loadHierarchies ? _hierarchies : null, store);
         }
     }
 }

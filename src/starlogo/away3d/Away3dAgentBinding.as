@@ -93,7 +93,7 @@ package starlogo.away3d
             }
             drawn.scaleX = drawn.scaleY = drawn.scaleZ = scale;
             // y and z are swapped, because it turns in the agent's space
-            var offset:Vector3D = rotation.turn(scale * _origin.x - pivot.x, scale * _origin.z - pivot.z, scale * _origin.y - pivot.y);
+            var offset:Vector3D = rotation.rotate(scale * _origin.x - pivot.x, scale * _origin.z - pivot.z, scale * _origin.y - pivot.y);
             drawn.moveTo(_agent.x - pivot.x - offset.x, _agent.z - pivot.y - offset.z, _agent.y - pivot.z - offset.y);
             remember();
         }
@@ -117,7 +117,7 @@ package starlogo.away3d
             checkScale();
             var rotation:SwappedRotation = sRotation;
             var angles:Vector3D = rotation.setAngles(drawn.rotationZ, drawn.rotationY, drawn.rotationX);
-            var offset:Vector3D = rotation.turn(scale * _origin.x - pivot.x, scale * _origin.y - pivot.y, scale * _origin.z - pivot.z);
+            var offset:Vector3D = rotation.rotate(scale * _origin.x - pivot.x, scale * _origin.y - pivot.y, scale * _origin.z - pivot.z);
             var x:Number = drawn.x + pivot.x + offset.x;
             var y:Number = drawn.z + pivot.z + offset.z;
             var z:Number = drawn.y + pivot.y + offset.y;

@@ -38,16 +38,16 @@ package starlogo.away3d
             return new AffineTransform(areSame ? components : drawn);
         }
 
-        // First the scale, then the turn about the pivot point, then the move: T(position) T(pivot) R T(-pivot) S.
+        // First the scale, then the rotation about the pivot point, then the move: T(position) T(pivot) R T(-pivot) S.
         private static function ofComponents(object:Object3D):AffineTransform
         {
             var p:Placement = new Placement();
             var pivot:Vector3D = object.pivotPoint;
             p.setRotation(object.rotationZ, object.rotationY, object.rotationX);
-            var turned:Vector3D = new Vector3D();
-            p.turn(pivot, turned);
+            var rotated:Vector3D = new Vector3D();
+            p.rotate(pivot, rotated);
             return AffineTransform.of(p, object.scaleX, object.scaleY, object.scaleZ,
-                    object.x + pivot.x - turned.x, object.y + pivot.y - turned.y, object.z + pivot.z - turned.z);
+                    object.x + pivot.x - rotated.x, object.y + pivot.y - rotated.y, object.z + pivot.z - rotated.z);
         }
     }
 }

@@ -46,11 +46,11 @@ package starlogo.away3d
             return _angles;
         }
 
-        /** Turns a point. The point is in the space that the angles came from. The next call overwrites the result. */
-        public function turn(x:Number, y:Number, z:Number):Vector3D
+        /** Rotates a point, which is in the space that the angles came from. The next call overwrites the result. */
+        public function rotate(x:Number, y:Number, z:Number):Vector3D
         {
             _point.setTo(x, y, z);
-            _placement.turn(_point, _point);
+            _placement.rotate(_point, _point);
             return _point;
         }
     }

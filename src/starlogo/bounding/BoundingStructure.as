@@ -125,13 +125,13 @@ package starlogo.bounding
             var m:Vector.<Number> = rotation.rawData;
             var isAffine:Boolean = m[3] == 0 && m[7] == 0 && m[11] == 0 && m[15] == 1;
             var isCentred:Boolean = m[12] == 0 && m[13] == 0 && m[14] == 0;
-            var turning:Placement = new Placement();
-            turning.setRows(new <Number>[m[0], m[4], m[8], m[1], m[5], m[9], m[2], m[6], m[10]], 0);
-            if (!isAffine || !isCentred || !turning.isOrthonormal)
+            var placement:Placement = new Placement();
+            placement.setRows(new <Number>[m[0], m[4], m[8], m[1], m[5], m[9], m[2], m[6], m[10]], 0);
+            if (!isAffine || !isCentred || !placement.isOrthonormal)
             {
                 throw new ArgumentError("a rotation must rotate about the origin and do nothing else: " + m);
             }
-            return placeWithin(turning);
+            return placeWithin(placement);
         }
 
         /**
@@ -398,7 +398,7 @@ package starlogo.bounding
         /** Rotates a vector by the rotation of a placement, for structures of your own. The result is written to out, which may be the vector itself. */
         protected static function turnInto(vector:Vector3D, placement:Placement, out:Vector3D):void
         {
-            placement.turn(vector, out);
+            placement.rotate(vector, out);
         }
 
         /**

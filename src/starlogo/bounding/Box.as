@@ -22,7 +22,7 @@ package starlogo.bounding
         // How far the lengths and the dot products of the axes may be off from 1 and 0. Axes that are as precise as this are copied to the last bit.
         private static const AXES_ROUNDING:Number = 1e-15;
 
-        private static var sTurned:Vector3D = new Vector3D();
+        private static var sRotated:Vector3D = new Vector3D();
         private static var sHalves:Vector3D = new Vector3D();
 
         /** The middle. */
@@ -68,9 +68,9 @@ package starlogo.bounding
             checkVector(axisX, "a box's axisX");
             checkVector(axisY, "a box's axisY");
             checkVector(axisZ, "a box's axisZ");
-            var turning:Placement = new Placement();
-            turning.setRows(new <Number>[axisX.x, axisY.x, axisZ.x, axisX.y, axisY.y, axisZ.y, axisX.z, axisY.z, axisZ.z], 0);
-            if (!turning.isOrthonormal)
+            var rotation:Placement = new Placement();
+            rotation.setRows(new <Number>[axisX.x, axisY.x, axisZ.x, axisX.y, axisY.y, axisZ.y, axisX.z, axisY.z, axisZ.z], 0);
+            if (!rotation.isOrthonormal)
             {
                 var axes:String = [axisX, axisY, axisZ].join(", ");
                 throw new ArgumentError("a box's axes must be unit vectors at right angles: " + axes);
@@ -133,9 +133,9 @@ package starlogo.bounding
             placed.halfY = halfY * size;
             placed.halfZ = halfZ * size;
             placement.place(center, placed.center);
-            placement.turn(axisX, placed.axisX);
-            placement.turn(axisY, placed.axisY);
-            placement.turn(axisZ, placed.axisZ);
+            placement.rotate(axisX, placed.axisX);
+            placement.rotate(axisY, placed.axisY);
+            placement.rotate(axisZ, placed.axisZ);
             return placed;
         }
 
@@ -166,29 +166,29 @@ package starlogo.bounding
             var x:Number = halfX * size;
             var y:Number = halfY * size;
             var z:Number = halfZ * size;
-            var turned:Vector3D = sTurned;
-            turned.x = center.x * size;
-            turned.y = center.y * size;
-            turned.z = center.z * size;
-            var margin:Number = Tolerances.ROUNDING * (Math.abs(turned.x) + Math.abs(turned.y) + Math.abs(turned.z) + x + y + z);
-            placement.turn(turned, turned);
-            out[0] = turned.x;
-            out[1] = turned.y;
-            out[2] = turned.z;
+            var rotated:Vector3D = sRotated;
+            rotated.x = center.x * size;
+            rotated.y = center.y * size;
+            rotated.z = center.z * size;
+            var margin:Number = Tolerances.ROUNDING * (Math.abs(rotated.x) + Math.abs(rotated.y) + Math.abs(rotated.z) + x + y + z);
+            placement.rotate(rotated, rotated);
+            out[0] = rotated.x;
+            out[1] = rotated.y;
+            out[2] = rotated.z;
 
             // For each axis, how far the box extends along x, y and z.
-            placement.turn(axisX, turned);
-            var extentX:Number = x * Math.abs(turned.x);
-            var extentY:Number = x * Math.abs(turned.y);
-            var extentZ:Number = x * Math.abs(turned.z);
-            placement.turn(axisY, turned);
-            extentX += y * Math.abs(turned.x);
-            extentY += y * Math.abs(turned.y);
-            extentZ += y * Math.abs(turned.z);
-            placement.turn(axisZ, turned);
-            out[3] = extentX + z * Math.abs(turned.x) + margin;
-            out[4] = extentY + z * Math.abs(turned.y) + margin;
-            out[5] = extentZ + z * Math.abs(turned.z) + margin;
+            placement.rotate(axisX, rotated);
+            var extentX:Number = x * Math.abs(rotated.x);
+            var extentY:Number = x * Math.abs(rotated.y);
+            var extentZ:Number = x * Math.abs(rotated.z);
+            placement.rotate(axisY, rotated);
+            extentX += y * Math.abs(rotated.x);
+            extentY += y * Math.abs(rotated.y);
+            extentZ += y * Math.abs(rotated.z);
+            placement.rotate(axisZ, rotated);
+            out[3] = extentX + z * Math.abs(rotated.x) + margin;
+            out[4] = extentY + z * Math.abs(rotated.y) + margin;
+            out[5] = extentZ + z * Math.abs(rotated.z) + margin;
         }
 
         /** @private */

@@ -149,8 +149,8 @@ package starlogo.bounding
             var outerRadius:Number = radius * size;
             outerRadius += Tolerances.ROUNDING * (outerRadius + (Math.abs(middle.x) + Math.abs(middle.y) + Math.abs(middle.z)
                         + (Math.abs(half.x) + Math.abs(half.y) + Math.abs(half.z))));
-            placement.turn(middle, middle);
-            placement.turn(half, half);
+            placement.rotate(middle, middle);
+            placement.rotate(half, half);
             out[0] = middle.x;
             out[1] = middle.y;
             out[2] = middle.z;

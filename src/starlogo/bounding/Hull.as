@@ -23,7 +23,7 @@ package starlogo.bounding
     {
         private static const POINT:Vector.<Number> = new <Number>[0, 0, 0];
 
-        private static var sTurned:Vector.<Number> = new Vector.<Number>();
+        private static var sRotated:Vector.<Number> = new Vector.<Number>();
         private static var sBounds:VertexBounds = new VertexBounds();
 
         // Structures may be larger than what ConvexHull takes. So it gets the corners divided by this number: 2^40, which loses no
@@ -180,7 +180,7 @@ package starlogo.bounding
             {
                 placed.relativeCorners.length = relativeCorners.length;
             }
-            Placement.scaleAndTurnPoints(placement, relativeCorners, placed.relativeCorners);
+            Placement.scaleAndRotatePoints(placement, relativeCorners, placed.relativeCorners);
             placement.place(center, placed.center);
             placed.radius = radius * placement.size;
             placed.topology = topology;
@@ -226,11 +226,11 @@ package starlogo.bounding
         /** @private */
         override engine function findPlacedBox(placement:Placement, out:Vector.<Number>):void
         {
-            var turned:Vector.<Number> = sTurned;
+            var rotated:Vector.<Number> = sRotated;
             var bounds:VertexBounds = sBounds;
-            Placement.scaleAndTurnPoints(placement, relativeCorners, turned);
+            Placement.scaleAndRotatePoints(placement, relativeCorners, rotated);
             bounds.clear();
-            bounds.add(turned, 0, relativeCorners.length / 3);
+            bounds.add(rotated, 0, relativeCorners.length / 3);
             var size:Number = placement.size;
             var x:Number = center.x * size;
             var y:Number = center.y * size;

@@ -33,13 +33,13 @@ package starlogo.convex
             return length > EDGE;
         }
 
-        /** Finds the corners of a core that are farthest along a contact's normal, or against it if the side is -1. They are in any order. */
-        public function findFarthest(shape:ConvexShape, side:int, contact:ContactPoint):void
+        /** Finds the corners of a core that are farthest along a contact's normal, or against it if the sign is -1. They are in any order. */
+        public function findFarthest(shape:ConvexShape, sign:int, contact:ContactPoint):void
         {
             var p:Vector.<Number> = shape.points;
-            var x:Number = side * contact.normalX;
-            var y:Number = side * contact.normalY;
-            var z:Number = side * contact.normalZ;
+            var x:Number = sign * contact.normalX;
+            var y:Number = sign * contact.normalY;
+            var z:Number = sign * contact.normalZ;
             var most:Number = -Infinity;
             for (var i:int = 0; i < shape.pointsEnd; i += 3)
             {
@@ -102,7 +102,7 @@ package starlogo.convex
 
         /**
          * Keeps the part of an edge or a face that is within another face (Sutherland and Hodgman, "Reentrant polygon clipping", 1974). What two
-         * shapes share where they touch may be as narrow as rounding, so if all is outside of a side of the face, what is nearest to that side is left.
+         * shapes share where they touch may be as narrow as rounding, so if all is outside of an edge of the face, what is nearest to that edge is left.
          *
          * @param face in the same plane or in a parallel one. Both are outlines
          * @param contact has the normal of the planes
@@ -120,7 +120,7 @@ package starlogo.convex
             {
                 return;
             }
-            // what is nearest to a side may be beside the face, so these sides come last
+            // what is nearest to an edge may be beside the face, so these edges come last
             for (at = 0; at < face.length; at += 3)
             {
                 cut(face, last, at, contact, true);
@@ -218,20 +218,20 @@ package starlogo.convex
             return best;
         }
 
-        // Keeps the part on the inner side of a side of a face. If there is none, keeps all or only what is nearest to the side. Returns whether something
-        // is inside.
-        private function cut(face:ContactFeature, sideFrom:int, sideTo:int, contact:ContactPoint, keepsNearest:Boolean):Boolean
+        // Keeps the part on the inner side of an edge of a face. If there is none, keeps all, or only what is nearest to the edge. Returns whether there
+        // is such a part.
+        private function cut(face:ContactFeature, from:int, to:int, contact:ContactPoint, keepsNearest:Boolean):Boolean
         {
-            var sides:Vector.<Number> = face.points;
-            var sideX:Number = sides[sideTo] - sides[sideFrom];
-            var sideY:Number = sides[int(sideTo + 1)] - sides[int(sideFrom + 1)];
-            var sideZ:Number = sides[int(sideTo + 2)] - sides[int(sideFrom + 2)];
-            // to the left of the side, which is inwards
-            var inX:Number = contact.normalY * sideZ - contact.normalZ * sideY;
-            var inY:Number = contact.normalZ * sideX - contact.normalX * sideZ;
-            var inZ:Number = contact.normalX * sideY - contact.normalY * sideX;
+            var corners:Vector.<Number> = face.points;
+            var edgeX:Number = corners[to] - corners[from];
+            var edgeY:Number = corners[int(to + 1)] - corners[int(from + 1)];
+            var edgeZ:Number = corners[int(to + 2)] - corners[int(from + 2)];
+            // to the left of the edge, which is inwards
+            var inX:Number = contact.normalY * edgeZ - contact.normalZ * edgeY;
+            var inY:Number = contact.normalZ * edgeX - contact.normalX * edgeZ;
+            var inZ:Number = contact.normalX * edgeY - contact.normalY * edgeX;
             // what is at least so far inwards is kept
-            var border:Number = inX * sides[sideTo] + inY * sides[int(sideTo + 1)] + inZ * sides[int(sideTo + 2)];
+            var border:Number = inX * corners[to] + inY * corners[int(to + 1)] + inZ * corners[int(to + 2)];
             var kept:Vector.<Number> = _spare;
             var before:Vector.<Number> = points;
             var innermost:Number = -Infinity;
@@ -240,9 +240,9 @@ package starlogo.convex
                 var projection:Number = inX * before[i] + inY * before[int(i + 1)] + inZ * before[int(i + 2)];
                 innermost = projection > innermost ? projection : innermost;
             }
-            // rounding is relative to the face's extent, which two of its sides tell
-            var rounding:Number = Tolerances.ROUNDING * (Math.abs(sides[3] - sides[0]) + Math.abs(sides[4] - sides[1]) + Math.abs(sides[5] - sides[2])
-                    + Math.abs(sides[6] - sides[3]) + Math.abs(sides[7] - sides[4]) + Math.abs(sides[8] - sides[5]))
+            // rounding is relative to the face's extent, which two of its edges tell
+            var rounding:Number = Tolerances.ROUNDING * (Math.abs(corners[3] - corners[0]) + Math.abs(corners[4] - corners[1]) + Math.abs(corners[5] - corners[2])
+                    + Math.abs(corners[6] - corners[3]) + Math.abs(corners[7] - corners[4]) + Math.abs(corners[8] - corners[5]))
                 * Math.sqrt(inX * inX + inY * inY + inZ * inZ);
             var isAllOutside:Boolean = innermost < border - rounding;
             if (isAllOutside)

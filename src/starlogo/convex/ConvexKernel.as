@@ -116,10 +116,10 @@ package starlogo.convex
             cores.limitToTouching();
             cores.searchLimit += motion.margin;
             // the motion is that of a
-            var side:int = cores.isSwapped ? -1 : 1;
-            _balls.x = side * cores.x;
-            _balls.y = side * cores.y;
-            _balls.z = side * cores.z;
+            var sign:int = cores.isSwapped ? -1 : 1;
+            _balls.x = sign * cores.x;
+            _balls.y = sign * cores.y;
+            _balls.z = sign * cores.z;
             _balls.radiusA = Tolerances.OUTER * (cores.searchLimit + cores.first.boundingRadius + cores.second.boundingRadius);
             _balls.radiusB = 0;
             findTimeOfSpheres(_balls, motion);

@@ -181,14 +181,14 @@ package starlogo.convex
 
         /**
          * The support function of the core: returns the index of the first number of the point that is farthest along a direction, or against it if the
-         * side is -1.
+         * sign is -1.
          */
-        public function support(direction:Vector3D, side:int):int
+        public function support(direction:Vector3D, sign:int):int
         {
             var p:Vector.<Number> = points;
-            var directionX:Number = side * direction.x;
-            var directionY:Number = side * direction.y;
-            var directionZ:Number = side * direction.z;
+            var directionX:Number = sign * direction.x;
+            var directionY:Number = sign * direction.y;
+            var directionZ:Number = sign * direction.z;
             var best:int = 0;
             if (coreKind == BOX)
             {

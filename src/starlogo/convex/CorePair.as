@@ -57,21 +57,21 @@ package starlogo.convex
         public function setMotion(motion:RelativeMotion):void
         {
             // If the shapes are swapped, the first one moves in the opposite direction as seen from the second.
-            var side:int = isSwapped ? -1 : 1;
-            motionX = side * motion.x;
-            motionY = side * motion.y;
-            motionZ = side * motion.z;
+            var sign:int = isSwapped ? -1 : 1;
+            motionX = sign * motion.x;
+            motionY = sign * motion.y;
+            motionZ = sign * motion.z;
             moveTo(motion);
         }
 
         /** Moves the first shape to where it is at the motion's time. */
         public function moveTo(motion:RelativeMotion):void
         {
-            var side:int = isSwapped ? -1 : 1;
+            var sign:int = isSwapped ? -1 : 1;
             var time:Number = motion.time;
-            x = first.x - second.x + side * motion.startX + time * motionX;
-            y = first.y - second.y + side * motion.startY + time * motionY;
-            z = first.z - second.z + side * motion.startZ + time * motionZ;
+            x = first.x - second.x + sign * motion.startX + time * motionX;
+            y = first.y - second.y + sign * motion.startY + time * motionY;
+            z = first.z - second.z + sign * motion.startZ + time * motionZ;
             timeLeft = motion.latestTime - time;
         }
 

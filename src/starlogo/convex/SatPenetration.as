@@ -191,9 +191,9 @@ package starlogo.convex
             out[to] = x;
             out[int(to + 1)] = y;
             out[int(to + 2)] = z;
-            for (var side:int = 2; side < 4; side++)
+            for (var i:int = 2; i < 4; i++)
             {
-                var across:int = edges[int(edge + side)];
+                var across:int = edges[int(edge + i)];
                 var toX:Number = p[across] - p[from];
                 var toY:Number = p[int(across + 1)] - p[int(from + 1)];
                 var toZ:Number = p[int(across + 2)] - p[int(from + 2)];
@@ -215,8 +215,8 @@ package starlogo.convex
             projectDifferences(axis, cores, _differences);
             // rounding hides on which side they are
             var isDown:Boolean = _differences.max < -_differences.min - Tolerances.ROUNDING * (cores.first.boundingRadius + cores.second.boundingRadius);
-            var side:int = isDown ? -1 : 1;
-            out.setTo(side * axis.x, side * axis.y, side * axis.z, isDown ? -_differences.max : _differences.min);
+            var sign:int = isDown ? -1 : 1;
+            out.setTo(sign * axis.x, sign * axis.y, sign * axis.z, isDown ? -_differences.max : _differences.min);
         }
 
         // Replaces an axis by a unit vector perpendicular to it that points upwards as far as possible. If the axis is vertical, up to
@@ -285,17 +285,17 @@ package starlogo.convex
             back /= length;
             forth /= length;
             var rounding:Number = Tolerances.ROUNDING * (cores.first.boundingRadius + cores.second.boundingRadius);
-            var side:int = back < forth ? -1 : 1;
+            var sign:int = back < forth ? -1 : 1;
             if (back - forth <= rounding && forth - back <= rounding)
             {
                 // rounding hides on which side they are, but not where the first one comes from
                 var speed:Number = axis.x * cores.motionX + axis.y * cores.motionY + axis.z * cores.motionZ;
-                side = speed > 0 ? -1 : speed < 0 ? 1 : side;
+                sign = speed > 0 ? -1 : speed < 0 ? 1 : sign;
             }
-            var separation:Number = side < 0 ? -back : -forth;
+            var separation:Number = sign < 0 ? -back : -forth;
             if (separation > out.separation + rounding)
             {
-                out.setTo(side * axis.x, side * axis.y, side * axis.z, separation);
+                out.setTo(sign * axis.x, sign * axis.y, sign * axis.z, separation);
             }
         }
 

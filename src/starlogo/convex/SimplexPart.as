@@ -168,10 +168,10 @@ package starlogo.convex
                     var normalX:Number = uy * hz - uz * hy;
                     var normalY:Number = uz * hx - ux * hz;
                     var normalZ:Number = ux * hy - uy * hx;
-                    var side:int = normalX * toX + normalY * toY + normalZ * toZ < 0 ? -1 : 1;
-                    out.direction.x = side * normalX;
-                    out.direction.y = side * normalY;
-                    out.direction.z = side * normalZ;
+                    var sign:int = normalX * toX + normalY * toY + normalZ * toZ < 0 ? -1 : 1;
+                    out.direction.x = sign * normalX;
+                    out.direction.y = sign * normalY;
+                    out.direction.z = sign * normalZ;
                     return;
                 }
                 setDirectionAcross(w, from, to, out);

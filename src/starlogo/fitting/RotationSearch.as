@@ -84,7 +84,7 @@ package starlogo.fitting
         {
             var rotation:Placement = new Placement();
             rotation.setRotation(0, aboutY, aboutX);
-            Placement.scaleAndTurnPoints(rotation, _hull.points, _rotated);
+            Placement.scaleAndRotatePoints(rotation, _hull.points, _rotated);
             // the least length that counts for a side
             var shortest:Number = _hull.flatness;
             var thickness:Number = Math.max(2 * EnclosingStructures.extentAlong(_rotated, 0, 0, 1)[1], shortest);

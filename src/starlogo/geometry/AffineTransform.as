@@ -22,17 +22,17 @@ package starlogo.geometry
             this.rows = rows == null ? new <Number>[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0] : rows;
         }
 
-        /** A transform that scales first, then turns, then moves. @param turn gives the rotation */
-        public static function of(turn:Placement, scaleX:Number = 1, scaleY:Number = 1, scaleZ:Number = 1, x:Number = 0, y:Number = 0, z:Number = 0):AffineTransform
+        /** A transform that scales first, then rotates, then moves. @param rotation gives the rotation */
+        public static function of(rotation:Placement, scaleX:Number = 1, scaleY:Number = 1, scaleZ:Number = 1, x:Number = 0, y:Number = 0, z:Number = 0):AffineTransform
         {
             return new AffineTransform(new <Number>[
-                        turn.r00 * scaleX, turn.r01 * scaleY, turn.r02 * scaleZ, x,
-                        turn.r10 * scaleX, turn.r11 * scaleY, turn.r12 * scaleZ, y,
-                        turn.r20 * scaleX, turn.r21 * scaleY, turn.r22 * scaleZ, z]);
+                        rotation.r00 * scaleX, rotation.r01 * scaleY, rotation.r02 * scaleZ, x,
+                        rotation.r10 * scaleX, rotation.r11 * scaleY, rotation.r12 * scaleZ, y,
+                        rotation.r20 * scaleX, rotation.r21 * scaleY, rotation.r22 * scaleZ, z]);
         }
 
         /**
-         * The turn that makes an axis point up along z. If y is up, -z becomes y. If x is up, -y becomes x and -z becomes y. (The COLLADA
+         * The rotation that makes an axis point up along z. If y is up, -z becomes y. If x is up, -y becomes x and -z becomes y. (The COLLADA
          * specification's table for up_axis gives the right and inward axes.)
          *
          * @param upAxis the axis that points up: "x", "y" or "z"

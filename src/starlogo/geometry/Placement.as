@@ -300,7 +300,7 @@ package starlogo.geometry
          * @param out receives the result; may be the vector itself
          * @private
          */
-        engine function turn(vector:Vector3D, out:Vector3D):void
+        engine function rotate(vector:Vector3D, out:Vector3D):void
         {
             var fromX:Number = vector.x;
             var fromY:Number = vector.y;
@@ -388,7 +388,7 @@ package starlogo.geometry
          *
          * @private
          */
-        engine static function scaleAndTurnPoints(placement:Placement, from:Vector.<Number>, out:Vector.<Number>):void
+        engine static function scaleAndRotatePoints(placement:Placement, from:Vector.<Number>, out:Vector.<Number>):void
         {
             var scale:Number = placement.size;
             var end:int = from.length;

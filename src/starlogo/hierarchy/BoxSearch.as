@@ -88,12 +88,12 @@ package starlogo.hierarchy
             _from = 0;
         }
 
-        /** Sets a motion along an axis. @param axis 0, 1 or 2 @param side 1, or -1 towards the smaller coordinates */
-        public function setAxis(axis:int, side:int):void
+        /** Sets a motion along an axis. @param axis 0, 1 or 2 @param sign 1, or -1 towards the smaller coordinates */
+        public function setAxis(axis:int, sign:int):void
         {
-            _inverseX = axis == 0 ? side : STILL;
-            _inverseY = axis == 1 ? side : STILL;
-            _inverseZ = axis == 2 ? side : STILL;
+            _inverseX = axis == 0 ? sign : STILL;
+            _inverseY = axis == 1 ? sign : STILL;
+            _inverseZ = axis == 2 ? sign : STILL;
             _from = 0;
         }
 

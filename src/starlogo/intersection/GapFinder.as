@@ -45,19 +45,14 @@ package starlogo.intersection
             }
         }
 
-        /**
-         * Moves the closest point of a in the gap that was found last to the middle of those that are equally close. Only contacts need it.
-         *
-         * @param a one of the structures whose gap was found last
-         * @param b the other one
-         * @param gap the gap that was found
-         */
-        public function centerLastGap(a:BoundingStructure, b:BoundingStructure, gap:CoreGap):void
+        /** Finds the gap as <code>find()</code>, but from the middle of the points of a that are equally close. Only contacts need it. */
+        public function findCentered(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:CoreGap):void
         {
+            find(a, b, motion, out);
             var capsule:Capsule = a as Capsule;
             if (capsule != null)
             {
-                setPoint(capsule, b.kind == BoundingStructure.CAPSULE ? _segments.middleOfU : _segment.middleIn(b as Box), gap);
+                setPoint(capsule, b.kind == BoundingStructure.CAPSULE ? _segments.middleOfU : _segment.middleIn(b as Box), out);
             }
         }
 

@@ -60,12 +60,11 @@ package starlogo.intersection
         override internal function findContactInOrder(first:BoundingStructure, second:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
         {
             var gap:CoreGap = _gap;
-            _finder.find(first, second, motion, gap);
+            _finder.findCentered(first, second, motion, gap);
             // If the gap is longer than this, it has a direction in spite of rounding.
             var least:Number = Tolerances.DIRECTION * gap.size;
             if (gap.squaredLength > least * least)
             {
-                _finder.centerLastGap(first, second, gap);
                 out.setFromGap(gap, motion);
             }
             else if (gap.squaredLength == 0)

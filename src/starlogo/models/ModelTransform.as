@@ -129,9 +129,9 @@ package starlogo.models
         /** @private The rotation alone. */
         engine function rotationTransform():AffineTransform
         {
-            var turned:Placement = new Placement();
-            turned.setRotation(_rotation.z, _rotation.y, _rotation.x);
-            return AffineTransform.of(turned);
+            var placement:Placement = new Placement();
+            placement.setRotation(_rotation.z, _rotation.y, _rotation.x);
+            return AffineTransform.of(placement);
         }
 
         private static function isFinitePoint(point:Vector3D):Boolean

@@ -66,11 +66,11 @@ package starlogo.solid
             return true;
         }
 
-        // The component of the motion against a plane, or along it if the side is 1. A plane that is met from behind counts only if none is met from
+        // The component of the motion against a plane, or along it if the sign is 1. A plane that is met from behind counts only if none is met from
         // the front.
-        private static function approachTo(normal:Vector3D, motion:RelativeMotion, side:int):Number
+        private static function approachTo(normal:Vector3D, motion:RelativeMotion, sign:int):Number
         {
-            var speed:Number = side * (normal.x * motion.x + normal.y * motion.y + normal.z * motion.z);
+            var speed:Number = sign * (normal.x * motion.x + normal.y * motion.y + normal.z * motion.z);
             return speed > 0 ? speed : -Tolerances.DIRECTION * speed;
         }
     }

@@ -175,8 +175,8 @@ package starlogo.solid
 
         /**
          * @private Follows the vertices of the tree to their new places. The tree keeps its division, and each triangle its corners. The inside has to
-         *     be prepared again, because it depends on which surfaces are closed and around which others. No building may be half done: ResultsBuilder
-         *     refuses poses meanwhile.
+         *     be prepared again, because it depends on which surfaces are closed and around which others. No building may be half done:
+         *     CollisionDataBuilder refuses poses meanwhile.
          */
         engine function refit():void
         {

@@ -95,8 +95,8 @@ package starlogo.solid
         {
             var axes:Vector.<Number> = _axes;
             var at:int = _end;
-            var side:int = x * _motion.x + y * _motion.y + z * _motion.z < 0 ? -1 : 1;
-            _axis.setTo(side * x, side * y, side * z);
+            var sign:int = x * _motion.x + y * _motion.y + z * _motion.z < 0 ? -1 : 1;
+            _axis.setTo(sign * x, sign * y, sign * z);
             _shape.project(_axis, _ofShape);
             var radius:Number = _cullDistance * _axis.length;
             var origin:Number = _axis.x * _shape.x + _axis.y * _shape.y + _axis.z * _shape.z;

@@ -10,7 +10,7 @@ package starlogo.away3d
     {
         private static const ANGLES:Array = [0, 90, -90, 180, -180, 270, 360, 450, 89.99999999, 90.00000001, 1e-9, 45];
 
-        private var _turn:SwappedRotation = new SwappedRotation();
+        private var _rotation:SwappedRotation = new SwappedRotation();
 
         [Test]
         public function itIsTheRotationWithYAndZSwapped():void
@@ -23,7 +23,7 @@ package starlogo.away3d
                 var roll:Number = random.chance() ? random.pick(ANGLES) : random.between(-400, 400);
                 var here:Placement = new Placement();
                 here.setRotation(heading, pitch, roll);
-                var angles:Vector3D = _turn.setAngles(heading, pitch, roll);
+                var angles:Vector3D = _rotation.setAngles(heading, pitch, roll);
                 var there:Placement = new Placement();
                 there.setRotation(angles.z, angles.y, angles.x);
                 var off:Number = Math.max(Math.abs(there.r00 - here.r00), Math.abs(there.r01 - here.r02), Math.abs(there.r02 - here.r01),
@@ -36,17 +36,17 @@ package starlogo.away3d
         [Test]
         public function turnsOneWayGoOverAsTheyAre():void
         {
-            assertNumbers("0,-725,0", _turn.setAngles(725, 0, 0));
-            assertNumbers("-30,0,-725", _turn.setAngles(0, 725, 30));
+            assertNumbers("0,-725,0", _rotation.setAngles(725, 0, 0));
+            assertNumbers("-30,0,-725", _rotation.setAngles(0, 725, 30));
         }
 
         [Test]
         public function pointsAreTurned():void
         {
-            _turn.setAngles(90, 0, 0);
-            assertNumbers("-2,1,3", _turn.turn(1, 2, 3));
-            _turn.setAngles(90, 90, 90);
-            assertNumbers("3,2,-1", _turn.turn(1, 2, 3));
+            _rotation.setAngles(90, 0, 0);
+            assertNumbers("-2,1,3", _rotation.rotate(1, 2, 3));
+            _rotation.setAngles(90, 90, 90);
+            assertNumbers("3,2,-1", _rotation.rotate(1, 2, 3));
         }
 
         private static function assertNumbers(expected:String, vector:Vector3D):void

@@ -146,9 +146,9 @@ package starlogo.fitting
                 // rectangles and polygons, segments, points; along the axes, turned by tried angles, turned by any
                 var isSegment:Boolean = i % 3 == 1;
                 var points:Vector.<Number> = i % 3 == 0 ? PointSets.box(2, 0.1, 0) : PointSets.cloud(random, 6, 2, isSegment ? 0 : 0.5, 0);
-                var turning:Placement = new Placement();
-                turning.setRotation(10 * random.integer(0, 35), i % 5 == 0 ? 0 : 30 * random.integer(0, 11), i % 5 < 2 ? 0 : 30 * random.integer(0, 11));
-                points = i % 5 == 4 ? PointSets.turned(points, random) : turned(points, turning);
+                var rotation:Placement = new Placement();
+                rotation.setRotation(10 * random.integer(0, 35), i % 5 == 0 ? 0 : 30 * random.integer(0, 11), i % 5 < 2 ? 0 : 30 * random.integer(0, 11));
+                points = i % 5 == 4 ? PointSets.turned(points, random) : turned(points, rotation);
                 var oriented:OrientedBoxFitter = new OrientedBoxFitter(10);
                 var upright:ZAlignedBoxFitter = new ZAlignedBoxFitter(10);
                 var extent:Number = new FitSession(points).hull.extent;
@@ -173,10 +173,10 @@ package starlogo.fitting
             assertEquals(0, Capsule(new CapsuleFitter(oriented).fit(point)).radius);
         }
 
-        private static function turned(points:Vector.<Number>, turning:Placement):Vector.<Number>
+        private static function turned(points:Vector.<Number>, rotation:Placement):Vector.<Number>
         {
             var result:Vector.<Number> = new Vector.<Number>(points.length);
-            Placement.scaleAndTurnPoints(turning, points, result);
+            Placement.scaleAndRotatePoints(rotation, points, result);
             return result;
         }
 
@@ -185,15 +185,15 @@ package starlogo.fitting
         {
             var least:Number = Infinity;
             var axes:Vector.<Number> = new Vector.<Number>(9);
-            var turning:Placement = new Placement();
+            var rotation:Placement = new Placement();
             for (var x:Number = 0; x < 90; x += stepXY)
             {
                 for (var y:Number = 0; y < 90; y += stepXY)
                 {
                     for (var z:Number = 0; z < 90; z += stepZ)
                     {
-                        turning.setRotation(z, y, x);
-                        turning.readRows(axes, 0);
+                        rotation.setRotation(z, y, x);
+                        rotation.readRows(axes, 0);
                         least = Math.min(least, sizeOf(EnclosingStructures.box(points, axes), extent));
                     }
                 }

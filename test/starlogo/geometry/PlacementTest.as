@@ -28,7 +28,7 @@ package starlogo.geometry
                 var images:Array = [Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS].map(function(axis:Vector3D, ...rest):String
                     {
                         var to:Vector3D = new Vector3D();
-                        placement.turn(axis, to);
+                        placement.rotate(axis, to);
                         return [to.x + 0, to.y + 0, to.z + 0].join(" ");
                     });
                 assertEquals(each.slice(0, 3).join(), each[3], images.join(", "));

@@ -125,7 +125,7 @@ package starlogo.ground
                 var out:RayCrossings = new RayCrossings();
                 query.findAll(terrain.grid, ray, out);
                 // the hill is from 2.5 to 3.5 of the ray
-                assertEquals(from + ", inside", from > 2.5 && from < 3.5, out.count > 0 && out.all[0].side == RayCrossing.INSIDE);
+                assertEquals(from + ", inside", from > 2.5 && from < 3.5, out.count > 0 && out.items[0].side == RayCrossing.INSIDE);
             }
         }
 

@@ -578,13 +578,13 @@ package starlogo.libraries
         private function isTaken(model:Model, cooked:ByteArray, structures:Boolean):Boolean
         {
             var read:Model = CookedModel.fromBytes(model.name, cooked);
-            var results:ResultsBuilder = _greatLand.newResults(read, null);
+            var builder:CollisionDataBuilder = _greatLand.newDataBuilder(read, null);
             if (structures)
             {
-                return results.structures.tightest != null;
+                return builder.structures.tightest != null;
             }
-            var restoring:CookedTree = CookedTree(results.tree.restoring);
-            results.tree.finishBuilding();
+            var restoring:CookedTree = CookedTree(builder.tree.restoring);
+            builder.tree.finishBuilding();
             return restoring != null && !restoring.isRefused;
         }
 

@@ -188,7 +188,7 @@ package starlogo.solid
         private static function turned(points:Vector.<Number>, turn:Placement):Vector.<Number>
         {
             var out:Vector.<Number> = new Vector.<Number>(points.length);
-            Placement.scaleAndTurnPoints(turn, points, out);
+            Placement.scaleAndRotatePoints(turn, points, out);
             return out;
         }
 

@@ -3,22 +3,23 @@ package starlogo.fitting.hull
     import starlogo.geometry.Tolerances;
 
     /**
-     * Finds the lowest point that is on no inner side of some planes: a linear program of three variables. It is solved by the dual simplex
-     * method. At any time the point is where three planes meet, and it is the lowest point outside of these three. The plane that the point is
-     * farthest inside of replaces one of them, and the point moves up. The search begins with three planes far below.
+     * Finds the lowest point that is behind none of some planes. This is a linear program of three variables, and the dual simplex method solves
+     * it. Three of the planes are the basis: the point is where they meet, and it is the lowest that is behind none of the three. In each iteration
+     * the plane that the point is farthest behind enters the basis in place of one of the three, and the point moves up. The first basis is three
+     * planes far below.
      *
-     * <p>The three planes have four numbers each: the outward unit normal, and the offset along it. Each plane also has the cross product of
-     * the normals of the other two. A vector v is the sum of (v . cross product) times normal, divided by the determinant of the normals.</p>
+     * <p>A plane has four numbers: the outward unit normal, and the offset along it. For each plane of the basis there is also the cross product of
+     * the normals of the other two. A vector's share of a normal of the basis is its dot product with this cross product, over the determinant.</p>
      */
     internal final class LowestPointSearch
     {
         // The coordinates of points on the planes are about 1.
         private static const FAR:Number = 100;
         private static const NEAR:Number = 10;
-        private static const MAX_TURNS:int = 40;
+        private static const MAX_ITERATIONS:int = 40;
 
-        private static var sThree:Vector.<Number> = new Vector.<Number>(12, true);
-        private static var sCrosses:Vector.<Number> = new Vector.<Number>(9, true);
+        private static var sBasis:Vector.<Number> = new Vector.<Number>(12, true);
+        private static var sCrossProducts:Vector.<Number> = new Vector.<Number>(9, true);
 
         /**
          * Finds the point.
@@ -32,36 +33,36 @@ package starlogo.fitting.hull
          */
         public static function find(planes:Vector.<Number>, upX:Number, upY:Number, upZ:Number, out:EdgeCollapse):Boolean
         {
-            var three:Vector.<Number> = sThree;
-            var crosses:Vector.<Number> = sCrosses;
-            writePlanesFarBelow(upX, upY, upZ, three);
-            for (var turn:int = 0; turn < MAX_TURNS; turn++)
+            var basis:Vector.<Number> = sBasis;
+            var crossProducts:Vector.<Number> = sCrossProducts;
+            writeFirstBasis(upX, upY, upZ, basis);
+            for (var iteration:int = 0; iteration < MAX_ITERATIONS; iteration++)
             {
-                var determinant:Number = findMeetingPoint(three, crosses, out);
+                var determinant:Number = findMeetingPoint(basis, crossProducts, out);
                 if (!(Math.abs(determinant) > Tolerances.UNIT_ROUNDING))
                 {
                     return false;
                 }
-                var entering:int = farthestInside(planes, out);
+                var entering:int = farthestBehind(planes, out);
                 if (entering < 0)
                 {
                     return Math.abs(out.x) < NEAR && Math.abs(out.y) < NEAR && Math.abs(out.z) < NEAR;
                 }
-                var leaving:int = leavingFor(planes, entering, crosses, determinant, upX, upY, upZ);
+                var leaving:int = leavingFor(planes, entering, crossProducts, determinant, upX, upY, upZ);
                 if (leaving < 0)
                 {
                     return false;
                 }
                 for (var i:int = 0; i < 4; i++)
                 {
-                    three[int(4 * leaving + i)] = planes[int(entering + i)];
+                    basis[int(4 * leaving + i)] = planes[int(entering + i)];
                 }
             }
             return false;
         }
 
-        // Writes three planes with normals along the axes.
-        private static function writePlanesFarBelow(upX:Number, upY:Number, upZ:Number, out:Vector.<Number>):void
+        // Writes the first basis, with normals along the axes.
+        private static function writeFirstBasis(upX:Number, upY:Number, upZ:Number, out:Vector.<Number>):void
         {
             out[0] = upX < 0 ? -1 : 1;
             out[5] = upY < 0 ? -1 : 1;
@@ -70,63 +71,63 @@ package starlogo.fitting.hull
             out[3] = out[7] = out[11] = -FAR;
         }
 
-        // Finds the point where the three planes meet, and the cross products. Returns the determinant of the normals; the point is right only if
-        // that is not 0.
-        private static function findMeetingPoint(three:Vector.<Number>, crosses:Vector.<Number>, out:EdgeCollapse):Number
+        // Finds the cross products, and the point where the planes of the basis meet. Returns the determinant of the normals; the point is right only
+        // if that is not 0.
+        private static function findMeetingPoint(basis:Vector.<Number>, crossProducts:Vector.<Number>, out:EdgeCollapse):Number
         {
-            writeCross(three, 4, 8, crosses, 0);
-            writeCross(three, 8, 0, crosses, 3);
-            writeCross(three, 0, 4, crosses, 6);
-            var determinant:Number = three[0] * crosses[0] + three[1] * crosses[1] + three[2] * crosses[2];
-            var a:Number = three[3];
-            var b:Number = three[7];
-            var c:Number = three[11];
-            out.x = (a * crosses[0] + b * crosses[3] + c * crosses[6]) / determinant;
-            out.y = (a * crosses[1] + b * crosses[4] + c * crosses[7]) / determinant;
-            out.z = (a * crosses[2] + b * crosses[5] + c * crosses[8]) / determinant;
+            writeCross(basis, 4, 8, crossProducts, 0);
+            writeCross(basis, 8, 0, crossProducts, 3);
+            writeCross(basis, 0, 4, crossProducts, 6);
+            var determinant:Number = basis[0] * crossProducts[0] + basis[1] * crossProducts[1] + basis[2] * crossProducts[2];
+            var a:Number = basis[3];
+            var b:Number = basis[7];
+            var c:Number = basis[11];
+            out.x = (a * crossProducts[0] + b * crossProducts[3] + c * crossProducts[6]) / determinant;
+            out.y = (a * crossProducts[1] + b * crossProducts[4] + c * crossProducts[7]) / determinant;
+            out.z = (a * crossProducts[2] + b * crossProducts[5] + c * crossProducts[8]) / determinant;
             return determinant;
         }
 
-        // Writes the cross product of the normals at two places.
-        private static function writeCross(three:Vector.<Number>, first:int, second:int, out:Vector.<Number>, at:int):void
+        // Writes the cross product of the normals at two indices.
+        private static function writeCross(basis:Vector.<Number>, first:int, second:int, out:Vector.<Number>, at:int):void
         {
-            var aX:Number = three[first];
-            var aY:Number = three[int(first + 1)];
-            var aZ:Number = three[int(first + 2)];
-            var bX:Number = three[second];
-            var bY:Number = three[int(second + 1)];
-            var bZ:Number = three[int(second + 2)];
+            var aX:Number = basis[first];
+            var aY:Number = basis[int(first + 1)];
+            var aZ:Number = basis[int(first + 2)];
+            var bX:Number = basis[second];
+            var bY:Number = basis[int(second + 1)];
+            var bZ:Number = basis[int(second + 2)];
             out[at] = aY * bZ - aZ * bY;
             out[int(at + 1)] = aZ * bX - aX * bZ;
             out[int(at + 2)] = aX * bY - aY * bX;
         }
 
-        // The first number of the plane that a point is farthest inside of; -1 if it is inside of none.
-        private static function farthestInside(planes:Vector.<Number>, point:EdgeCollapse):int
+        // The first number of the plane that a point is farthest behind; -1 if it is behind none.
+        private static function farthestBehind(planes:Vector.<Number>, point:EdgeCollapse):int
         {
             var x:Number = point.x;
             var y:Number = point.y;
             var z:Number = point.z;
             var faces:Vector.<int> = point.faces;
             var count:int = point.faceCount;
-            var found:int = -1;
-            var most:Number = Tolerances.UNIT_ROUNDING;
+            var deepest:int = -1;
+            var maxDepth:Number = Tolerances.UNIT_ROUNDING;
             for (var i:int = 0; i < count; i++)
             {
                 var at:int = 4 * faces[i];
                 var depth:Number = planes[int(at + 3)] - planes[at] * x - planes[int(at + 1)] * y - planes[int(at + 2)] * z;
-                if (depth > most)
+                if (depth > maxDepth)
                 {
-                    most = depth;
-                    found = at;
+                    maxDepth = depth;
+                    deepest = at;
                 }
             }
-            return found;
+            return deepest;
         }
 
-        // Which of the three planes leaves for the entering one: the one whose share of the upward direction is used up first by its share of
-        // the entering normal. -1 if no point is outside of the four planes.
-        private static function leavingFor(planes:Vector.<Number>, entering:int, crosses:Vector.<Number>, determinant:Number,
+        // Which plane of the basis leaves for the entering one: the one with the least ratio of the upward direction's share to the entering normal's share.
+        // -1 if each point is behind one of the four planes.
+        private static function leavingFor(planes:Vector.<Number>, entering:int, crossProducts:Vector.<Number>, determinant:Number,
                 upX:Number, upY:Number, upZ:Number):int
         {
             var normalX:Number = planes[entering];
@@ -136,11 +137,11 @@ package starlogo.fitting.hull
             var least:Number = Infinity;
             for (var i:int = 0; i < 3; i++)
             {
-                var x:Number = crosses[int(3 * i)];
-                var y:Number = crosses[int(3 * i + 1)];
-                var z:Number = crosses[int(3 * i + 2)];
-                var fraction:Number = (normalX * x + normalY * y + normalZ * z) / determinant;
-                var ratio:Number = fraction > Tolerances.UNIT_ROUNDING ? (upX * x + upY * y + upZ * z) / determinant / fraction : Infinity;
+                var x:Number = crossProducts[int(3 * i)];
+                var y:Number = crossProducts[int(3 * i + 1)];
+                var z:Number = crossProducts[int(3 * i + 2)];
+                var share:Number = (normalX * x + normalY * y + normalZ * z) / determinant;
+                var ratio:Number = share > Tolerances.UNIT_ROUNDING ? (upX * x + upY * y + upZ * z) / determinant / share : Infinity;
                 if (ratio < least)
                 {
                     least = ratio;

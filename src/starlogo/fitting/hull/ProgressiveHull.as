@@ -69,13 +69,13 @@ package starlogo.fitting.hull
         public function listCorners():Vector.<Number>
         {
             var result:Vector.<Number> = new Vector.<Number>();
-            var isTaken:Vector.<Boolean> = new Vector.<Boolean>(_points.length / 3);
+            var isListed:Vector.<Boolean> = new Vector.<Boolean>(_points.length / 3);
             for (var edge:int = 0; edge < _corners.length; edge++)
             {
                 var corner:int = _corners[edge];
-                if (isOnSurface(edge) && !isTaken[corner])
+                if (isOnSurface(edge) && !isListed[corner])
                 {
-                    isTaken[corner] = true;
+                    isListed[corner] = true;
                     result.push(_points[3 * corner], _points[3 * corner + 1], _points[3 * corner + 2]);
                 }
             }

@@ -186,13 +186,13 @@ package starlogo.geometry.hull
             // Flat sides along the coordinate axes stay flat on a grid along these axes.
             if (isPlane || _simplex.isSlanted)
             {
-                var turning:Placement = new Placement();
-                turning.setRows(axes, 0);
+                var rotation:Placement = new Placement();
+                rotation.setRows(axes, 0);
                 bounds = new VertexBounds();
                 from = grid;
                 work.slices(count, VERTICES_PER_STEP, function(first:int, end:int):void
                     {
-                        placePoints(turning, given, 3 * first, 3 * end, grid, 3 * first);
+                        placePoints(rotation, given, 3 * first, 3 * end, grid, 3 * first);
                         bounds.add(grid, first, end);
                     });
             }

@@ -6,10 +6,15 @@ package starlogo.geometry.hull
      * A triangle of the hull that QuickHull is building: its corners counter-clockwise seen from outside, its neighbours, its plane, and
      * the list of points beyond that plane that QuickHull has not processed yet. Coordinates are those of QuickHull's grid.
      *
-     * <p>QuickHull writes the neighbours and says which faces are done. OutsidePoints writes the lists. All else is read only.</p>
+     * <p>QuickHull writes the neighbours and the state. OutsidePoints writes the lists. All else is read only.</p>
      */
     internal final class HullFace
     {
+        /** The states: part of the hull; buried in it, because a vertex that was added later lies beyond the face; listed after the hull was built. */
+        public static const ON_HULL:int = 0;
+        public static const BURIED:int = 1;
+        public static const LISTED:int = 2;
+
         // The number at which a normal's components are split for exact products.
         private static const SPLIT:Number = 67108864;
 
@@ -48,11 +53,8 @@ package starlogo.geometry.hull
         public var before:HullFace = null;
         public var after:HullFace = null;
 
-        /**
-         * Whether QuickHull has done with this face: a vertex that was added later lies beyond it, so it is no longer part of the hull, or the walk over
-         * the finished hull has listed it.
-         */
-        public var isDone:Boolean = false;
+        /** One of the states. */
+        public var state:int = ON_HULL;
 
         // The outward normal (b - a) x (c - a). It is exact, because its components are whole numbers below 2^53.
         private var _exactX:Number;

@@ -135,7 +135,7 @@ package starlogo.geometry.hull
         // Visits the neighbour across an edge of a face that the eye sees. If the eye does not see the neighbour, the edge gets a new face.
         private function visit(eye:int, neighbor:HullFace, from:int, to:int):void
         {
-            if (neighbor.isDone)
+            if (neighbor.state == HullFace.BURIED)
             {
                 return;
             }
@@ -153,7 +153,7 @@ package starlogo.geometry.hull
 
         private function bury(face:HullFace):void
         {
-            face.isDone = true;
+            face.state = HullFace.BURIED;
             _outside.remove(face);
             _seen.push(face);
         }
@@ -165,7 +165,7 @@ package starlogo.geometry.hull
             var edgeCounts:Vector.<int> = new Vector.<int>(_points.length / 3);
             var next:int = 0;
             _faces = new <HullFace>[_created[0]];
-            _created[0].isDone = true;
+            _created[0].state = HullFace.LISTED;
             return new StepSequence().repeat(function():Boolean
                 {
                     next = walkFrom(next, edgeCounts);
@@ -197,9 +197,9 @@ package starlogo.geometry.hull
             {
                 edgeCounts[from]++;
             }
-            if (!neighbor.isDone)
+            if (neighbor.state != HullFace.LISTED)
             {
-                neighbor.isDone = true;
+                neighbor.state = HullFace.LISTED;
                 _faces.push(neighbor);
             }
         }

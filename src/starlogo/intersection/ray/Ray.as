@@ -39,7 +39,7 @@ package starlogo.intersection.ray
          * Takes back a placement's size and rotation. Its position is ignored: the line's point must be relative to it already. The part has to be
          * set after that.
          */
-        public function scaleAndTurnBack(placement:Placement):void
+        public function scaleAndRotateBack(placement:Placement):void
         {
             var toX:Number = x / placement.size;
             var toY:Number = y / placement.size;

@@ -10,17 +10,17 @@ package starlogo.intersection.ray
         /** The number of crossings. */
         public var count:int = 0;
 
-        /** The crossings. The list may be longer: others are for the next ray. */
-        public var all:Vector.<RayCrossing> = new Vector.<RayCrossing>();
+        /** The first <code>count</code> are the crossings. The others are for the next ray. */
+        public var items:Vector.<RayCrossing> = new Vector.<RayCrossing>();
 
         /** Adds a crossing, and returns it to be written. If there is none after all, reduce <code>count</code> by 1. */
         public function add():RayCrossing
         {
-            if (count == all.length)
+            if (count == items.length)
             {
-                all.push(new RayCrossing());
+                items.push(new RayCrossing());
             }
-            return all[count++];
+            return items[count++];
         }
 
         /** Adds that a ray begins inside of the shape. */

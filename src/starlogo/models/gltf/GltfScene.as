@@ -188,9 +188,9 @@ package starlogo.models.gltf
             var r:Vector.<Number> = posed(index, "rotation") || node.numbers("rotation", 4, new <Number>[0, 0, 0, 1]);
             var s:Vector.<Number> = posed(index, "scale") || node.numbers("scale", 3, new <Number>[1, 1, 1]);
             normaliseQuaternion(r);
-            var turn:Placement = new Placement();
-            turn.setQuaternion(r[0], r[1], r[2], r[3]);
-            return AffineTransform.of(turn, s[0], s[1], s[2], t[0], t[1], t[2]);
+            var rotation:Placement = new Placement();
+            rotation.setQuaternion(r[0], r[1], r[2], r[3]);
+            return AffineTransform.of(rotation, s[0], s[1], s[2], t[0], t[1], t[2]);
         }
 
         // The numbers of a node's property in the pose; null if they are those in the file.

@@ -83,7 +83,7 @@ package starlogo.queries.rays
             rayInModel.y = ahead * rayInModel.directionY - (placement.y - ray.y);
             rayInModel.z = ahead * rayInModel.directionZ - (placement.z - ray.z);
             var size:Number = placement.size;
-            rayInModel.scaleAndTurnBack(placement);
+            rayInModel.scaleAndRotateBack(placement);
             rayInModel.from = -ahead / size;
             // because of rounding this end is a little too far; hits beyond the exact end are refused later
             rayInModel.to = (ray.to - ahead + Tolerances.ROUNDING * (ray.to + Math.abs(ahead))) / size;

@@ -61,7 +61,7 @@ package starlogo.queries.rays
             _surfaces.find(_crossings, areTriangles);
             for (var i:int = 0; i < _surfaces.indices.count; i++)
             {
-                var crossing:RayCrossing = _crossings.all[_surfaces.indices.values[i]];
+                var crossing:RayCrossing = _crossings.items[_surfaces.indices.values[i]];
                 if (!isGround)
                 {
                     RowRayTest.bringIntoWorld(crossing, _rayInModel, body.placement, ray);

@@ -33,7 +33,7 @@ package starlogo.queries.rays
             _all.count = indices.count = 0;
             for (var i:int = 0; i < crossings.count; i++)
             {
-                _all.add(i, areTriangles ? crossings.all[i].distance : endKeyOf(crossings.all[i]));
+                _all.add(i, areTriangles ? crossings.items[i].distance : endKeyOf(crossings.items[i]));
             }
             _all.sortFirst(_all.count);
             if (areTriangles)
@@ -70,10 +70,10 @@ package starlogo.queries.rays
             {
                 var index:int = _all.values[i];
                 var isKept:Boolean = true;
-                switch (crossings.all[index].side)
+                switch (crossings.items[index].side)
                 {
                     case RayCrossing.INSIDE:
-                        insideFrom = crossings.all[index].distance;
+                        insideFrom = crossings.items[index].distance;
                         break;
                     case RayCrossing.ENTERS:
                         isKept = depth == 0 && _all.keys[i] > insideFrom;
@@ -99,7 +99,7 @@ package starlogo.queries.rays
             for (var i:int = 0; i < crossings.count; i++)
             {
                 var index:int = _all.values[i];
-                var crossing:RayCrossing = crossings.all[index];
+                var crossing:RayCrossing = crossings.items[index];
                 if (crossing.side == RayCrossing.EDGE_ON)
                 {
                     var runsOn:Boolean = crossing.distance <= runsUntil;
@@ -122,10 +122,10 @@ package starlogo.queries.rays
         // gives way to one that it crosses at the same place.
         private function joinKept(crossings:RayCrossings, index:int, mostSlack:Number):Boolean
         {
-            var crossing:RayCrossing = crossings.all[index];
+            var crossing:RayCrossing = crossings.items[index];
             for (var k:int = indices.count - 1; k >= 0; k--)
             {
-                var kept:RayCrossing = crossings.all[indices.values[k]];
+                var kept:RayCrossing = crossings.items[indices.values[k]];
                 var gap:Number = crossing.distance - kept.distance;
                 if (gap > crossing.rounding + mostSlack)
                 {

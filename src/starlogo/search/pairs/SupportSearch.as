@@ -53,7 +53,7 @@ package starlogo.search.pairs
         public function find(body:Body, direction:Vector3D, out:SupportPoint):void
         {
             var at:Placement = body.placement;
-            turnIntoModel(direction, at, _direction);
+            rotateIntoModel(direction, at, _direction);
             out.support = -Infinity;
             if (body.shape.tree == null)
             {
@@ -67,7 +67,7 @@ package starlogo.search.pairs
             bringBack(direction, at, out);
         }
 
-        private static function turnIntoModel(direction:Vector3D, at:Placement, out:Vector3D):void
+        private static function rotateIntoModel(direction:Vector3D, at:Placement, out:Vector3D):void
         {
             out.x = at.r00 * direction.x + at.r10 * direction.y + at.r20 * direction.z;
             out.y = at.r01 * direction.x + at.r11 * direction.y + at.r21 * direction.z;

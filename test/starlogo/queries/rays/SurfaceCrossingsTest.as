@@ -70,7 +70,7 @@ package starlogo.queries.rays
         {
             for (var i:int = 1; i < _surfaces.indices.count; i++)
             {
-                if (!(crossings.all[_surfaces.indices.values[i]].distance >= crossings.all[_surfaces.indices.values[i - 1]].distance) || _surfaces.indices.values[i] == _surfaces.indices.values[i - 1])
+                if (!(crossings.items[_surfaces.indices.values[i]].distance >= crossings.items[_surfaces.indices.values[i - 1]].distance) || _surfaces.indices.values[i] == _surfaces.indices.values[i - 1])
                 {
                     return false;
                 }
@@ -84,9 +84,9 @@ package starlogo.queries.rays
             for (var i:int = 0; i < _surfaces.indices.count; i++)
             {
                 var other:int = _surfaces.indices.values[i];
-                var isNear:Boolean = Math.abs(crossings.all[other].distance - crossings.all[index].distance) <= MOST_SLACKS;
-                var runsAlong:Boolean = crossings.all[other].side == RayCrossing.EDGE_ON || crossings.all[index].side == RayCrossing.EDGE_ON;
-                if (crossings.all[other].side == crossings.all[index].side ? isNear || runsAlong : isNear && runsAlong)
+                var isNear:Boolean = Math.abs(crossings.items[other].distance - crossings.items[index].distance) <= MOST_SLACKS;
+                var runsAlong:Boolean = crossings.items[other].side == RayCrossing.EDGE_ON || crossings.items[index].side == RayCrossing.EDGE_ON;
+                if (crossings.items[other].side == crossings.items[index].side ? isNear || runsAlong : isNear && runsAlong)
                 {
                     return true;
                 }

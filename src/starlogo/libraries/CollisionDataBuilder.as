@@ -17,13 +17,13 @@ package starlogo.libraries
     use namespace engine;
 
     /**
-     * The work that finds the results for one model. It takes what is in the model's cooked file, otherwise what is in a store, and computes
-     * what is missing. Then it stores the results. The constructor reads the cooked file; the first steps read the store. A hierarchy whose
-     * division is stored is not built until it is needed, unless its surface is wanted too.
+     * The work that builds the collision data of one model: its bounding structures, and the tree of its hierarchy with the surface. It takes what is
+     * in the model's cooked file, otherwise what is in a store, and computes what is missing. Then it stores all. The constructor reads the cooked
+     * file; the first steps read the store. A tree whose division is stored is not built until it is needed, unless its surface is wanted too.
      *
      * @private
      */
-    public final class ResultsBuilder extends StepSequence
+    public final class CollisionDataBuilder extends StepSequence
     {
         /** The structures, which are found when no step is left. Null if none are wanted. */
         public var structures:ModelStructures = null;
@@ -45,7 +45,7 @@ package starlogo.libraries
          * @param store null for none
          * @throws ArgumentError if a coordinate of the model is beyond 1e60
          */
-        public function ResultsBuilder(model:Model, structuresLibrary:BoundingStructuresLibrary, hierarchiesLibrary:HierarchiesLibrary, store:FitStore)
+        public function CollisionDataBuilder(model:Model, structuresLibrary:BoundingStructuresLibrary, hierarchiesLibrary:HierarchiesLibrary, store:FitStore)
         {
             _model = model;
             _poseCount = model.poseCount;
@@ -91,7 +91,7 @@ package starlogo.libraries
                 tree.finishBuilding();
                 tree.preparedInterior();
             }
-            return bytesOfResults(modelKey, CookedWriter.write(_model));
+            return bytesOf(modelKey, CookedWriter.write(_model));
         }
 
         // Whether the structures are found, or none are wanted.
@@ -100,14 +100,14 @@ package starlogo.libraries
             return structures == null || structures.tightest != null;
         }
 
-        // Whether all results that are wanted are there, or stored.
+        // Whether all data that is wanted is there, or stored.
         private function get isComplete():Boolean
         {
             return hasStructures && (tree == null || tree.restoring != null)
                 && (!_settings.preparesExact || _model.triangles == null || tree.surface != null);
         }
 
-        // Adds the work that takes results from a store, computes what it does not have, and stores all.
+        // Adds the work that takes data from a store, computes what it does not have, and stores all.
         private function addStoring(store:FitStore, fitting:Steps):void
         {
             var geometryKey:Fingerprint = new Fingerprint();
@@ -131,8 +131,8 @@ package starlogo.libraries
             }
             return isComplete || !store.hasRoomFor(_model, tree != null) ? computing(fitting) : computing(fitting).call(function():void
                 {
-                    var bytes:ByteArray = bytesOfResults(geometryKey, null);
-                    // results that cannot be stored are computed each time
+                    var bytes:ByteArray = bytesOf(geometryKey, null);
+                    // data that cannot be stored is computed each time
                     if (stored.isChangedBy(bytes))
                     {
                         store.save(geometryKey, _settings, bytes);
@@ -155,7 +155,7 @@ package starlogo.libraries
             return work;
         }
 
-        // Takes the results that are missing from a file of the model.
+        // Takes the data that is missing from a file of the model.
         private function takeFrom(file:CookedFile):void
         {
             if (!hasStructures)
@@ -194,8 +194,8 @@ package starlogo.libraries
             return CookedStructures.read(bytes, lastKind, _model.vertices) == null ? null : bytes;
         }
 
-        // The bytes of a file with the results. It has the surface if that is prepared. @param model the bytes of the model; null for none
-        private function bytesOfResults(modelKey:Fingerprint, model:ByteArray):ByteArray
+        // The bytes of a file with the data. It has the surface if that is prepared. @param model the bytes of the model; null for none
+        private function bytesOf(modelKey:Fingerprint, model:ByteArray):ByteArray
         {
             var sections:Vector.<ByteArray> = new Vector.<ByteArray>(CookedFile.SECTION_COUNT, true);
             sections[CookedFile.MODEL] = model;

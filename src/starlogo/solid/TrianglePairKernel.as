@@ -146,15 +146,20 @@ package starlogo.solid
                 setTriangleOfB(i);
                 for (var indexA:int = _trees.a.firstPrimitive[a]; indexA < end; indexA++)
                 {
-                    if (areExtentsWithin(points.distance, _extents, _trees.a, indexA))
+                    if (!areExtentsWithin(points.distance, _extents, _trees.a, indexA))
                     {
-                        _counts.triangleTests++;
-                        _trees.a.readTriangle(indexA, _cornersOfA);
-                        if (_kernel.findCloser(_cornersOfA, points))
-                        {
-                            // a's point first
-                            points.swap();
-                        }
+                        continue;
+                    }
+                    _trees.a.readTriangle(indexA, _cornersOfA);
+                    if (isFartherAlongGap(i, points))
+                    {
+                        continue;
+                    }
+                    _counts.triangleTests++;
+                    if (_kernel.findCloser(_cornersOfA, points))
+                    {
+                        // a's point first
+                        points.swap();
                     }
                 }
             }
@@ -211,6 +216,27 @@ package starlogo.solid
             _trees.a.readTriangle(indexA, _cornersOfA);
             _planeOfA.setTriangle(_cornersOfA, 0);
             return _planeOfA.timeOfEntry(_kernel.shape, _motion) > _motion.latestTime;
+        }
+
+        // Whether a's current triangle is so far before b's triangle, along the vector from the closest point so far of a to that of b, that the two
+        // cannot be nearer. Places along the vector are scaled by its length, so the distance so far becomes its square. The triangle of b is projected
+        // each time, because few pairs come here whose extents are near enough.
+        private function isFartherAlongGap(index:int, points:ClosestPoints):Boolean
+        {
+            var at:int = 9 * index;
+            var x:Number = points.b.x - points.a.x;
+            var y:Number = points.b.y - points.a.y;
+            var z:Number = points.b.z - points.a.z;
+            var corners:Vector.<Number> = _placed;
+            var least:Number = x * corners[at] + y * corners[int(at + 1)] + z * corners[int(at + 2)];
+            var projection:Number = x * corners[int(at + 3)] + y * corners[int(at + 4)] + z * corners[int(at + 5)];
+            least = projection < least ? projection : least;
+            projection = x * corners[int(at + 6)] + y * corners[int(at + 7)] + z * corners[int(at + 8)];
+            least = projection < least ? projection : least;
+            var limit:Number = least - points.distance * points.distance;
+            corners = _cornersOfA;
+            return x * corners[0] + y * corners[1] + z * corners[2] <= limit && x * corners[3] + y * corners[4] + z * corners[5] <= limit
+                && x * corners[6] + y * corners[7] + z * corners[8] <= limit;
         }
     }
 }

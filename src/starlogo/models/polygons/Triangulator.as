@@ -13,7 +13,7 @@ package starlogo.models.polygons
      * themselves, and holes may touch them. Every ear has an area in the plane. A ring without area has no triangles.</p>
      *
      * <p>Cost: linear for convex polygons, otherwise up to quadratic in the corners, but at most the tests of corners that the file's limits
-     * allow. Beyond that, ears are clipped without a test, and holes are filled.</p>
+     * allow. Beyond that, corners are cut off without a test, and holes are filled.</p>
      *
      * @private
      */

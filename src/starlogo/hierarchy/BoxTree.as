@@ -12,7 +12,7 @@ package starlogo.hierarchy
      * A model's tree of boxes (thesis §4.3). Its primitives are the model's triangles, or its vertices if it has no triangles.
      *
      * <p>A node is an index into the columns. The root is 0. The two children of a node stand side by side, after their parent. Once the
-     * tree is made, only a BoxRefit changes it: it gives all nodes new boxes. Clients see a node as a HierarchyNode.</p>
+     * nodes are made, only a BoxRefit changes them: it gives all of them new boxes. Clients see a node as a HierarchyNode.</p>
      *
      * <p>A tree of triangles goes on below the leaves of the thesis's tree, down to nodes with a few triangles, for exact tests. A search goes down to a
      * depth. The nodes at which it ends are its leaves (<code>leafUpToDepth</code>). It tests them by their boxes, or in exact tests by their triangles.</p>

@@ -184,8 +184,12 @@ package starlogo.queries
          */
         engine function riseOf(row:int):Number
         {
+            if (!table.listed.agentsByRow[row].isOneWay || !_heights.has(table, row))
+            {
+                return 0;
+            }
             var since:SeenHeights = _heightsBefore.has(table, row) ? _heightsBefore : _heights;
-            return table.listed.agentsByRow[row].isOneWay && _heights.has(table, row) ? since.riseOf(table, row) : 0;
+            return since.riseOf(table, row);
         }
 
         /**

@@ -186,7 +186,7 @@ package starlogo.queries.trees
             return except >= 0 && _slots[except] >= start && _slots[except] < end ? end - start - 1 : end - start;
         }
 
-        /** Reads the box of one row again, and enlarges the boxes around it to contain it, unless the tree is stale. No box gets smaller. */
+        /** Reads the box of one row again, and enlarges the nodes' boxes around it to contain it, unless the tree is stale. These never get smaller. */
         public function enlargeAround(row:int):void
         {
             if (isStale)

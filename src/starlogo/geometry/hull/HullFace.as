@@ -157,10 +157,14 @@ package starlogo.geometry.hull
             y -= points[3 * from + 1];
             z -= points[3 * from + 2];
             var outside:Number = normalX * (edgeZ * y - edgeY * z) + normalY * (edgeX * z - edgeZ * x) + normalZ * (edgeY * x - edgeX * y);
+            if (outside <= 0)
+            {
+                return true;
+            }
             var along:Number = edgeX * x + edgeY * y + edgeZ * z;
             var square:Number = edgeX * edgeX + edgeY * edgeY + edgeZ * edgeZ;
             var slack:Number = Tolerances.HULL_COPLANAR * Math.sqrt(square);
-            return outside <= 0 || (outside <= slack && along >= -slack && along <= square + slack);
+            return outside <= slack && along >= -slack && along <= square + slack;
         }
     }
 }

@@ -82,23 +82,30 @@ package starlogo.intersection.ray
          */
         public function setToExit(ray:Ray, span:RaySpan, entry:RayCrossing):Boolean
         {
-            setToStart(ray);
             distance = Math.max(entry.distance, span.far.surfaceDistance);
+            triangle = -1;
             setNormal(ray, span.far.normalX, span.far.normalY, span.far.normalZ);
             return distance <= ray.to;
         }
 
-        /** Sets the normal to the direction of a vector, or to the opposite one if the vector points along the ray. If its length is 0, the normal stays. */
+        /**
+         * Sets the normal to the direction of a vector, or to the opposite one if the vector points along the ray. If the vector's length is 0, the normal
+         * is the opposite of the ray's direction.
+         */
         public function setNormal(ray:Ray, x:Number, y:Number, z:Number):void
         {
             var length:Number = Math.sqrt(x * x + y * y + z * z);
-            if (length > 0)
+            if (!(length > 0))
             {
-                length = x * ray.directionX + y * ray.directionY + z * ray.directionZ > 0 ? -length : length;
-                normalX = x / length;
-                normalY = y / length;
-                normalZ = z / length;
+                normalX = -ray.directionX;
+                normalY = -ray.directionY;
+                normalZ = -ray.directionZ;
+                return;
             }
+            length = x * ray.directionX + y * ray.directionY + z * ray.directionZ > 0 ? -length : length;
+            normalX = x / length;
+            normalY = y / length;
+            normalZ = z / length;
         }
     }
 }

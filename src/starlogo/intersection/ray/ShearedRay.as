@@ -126,7 +126,6 @@ package starlogo.intersection.ray
         public function addCrossing(corners:Vector.<Number>, triangle:int, out:RayCrossings):void
         {
             var crossing:RayCrossing = out.add();
-            crossing.setToStart(_ray);
             if (findCrossing(corners, 0, 3, 6, crossing) && crossing.distance <= _ray.to)
             {
                 writeSurface(corners, triangle, crossing);
@@ -145,7 +144,6 @@ package starlogo.intersection.ray
          */
         public function writeFirst(corners:Vector.<Number>, triangle:int, out:RayCrossing):void
         {
-            out.setToStart(_ray);
             out.distance = first.distance;
             writeSurface(corners, triangle, out);
         }

@@ -1,7 +1,6 @@
 package starlogo.queries
 {
     import evaluation.pairs.SeededRandom;
-    import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;

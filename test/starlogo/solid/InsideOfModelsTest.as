@@ -8,7 +8,6 @@ package starlogo.solid
     import starlogo.bounding.Box;
     import starlogo.collision.HierarchicalCollider;
     import starlogo.engine;
-    import starlogo.geometry.Placement;
     import starlogo.intersection.intersects;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;

@@ -20,8 +20,8 @@
  *
  * The pattern @changed stands for the files that differ from the last commit.
  *
- * Ruffle runs the tests that the pattern names itself. Of the tests of a source it runs those that Node cannot. With --full Ruffle runs all, and
- * Node goes on with none farther off. Files that would be the same keep their times.
+ * Ruffle runs the tests that the pattern names itself. Of the tests of a source it runs those that Node cannot. With --full Ruffle runs
+ * all, and Node goes on with none farther off. Files that would be the same keep their times.
  */
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
@@ -57,7 +57,7 @@ if (given !== '@changed' && tests.size + ofAdapters.length + (isNode ? ofPages :
 const inNode = isShared ? inNodeAlone() : new Set();
 const inSwf = isNode ? new Map() : testsOfSwf();
 const order = given === '' ? [] : [...tests.keys()].filter((name) => !isShared || !farther.has(name)).flatMap(leftToNode);
-const beyond = isShared ? fartherTests(choice, classes, sources).filter(([name]) => tests.get(name) === undefined || inSwf.get(name) !== tests.get(name)) : [];
+const beyond = isShared ? fartherTests(choice, classes, sources).filter(([name]) => !isWhollyInSwf(name)) : [];
 const fartherInNode = beyond.map(([name, test]) => `${simpleName(name)}.${test}`);
 const files = isShared ? testFilesOf(named) : [];
 
@@ -159,9 +159,14 @@ function testsOfSwf() {
 	}));
 }
 
+/** Whether the SWF has all that was chosen of a class. */
+function isWhollyInSwf(name) {
+	return inSwf.has(name) && inSwf.get(name) === tests.get(name);
+}
+
 /** What Node runs of a class in place of the player: the class, or some of its tests, without packages. */
 function leftToNode(name) {
-	if (inSwf.has(name) && inSwf.get(name) === tests.get(name)) return [];
+	if (isWhollyInSwf(name)) return [];
 	const wanted = tests.get(name) ?? (inSwf.has(name) ? testsIn(classes.get(name)) : null);
 	return wanted?.filter((test) => !inSwf.get(name)?.includes(test)).map((test) => `${simpleName(name)}.${test}`) ?? [simpleName(name)];
 }

@@ -48,8 +48,9 @@ const OF_AGENTS = "<GameAgent extends Agent = Agent>";
 const OF_BREEDS = "<Breeds extends Agent | { [Name in keyof Breeds]: Agent } = Agent, GameAgent extends Agent = AgentsOf<Breeds>>";
 
 /**
- * The type parameters of methods: the agents of a list, the breeds and agents of a handler, the breeds that a filter names, and what a question finds. A method that took breeds without type parameters of its own would make a Collision with classes for breeds unfit for a
- * plain `Collision`.
+ * The type parameters of methods: the agents of a list, the breeds and agents of a handler, the breeds that a filter names, and what a
+ * question finds. A method that took breeds without type parameters of its own would make a Collision with classes for breeds unfit for
+ * a plain `Collision`.
  */
 const PICKING = "<GameAgent extends Agent>";
 const NAMING = "Name extends BreedOf<Breeds> = BreedOf<Breeds>, OtherName extends BreedOf<Breeds> = BreedOf<Breeds>>";

@@ -1,6 +1,6 @@
 /** Shots that pass through others untested: that sweep, but move before their first frame; and that do not sweep, and tunnel. */
 import { $greatestId } from "./frames.mjs";
-import { $hasWarned, $rounded, $warn } from "./warn.mjs";
+import { $hasWarned, $isSameStep, $rounded, $warn } from "./warn.mjs";
 
 /** So many agents are looked at in a frame, and so many are followed. */
 const $MOST_PLACED = 100;
@@ -11,7 +11,7 @@ const $FAR = 0.5;
 /** A class's own fields of these names hide the engine's, which is warned of: the agent is where it was. */
 const $FIELDS = ["x", "y", "z", "sweeps", "size"];
 
-/** An agent that was put somewhere and then moves by more than this many of its sizes in each of so many frames, by the same step, is a shot. */
+/** An agent that was put somewhere is a shot if it moves by more than this many of its sizes in each of so many frames, by the same step. */
 const $FAST = 2;
 const $MANY_STEPS = 4;
 
@@ -34,13 +34,12 @@ export function $warnOfPlace(agent, x, y, z, isJump) {
 
 /** Warns of agents of a list that sweep, and have been moved since; and of shots that do not sweep, and tunnel. */
 export function $warnOfShots(collision, agents) {
-	if ($hasWarned("tunneling")) $shots.clear();
 	for (const [agent, shot] of $shots) $followShot(collision, agents, agent, shot);
 	if ($placed.size === 0) return;
 	for (const [agent, place] of $placed) {
 		if (!agents.includes(agent)) continue;
 		if (agent.sweeps) $lookAtFirstPath(agent, place);
-		else if ($shots.size < $MOST_PLACED) $shots.set(agent, { place: $middleOf(agent), step: new Vector3D(), repeats: 0 });
+		else if ($shots.size < $MOST_PLACED && !$hasWarned("tunneling")) $shots.set(agent, { place: $middleOf(agent), step: new Vector3D(), repeats: 0 });
 	}
 	$placed.clear();
 }
@@ -62,26 +61,27 @@ function $followShot({ _handlers: { interests } }, agents, agent, shot) {
 		$shots.delete(agent);
 		return;
 	}
-	const repeats = step.subtract(shot.step).length < 0.2 * length ? shot.repeats + 1 : 0;
+	const repeats = $isSameStep(step, shot.step) ? shot.repeats + 1 : 0;
 	Object.assign(shot, { place, step, repeats });
 	if (repeats < $MANY_STEPS || !agents.includes(agent)) return;
-	// an agent that sweeps meets the shot, and another shot may fly beside it
-	const passed = agents.find((other) => !other.sweeps && !$shots.has(other) && interests.includes(agent.$breedNumber, other.$breedNumber)
-		&& $isBetween(before, place, other, agent.size + other.size));
+	// hardly any is between, so this comes first; an agent that sweeps meets the shot, and another shot may fly beside it
+	const passed = agents.find((other) => $isBetween(before, step, other, agent.size + other.size) && !other.sweeps && !$shots.has(other)
+		&& interests.includes(agent.$breedNumber, other.$breedNumber));
 	if (!passed) return;
 	$warn(`${agent} does not sweep, and has passed through ${passed}: it moves by ${$rounded(length)} patches in a frame, `
 		+ `${$rounded(length / agent.size)} times its size. With agent.sweeps = true it meets all that is on its way`, "tunneling");
+	$shots.clear();
 }
 
-/** Whether the middle of a step leads through an agent, and its ends are beside it. `sizes` is the sum of the sizes of the two. */
-function $isBetween(from, to, agent, sizes) {
-	const center = $middleOf(agent);
-	const step = to.subtract(from);
-	const part = center.subtract(from).dotProduct(step) / step.lengthSquared;
+/** Whether the middle of a step from a place leads through an agent, and its ends are beside it. `sizes` is the sum of the sizes of the two. */
+function $isBetween(from, step, agent, sizes) {
+	const x = agent.x - from.x;
+	const y = agent.y - from.y;
+	const z = agent.z + agent.size / 2 - from.z;
+	const part = (x * step.x + y * step.y + z * step.z) / step.lengthSquared;
 	if (!(part > 0 && part < 1)) return false;
-	step.scaleBy(part);
-	const distanceTo = (point) => center.subtract(point).length;
-	return distanceTo(from.add(step)) < $MIDDLE * sizes && Math.min(distanceTo(from), distanceTo(to)) > $BESIDE * sizes;
+	const distanceAt = (share) => Math.hypot(x - share * step.x, y - share * step.y, z - share * step.z);
+	return distanceAt(part) < $MIDDLE * sizes && Math.min(distanceAt(0), distanceAt(1)) > $BESIDE * sizes;
 }
 
 /** The middle of an agent whose model is as high as it is wide. */

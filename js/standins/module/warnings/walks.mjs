@@ -2,7 +2,7 @@
  * Walks and other motions that go wrong: too far in a frame, down without end, stopped by what should be walked through, begun inside of
  * a level.
  */
-import { $getOrInsert, $rounded, $warn } from "./warn.mjs";
+import { $getOrInsert, $isSameStep, $rounded, $warn } from "./warn.mjs";
 
 /** So many walks in turn that go down steeply are a fall. */
 const $LONG_FALL = 200;
@@ -100,11 +100,11 @@ function $countStop({ interests, _pairIndices: met }, does, agent, other) {
 export function $warnOfJump(platform, x, y) {
 	if ($lastWalk?.footing.on !== platform) return;
 	const { agent } = $lastWalk;
-	const step = [x - platform.x, y - platform.y];
-	const length = Math.hypot(...step);
-	const isSame = ([dx, dy]) => Math.hypot(dx - step[0], dy - step[1]) <= 0.2 * length;
+	const step = { x: x - platform.x, y: y - platform.y, z: 0 };
+	const length = Math.hypot(step.x, step.y);
 	const before = $jumps.get(platform);
-	const isLeft = before?.agent === agent && length > 0 && length < $SHORT_JUMP && isSame(before.step) && !isSame([agent.x - before.x, agent.y - before.y]);
+	const isLeft = before?.agent === agent && length > 0 && length < $SHORT_JUMP && $isSameStep(step, before.step)
+		&& !$isSameStep(step, { x: agent.x - before.x, y: agent.y - before.y, z: 0 });
 	const jumps = isLeft ? before.jumps + 1 : 0;
 	$jumps.set(platform, { step, agent, x: agent.x, y: agent.y, jumps });
 	if (jumps !== $MANY_JUMPS) return;

@@ -26,6 +26,11 @@ export function $getOrInsert(map, object, make) {
 	return value;
 }
 
+/** Whether another step is nearly this one: frames do not last equally long. Both have x, y and z. */
+export function $isSameStep({ x, y, z }, other) {
+	return Math.hypot(other.x - x, other.y - y, other.z - z) <= 0.2 * Math.hypot(x, y, z);
+}
+
 /** What a function is, as the language says it: "Function", "AsyncFunction", "GeneratorFunction" or "AsyncGeneratorFunction". */
 export function $functionKind(call) {
 	return Object.prototype.toString.call(call).slice(8, -1);

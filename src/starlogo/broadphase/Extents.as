@@ -73,10 +73,7 @@ package starlogo.broadphase
         /** How far the middle of a row's extents is from the row's place. */
         public function distanceFromPlace(row:int):Number
         {
-            var offsetX:Number = offsets.x[row];
-            var offsetY:Number = offsets.y[row];
-            var offsetZ:Number = offsets.z[row];
-            return Math.sqrt(offsetX * offsetX + offsetY * offsetY + offsetZ * offsetZ);
+            return Math.sqrt(offsets.squaredLengthOf(row));
         }
 
         /** Finds the level for a row's extents, and for the distances of their middle from the world's origin and from the row's place. */
@@ -88,11 +85,7 @@ package starlogo.broadphase
             {
                 half = other;
             }
-            var middleX:Number = x[row];
-            var middleY:Number = y[row];
-            var middleZ:Number = z[row];
-            var fromPlace:Number = distanceFromPlace(row);
-            var distanceSquared:Number = Math.max(middleX * middleX + middleY * middleY + middleZ * middleZ, fromPlace * fromPlace);
+            var distanceSquared:Number = Math.max(squaredLengthOf(row), offsets.squaredLengthOf(row));
             var minWidth:Number = Math.max(2 * half, Math.sqrt(distanceSquared) / BinLevel.MAX_DISTANCE);
             levelIndices[row] = finestIndexFor(minWidth, levelIndices[row]);
         }

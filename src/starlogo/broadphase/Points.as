@@ -16,5 +16,14 @@ package starlogo.broadphase
         {
             x.length = y.length = z.length = length;
         }
+
+        /** The square of the distance of a row's point from the origin. */
+        public function squaredLengthOf(row:int):Number
+        {
+            var alongX:Number = x[row];
+            var alongY:Number = y[row];
+            var alongZ:Number = z[row];
+            return alongX * alongX + alongY * alongY + alongZ * alongZ;
+        }
     }
 }

@@ -50,7 +50,7 @@ package starlogo.collision
             assertEquals(0, _calls.length);
             assertThrows(ArgumentError, /handler/, _collision.onCollision, "bears", "bears", null);
             assertThrows(ArgumentError, /^breed must be the name.*""/, _collision.onCollision, "", "bears", note("x"));
-            assertThrows(ArgumentError, /otherBreed must be .*null/, _collision.onCollision, "bears", null, note("x"));
+            assertThrows(ArgumentError, /\botherBreed must be (the name of a breed or ANY_BREED|a string), not null/, _collision.onCollision, "bears", null, note("x"));
             assertThrows(ArgumentError, /^TERRAIN and EDGE do not collide/, _collision.onCollision, "*terrain", "*edge", note("x"));
             assertThrows(ArgumentError, /collisionSystem/, create, Collision, null);
             _agents.pop();

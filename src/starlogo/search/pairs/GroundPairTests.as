@@ -125,6 +125,12 @@ package starlogo.search.pairs
             queryOf(a, b).penetration.findLift(out);
         }
 
+        /** A point of the body that is under the ground shows a touch. @inheritDoc */
+        override protected function showsTouch(a:Body, b:Body, contact:ContactPoint):Boolean
+        {
+            return contact.exitBound > depthToleranceOf(a, b);
+        }
+
         /** @inheritDoc */
         override public function marginOf(a:Body, b:Body):Number
         {

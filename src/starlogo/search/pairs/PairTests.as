@@ -79,14 +79,21 @@ package starlogo.search.pairs
             motion.endAfter(0, 0, 0);
             motion.time = 1;
             findContactOfParts(a, b, motion, out);
-            // structures that are deep in each other touch, but the contact of trees may be deep without a touch
-            var isDeep:Boolean = areStructures(a, b) && out.depth > 2 * depthToleranceOf(a, b);
-            if (isDeep || areTouching(a, b))
+            if (showsTouch(a, b, out) || areTouching(a, b))
             {
                 separate(a, b, motion, out);
                 return;
             }
             findContactApart(a, b, out);
+        }
+
+        /**
+         * Whether a contact of parts of two bodies shows that they touch. If not, only areTouching() decides. Structures that are deep in each other
+         * touch, but the contact of trees may be deep without a touch.
+         */
+        protected function showsTouch(a:Body, b:Body, contact:ContactPoint):Boolean
+        {
+            return areStructures(a, b) && contact.depth > 2 * depthToleranceOf(a, b);
         }
 
         // Changes the contact of parts of two bodies to that of two that do not touch. If rounding hides the direction between the points where they are

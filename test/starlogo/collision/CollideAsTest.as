@@ -113,7 +113,7 @@ package starlogo.collision
             for each (var name:String in ["ball", "", null, "Sphere"])
             {
                 // in JavaScript null is no string
-                assertThrows(ArgumentError, /collideAs must be ("tightest", "sphere", "box", "capsule" or "hull"|a string), not /, assign, agent, "collideAs", name);
+                assertThrows(ArgumentError, /collideAs must be ("tightest", "sphere", "box", "capsule" or "hull", not |a string, not null)/, assign, agent, "collideAs", name);
             }
             assertEquals(Agent.CAPSULE, agent.collideAs);
         }

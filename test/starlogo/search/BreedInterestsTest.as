@@ -82,8 +82,8 @@ package starlogo.search
             var interests:BreedInterests = new BreedInterests();
             for each (var name:String in [null, ""])
             {
-                assertThrows(ArgumentError, /\bbreed must be (the name of a breed or ANY_BREED|a string), not/, interests.add, name, "b");
-                assertThrows(ArgumentError, /\botherBreed must be (the name of a breed or ANY_BREED|a string), not/, interests.add, "b", name);
+                assertThrows(ArgumentError, /\bbreed must be (the name of a breed or ANY_BREED, not|a string, not null)/, interests.add, name, "b");
+                assertThrows(ArgumentError, /\botherBreed must be (the name of a breed or ANY_BREED, not|a string, not null)/, interests.add, "b", name);
             }
             assertEquals(0, interests.pairCount);
         }

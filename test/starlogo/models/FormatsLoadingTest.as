@@ -89,6 +89,20 @@ package starlogo.models
         }
 
         [Test(async, timeout="150000")]
+        public function aWrongUpAxisOrScalingIsRefusedBeforeItsFileIsFetched():void
+        {
+            _loader.load("a", "a.obj", "up");
+            _loader.load("b", "b.dae", "z", "huge");
+            whenComplete(this, _loader, function():void
+                {
+                    assertEquals(0, _loader.fetches.length);
+                    assertEquals(2, _log.length);
+                    assertTrue(_log[0], _log[0].indexOf('model "a": the up axis must be') == 0);
+                    assertTrue(_log[1], _log[1].indexOf('model "b": the scaling must be') == 0);
+                });
+        }
+
+        [Test(async, timeout="150000")]
         public function aBinaryStlFileOfTooManyBytesIsRefused():void
         {
             var bytes:ByteArray = new ByteArray();

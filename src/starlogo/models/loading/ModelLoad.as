@@ -119,10 +119,11 @@ package starlogo.models.loading
             }
             catch (problem:ModelError)
             {
-                // nothing is fetched, and the load fails as it does for a wrong file
+                // Nothing is fetched, and the load fails as it does for a wrong file. Flash has no catch variable after its block.
+                var refusal:ModelError = problem;
                 call(function():void
                     {
-                        throw problem;
+                        throw refusal;
                     });
                 return;
             }

@@ -6,13 +6,15 @@ package evaluation
     import starlogo.collision.CollisionSystem;
 
     /**
-     * Plays a scene with a collider and measures a frame's collision detection with its handlers (§6.1). The collisions of the last frame
-     * are checked against trying all pairs.
+     * Plays a scene with a collider and measures a frame's collision detection with its handlers (§6.1). Before that it checks the
+     * collisions of an early frame against trying all pairs. How many frames are measured depends on the noise, but this frame is the
+     * same for all colliders, so their collisions can be compared.
      */
     public final class GameTask extends MeasuringTask
     {
         private static const LITERAL_PAIRS:int = 300;
         private static const CHECKED_PAIRS:int = 40000;
+        private static const CHECKED_FRAME:int = 3;
 
         /** The scene that is played. */
         public var scene:Scene;
@@ -27,10 +29,15 @@ package evaluation
         private var _thesis:*;
         private var _checkedPairs:int;
         private var _collision:Collision;
+        // the number of the last frame, which is also the colour of the agents that collided in it
         private var _paint:Number = 0;
         private var _frame:Measurement;
         private var _literal:Measurement;
         private var _check:AllPairsCheck;
+        // of the frame that is checked
+        private var _collisions:int;
+        private var _nodeVisits:int;
+        private var _hierarchyTests:int;
 
         /**
          * @param figure the results' figure
@@ -77,18 +84,14 @@ package evaluation
         }
 
         /** @inheritDoc */
-        override public function repeatNoisy():void
+        override public function work():Boolean
         {
-            super.repeatNoisy();
-            // the last frame will be another one
-            _check = null;
+            return isChecked() && super.work();
         }
 
         /** @inheritDoc */
         override protected function prepare():void
         {
-            _collision = new Collision(collider);
-            _collision.onCollision("turtles", "turtles", changeColor);
             _frame = measure("step and update", playFrame, 1);
             measureOverhead(_frame, "step", scene.step, 1);
             if (_literalTest != null)
@@ -111,29 +114,44 @@ package evaluation
         /** @inheritDoc */
         override protected function conclude():Boolean
         {
-            if (_check == null)
-            {
-                _collision.update(scene.agents);
-                _check = new AllPairsCheck(collider, scene.agents, _checkedPairs);
-            }
-            if (!_check.work())
-            {
-                return false;
-            }
             var entry:Object = _results.addTime(_figure, _subject, _variant, _frame, _base, _thesis);
             entry.agents = scene.agents.length;
-            _results.check(entry, _collision.statistics.collisions, _check.agrees);
-            if (_figure == "crowds" && _collision.statistics.nodeVisits > 0)
+            entry.collisions = _collisions;
+            entry.agrees = _check.agrees;
+            if (_figure == "crowds" && _nodeVisits > 0)
             {
-                var visits:Object = _results.addNumber("visits", _subject, _variant, _collision.statistics.nodeVisits, "pairs of nodes");
+                var visits:Object = _results.addNumber("visits", _subject, _variant, _nodeVisits, "pairs of nodes");
                 visits.agents = scene.agents.length;
-                visits.tests = _collision.statistics.hierarchyTests;
+                visits.tests = _hierarchyTests;
             }
             if (_literal != null)
             {
                 _results.addTime(_figure, _subject, _variant + ", literal", _literal, _base);
             }
             return true;
+        }
+
+        // Plays the frames up to the one that is checked, and checks it. Each call does a part of that.
+        private function isChecked():Boolean
+        {
+            if (_collision == null)
+            {
+                _collision = new Collision(collider);
+                _collision.onCollision("turtles", "turtles", changeColor);
+            }
+            if (_check != null)
+            {
+                return _check.work();
+            }
+            playFrame();
+            if (_paint == CHECKED_FRAME)
+            {
+                _collisions = _collision.statistics.collisions;
+                _nodeVisits = _collision.statistics.nodeVisits;
+                _hierarchyTests = _collision.statistics.hierarchyTests;
+                _check = new AllPairsCheck(collider, scene.agents, _checkedPairs);
+            }
+            return false;
         }
 
         private function playFrame():void

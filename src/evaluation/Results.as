@@ -9,12 +9,11 @@ package evaluation
 
         private var _entries:Array = [];
         private var _byName:Object = {};
-        private var _failures:int = 0;
 
-        /** The number of checks that failed. */
+        /** The number of games whose collisions were not those of all pairs. */
         public function get failures():int
         {
-            return _failures;
+            return _entries.filter(hasDiffered).length;
         }
 
         /**
@@ -88,17 +87,6 @@ package evaluation
             return entry;
         }
 
-        /** Adds a check to an entry: whether its collisions are the same as from trying all pairs. */
-        public function check(entry:Object, collisions:int, agrees:Boolean):void
-        {
-            entry.collisions = collisions;
-            entry.agrees = agrees;
-            if (!agrees)
-            {
-                _failures++;
-            }
-        }
-
         /**
          * All entries as JSON.
          *
@@ -107,6 +95,11 @@ package evaluation
         public function toText(isComplete:Boolean = true):String
         {
             return JSON.stringify({player: Host.player, isComplete: isComplete, entries: _entries}, null, 1);
+        }
+
+        private static function hasDiffered(entry:Object, index:int, all:Array):Boolean
+        {
+            return entry.agrees === false;
         }
 
         private static function nameOf(figure:String, subject:String, variant:String):String

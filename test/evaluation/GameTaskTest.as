@@ -29,12 +29,26 @@ package evaluation
             assertEquals(0, played(Scenes.crowd(1, "spheres")).colliding.length);
         }
 
-        private static function played(scene:Scene):GameTask
+        /** However many frames the noise has had measured, so that the collisions of colliders can be compared. */
+        [Test]
+        public function theCollisionsAreThoseOfAFixedFrame():void
+        {
+            assertEquals(collisionsAfter("1"), collisionsAfter("4"));
+        }
+
+        private static function collisionsAfter(repetitions:String):int
+        {
+            var results:Results = new Results();
+            played(Scenes.scattered(400, "spheres"), results, repetitions);
+            return JSON.parse(results.toText()).entries[0].collisions;
+        }
+
+        private static function played(scene:Scene, results:Results = null, repetitions:String = "1"):GameTask
         {
             var greatLand:GreatLand = new GreatLand();
             greatLand.addModel(BuiltInModel.sphere());
-            var results:Results = new Results();
-            var task:GameTask = new GameTask("crowds", "a few", "BinCollider", scene, new BinCollider(greatLand), null, undefined, new Settings({repetitions: "1"}), results);
+            results ||= new Results();
+            var task:GameTask = new GameTask("crowds", "a few", "BinCollider", scene, new BinCollider(greatLand), null, undefined, new Settings({repetitions: repetitions}), results);
             assertEquals(0, task.colliding.length);
             var steps:int = 0;
             while (!task.work())

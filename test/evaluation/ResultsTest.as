@@ -35,12 +35,10 @@ package evaluation
         {
             var right:Object = _results.addNumber("crowds", "10 bears", "BinCollider", 1, "ms");
             var wrong:Object = _results.addNumber("crowds", "20 bears", "BinCollider", 2, "ms");
-            _results.check(right, 45, true);
+            right.agrees = true;
             assertEquals(0, _results.failures);
-            _results.check(wrong, 189, false);
+            wrong.agrees = false;
             assertEquals(1, _results.failures);
-            assertTrue(right.agrees && right.collisions == 45);
-            assertTrue(!wrong.agrees && wrong.collisions == 189);
         }
 
         [Test]

@@ -61,26 +61,27 @@ const MODELS = ['fits', 'access', 'hierarchies'];
  *
  * @param {object[]} entries of a run
  * @param {string} commit what was measured; with changes that are not committed its runs share no report
+ * @param {string} sources the folder of a researcher's own classes
  */
-export function repeats(entries, commit = '') {
+export function repeats(entries, commit = '', sources = 'FOLDER') {
 	const noisy = entries.filter(isNoisy);
 	if (noisy.length === 0) {
 		return '';
 	}
 	const commands = FIGURES.map(({ id }) => [id, noisy.filter((entry) => entry.figure === id)]).filter(([, found]) => found.length > 0)
-		.map(([id, found]) => `    ./antw timing -Dfigures=${id}${choice(id, found)} -Drepetitions=11`);
+		.map(([id, found]) => `    ./antw timing -Dfigures=${id}${choice(id, found, sources)} -Drepetitions=11`);
 	const where = commit.endsWith('-dirty') ? 'in a report of their own, as the clone has changes that are not committed. They replace the report that is there' : 'for the same report';
 	return ['Left out, as too noisy or contradictory:', ...noisy.map((entry) => `    ${key(entry)}`), `To measure them again, ${where}:`, ...commands].join('\n');
 }
 
 // The options that measure no more of a figure than these entries.
-function choice(figure, entries) {
+function choice(figure, entries, folder) {
 	const all = (values) => [...new Set(values)].join(',');
 	const variants = entries.map((entry) => entry.variant.replace(/, literal$/, ''));
 	const subjects = entries.map((entry) => entry.subject);
 	const own = variants.filter((name) => name.includes('.'));
 	const colliders = COLLIDERS.every((name) => variants.includes(name)) && own.length === 0 ? '' : ` -Dcolliders=${all(variants)}`;
-	const sources = own.length > 0 ? ' -Dsources=FOLDER' : '';
+	const sources = own.length > 0 ? ` -Dsources=${folder}` : '';
 	if (MODELS.includes(figure)) {
 		return ` -Dmodels=${all(subjects)}${sources}${sources && ` -Dfitters=${all(own)}`}`;
 	}

@@ -34,9 +34,10 @@ export function measured(entry) {
 	return entry.refused ? entry.refused : `${time(entry.value)} ${spread(entry.value, entry.low, entry.high)}`;
 }
 
-/** Half of a range, as a part of its median. */
+/** Half of a range, as a part of its median; both parts of a range that is much longer on one side. */
 function spread(median, low, high) {
-	return `±${percent((high - low) / 2 / median)}`;
+	const [less, more] = [median - low, high - median].map((part) => part / median);
+	return Math.abs(more - less) < 0.1 ? `±${percent((less + more) / 2)}` : `−${percent(less).replace(' %', '')} +${percent(more)}`;
 }
 
 /** Whether an entry has no time or no multiple, because its range is too wide, or because it contradicts another. */
@@ -51,11 +52,11 @@ export function faster(ours, literal) {
 
 /** A multiple of the sphere-sphere test with its spread. That of the test itself is 1, and has none. */
 function multiple(entry) {
-	if (!entry || entry.refused || entry.multiple === undefined) {
-		return '';
-	}
-	if (entry.multiple === null) {
+	if (entry?.refused || entry?.multiple === null) {
 		return 'noisy';
+	}
+	if (entry?.multiple === undefined) {
+		return '';
 	}
 	return ratio(entry.multiple) + (entry.multipleLow === entry.multipleHigh ? '' : ` ${spread(entry.multiple, entry.multipleLow, entry.multipleHigh)}`);
 }
@@ -132,12 +133,22 @@ function gameRows(entries) {
 		const entry = found[name];
 		const literal = found[`${name}, literal`];
 		return [i === 0 ? scene : '', name.replace('Collider', ''), measured(entry), multiple(entry), beside(entry), short(literal), times(faster(entry, literal)),
-			thesisTime(entry), String(entry.collisions), agreement([entry])];
+			thesisTime(entry), String(entry.collisions), entry.agrees ? 'same' : 'DIFFER'];
 	}));
 }
 
-/** Whether games have the collisions of a test of all pairs. */
-const agreement = (games) => (games.every(({ agrees }) => agrees) ? 'same' : 'DIFFER');
+/** Whether some colliders have the collisions of a test of all pairs, or which differ. */
+function agreement(games) {
+	const wrong = games.filter(({ agrees }) => !agrees).map(({ variant }) => shortName(variant));
+	return wrong.length === 0 ? 'same' : `DIFFER: ${wrong.join(', ')}`;
+}
+
+/** The games of a run whose collisions are not those of a test of all pairs, by their colliders, in a line; or an empty text. */
+export function differing(entries) {
+	const wrong = entries.filter(({ agrees }) => agrees === false);
+	return [...new Set(wrong.map(({ variant }) => variant))]
+		.map((name) => `${name}, in ${wrong.filter(({ variant }) => variant === name).map(({ subject }) => subject).join(' and ')}`).join('; ');
+}
 
 function scatteredRows(entries) {
 	return growth(entries).flatMap(({ cast, exponents, exponentsByWork }) => {
@@ -181,7 +192,7 @@ const FRAME_MS = 40;
 
 /**
  * Up to how many agents each collider has frames of at most 40 ms, 25 a second, in the games that were measured: a row for each cast. A game
- * whose range includes 40 ms does not count.
+ * whose range includes 40 ms does not count. A collider whose collisions differ from those of all pairs has no number.
  */
 export function holding(entries) {
 	return [...new Set(entries.map((entry) => castOf(entry)))].map((cast) => [cast, ...collidersOf(entries)
@@ -189,6 +200,9 @@ export function holding(entries) {
 }
 
 function most(games) {
+	if (games.some(({ agrees }) => agrees === false)) {
+		return 'DIFFER';
+	}
 	const agents = (condition) => games.filter(condition).map((entry) => entry.agents);
 	const holds = Math.max(...agents((entry) => entry.value && entry.high <= FRAME_MS));
 	const fails = Math.min(...agents((entry) => entry.value && entry.low > FRAME_MS));
@@ -221,7 +235,7 @@ const VOLUMES = {
 
 /** A class's name without its package. */
 const shortName = (name) => name.slice(name.lastIndexOf('.') + 1);
-const colliderNames = (entries) => ['bins', 'tightest fit', 'hierarchical', 'combination', ...others(entries, COLLIDERS).map(shortName)];
+const colliderNames = (entries) => collidersOf(entries).map((name) => shortName(name).replace(/Collider$/, ''));
 
 /** The entries that a figure shows. */
 export const shownIn = ({ id, of = [id] }, entries) => entries.filter(({ figure }) => of.includes(figure));

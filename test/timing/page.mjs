@@ -46,7 +46,7 @@ ${leftOut(report.entries)}
 ${FIGURES.map((figure) => section(figure, report, charts, clone)).join('\n')}
 </main>
 <footer>
-<p>Times are medians ± half the range of the repetitions, without the fastest and the slowest fifth, after a warm-up. “×” is a multiple of the sphere-sphere test, measured in turns
+<p>Times are medians ± half the range of the repetitions, without the fastest and the slowest fifth, after a warm-up; or − and + the ends of a lopsided range. “×” is a multiple of the sphere-sphere test, measured in turns
 with it: only these can be compared across machines.</p>
 <p id="left-out">Noisy: the range of the time, or of the multiple, is wider than 30 % either way, so it is left out. Contradictory: a time and its multiple, or the engine's and the literal one's,
 cannot both be right, because another program took the processor in a part of the run. Both happen less on a machine that does nothing else.</p>
@@ -81,8 +81,8 @@ function leftOut(entries) {
 }
 
 /** What is left out, and the commands that measure it again. */
-function again({ entries, versions }) {
-	const text = repeats(entries, versions.commit);
+function again({ entries, versions, sources }) {
+	const text = repeats(entries, versions.commit, sources);
 	return text === '' ? '' : `<div class="scroll"><pre>${escape(text)}</pre></div>`;
 }
 
@@ -126,7 +126,7 @@ const rowClass = (row) => (['  thesis', '  JIT'].includes(row[0]) ? ' class="the
 
 /** A cell's text: what is tightest stands out, a spread stands back. */
 function mark(text) {
-	return escape(text).replace(/^(.*)\*$/, '<strong>$1</strong>').replace(/ (±.*)$/, ' <small>$1</small>');
+	return escape(text).replace(/^(.*)\*$/, '<strong>$1</strong>').replace(/ ([±−].*)$/, ' <small>$1</small>');
 }
 
 /** What to know at a glance. */

@@ -2,12 +2,12 @@
 /**
  * Makes the report of a timing run: prints its tables, and writes report.json, report.csv and report.html.
  *
- *   node test/timing/report.mjs folder [--compare=older-report.json] [--beside=folder] [--module=folder]
+ *   node test/timing/report.mjs folder [--compare=older-report.json] [--beside=folder] [--module=folder] [--sources=folder]
  *
  * The folder has the results.json of the run; docs/timing-report.md describes report.json. If the folder has a report of the same commit,
  * player and machine, this run's entries take their places in it. With an older report, what
  * became faster or slower since then is printed. With another folder, that of a run in another player, its times stand beside; with
- * that of a run of the ES module the report says how many times as fast that is.
+ * that of a run of the ES module the report says how many times as fast that is. The sources are those of a researcher's own classes.
  */
 import { existsSync, statSync } from 'node:fs';
 import { readFile, writeFile } from 'node:fs/promises';
@@ -18,7 +18,7 @@ import { refuse } from '../../build/refuse.mjs';
 import { addBeside, timesAsFast } from './beside.mjs';
 import { comparison, repeats, tables } from './console.mjs';
 import { csv } from './csv.mjs';
-import { growth } from './figures.mjs';
+import { differing, growth } from './figures.mjs';
 import { greatestLoad, load, loadText, machine, versions, wasBusy, wasDisturbed } from './machine.mjs';
 import { earlierText, moduleText, page } from './page.mjs';
 import { olderReportOrEnd } from './older.mjs';
@@ -26,9 +26,10 @@ import { changes, merged, withoutContradictions } from './statistics.mjs';
 
 const { positionals: [folder], values } = parseArgs({
 	allowPositionals: true,
-	options: { compare: { type: 'string', default: '' }, beside: { type: 'string', default: '' }, module: { type: 'string', default: '' } },
+	options: { compare: { type: 'string', default: '' }, beside: { type: 'string', default: '' }, module: { type: 'string', default: '' },
+		sources: { type: 'string' } },
 });
-if (!folder) refuse('usage: report.mjs folder [--compare=older-report.json] [--beside=folder] [--module=folder]');
+if (!folder) refuse('usage: report.mjs folder [--compare=older-report.json] [--beside=folder] [--module=folder] [--sources=folder]');
 const resultsOf = async (run) => JSON.parse(await readFile(path.join(run, 'results.json'), 'utf8'));
 const results = await resultsOf(folder);
 const beside = values.beside ? await resultsOf(values.beside) : undefined;
@@ -54,6 +55,7 @@ const report = {
 	load: isContinued ? greatestLoad(earlier.load, ownLoad) : ownLoad,
 	...(entries.length > taken.length && { earlierEntries: entries.length - taken.length }),
 	...(results.isComplete === false && { isComplete: false }),
+	...(values.sources && { sources: values.sources }),
 	...(module && { module: { player: module.player, ...timesAsFast(own, module.entries) } }),
 	exponents: growth(entries.filter((entry) => entry.figure === 'scattered')),
 	entries,
@@ -68,7 +70,7 @@ console.log(`Taken in ${report.versions.player}${beside ? `; the columns and row
 if (report.module) {
 	console.log(moduleText(report.module));
 }
-console.log('Times and multiples are medians ± half the range of the repetitions, without the fastest and the slowest fifth.');
+console.log('Times and multiples are medians ± half the range of the repetitions, without the fastest and the slowest fifth; or − and + the ends of a lopsided range.');
 console.log(loadText(report.load, report.machine.cores));
 if (older) {
 	const date = older.created.slice(0, 16).replace('T', ' ');
@@ -78,11 +80,15 @@ if (older) {
 if (report.earlierEntries) {
 	console.log(`${earlierText(report)} All tables are in ${file('timing.txt')}.`);
 }
-const again = repeats(taken, report.versions.commit);
+const again = repeats(taken, report.versions.commit, report.sources);
 if (again) {
 	console.log('\n' + again);
 }
 console.log(`\nThe report: ${file('report.html')}`);
+const wrong = differing(taken);
+if (wrong) {
+	console.log(`FAILED timing: collisions were not those of all pairs: ${wrong}`);
+}
 if (results.isComplete === false) {
 	console.error(`The run ended early. The report has the ${taken.length} entries that it had measured.`);
 	process.exitCode = 1;

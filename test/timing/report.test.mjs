@@ -9,7 +9,7 @@ import { addBeside, timesAsFast } from './beside.mjs';
 import { chartsOf } from './charts.mjs';
 import { comparison, repeats, tables } from './console.mjs';
 import { csv } from './csv.mjs';
-import { FIGURES, growth, holding, shownIn } from './figures.mjs';
+import { differing, FIGURES, growth, holding, shownIn } from './figures.mjs';
 import { greatestLoad, loadText, wasBusy } from './machine.mjs';
 import { percent, quoted, ratio, significant, time } from './format.mjs';
 import { olderReport } from './older.mjs';
@@ -92,7 +92,23 @@ test('tables are at most 112 columns wide and say what is not reported', () => {
 	}
 	assert.match(text, /bear +547 +box +6\.80 ms ±3 % +27,200× ±3 % +243 ms +36× +555 ms/);
 	assert.match(text, /±79 %, noisy/);
+	assert.match(text, /^25 frames a second: .*\n\ngame .*\n─+\nbears +DIFFER +/m);
 	assert.match(text, /DIFFER$/m);
+});
+
+test('a collider whose collisions are not those of all pairs is named', () => {
+	const game = (subject, variant, agrees) => timed('scattered', subject, variant, 1, { agents: 100, collisions: 5, agrees });
+	const games = ['100 mix', '100 mix, as dense'].flatMap((subject) => [game(subject, 'BinCollider', true), game(subject, 'game.WrongCollider', false)]);
+	const text = tables(games);
+	assert.match(text, /^100 mix, as dense .* 5 +DIFFER: WrongCollider$/m);
+	assert.match(text, /^mix +at least 100 +DIFFER$/m);
+	assert.equal(differing(games), 'game.WrongCollider, in 100 mix and 100 mix, as dense');
+	assert.equal(differing(games.filter(({ agrees }) => agrees)), '');
+});
+
+test('a range that is much longer on one side has both ends', () => {
+	const text = tables([timed('tests', 'boxBox', 'engine', 0.00473, { low: 0.00453, high: 0.00723 }), timed('tests', 'boxBox', 'engine, all hit', null, { multiple: null, refused: 'noisy' })]);
+	assert.match(text, /^boxBox +4\.73 µs −4 \+53 % .* noisy$/m);
 });
 
 test('a multiple is refused by its own range, and that of the base is 1', () => {
@@ -117,10 +133,10 @@ test('the games that keep 25 frames a second are named by their colliders', asyn
 	assert.deepEqual(holding([...games, uncertain]), holding(games));
 	assert.deepEqual(holding([{ ...game(10, 'BinCollider', 39), high: 41 }]), [['mix', 'noisy', '', '', '']]);
 	const text = tables(games);
-	assert.match(text, /^25 frames a second: .*40 ms\n\ngame +bins +tightest fit +hierarchical\n─+\nmix +at least 1000 +100, not 1000 +fewer than 100\n/m);
+	assert.match(text, /^25 frames a second: .*40 ms\n\ngame +Bin +TightestFit +Hierarchical\n─+\nmix +at least 1000 +100, not 1000 +fewer than 100\n/m);
 	assert.match(tables(games, { wasDisturbed: true }), /40 ms \(something else was running: it may be more\)\n/);
 	assert.match(await page({ ...EMPTY, machine: { cores: 2 }, load: { start: 2, end: 2 }, entries: games }), /<h3>25 .*40 ms \(something else was running: it may be more\)<\/h3>/);
-	assert.match(await page({ ...EMPTY, entries: games }), /<h3>25 frames a second: .*40 ms<\/h3>\n.*<table>.*>game<.*>bins</);
+	assert.match(await page({ ...EMPTY, entries: games }), /<h3>25 frames a second: .*40 ms<\/h3>\n.*<table>.*>game<.*>Bin</);
 });
 
 test('a collider of which no game has a time holds nobody knows how many', () => {
@@ -346,6 +362,7 @@ test('what is noisy is named, with a command that repeats it', () => {
 	assert.match(repeats(entries), /crowds \/ 100 bears \/ BinCollider\n.*\n {4}\.\/antw timing -Dfigures=crowds -Dagents=100 -Dcolliders=BinCollider -Drepetitions=11$/);
 	assert.match(repeats([timed('fits', 'bear', 'literal', null, { refused: 'noisy' })]), /-Dfigures=fits -Dmodels=bear /);
 	assert.match(repeats([timed('fits', 'cube', 'game.UprightFitter', null, { refused: 'noisy' })]), /-Dmodels=cube -Dsources=FOLDER -Dfitters=game\.UprightFitter -Drep/);
+	assert.match(repeats([timed('fits', 'cube', 'game.UprightFitter', null, { refused: 'noisy' })], '', '../my/src'), / -Dsources=\.\.\/my\/src /);
 	assert.match(repeats([timed('fits', 'bear', 'literal', null, { refused: 'contradictory' })]), /^Left out, as too noisy or contradictory:\n/);
 	assert.equal(repeats(entries.filter((entry) => !entry.refused)), '');
 });

@@ -3,8 +3,11 @@
 /** A mark of a class: [Suite], perhaps more metadata, and the words before "class". */
 const MARKED_CLASS = /\[(Suite|RunWith|Ignore)\b[^\]]*\]\s*(?:\[[^\]]*\]\s*)*(?:\w+\s+)*class\b/g;
 
-/** A function: its metadata, the words before "function", its name, and its type. */
-const FUNCTION = /((?:\[[^\]]*\]\s*)*)((?:\w+\s+)*)function\s+(\w+)\s*\([^)]*\)\s*(?::\s*(\w+))?/g;
+/** A function: its metadata, the words before "function", its name, its parameters, and its type. */
+const FUNCTION = /((?:\[[^\]]*\]\s*)*)((?:\w+\s+)*)function\s+(\w+)\s*\(([^)]*)\)\s*(?::\s*(\w+))?/g;
+
+/** The tags of the functions that FlexUnit runs. */
+const TAGS = ['Test', 'Theory', 'Before', 'After', 'BeforeClass', 'AfterClass'];
 
 /**
  * What FlexUnit would leave out, and what the player does not see.
@@ -35,16 +38,23 @@ export function isForTheGame(text) {
 }
 
 /** What is wrong with a function, or null. Classes of old versions of FlexUnit, which extend TestCase, need no [Test]. */
-function problemOf([, metadata, words, name, type = 'void'], isOld) {
-	const tag = /\[(Test|Theory|Before|After)\b/.exec(metadata)?.[1];
+function problemOf([, metadata, words, name, parameters, type = 'void'], isOld) {
+	const [written, tag] = [...metadata.matchAll(/\[(\w+)/g)].map(([, each]) => [each, TAGS.find((known) => known.toLowerCase() === each.toLowerCase())])
+		.find(([, known]) => known) ?? [];
 	const isPublic = /\bpublic\b/.test(words);
-	const error = (said) => ({ said: `${name}() ${said}`, isError: true });
-	if (tag && !isPublic) return error(`has [${tag}] and is not public, so FlexUnit does not run it`);
-	if (tag && type !== 'void') {
-		return error(`has [${tag}] and gives ${type}: FlexUnit runs no test of a class that has such a function. It must be void`);
+	if (!tag) {
+		const isForgotten = !isOld && metadata === '' && isPublic && /^test[A-Z]/.test(name);
+		return isForgotten ? { said: `${name}() has no [Test], so FlexUnit does not run it`, isError: false } : null;
 	}
-	const isForgotten = !isOld && metadata === '' && isPublic && /^test[A-Z]/.test(name);
-	return isForgotten ? { said: `${name}() has no [Test], so FlexUnit does not run it`, isError: false } : null;
+	const error = (said) => ({ said: `${name}() has [${written}]${said}`, isError: true });
+	const stops = (has, must) => error(` and ${has}: FlexUnit runs no test of a class that has such a function. It must ${must}`);
+	const isStatic = /\bstatic\b/.test(words);
+	if (written !== tag) return error(`, which FlexUnit does not know: it is [${tag}]`);
+	if (!isPublic) return error(' and is not public, so FlexUnit does not run it');
+	if (type !== 'void') return stops(`gives ${type}`, 'be void');
+	if (tag !== 'Theory' && parameters.trim() !== '') return stops('takes a parameter', 'take none');
+	if (isStatic && !tag.endsWith('Class')) return stops('is static', 'not be static');
+	return !isStatic && tag.endsWith('Class') ? stops('is not static', 'be static') : null;
 }
 
 /** A text with spaces in place of its comments, and of what is in its strings. */

@@ -1,11 +1,11 @@
 #!/usr/bin/env node
 /**
- * Runs the SWF of a client's own tests and counts them. If it stalls or the player fails, it names what was running, and the tests that
- * did not run.
+ * Runs the SWF of a client's own tests and counts them. If it stalls or the player fails, it names what was running, and starts the player
+ * again for the other tests. At the end it names those that did not run.
  *
  *   node test/runner/client-tests-run.mjs FILE.swf SECONDS COUNTS [PLAYER]
  *
- * What gives no sign of life for so many seconds ends the run, and so does what takes ten times as long altogether. COUNTS is a file for
+ * What gives no sign of life for so many seconds ends the player, and so does what takes ten times as long altogether. COUNTS is a file for
  * the counts. The exit status is that of PLAYER: build/headless/run.mjs, or in tests a script in its place.
  */
 import { spawn } from 'node:child_process';
@@ -15,6 +15,9 @@ import { fileURLToPath } from 'node:url';
 
 /** After so many times SECONDS a test has no end, even if it traces. */
 const TIMES = 10;
+
+/** So often the player is started at most. */
+const MOST_STARTS = 10;
 
 /** The exit status of a SWF that stalls. */
 const FAILED = 70;
@@ -26,9 +29,14 @@ const tests = new Set();
 const begun = new Set();
 const ignored = new Set();
 const failed = new Set();
+/** The tests that a player that starts again leaves out, and the classes: their names. */
+const without = new Set();
+let starts = 0;
+let run;
 let now;
 let limit;
-let reason = '';
+let reason;
+let begunBefore;
 let isStackOfRunner = false;
 
 /** Reads a line of the reporter that test/runner/client-tests.mjs writes. Gives whether to show it. */
@@ -38,7 +46,7 @@ function readTrace(line) {
 	if (test) {
 		begun.add(test);
 		if (isIgnored) ignored.add(test);
-	} else if (tag === 'tests') tests.clear();
+	} else if (tag === 'tests') next().forEach((each) => tests.delete(each));
 	else if (tag === 'test') tests.add(name);
 	else if (line.startsWith('FAILED ')) failed.add(line.slice(7).split(': ')[0]);
 	if (test || tag === 'now') begin(test ?? name);
@@ -70,34 +78,77 @@ function reasonIn(line) {
 		.replace(', or has ended without Host.exit', '');
 }
 
+/** A test without its place. */
+function nameOf(test) {
+	return test.replace(/ \(.*\)$/, '');
+}
+
+/** The class of a test. */
+function classOf(test) {
+	return nameOf(test).replace(/\.\w+$/, '');
+}
+
+/** The tests that another player can run. */
+function next() {
+	return [...tests].filter((test) => !begun.has(test) && !without.has(classOf(test)));
+}
+
 /** Some tests without their places; a class of which all are among them stands for its tests. */
 function namesOf(some) {
-	const nameOf = (test) => test.replace(/ \(.*\)$/, '');
-	const classOf = (test) => nameOf(test).replace(/\.\w+$/, '');
 	const inParts = [...tests].filter((test) => !some.includes(test)).map(classOf);
 	return [...new Set(some.map((test) => (inParts.includes(classOf(test)) ? nameOf(test) : classOf(test))))].join(', ');
 }
 
-const run = spawn(process.execPath, [player, swf, '--stall', seconds], { stdio: ['ignore', 'pipe', 'pipe'] });
-begin('the SWF');
-createInterface({ input: run.stdout }).on('line', (line) => {
-	if (readTrace(line)) console.log(line);
-});
-createInterface({ input: run.stderr }).on('line', (line) => {
-	reason ||= reasonIn(line) ?? '';
-	if (!reasonIn(line) && !isOfRunner(line)) console.error(line);
-});
-run.on('close', (status) => {
-	clearTimeout(limit);
-	if (reason) {
-		console.log(`FAILED ${now}: ${reason}`);
+/** Of an error that no call of a test was there for: which tests may have left a timer or a listener. */
+function earlierTests() {
+	const earlier = [...begun].slice(begunBefore).map(nameOf).filter((test) => test !== nameOf(now));
+	if (earlier.length === 0 || !/^the SWF threw: Error (in|dispatching event (?!"timerComplete"))/.test(reason)) return '';
+	return `; perhaps of a timer or listener of an earlier test. Before it ran ${earlier.slice(-3).join(', ')}`;
+}
+
+/** Plays the tests that are left. If something ends the player before their end, another one plays the rest. */
+function play() {
+	starts++;
+	reason = '';
+	begunBefore = begun.size;
+	run = spawn(process.execPath, [player, swf, '--stall', seconds, '--param', `without=${[...without].join(',')}`], { stdio: ['ignore', 'pipe', 'pipe'] });
+	begin('the SWF');
+	createInterface({ input: run.stdout }).on('line', (line) => {
+		if (readTrace(line)) console.log(line);
+	});
+	createInterface({ input: run.stderr }).on('line', (line) => {
+		reason ||= reasonIn(line) ?? '';
+		if (!reasonIn(line) && !isOfRunner(line)) console.log(line);
+	});
+	run.on('close', (status) => {
+		clearTimeout(limit);
+		if (!reason) return end(status ?? 1);
+		console.log(`FAILED ${now}: ${reason}${earlierTests()}`);
 		failed.add(now);
-	}
+		const known = without.size;
+		for (const test of begun) without.add(nameOf(test));
+		// what fails or hangs before the tests of a class would do so again
+		for (const each of [...failed].filter((one) => one === now || one.includes(', static initialiser'))) {
+			without.add(/^(\S+)(?:, static initialiser| \[BeforeClass\])/.exec(each)?.[1] ?? nameOf(each));
+		}
+		// FlexUnit fails a class of which it is to run nothing
+		const inPart = next().map(classOf);
+		for (const each of [...tests].map(classOf)) if (!inPart.includes(each)) without.add(each);
+		if (inPart.length === 0 || without.size === known || starts === MOST_STARTS) return end(FAILED);
+		console.log(`the player starts again for the tests that are left: ${inPart.length}`);
+		return play();
+	});
+}
+
+/** Counts all, and ends with a status, or with that of a player before that has failed. */
+function end(status) {
 	const passed = [...begun].filter((test) => !failed.has(test) && !ignored.has(test));
 	const left = [...tests].filter((test) => !begun.has(test));
 	if (left.length > 0) console.log(`not run: ${namesOf(left)}`);
 	const summary = `${passed.length} passed, ${failed.size} failed, ${ignored.size} ignored, ${left.length} not run`;
 	console.log(summary);
 	writeFileSync(counts, summary);
-	process.exitCode = reason ? FAILED : status ?? 1;
-});
+	process.exitCode = starts > 1 ? FAILED : status;
+}
+
+play();

@@ -50,24 +50,46 @@ test('a function that FlexUnit would leave out is named', () => {
 	classOf('        [Test]', '        [Ignore("later")]', '        private function swims():void {}', '        // [Test]', '        private function helps():int {}');
 	const hidden = run('src,tests');
 	assert.equal(hidden.status, 64);
-	assert.equal(hidden.stderr, 'tests/game/world/TurtleTest.as:7: swims() has [Test] and is not public, so FlexUnit does not run it\n');
+	assert.equal(hidden.stderr, 'tests/game/world/TurtleTest.as:7: error: swims() has [Test] and is not public, so FlexUnit does not run it\n');
 	classOf('        [Test(async)]', '        public function asks():int {}', '        [Before]', '        public function begin():void {}');
 	const asking = run('src,tests');
 	assert.equal(asking.status, 64);
-	assert.match(asking.stderr, /^tests\/game\/world\/TurtleTest\.as:6: asks\(\) has \[Test\] and gives int: .* must be void\n$/);
+	assert.match(asking.stderr, /^tests\/game\/world\/TurtleTest\.as:6: error: asks\(\) has \[Test\] and gives int: .* must be void\n$/);
 	classOf('        [Theory]', '        private function dives():void {}', '        [Test(description="a[0] // is right")]', '        private function asks():void {}');
-	assert.match(run('src,tests').stderr, /:6: dives\(\) has \[Theory\] and is not public.*\n.*:8: asks\(\) has \[Test\] and is not public/);
+	assert.match(run('src,tests').stderr, /:6: error: dives\(\) has \[Theory\] and is not public.*\n.*:8: error: asks\(\) has \[Test\] and is not public/);
 	classOf('        [Test(description="a[0] is right")]', '        public function testAsks():void {}', '        public var s:String = "[Test] private function x";');
 	assert.equal(run('src,tests').stderr, '');
 	classOf('        public function testSwims():void {}', '        public function tests():void {}');
 	const forgotten = run('src,tests');
 	assert.equal(forgotten.status, 0);
-	assert.equal(forgotten.stderr, 'tests/game/world/TurtleTest.as:5: testSwims() has no [Test], so FlexUnit does not run it\n');
+	assert.equal(forgotten.stderr, 'tests/game/world/TurtleTest.as:5: warning: testSwims() has no [Test], so FlexUnit does not run it\n');
 	writeFileSync(file, '[Ignore("later")]\n[RunWith("a.Runner")]\npublic class TurtleTest\n{\n    [Ignore]\n    [Test]\n    public function swims():void {}\n');
 	const ofClass = run('src,tests');
 	assert.equal(ofClass.status, 0);
-	assert.equal(ofClass.stderr, 'tests/game/world/TurtleTest.as:1: [Ignore] of a class does nothing here: the embedded player does not see the metadata of classes\n');
+	assert.equal(ofClass.stderr, 'tests/game/world/TurtleTest.as:1: warning: [Ignore] of a class does nothing here: the embedded player does not see the metadata of classes\n');
 	writeFileSync(file, '');
+});
+
+test('a function for which FlexUnit would run nothing of its class is named', () => {
+	const file = path.join(folder, 'tests/game/world/TurtleTest.as');
+	const saidOf = (...lines) => {
+		writeFileSync(file, ['public class TurtleTest', '{', ...lines, '}', ''].join('\n'));
+		return run('src,tests').stderr.replaceAll('tests/game/world/TurtleTest.as', '');
+	};
+	const stops = 'FlexUnit runs no test of a class that has such a function. It must';
+	assert.equal(saidOf('[Test]', 'public function swims(x:int):void {}', '[Before]', 'public function begin(...all):void {}'),
+		`:4: error: swims() has [Test] and takes a parameter: ${stops} take none\n:6: error: begin() has [Before] and takes a parameter: ${stops} take none\n`);
+	assert.equal(saidOf('[Test]', 'public static function swims():void {}', '[BeforeClass]', 'public function begin():void {}'),
+		`:4: error: swims() has [Test] and is static: ${stops} not be static\n:6: error: begin() has [BeforeClass] and is not static: ${stops} be static\n`);
+	assert.equal(saidOf('[test]', 'public function swims():void {}'), ':4: error: swims() has [test], which FlexUnit does not know: it is [Test]\n');
+	assert.equal(saidOf('[Theory]', 'public function swims(x:int):void {}', '[AfterClass]', 'public static function end():void {}', '[Embed(source="a")]', 'public var picture:Class;'), '');
+	writeFileSync(file, '');
+});
+
+test('the engine\'s own folder is none of the client\'s', () => {
+	const { status, stderr } = run(`tests,${fileURLToPath(new URL('../../src', import.meta.url))}`);
+	assert.equal(status, 64);
+	assert.match(stderr, /-Dsources: \/.*src has the engine's own sources\. Folders that do not begin with "\/" count from the clone\n$/);
 });
 
 test('a class of the game whose name ends with Test is left out, and named', () => {

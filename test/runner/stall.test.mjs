@@ -118,7 +118,7 @@ test('the last test that a client\'s SWF has begun is the one that did not end',
 	const said = ['  @test a.M.ends', '  @test a.M.hangs (M.as:7)', '  @test a.M.later', '  @test a.N.one', '  @test a.N.two', '  1/5 a.M.ends', '  2/5 a.M.hangs (M.as:7)'];
 	const { status, stdout, counts } = runClient(swf('hanging.swf', traced(said.join('\n'), LOOP.slice(2))));
 	assert.equal(status, 70);
-	assert.match(stdout, /^ {2}1\/5 a\.M\.ends\n {2}2\/5 a\.M\.hangs \(M\.as:7\)\nFAILED a\.M\.hangs \(M\.as:7\): did not end within 5 s, and no frame in the last \d+ s: .*\nnot run: a\.M\.later, a\.N\n/);
+	assert.match(stdout, /^ {2}1\/5 a\.M\.ends\n {2}2\/5 a\.M\.hangs \(M\.as:7\)\nFAILED a\.M\.hangs \(M\.as:7\): did not end within 5 s, and no frame in the last \d+ s: .*\nthe player starts again for the tests that are left: 3\n[^]*\nnot run: a\.M\.later, a\.N\n/);
 	assert.equal(counts, '1 passed, 1 failed, 0 ignored, 3 not run');
 	// the build's own reporter calls Host.exit
 	const waiting = runClient(swf('waiting-client.swf', traced('  1/1 game.MeetTest.waits')));
@@ -131,6 +131,19 @@ test('what hangs before the tests of a class does not fail the test that ended b
 	assert.equal(status, 70);
 	assert.equal(stdout, `  1/2 a.A.good\nFAILED a.B [BeforeClass] (B.as:6): did not end within 6 s, and no frame\nnot run: a.B\n${counts}\n`);
 	assert.equal(counts, '1 passed, 1 failed, 0 ignored, 1 not run');
+});
+
+test('the tests after one that ends the player run in another, and a late error is not of the test alone', () => {
+	const begins = ['  @tests', '  @test a.A.one', '  @test a.A.two (A.as:7)', '  @test a.A.three', '  @test a.B.one', '  @test a.C.one', '  1/5 a.C.one', '  2/5 a.A.one', '  3/5 a.A.two (A.as:7)'];
+	const goesOn = ['  @now a.B, static initialiser', '  @tests', '  @test a.A.three', '  @test a.B.one', '  1/2 a.A.three', '  2/2 a.B.one'];
+	const { status, stdout, counts } = runTraces([], `
+		const without = process.argv.find((each) => each.startsWith('without=')).slice(8);
+		console.log((without === '' ? ${JSON.stringify(begins)} : ['without ' + without, ...${JSON.stringify(goesOn)}]).join('\\n'));
+		if (without === '') console.error('headless: the SWF threw: Error in AVM2 timer callback: Error: later');`);
+	assert.equal(status, 70);
+	assert.match(stdout, /^FAILED a\.A\.two \(A\.as:7\): the SWF threw: Error in AVM2 timer callback: Error: later; perhaps of a timer or listener of an earlier test\. Before it ran a\.C\.one, a\.A\.one$/m);
+	assert.match(stdout, /^the player starts again for the tests that are left: 2\n\nwithout a\.C\.one,a\.A\.one,a\.A\.two,a\.C\n/m);
+	assert.equal(counts, '4 passed, 1 failed, 0 ignored, 0 not run');
 });
 
 test('a client\'s test that traces without end is ended', () => {

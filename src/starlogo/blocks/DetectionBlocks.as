@@ -5,6 +5,7 @@ package starlogo.blocks
     import starlogo.data.requireGiven;
     import starlogo.engine;
     import starlogo.geometry.Trigonometry;
+    import starlogo.handlers.warnOfMissingBreeds;
     import starlogo.queries.AgentFilter;
     import starlogo.queries.AgentQueries;
     import starlogo.queries.ShapeHit;
@@ -22,6 +23,8 @@ package starlogo.blocks
         private var _collisions:CollisionBlocks;
         private var _queries:AgentQueries;
         private var _ahead:ShapeHit = new ShapeHit();
+        // the breeds that blocks have named
+        private var _named:Vector.<String> = new Vector.<String>();
 
         /**
          * Creates blocks for the agents of a game.
@@ -210,6 +213,16 @@ package starlogo.blocks
             return hit == null ? Infinity : hit.time * distance;
         }
 
+        /** @private Warns if a breed is probably misspelled. It is looked at once, when a block first names it while the game has agents. */
+        engine function warnOfBreed(breed:String):void
+        {
+            if (_collisions.agents.length > 0 && _named.indexOf(breed) < 0)
+            {
+                _named.push(breed);
+                warnOfMissingBreeds(new <String>[breed], _collisions.agents, null);
+            }
+        }
+
         private function hitAhead(block:String, agent:Agent, breed:String, distance:Number):ShapeHit
         {
             checkAsker(block, agent, breed);
@@ -248,10 +261,11 @@ package starlogo.blocks
             };
         }
 
-        private static function checkAsker(block:String, agent:Agent, breed:String):void
+        private function checkAsker(block:String, agent:Agent, breed:String):void
         {
             BlockChecks.requirePlacedAgent(block, agent);
             BlockChecks.requireBreed(block, breed);
+            warnOfBreed(breed);
         }
     }
 }

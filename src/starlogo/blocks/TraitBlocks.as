@@ -3,6 +3,7 @@ package starlogo.blocks
     import starlogo.agents.Agent;
     import starlogo.data.keyOf;
     import starlogo.data.requireGiven;
+    import starlogo.handlers.warnOfMissingBreeds;
 
     /**
      * The blocks that set how an agent or a breed collides: "set hierarchical", "set collision depth", "collide as" (thesis §7.1 to §7.3),
@@ -135,6 +136,7 @@ package starlogo.blocks
                     agent[trait] = value;
                 }
             }
+            warnOfMissingBreeds(new <String>[subject as String], _agents, null);
         }
     }
 }

@@ -101,6 +101,7 @@ package starlogo.blocks
         {
             BlockChecks.requireBreed("solid", breed);
             BlockChecks.requireTraitSubject("solid", breed);
+            _detection.warnOfBreed(breed);
             solidBreeds = isOn ? solidBreeds.concat(breed) : solidBreeds.filter(function(name:String, ...ignored):Boolean
                 {
                     return name != breed;

@@ -10,13 +10,13 @@ package starlogo.handlers
     use namespace engine;
 
     /**
-     * Warns if a breed that new handlers name is probably misspelled: no agent has it, and agents have a breed of a similar name, or its name is
+     * Warns if a breed that new handlers or blocks name is probably misspelled: no agent has it, and agents have a breed of a similar name, or its name is
      * their shape's. Agents of the breed may still come, so nothing is refused. An agents' breed that a handler names is not what another name means. Of
      * many such breeds only the first are looked at. The ES module has its own version, the same as that of <code>warnOfBreeds()</code>.
      *
-     * @param names the breeds that the frame's new handlers name
+     * @param names the breeds that the frame's new handlers name, or a block
      * @param agents the frame's agents, not yet checked: one may be null
-     * @param interests the breeds that all handlers name
+     * @param interests the breeds that all handlers name; null for a block's breed
      * @private
      */
     public function warnOfMissingBreeds(names:Vector.<String>, agents:Vector.<Agent>, interests:BreedInterests):void
@@ -34,7 +34,9 @@ package starlogo.handlers
         var missing:Vector.<String> = new Vector.<String>();
         for (var i:int = 0; i < names.length && missing.length < maxHints; i++)
         {
-            if (!isThere[Breeds.NAMES.numberOf(names[i])] && missing.indexOf(names[i]) < 0)
+            // a name that only a block has named has no number
+            var known:int = Breeds.NAMES.knownNumberOf(names[i]);
+            if ((known < 0 || !isThere[known]) && missing.indexOf(names[i]) < 0)
             {
                 missing.push(names[i]);
             }
@@ -45,7 +47,7 @@ package starlogo.handlers
             for (var number:int = 0; number < isThere.length; number++)
             {
                 var breed:String = Breeds.NAMES.nameOf(number);
-                var mayBeMeant:Boolean = isThere[number] && (Breeds.isEnvironment(number) || !interests.isNamed(number));
+                var mayBeMeant:Boolean = isThere[number] && (Breeds.isEnvironment(number) || interests == null || !interests.isNamed(number));
                 if (mayBeMeant && isProbablyMisspelt(name, breed))
                 {
                     return "; is " + (breed == Breeds.TERRAIN ? "Collision.TERRAIN" : breed == Breeds.EDGE ? "Collision.EDGE" : "\"" + breed + "\"") + " meant?";

@@ -7,6 +7,7 @@ package starlogo.blocks
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.collision.Collision;
+    import starlogo.data.warn;
     import starlogo.models.BuiltInModel;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
@@ -49,6 +50,18 @@ package starlogo.blocks
             assertNull(_blocks.nearestWithin(_turtle, "wolves", 1));
             assertEquals(_agents[3], _blocks.nearestWith(_turtle, "wolves", "color", 10));
             assertNull(_blocks.nearestWith(_turtle, "wolves", "color", 11));
+        }
+
+        /** A warning that is said is not said again. */
+        [Test]
+        public function breedsThatAreProbablyMisspelledAreTold():void
+        {
+            assertEquals(0, _blocks.countWithin(_turtle, "wovles", 5));
+            new WalkBlocks(_blocks).setSolid("turltes", true);
+            new TraitBlocks(_agents).setHierarchical("wolvse", true);
+            assertFalse(warn("no agent is of the breed \"wovles\"; is \"wolves\" meant?"));
+            assertFalse(warn("no agent is of the breed \"turltes\"; is \"turtles\" meant?"));
+            assertFalse(warn("no agent is of the breed \"wolvse\"; is \"wolves\" meant?"));
         }
 
         [Test]

@@ -46,7 +46,7 @@ ${leftOut(report.entries)}
 ${FIGURES.map((figure) => section(figure, report, charts, clone)).join('\n')}
 </main>
 <footer>
-<p>Times are medians ± half the range of the repetitions, without the fastest and the slowest fifth, after a warm-up; or − and + the ends of a lopsided range. “×” is a multiple of the sphere-sphere test, measured in turns
+<p>Times are medians ± half the range of the repetitions, without the fastest and the slowest fifth, after a warm-up; if one end is much farther, − and + both ends. “×” is a multiple of the sphere-sphere test, measured in turns
 with it: only these can be compared across machines.</p>
 <p id="left-out">Noisy: the range of the time, or of the multiple, is wider than 30 % either way, so it is left out. Contradictory: a time and its multiple, or the engine's and the literal one's,
 cannot both be right, because another program took the processor in a part of the run. Both happen less on a machine that does nothing else.</p>

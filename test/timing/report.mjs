@@ -70,7 +70,7 @@ console.log(`Taken in ${report.versions.player}${beside ? `; the columns and row
 if (report.module) {
 	console.log(moduleText(report.module));
 }
-console.log('Times and multiples are medians ± half the range of the repetitions, without the fastest and the slowest fifth; or − and + the ends of a lopsided range.');
+console.log('Times and multiples are medians ± half the range of the repetitions, without the fastest and the slowest fifth; if one end is much farther, − and + both ends.');
 console.log(loadText(report.load, report.machine.cores));
 if (older) {
 	const date = older.created.slice(0, 16).replace('T', ' ');

@@ -9,7 +9,6 @@ package starlogo.models
     import flash.utils.ByteArray;
     import flash.utils.getTimer;
     import starlogo.data.requireGiven;
-    import starlogo.data.warn;
     import starlogo.models.files.ModelFile;
     import starlogo.models.loading.CookedManifest;
     import starlogo.models.loading.ModelLoad;
@@ -344,10 +343,6 @@ package starlogo.models
                 }
                 else if (load.whenOver == null || hasEventListener(ErrorEvent.ERROR))
                 {
-                    if (!hasEventListener(ErrorEvent.ERROR))
-                    {
-                        warn(problem.message);
-                    }
                     dispatchEvent(new ErrorEvent(ErrorEvent.ERROR, false, false, problem.message));
                 }
             }

@@ -7,7 +7,6 @@ package starlogo.models
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
     import org.flexunit.async.Async;
-    import starlogo.data.warn;
     import support.Collada;
     import support.SlowReceiver;
     import support.assertThrows;
@@ -166,20 +165,6 @@ package starlogo.models
                     assertEquals(12, _receiver.received.length);
                     assertTrue("several frames: " + progress.length, progress.length > 3);
                     assertEquals(1200, progress.pop());
-                });
-        }
-
-        /** Ruffle says nothing of an error event without a listener. A warning that is said is not said again. */
-        [Test(async, timeout="150000")]
-        public function aFailureThatNobodyListensToIsTraced():void
-        {
-            var loader:ModelLoader = new ModelLoader(_receiver);
-            loader.load("nobody's", null);
-            _loader.load("somebody's", null);
-            whenComplete(function():void
-                {
-                    assertFalse(warn("model \"nobody's\": there is no address to fetch its file from"));
-                    assertTrue(warn("model \"somebody's\": there is no address to fetch its file from"));
                 });
         }
 

@@ -10,6 +10,7 @@ const WARNINGS = new Map([
 		"$warnOfReplaced(this, model);",
 	]),
 	["GreatLand.modelOf", ["$warnOfModelName(this, name);"]],
+	...["sphere", "cube", "cylinder"].map((name) => [`models.BuiltInModel.${name}`, [`$warnOfLength("${name}", arguments);`]]),
 	["queries.LevelShapes.addStructure", ["$warnOfUnknownProperties(this, true);"]],
 	["collision.Collision.update", [
 		"$warnOfTime(\"Collision.update\", arguments);",

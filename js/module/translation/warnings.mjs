@@ -5,7 +5,7 @@
 
 /** What a method or a setting calls after its checks. addModel looks at its object's properties, because settings are often made just before. */
 const WARNINGS = new Map([
-	...sameFor(["GreatLand.addModel", "queries.LevelShapes.addModel"], [
+	...sameFor(["GreatLand.addModel", "GreatLand.addLevel", "queries.LevelShapes.addModel"], [
 		"$warnOfUnknownProperties(this, true);",
 		"$warnOfReplaced(this, model);",
 	]),

@@ -295,6 +295,14 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 			goBack();
 			for (const { binding } of [lift, hero]) binding.updateObject();
 			frame(1);
+			// a saved game: another object, bound anew
+			const saved = new Agent("saved");
+			collision.update([saved]);
+			const other = bound(7);
+			collision.restore(collision.snapshot(true), [saved]);
+			new ThreeAgentBinding(saved, other.object).updateObject();
+			assert.equal(other.object.position.x, 0);
+			collision.update([lift.agent, hero.agent]);
 			lift.object.position.x = 1;
 			collision.restore(bytes, [lift.agent, hero.agent]);
 			lift.binding.updateAgent();

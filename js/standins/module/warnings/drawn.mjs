@@ -65,7 +65,7 @@ function $warnOfInstances(agent, { isInstancedMesh, count }) {
  * was made.
  */
 function $warnOfUpdateObject(agent, { isInstancedMesh, position, matrixAutoUpdate }) {
-	const isFirst = !$lastPlaces.has(agent);
+	const isFirst = !$lastPlaces.has(agent) && !$restored.has(agent);
 	$keepPlace(agent, 0);
 	const isMade = agent.x === 0 && agent.y === 0 && agent.z === 0 && agent.size === 1;
 	const place = position.toArray();

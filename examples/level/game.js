@@ -84,12 +84,12 @@ export class Game {
 			this.#walk(enemy, Math.hypot(dx, dy) < 1.5 ? 0 : ENEMY_SPEED, false);
 			if (enemy.z < -10) this.#dropIn(enemy); // it has walked off the level's edge
 		}
-		if (shoots) this.#shoot();
 		for (const bullet of this.bullets) {
 			const angle = radians(bullet.heading);
 			bullet.moveTo(bullet.x + 0.6 * Math.cos(angle), bullet.y + 0.6 * Math.sin(angle), bullet.z - 0.003 * bullet.frames);
 			bullet.frames++;
 		}
+		if (shoots) this.#shoot(); // it flies from the next frame on, so all of its way is tested
 		this.#collision.update(this.agents);
 	}
 

@@ -141,6 +141,19 @@ package starlogo
         }
 
         /**
+         * Adds the model of a level, as <code>addModel()</code> does, but computes its hierarchy alone, whatever the flags are. An agent that has
+         * this model must be hierarchical.
+         *
+         * @param model its name is the shape's name for agents
+         * @throws ArgumentError if it is null, or as <code>add</code> of HierarchiesLibrary
+         */
+        public function addLevel(model:Model):void
+        {
+            requireGiven("model", model);
+            finish(stepsOf(new CollisionDataBuilder(model, null, _hierarchies, fitStore), model));
+        }
+
+        /**
          * Returns the work of <code>addModel()</code>, in steps. For a model of some thousand vertices, a step takes a millisecond or two. A
          * fitter that does not support steps does all its work in one step. Nothing changes before the last step, or if a step throws. The
          * flags and the settings of the libraries and their fitters are read now; later changes have no effect.
@@ -152,7 +165,12 @@ package starlogo
         public function receive(model:Model):Steps
         {
             requireGiven("model", model);
-            var builder:CollisionDataBuilder = newDataBuilder(model, fitStore);
+            return stepsOf(newDataBuilder(model, fitStore), model);
+        }
+
+        // The work that computes a model's data and then keeps them.
+        private function stepsOf(builder:CollisionDataBuilder, model:Model):Steps
+        {
             return builder.call(function():void
                 {
                     // a result that was not computed is set to null too, because the entry's old result belongs to another model

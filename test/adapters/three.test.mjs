@@ -44,7 +44,7 @@ function differenceOf(found, { corners, flips }) {
 // the random ones are different with each version
 for (const [number, { version, folder, THREE, engine, adapter }] of all.entries()) {
 	const [sceneCount, pickCount] = [SCENES, PICKS].map(({ first, others }) => (number === 0 ? first : others));
-	const { Agent, Model, Terrain, Vector3D } = engine;
+	const { Agent, BinCollider, Collision, Model, Terrain, Vector3D } = engine;
 	const { ThreeAgentBinding, bindInstance, faceOf, levelFromObject, modelFromObject, TerrainGeometry, terrainFromMesh, ThreeWireframe, toEngine, toScene } = adapter;
 
 	test(`three ${version}: what is drawn in ${sceneCount} random scenes is where the engine has it, whichever of the two leads`, () => {
@@ -252,6 +252,83 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 		expected.forEach((pattern, i) => assert.match(said[i], pattern));
 	});
 
+	test(`three ${version}: the engine warns of agents that are put back to their objects, of objects that jump to a new agent, and of instances that move together`, () => {
+		const bound = (x = 0) => {
+			const object = new THREE.Object3D();
+			object.position.set(x, 0, 0);
+			const agent = new Agent(`box ${++shapes}`);
+			return { agent, object, binding: new ThreeAgentBinding(agent, object) };
+		};
+		let shapes = 0;
+		const said = warningsIn((soFar) => {
+			// an object that leads, with an agent that walks in between and takes its object along; a coin that bobs; an agent that was put where its object is
+			const [dragged, bobbing, placed] = [bound(), bound(), bound(5)];
+			placed.agent.moveTo(5, 0, 0);
+			for (let i = 1; i < 40; i++) {
+				dragged.object.position.x += 0.1;
+				dragged.binding.updateAgent();
+				dragged.agent.moveTo(dragged.agent.x, i, 0);
+				dragged.binding.updateObject();
+				bobbing.agent.x = i;
+				bobbing.binding.updateObject();
+				bobbing.object.position.y += 0.1;
+				placed.binding.updateAgent();
+				placed.agent.moveTo(5 + i, 0, 0);
+				placed.object.position.x = 5 + i;
+			}
+			// going back with objects that go back, too, and with an agent that leads
+			const collision = new Collision(new BinCollider());
+			const [lift, hero] = [bound(), bound()];
+			const frame = (step) => {
+				lift.object.position.x += step;
+				lift.binding.updateAgent();
+				hero.agent.x += 1;
+				collision.update([lift.agent, hero.agent]);
+				hero.binding.updateObject();
+			};
+			frame(1);
+			const bytes = collision.snapshot(true);
+			const goBack = () => {
+				frame(1);
+				collision.restore(bytes, [lift.agent, hero.agent]);
+			};
+			goBack();
+			for (const { binding } of [lift, hero]) binding.updateObject();
+			frame(1);
+			// a saved game: another object, bound anew
+			const saved = new Agent("saved");
+			collision.update([saved]);
+			const other = bound(7);
+			collision.restore(collision.snapshot(true), [saved]);
+			new ThreeAgentBinding(saved, other.object).updateObject();
+			assert.equal(other.object.position.x, 0);
+			collision.update([lift.agent, hero.agent]);
+			lift.object.position.x = 1;
+			collision.restore(bytes, [lift.agent, hero.agent]);
+			lift.binding.updateAgent();
+			assert.deepEqual(soFar, []);
+			for (let i = 0; i < 2; i++) goBack();
+			frame(1);
+			// an agent that should lead
+			const coin = bound();
+			coin.binding.updateAgent();
+			for (let i = 1; i < 30; i++) {
+				coin.agent.moveTo(i, 0, 0);
+				coin.binding.updateAgent();
+			}
+			for (let i = 0; i < 2; i++) bound(5).binding.updateObject();
+			const mesh = new THREE.InstancedMesh(new THREE.BoxGeometry(), undefined, 3);
+			const model = modelFromObject("one of three", mesh.geometry);
+			new ThreeAgentBinding(new Agent("all of three"), mesh, modelFromObject("all of three", mesh));
+			bindInstance(new Agent("one of three"), mesh, 1, model).updateObject();
+			for (let i = 0; i < 2; i++) new ThreeAgentBinding(new Agent("one of three"), mesh, model);
+		});
+		const expected = [/restore\(\) has put agent \d+ .* back, and updateAgent\(\) undoes it.*binding\.updateObject\(\) after restore\(\)/, /was moved before each of 10 updateAgent\(\) in turn/,
+			/updateObject\(\) takes the object of agent .* from \(5, 0, 0\) to the origin/, /updateObject\(\) takes the object of agent .* from \(5, 0, 0\) to the origin/, /moves all 3 instances of the mesh of agent .*bindInstance/];
+		assert.equal(said.length, expected.length, said.join("\n"));
+		expected.forEach((pattern, i) => assert.match(said[i], pattern));
+	});
+
 	test(`three ${version}: options that there are not, and objects that are no level, are refused with what to do`, () => {
 		const geometry = new THREE.BoxGeometry();
 		const object = new THREE.Mesh(geometry);
@@ -272,6 +349,8 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 		// an index that is not there would bind the whole mesh
 		for (const index of [undefined, null, 3, -1, 0.5, "0"]) assert.throws(() => bindInstance(new Agent("any"), crowd, index), /^RangeError: the mesh has instances 0 to 2, not /);
 		assert.throws(() => levelFromObject("any", { scene: object }), /^ModelError: model "any": expected an Object3D or a BufferGeometry, not a plain object\. Its scene is an Object3D$/);
+		assert.throws(() => new ThreeAgentBinding(new Agent("any"), { scene: object }), /^ArgumentError: ThreeAgentBinding: object must be an Object3D, not a plain object\. Its scene is one$/);
+		assert.throws(() => new ThreeAgentBinding(new Agent("any"), object, null, { modelUp: "x" }), /^ArgumentError: ThreeAgentBinding: options\.modelUp must be "y" or "z"/);
 		const group = new THREE.Group();
 		group.name = "hall";
 		assert.throws(() => levelFromObject("any", group), /^ModelError: model "any": no vertices: Group "hall" has no meshes with triangles yet$/);
@@ -669,9 +748,9 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 			assert.throws(() => new ThreeAgentBinding(agent, object).updateAgent(), message);
 			assert.equal(JSON.stringify(matrixOf(agent)), before);
 		};
-		refuse(({ scale }) => scale.set(1, 2, 1), /^ArgumentError: agent \d+ \(breed "turtles", shape "any"\) can't be as its object is: .* not scale 1, 2, 1$/);
-		refuse(({ scale }) => scale.set(-1, 1, 1), /not scale -1, 1, 1$/);
-		refuse(({ scale }) => scale.set(-1, -1, -1), /not scale -1, -1, -1$/);
+		refuse(({ scale }) => scale.set(1, 2, 1), /^ArgumentError: agent \d+ \(breed "turtles", shape "any"\) can't be as its object is: .* not scale 1, 2, 1\. Put what is scaled or mirrored into a Group, .* bind the group$/);
+		refuse(({ scale }) => scale.set(-1, 1, 1), /not scale -1, 1, 1\. Put /);
+		refuse(({ scale }) => scale.set(-1, -1, -1), /not scale -1, -1, -1\. Put /);
 		refuse(({ scale }) => scale.set(0, 0, 0), /not scale 0, 0, 0$/);
 		refuse(({ scale }) => scale.set(1, 1, NaN), /not scale 1, 1, NaN$/);
 		refuse(({ quaternion }) => quaternion.set(0, 0, 0, 2), /the quaternion must be of length 1, not 2$/);
@@ -691,14 +770,14 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 		mesh.setMatrixAt(1, new THREE.Matrix4().makeScale(1, 1, 2));
 		assert.throws(() => bindInstance(agent, mesh, 1).updateAgent(), /ArgumentError: .* not matrix 1, 0/);
 		for (const index of [-1, 3, 0.5, NaN, "1"]) assert.throws(() => bindInstance(agent, mesh, index), /^RangeError: the mesh has instances 0 to 2, not /);
-		assert.throws(() => bindInstance(agent, new THREE.Mesh(), 0), /^ArgumentError: ThreeAgentBinding: object must be an InstancedMesh, not an object of class Mesh$/);
+		assert.throws(() => bindInstance(agent, new THREE.Mesh(), 0), /^ArgumentError: bindInstance: mesh must be an InstancedMesh, not an object of class Mesh: it comes after the agent, before the index$/);
 		const object = new THREE.Object3D();
 		for (const wrong of [null, {}, "bear"]) assert.throws(() => new ThreeAgentBinding(wrong, object), /^ArgumentError: ThreeAgentBinding: agent must be an Agent, not /);
 		assert.throws(() => new ThreeAgentBinding(object, agent), /^ArgumentError: ThreeAgentBinding: agent must be an Agent, not an object of class Object3D$/);
 		for (const wrong of [null, {}, new THREE.BoxGeometry()]) assert.throws(() => new ThreeAgentBinding(agent, wrong), /^ArgumentError: ThreeAgentBinding: object must be an Object3D, not /);
 		assert.throws(() => new ThreeAgentBinding(agent, object, object), /^ArgumentError: ThreeAgentBinding: model must be a Model or null, not an object of class Object3D/);
-		assert.throws(() => new ThreeAgentBinding(agent, object, null, { up: "x" }), /^ArgumentError: up must be "y" or "z", not "x"/);
-		assert.throws(() => modelFromObject("any", new THREE.BoxGeometry(), { up: "Y" }), /^ArgumentError: up must be "y" or "z", not "Y"/);
+		assert.throws(() => new ThreeAgentBinding(agent, object, null, { up: "x" }), /^ArgumentError: ThreeAgentBinding: options\.up must be "y" or "z", not "x"/);
+		assert.throws(() => modelFromObject("any", new THREE.BoxGeometry(), { up: "Y" }), /^ArgumentError: modelFromObject: options\.up must be "y" or "z", not "Y"/);
 		for (const wrong of [null, undefined, {}, "bear.glb"]) assert.throws(() => modelFromObject("any", wrong), /^ModelError: model "any": expected an Object3D or a BufferGeometry, not /);
 		for (const make of [modelFromObject, levelFromObject]) assert.throws(() => make(box(), "any"), /^ArgumentError: (modelFromObject|levelFromObject): the model's name comes first and is a string, not an object of class Mesh$/);
 		assert.throws(() => modelFromObject("any", new THREE.Group()), /^ModelError: model "any": no vertices/);

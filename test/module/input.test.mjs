@@ -386,7 +386,7 @@ test("while a game is developed, an error says which option is the nearest, if o
 });
 
 test("while a game is developed, an error says where a value of another kind belongs", async () => {
-	const { Agent, AgentMotions, AgentQueries, BinCollider, Collision, CollisionRecorder, Contact, Footing, GreatLand, Model, RayHit, ShapeHit, Sphere } = await import(pathToFileURL(path.join(folder, manifest.exports["."].node)));
+	const { Agent, AgentMotions, AgentQueries, BinCollider, BuiltInModel, Collision, CollisionRecorder, Contact, Footing, GreatLand, Model, RayHit, ShapeHit, Sphere } = await import(pathToFileURL(path.join(folder, manifest.exports["."].node)));
 	const queries = new AgentQueries(new BinCollider());
 	const walker = new Agent("cube");
 	queries.update([walker]);
@@ -416,6 +416,12 @@ test("while a game is developed, an error says where a value of another kind bel
 	for (const [call, ask] of [["moveUntilTouch", () => queries.moveUntilTouch(walker, 0.1, 0, { breeds: ["coins"] })], ["slide", () => queries.slide(walker, 0.1, 0, { breeds: ["coins"] })]]) {
 		assert.throws(ask, new RegExp(`${call}: dz must be a number, not a plain object\\. A filter is an argument after it$`));
 	}
+	refused(() => queries.near({ x: 1, y: 2, z: 3 }, 5), "AgentQueries.near: agent must be an Agent, not a plain object. For a point there is nearPoint()");
+	refused(() => queries.nearest({ x: 1, y: 2, z: 3 }), ". For a point there is nearestToPoint()");
+	refused(() => new Sphere(1, { x: 0, y: 0, z: 0 }), "not 1. Points come before numbers");
+	for (const [call, given] of [["capsule", '0.3, 1.8, "hero"'], ["box", '4, 0.5, 3, "hero"']]) refused(() => BuiltInModel[call]("hero", 0.3, 1.8), `must be a number, not "hero". The name comes last: ${call}(${given})`);
+	assert.throws(() => BuiltInModel.capsule("0.3", 1.8), /must be a number, not "0\.3"$/);
+	refused(() => walker.setQuaternion({ x: 0, y: 0, z: 0, w: 1, isQuaternion: true }), "quaternion one by one: quaternion.x, quaternion.y, quaternion.z, quaternion.w");
 	for (const breeds of ["heroes", ["heroes"]]) refused(() => queries.nearest(walker, breeds), 'Breeds are in a filter after it: nearest(..., Infinity, { breeds: ["heroes"] })');
 	assert.throws(() => queries.nearest(walker, "5"), /radius must be a number, not "5"$/);
 	const collision = new Collision(new BinCollider());

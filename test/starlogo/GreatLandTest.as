@@ -68,6 +68,20 @@ package starlogo
         }
 
         [Test]
+        public function computesTheHierarchyOfALevelAlone():void
+        {
+            var cube:Model = BuiltInModel.cube();
+            _greatLand.addModel(cube);
+            _greatLand.loadHierarchies = false;
+            _greatLand.addLevel(cube);
+            assertStrictlyEquals(cube, _greatLand.modelOf("cube"));
+            assertFalse(_greatLand.boundingStructures.has("cube"));
+            assertEquals(12, _greatLand.hierarchies.root("cube").triangleCount);
+            assertTrue(_greatLand.loadTightestFit);
+            assertThrows(ArgumentError, /model must not be null/, _greatLand.addLevel, null);
+        }
+
+        [Test]
         public function buildsHierarchiesIfAsked():void
         {
             _greatLand.addModel(BuiltInModel.cube());

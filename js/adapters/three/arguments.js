@@ -16,12 +16,17 @@ export const { ModelData, ModelBuilder, vectorOf, textOf, warnings } = Model.$in
  */
 export function optionsOf(call, given, others = {}) {
 	const options = Model.$internals.checkedOptions(null, `${call}: options`, given, { up: "y", ...others }, 'a literal such as { up: "y" }');
-	return { ...options, isYUp: isYUp(options.up) };
+	return { ...options, isYUp: isYUp(options.up, `${call}: options.up`) };
 }
 
-/** Whether y is up. The only other axis is z. */
-export function isYUp(up) {
-	if (up !== "y" && up !== "z") throw new ArgumentError(`up must be "y" or "z", not ${textOf(up)}`);
+/**
+ * Whether y is up. The only other axis is z.
+ *
+ * @param up the axis
+ * @param name the option that has it, with its call
+ */
+export function isYUp(up, name) {
+	if (up !== "y" && up !== "z") throw new ArgumentError(`${name} must be "y" or "z", not ${textOf(up)}`);
 	return up === "y";
 }
 

@@ -7,6 +7,8 @@ import { conversionOf, poseModel } from "./model.js";
 /** The relative error that a scene's numbers may have, because many are of single precision. */
 const TOLERANCE = 1e-6;
 
+const PUT_INTO_GROUP = ". Put what is scaled or mirrored into a Group, make the model of the group, and bind the group";
+
 // for one call each: the numbers of a transform, where an object is in its land and how large, and what these are computed with
 const snapshot = new Float64Array(16);
 const components = { position: new Vector3(), quaternion: new Quaternion(), scale: new Vector3() };
@@ -44,12 +46,16 @@ export class ThreeAgentBinding {
 	constructor(agent, object, model = null, options = {}) {
 		const { isYUp, modelUp, index } = optionsOf("ThreeAgentBinding", options, { modelUp: undefined, index: null });
 		this.#agentTransform = new AgentTransform(agent, isYUp, "ThreeAgentBinding");
-		if (!object?.isObject3D) throw new ArgumentError(`ThreeAgentBinding: object must be an Object3D, not ${textOf(object)}`);
+		if (!object?.isObject3D) {
+			const hint = object?.scene?.isObject3D ? ". Its scene is one" : "";
+			throw new ArgumentError(`ThreeAgentBinding: object must be an Object3D, not ${textOf(object)}${hint}`);
+		}
 		this.#objectTransform = index === null ? new ObjectTransform(agent, object) : new InstanceTransform(object, index, model);
 		this.#model = model;
 		if (model !== null) this.#setModel(model, isYUp);
 		else warnings?.ofNoModel(agent, object);
-		if ((modelUp === undefined ? conversionOf(model)?.isYUp ?? isYUp : isAxisY(modelUp)) !== isYUp) {
+		if (index === null && !conversionOf(model)?.indices.has(object)) warnings?.ofInstances(agent, object);
+		if ((modelUp === undefined ? conversionOf(model)?.isYUp ?? isYUp : isAxisY(modelUp, "ThreeAgentBinding: options.modelUp")) !== isYUp) {
 			const upright = new Quaternion(isYUp ? -Math.SQRT1_2 : Math.SQRT1_2, 0, 0, Math.SQRT1_2);
 			this.#turn = this.#turn ? this.#turn.multiply(upright) : upright;
 		}
@@ -82,6 +88,7 @@ export class ThreeAgentBinding {
 	updateObject() {
 		const agentTransform = this.#agentTransform;
 		const hasMoved = this.#hasMoved();
+		warnings?.ofUpdateObject(this.agent, this.object);
 		if (!agentTransform.readIfChanged() && !hasMoved) return;
 		const { position, quaternion } = components;
 		position.copy(this.#origin).multiplyScalar(agentTransform.size).applyQuaternion(agentTransform.quaternion).add(agentTransform.position);
@@ -94,6 +101,7 @@ export class ThreeAgentBinding {
 	/** Gives the agent the object's place, size and rotation. */
 	updateAgent() {
 		const agentTransform = this.#agentTransform;
+		const placeBefore = warnings?.placeIfMoved(this.agent);
 		if (this.#hasMoved()) {
 			this.#decomposeObject();
 			const { position, quaternion, scale } = components;
@@ -107,6 +115,7 @@ export class ThreeAgentBinding {
 			// where it was at the last update, without the rounding of a way back from the object
 			agentTransform.moveAgentTo(agentTransform.position, agentTransform.quaternion, agentTransform.size);
 		}
+		warnings?.ofUpdateAgent(this.agent, placeBefore);
 	}
 
 	/** Gives the model the pose of the object. */
@@ -135,7 +144,7 @@ export class ThreeAgentBinding {
 		}
 		if (!isSimilarity || !isUniform(scale)) {
 			const found = isSimilarity ? `scale ${x}, ${y}, ${z}` : `matrix ${this.#objectTransform.matrix.elements.join(", ")}`;
-			throw this.#error(`it must be turned, moved and uniformly scaled, and nothing else, not ${found}`);
+			throw this.#error(`it must be turned, moved and uniformly scaled, and nothing else, not ${found}${Math.abs(x * y * z) > 0 ? PUT_INTO_GROUP : ""}`);
 		}
 		const length = quaternion.length();
 		if (!(Math.abs(length - 1) <= TOLERANCE)) throw this.#error(`the quaternion must be of length 1, not ${length}`);
@@ -166,6 +175,7 @@ export class ThreeAgentBinding {
  */
 export function bindInstance(agent, mesh, index, model = null, options = {}) {
 	const { up, modelUp } = optionsOf("bindInstance", options, { modelUp: undefined });
+	if (!mesh?.isInstancedMesh) throw new ArgumentError(`bindInstance: mesh must be an InstancedMesh, not ${textOf(mesh)}: it comes after the agent, before the index`);
 	return new ThreeAgentBinding(agent, mesh, model, { up, modelUp, index: index ?? NaN });
 }
 

@@ -5,11 +5,12 @@
 
 /** What a method or a setting calls after its checks. addModel looks at its object's properties, because settings are often made just before. */
 const WARNINGS = new Map([
-	...sameFor(["GreatLand.addModel", "queries.LevelShapes.addModel"], [
+	...sameFor(["GreatLand.addModel", "GreatLand.addLevel", "queries.LevelShapes.addModel"], [
 		"$warnOfUnknownProperties(this, true);",
 		"$warnOfReplaced(this, model);",
 	]),
 	["GreatLand.modelOf", ["$warnOfModelName(this, name);"]],
+	...["sphere", "cube", "cylinder"].map((name) => [`models.BuiltInModel.${name}`, [`$warnOfLength("${name}", arguments);`]]),
 	["queries.LevelShapes.addStructure", ["$warnOfUnknownProperties(this, true);"]],
 	["collision.Collision.update", [
 		"$warnOfTime(\"Collision.update\", arguments);",

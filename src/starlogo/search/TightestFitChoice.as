@@ -39,7 +39,7 @@ package starlogo.search
             var model:String = shape.modelName;
             if (!library.has(model))
             {
-                throw new ArgumentError(agent + ": its model was added while loadTightestFit was false; set hierarchical of the agent in a CombinationCollider, or "
+                throw new ArgumentError(agent + ": its model was added by addLevel() or while loadTightestFit was false; set hierarchical of the agent in a CombinationCollider, or "
                         + "loadTightestFit to true and add the model again");
             }
             if (shape.variant != Agent.ANY_KIND)

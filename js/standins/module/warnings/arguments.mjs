@@ -69,6 +69,11 @@ export function $warnOfAccepts(accepts) {
 	}
 }
 
+/** Warns of a length that is given to a built-in model that is one unit wide. */
+export function $warnOfLength(name, given) {
+	if (given.length > 0) $warn(`BuiltInModel.${name}() takes no arguments: it is one unit wide, and agent.size is its width in patches`);
+}
+
 /** Warns of a built-in model that takes the place of one of other lengths, because neither has got a name. */
 export function $warnOfReplaced(receiver, model) {
 	const name = model?.name;

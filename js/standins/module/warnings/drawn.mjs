@@ -1,12 +1,22 @@
 /** What the adapter to three.js draws elsewhere than it collides, or cannot read. The adapter calls these functions itself. */
+import { $restored } from "./snapshots.mjs";
 import { $rounded, $warn } from "./warn.mjs";
+
+/** So many updates in turn that put an agent back to its object are no accident. */
+const $MANY_UNDONE = 10;
+
+/** Of an agent: where it was after the last update of its binding, and how many updates in turn have put it back to its object. */
+const $lastPlaces = /* @__PURE__ */ new WeakMap();
 
 /** For each source of a model: the name of the last one, and its place in the source. */
 const $sources = /* @__PURE__ */ new WeakMap();
 
 /** The adapter's warnings: see Model.$internals. */
 export function $warningsForAdapters() {
-	return { keepSource: $keepSource, ofNoModel: $warnOfNoModel, ofScale: $warnOfScale, ofParent: $warnOfParent, errorOfVertex: $errorOfVertex };
+	return {
+		keepSource: $keepSource, ofNoModel: $warnOfNoModel, ofScale: $warnOfScale, ofParent: $warnOfParent, ofInstances: $warnOfInstances,
+		ofUpdateObject: $warnOfUpdateObject, placeIfMoved: $placeIfMoved, ofUpdateAgent: $warnOfUpdateAgent, errorOfVertex: $errorOfVertex,
+	};
 }
 
 /** Keeps of which source a model was made. */
@@ -41,6 +51,57 @@ function $warnOfScale(agent, object) {
 	if (!object.matrixAutoUpdate || Math.max(...sizes.map(Math.abs)) <= (1 + 1e-6) * Math.min(...sizes.map(Math.abs))) return;
 	$warn(`the object of ${agent} has a scale of its own, (${sizes.map($rounded).join(", ")}), which is not in its model and which updateObject() overwrites. `
 		+ "Put the mesh into a Group, make the model of the group, and bind the group", `scale of ${agent.shape}`);
+}
+
+/** Warns of an InstancedMesh that is bound as a whole, by a model that is one of its instances. */
+function $warnOfInstances(agent, { isInstancedMesh, count }) {
+	if (!isInstancedMesh || count < 2) return;
+	$warn(`new ThreeAgentBinding(agent, mesh) moves all ${count} instances of the mesh of ${agent}. To move one of them, take `
+		+ "bindInstance(agent, mesh, index, model)", `instances of ${agent.shape}`);
+}
+
+/**
+ * The first update of an agent's binding takes the object to the agent: warns if it leads away from the object's place, and the agent is still where it
+ * was made.
+ */
+function $warnOfUpdateObject(agent, { isInstancedMesh, position, matrixAutoUpdate }) {
+	const isFirst = !$lastPlaces.has(agent) && !$restored.has(agent);
+	$keepPlace(agent, 0);
+	const isMade = agent.x === 0 && agent.y === 0 && agent.z === 0 && agent.size === 1;
+	const place = position.toArray();
+	if (!isFirst || !isMade || isInstancedMesh || !matrixAutoUpdate || place.every((each) => Math.abs(each) < 1e-6)) return;
+	$warn(`updateObject() takes the object of ${agent} from (${place.map($rounded).join(", ")}) to the origin, where the agent is. If the object stands where it `
+		+ "should, call updateAgent() once before", `first update of ${agent.shape}`);
+}
+
+/** Where an agent is, if it has moved since the last update of its binding. */
+function $placeIfMoved(agent) {
+	const last = $lastPlaces.get(agent);
+	return last && $isElsewhere(agent, last) ? { x: agent.x, y: agent.y, z: agent.z } : null;
+}
+
+/** Warns of an agent that has moved, and is put back to its object: by each of many updates in turn, or after a snapshot has moved it. */
+function $warnOfUpdateAgent(agent, placeBefore) {
+	const isUndone = placeBefore !== null && $isElsewhere(agent, placeBefore);
+	if (isUndone && $restored.has(agent)) {
+		$warn(`restore() has put ${agent} back, and updateAgent() undoes it, because its object is not back: call binding.updateObject() after restore(), `
+			+ "for all bindings. See docs/snapshots.md in the package", "restored object");
+	}
+	const undone = isUndone ? $lastPlaces.get(agent).undone + 1 : 0;
+	$keepPlace(agent, undone);
+	if (undone !== $MANY_UNDONE) return;
+	$warn(`${agent} was moved before each of ${undone} updateAgent() in turn, which undo it, because they take its object's place. If the agent leads, `
+		+ "call updateObject() instead", "undone");
+}
+
+function $keepPlace(agent, undone) {
+	$restored.delete(agent);
+	$lastPlaces.set(agent, { x: agent.x, y: agent.y, z: agent.z, undone });
+}
+
+/** Whether an agent is elsewhere, by more than rounding. */
+function $isElsewhere(agent, { x, y, z }) {
+	return Math.hypot(agent.x - x, agent.y - y, agent.z - z) > 1e-6 * (1 + Math.hypot(x, y, z));
 }
 
 /** Warns of a level below a parent that is moved, turned or scaled in the scene. It may be the land, so it is no error. A land with z up is turned. */

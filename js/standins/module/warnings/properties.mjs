@@ -132,7 +132,7 @@ function $typeOf(collisionSystem) {
 }
 
 /** The GreatLand with the models of a collision system of the engine's own. */
-function $greatLandOf(collisionSystem) {
+export function $greatLandOf(collisionSystem) {
 	return collisionSystem.$search?.narrowPhase.shapeChoice.greatLand;
 }
 

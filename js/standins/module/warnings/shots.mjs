@@ -1,6 +1,7 @@
 /** Shots that pass through others untested: that sweep, but move before their first frame; and that do not sweep, and tunnel. */
 import { $greatestId } from "./frames.mjs";
-import { $hasWarned, $isSameStep, $rounded, $warn } from "./warn.mjs";
+import { $greatLandOf } from "./properties.mjs";
+import { $getOrInsert, $hasWarned, $isSameStep, $rounded, $warn } from "./warn.mjs";
 
 /** So many agents are looked at in a frame, and so many are followed. */
 const $MOST_PLACED = 100;
@@ -15,15 +16,24 @@ const $FIELDS = ["x", "y", "z", "sweeps", "size"];
 const $FAST = 2;
 const $MANY_STEPS = 4;
 
-/** Two agents that are nearer than this part of the sum of their sizes touch, whatever their shapes; those that are farther than this one do not. */
-const $MIDDLE = 0.25;
-const $BESIDE = 0.6;
+/** A step is tested at places that are one size of the shot apart, at this many at most. */
+const $MOST_SAMPLES = 32;
+
+/** So many tests are made in one frame, and so many in all: a game with many shots shall not become slow. */
+const $MOST_TESTS_IN_FRAME = 200;
+let $testsLeft = 20000;
 
 /** Where agents have been put since the last frame, and not moved to. */
 const $placed = /* @__PURE__ */ new Map();
 
-/** Shots that do not sweep: their middle in the last frame, the step to it, and in how many frames in turn the step was this one. */
+/**
+ * Shots that do not sweep: their place in the last frame, the step to it, in how many frames in turn the step was this one, and what they have passed
+ * through in these.
+ */
 const $shots = /* @__PURE__ */ new Map();
+
+/** How far the farthest vertex of a model is from its origin. */
+const $reaches = /* @__PURE__ */ new WeakMap();
 
 /** Keeps where an agent is put, if no path leads there: a new one by moveTo, or any by jumpTo. */
 export function $warnOfPlace(agent, x, y, z, isJump) {
@@ -34,12 +44,13 @@ export function $warnOfPlace(agent, x, y, z, isJump) {
 
 /** Warns of agents of a list that sweep, and have been moved since; and of shots that do not sweep, and tunnel. */
 export function $warnOfShots(collision, agents) {
-	for (const [agent, shot] of $shots) $followShot(collision, agents, agent, shot);
+	const leastLeft = $testsLeft - $MOST_TESTS_IN_FRAME;
+	for (const [agent, shot] of $shots) $followShot(collision, agents, agent, shot, leastLeft);
 	if ($placed.size === 0) return;
 	for (const [agent, place] of $placed) {
 		if (!agents.includes(agent)) continue;
 		if (agent.sweeps) $lookAtFirstPath(agent, place);
-		else if ($shots.size < $MOST_PLACED && !$hasWarned("tunneling")) $shots.set(agent, { place: $middleOf(agent), step: new Vector3D(), repeats: 0 });
+		else if ($shots.size < $MOST_PLACED && !$hasWarned("tunneling")) $shots.set(agent, { place: $placeOf(agent), step: new Vector3D(), repeats: 0, passed: null });
 	}
 	$placed.clear();
 }
@@ -51,42 +62,79 @@ function $lookAtFirstPath(agent, { x, y, z }) {
 		+ "This part of its path is not tested: put a shot into the muzzle in one frame, and move it from the next one on", "first path");
 }
 
-/** Warns of a shot that has passed through an agent since the last frame, if handlers would have been called for the two. */
-function $followShot({ _handlers: { interests } }, agents, agent, shot) {
+/** Warns of a shot that has passed through an agent in one of its last steps, if handlers would have been called for the two. */
+function $followShot(collision, agents, agent, shot, leastLeft) {
 	const before = shot.place;
-	const place = $middleOf(agent);
+	const place = $placeOf(agent);
 	const step = place.subtract(before);
 	const { length } = step;
 	if (agent.sweeps || length <= $FAST * agent.size) {
 		$shots.delete(agent);
 		return;
 	}
-	const repeats = $isSameStep(step, shot.step) ? shot.repeats + 1 : 0;
-	Object.assign(shot, { place, step, repeats });
-	if (repeats < $MANY_STEPS || !agents.includes(agent)) return;
-	// hardly any is between, so this comes first; an agent that sweeps meets the shot, and another shot may fly beside it
-	const passed = agents.find((other) => $isBetween(before, step, other, agent.size + other.size) && !other.sweeps && !$shots.has(other)
-		&& interests.includes(agent.$breedNumber, other.$breedNumber));
-	if (!passed) return;
-	$warn(`${agent} does not sweep, and has passed through ${passed}: it moves by ${$rounded(length)} patches in a frame, `
+	const isRepeated = $isSameStep(step, shot.step);
+	Object.assign(shot, { place, step, repeats: isRepeated ? shot.repeats + 1 : 0, passed: isRepeated ? shot.passed : null });
+	if (!isRepeated || !agents.includes(agent)) return;
+	shot.passed ??= $passedBy(collision, agents, agent, before, step, leastLeft);
+	if (!shot.passed || shot.repeats < $MANY_STEPS) return;
+	$warn(`${agent} does not sweep, and has passed through ${shot.passed}: it moves by ${$rounded(length)} patches in a frame, `
 		+ `${$rounded(length / agent.size)} times its size. With agent.sweeps = true it meets all that is on its way`, "tunneling");
 	$shots.clear();
 }
 
-/** Whether the middle of a step from a place leads through an agent, and its ends are beside it. `sizes` is the sum of the sizes of the two. */
-function $isBetween(from, step, agent, sizes) {
-	const x = agent.x - from.x;
-	const y = agent.y - from.y;
-	const z = agent.z + agent.size / 2 - from.z;
-	const part = (x * step.x + y * step.y + z * step.z) / step.lengthSquared;
-	if (!(part > 0 && part < 1)) return false;
-	const distanceAt = (share) => Math.hypot(x - share * step.x, y - share * step.y, z - share * step.z);
-	return distanceAt(part) < $MIDDLE * sizes && Math.min(distanceAt(0), distanceAt(1)) > $BESIDE * sizes;
+/** The agent that a shot has passed through in a step from a place; undefined if there is none, or if too many were tested. */
+function $passedBy({ collisionSystem, _handlers: { interests } }, agents, agent, from, step, leastLeft) {
+	const greatLand = $greatLandOf(collisionSystem);
+	const reach = $reachOf(greatLand, agent);
+	// an agent that sweeps meets the shot, and another shot may fly beside it
+	return agents.find((other) => $testsLeft > leastLeft && $isNear(from, step, other, reach + $reachOf(greatLand, other)) && !other.sweeps
+		&& !$shots.has(other) && interests.includes(agent.$breedNumber, other.$breedNumber) && $isBetween(collisionSystem, agent, from, step, other));
 }
 
-/** The middle of an agent whose model is as high as it is wide. */
-function $middleOf({ x, y, z, size }) {
-	return new Vector3D(x, y, z + size / 2);
+/** Whether a step from a place leads to less than a distance from another agent's place. */
+function $isNear(from, step, { x, y, z }, distance) {
+	x -= from.x;
+	y -= from.y;
+	z -= from.z;
+	const part = Math.min(1, Math.max(0, (x * step.x + y * step.y + z * step.z) / step.lengthSquared));
+	return Math.hypot(x - part * step.x, y - part * step.y, z - part * step.z) < distance;
+}
+
+/** How far an agent's surface may be from its place: without a model it is a sphere that stands there. */
+function $reachOf(greatLand, { shape, size }) {
+	const model = greatLand?.modelOf(shape);
+	return size * (model ? $getOrInsert($reaches, model, $reachOfModel) : 1);
+}
+
+function $reachOfModel({ vertices }) {
+	let reach = 1;
+	for (let i = 0; i < vertices.length; i += 3) reach = Math.max(reach, Math.hypot(vertices[i], vertices[i + 1], vertices[i + 2]));
+	return reach;
+}
+
+/** Whether a shot touches another agent at a place of its step from a place, and at neither end. */
+function $isBetween(collisionSystem, agent, from, { x, y, z, length }, other) {
+	const places = Math.min($MOST_SAMPLES, Math.ceil(length / agent.size));
+	const touchesAt = (place) => {
+		$testsLeft--;
+		// The agent is put there for this test alone. Its revision stays, so nothing that was computed for it is computed again.
+		Object.assign(agent.$placement, { x: from.x + place / places * x, y: from.y + place / places * y, z: from.z + place / places * z });
+		return collisionSystem.areColliding(agent, other);
+	};
+	const { x: endX, y: endY, z: endZ } = agent.$placement;
+	try {
+		if (touchesAt(places) || touchesAt(0)) return false;
+		for (let i = 1; i < places; i++) if (touchesAt(i)) return true;
+		return false;
+	} catch {
+		return false; // the frame says it
+	} finally {
+		Object.assign(agent.$placement, { x: endX, y: endY, z: endZ });
+	}
+}
+
+function $placeOf({ x, y, z }) {
+	return new Vector3D(x, y, z);
 }
 
 /** Forgets an agent that a question moves, because this tests its path. */

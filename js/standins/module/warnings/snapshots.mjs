@@ -25,10 +25,17 @@ export function $warnOfSnapshot(collision, withTraits) {
 	if (taken.length <= $MOST_SNAPSHOTS) taken.push(agents.map(({ id, x, y, z }) => ({ id, x, y, z })));
 }
 
+/** Agents with traits of a snapshot that no binding has looked at since. */
+export const $restored = /* @__PURE__ */ new WeakSet();
+
 /** Warns of going back by a snapshot without traits if an agent is elsewhere than at any such snapshot: the game has not put it back. */
 export function $warnOfRestore(collision, bytes, agents) {
 	const taken = $withoutTraits.get(collision);
-	if (!taken || taken.length > $MOST_SNAPSHOTS || bytes?.byteAt($CONTENTS) & $HAS_TRAITS) return;
+	if (bytes?.byteAt($CONTENTS) & $HAS_TRAITS) {
+		for (const agent of agents) $restored.add(agent);
+		return;
+	}
+	if (!taken || taken.length > $MOST_SNAPSHOTS) return;
 	const ofThese = taken.filter((places) => places.length === agents.length && places.every(({ id }, i) => id === agents[i]?.id));
 	const movedSince = ofThese.map((places) => places.findIndex(({ x, y, z }, i) => agents[i].x !== x || agents[i].y !== y || agents[i].z !== z));
 	if (movedSince.length === 0 || movedSince.includes(-1)) return;

@@ -99,7 +99,10 @@ export function $hintOfValue(value, expected, given) {
 	if (expected === "a number" && $FILTER.some((name) => name in value)) {
 		return `. A filter is an argument after it${/: (?:radius|maxDistance)$/.test(given) ? ". Infinity is no limit" : ""}`;
 	}
-	if (expected === "a number" && "x" in value && "y" in value) return ". It takes the numbers of a point one by one: point.x, point.y, point.z";
+	if (expected === "a number" && "x" in value && "y" in value) {
+		return value.isQuaternion ? ". It takes the numbers of a quaternion one by one: quaternion.x, quaternion.y, quaternion.z, quaternion.w"
+			: ". It takes the numbers of a point one by one: point.x, point.y, point.z";
+	}
 	const isDrawn = value.isObject3D || value.isBufferGeometry;
 	return expected === "a Model" && isDrawn ? ". modelFromObject() and levelFromObject() of starlogo-collision/three make a model of it" : "";
 }
@@ -109,7 +112,14 @@ function $meantInCall(value, expected, given) {
 	if (/^Collision\.(?:on\w+|removeHandler): (?:breed|otherBreed)$/.test(given)) return $meantByBreed(value);
 	const isSome = value !== null && /object|string/.test(typeof value) && typeof value.then !== "function";
 	if (given === "Collision.restore: bytes" && isSome) return $HINT_OF_SAVED;
-	const [, call] = /\.(\w+): radius$/.exec(given) ?? [];
+	const [, model] = /^BuiltInModel\.(capsule|box): (?:radius|x)$/.exec(given) ?? [];
+	if (model && typeof value === "string" && Number.isNaN(Number(value))) {
+		return `. The name comes last: ${model}(${model === "box" ? "4, 0.5, 3" : "0.3, 1.8"}, ${JSON.stringify(value)})`;
+	}
+	const [, point] = /^Agent\w+\.(near|nearest): agent$/.exec(given) ?? [];
+	if (point && typeof value?.x === "number" && typeof value.y === "number") return `. For a point there is ${point === "near" ? "nearPoint" : "nearestToPoint"}()`;
+	if (given.startsWith("new ") && typeof value === "number" && expected.startsWith("a Vector3D")) return ". Points come before numbers";
+	const [, call] = /^Agent\w+\.(\w+): radius$/.exec(given) ?? [];
 	const breeds = [value].flat();
 	if (call && breeds.length > 0 && breeds.every((each) => typeof each === "string" && Number.isNaN(Number(each)))) {
 		return `. Breeds are in a filter after it: ${call}(..., Infinity, { breeds: ${JSON.stringify(breeds)} })`;

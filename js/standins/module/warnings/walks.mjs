@@ -150,7 +150,9 @@ function $remedyForPlace(place, below) {
 /** What is said of a motion that begins inside of the structure around a level. */
 function $textOfStructure(name, depth, level, isCast) {
 	const end = isCast ? "which it meets at once or not at all" : "and a walk pushes it out";
+	const { breed } = level;
 	return `${name} begins a motion ${$rounded(depth)} deep inside of the structure around ${level}, ${end}. `
+		+ `If it should go through ${JSON.stringify(breed)}, leave them out by a filter: { exceptBreeds: [${JSON.stringify(breed)}] }. `
 		+ "If this is a level, whose triangles should count, set hierarchical of it, and take a CombinationCollider with exact. "
 		+ "See docs/questions.md in the package, \"thrown out of the level\"";
 }

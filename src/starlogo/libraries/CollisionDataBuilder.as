@@ -187,13 +187,6 @@ package starlogo.libraries
             }
         }
 
-        // The section with structures; null if there are none, or reading would refuse them, because one is much larger than the model.
-        private function structuresSection(found:Vector.<BoundingStructure>, lastKind:int):ByteArray
-        {
-            var bytes:ByteArray = CookedStructures.write(found);
-            return CookedStructures.read(bytes, lastKind, _model.vertices) == null ? null : bytes;
-        }
-
         // The bytes of a file with the data. It has the surface if that is prepared. @param model the bytes of the model; null for none
         private function bytesOf(modelKey:Fingerprint, model:ByteArray):ByteArray
         {
@@ -201,8 +194,8 @@ package starlogo.libraries
             sections[CookedFile.MODEL] = model;
             if (structures != null)
             {
-                sections[CookedFile.STRUCTURES] = structuresSection(structures.smallest, BoundingStructure.BOX);
-                sections[CookedFile.HULL] = structuresSection(new <BoundingStructure>[structures.hullOrSphere], BoundingStructure.HULL);
+                sections[CookedFile.STRUCTURES] = CookedStructures.write(structures.smallest);
+                sections[CookedFile.HULL] = CookedStructures.write(new <BoundingStructure>[structures.hullOrSphere]);
             }
             if (tree != null)
             {

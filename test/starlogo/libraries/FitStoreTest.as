@@ -303,7 +303,7 @@ package starlogo.libraries
         }
 
         [Test]
-        public function aFitMuchLargerThanTheModelIsNotStored():void
+        public function aFitMuchLargerThanTheModelIsFoundEachTime():void
         {
             for (var i:int = 0; i < 3; i++)
             {
@@ -312,8 +312,9 @@ package starlogo.libraries
                 game.fitStore = _store;
                 game.loadHierarchies = false;
                 game.addModel(BuiltInModel.cube());
+                assertTrue(Sphere(game.boundingStructures.tightestFit("cube")).radius >= 100);
             }
-            assertEquals(0, _storage.names.length);
+            assertEquals("its entry and the list, once", 2, _storage.names.length);
         }
 
         [Test]

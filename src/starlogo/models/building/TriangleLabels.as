@@ -1,6 +1,7 @@
 package starlogo.models.building
 {
     import starlogo.data.keyOf;
+    import starlogo.data.lastAtMost;
 
     /**
      * The label of each triangle: the number of its material or of its mesh, which may have a name. A reader says where triangles with another label
@@ -13,11 +14,17 @@ package starlogo.models.building
         /** The name of each label, or null for a label without a name. Null if nothing gives names; set it before there are labels. */
         public var names:Vector.<String>;
 
-        /** The label of each triangle, -1 for none, after <code>seal()</code>. Null if no triangle has one. Read only. */
-        public var labels:Vector.<int> = new Vector.<int>();
+        /**
+         * Triangles that follow one another and have the same label are a run. This is the first triangle of each run. <code>seal()</code> adds the
+         * number of triangles, so each run ends where the next entry begins. They are Numbers, as <code>lastAtMost()</code> takes them. Read only.
+         */
+        public var firstTriangles:Vector.<Number> = new <Number>[0];
 
-        /** The label of the triangles that come next; -1 for none. Read only. */
-        public var current:int = -1;
+        /** The label of each run. The first run has -1, for triangles without a label. Only the first run may have no triangle. Read only. */
+        public var labelsOfRuns:Vector.<int> = new <int>[-1];
+
+        // The label of each triangle, after it was first asked for.
+        private var _labels:Vector.<int> = null;
 
         // The labels of keys.
         private var _known:Object = {};
@@ -45,34 +52,52 @@ package starlogo.models.building
             return names.push(name) - 1;
         }
 
-        /** Gives a label to all triangles from one on. It must not be before the last one for which this was called. */
+        /** The label of the last run. Triangles that come next have it. */
+        public function get current():int
+        {
+            return labelsOfRuns[labelsOfRuns.length - 1];
+        }
+
+        /** Gives a label to all triangles from one on. It must not be before the last run. */
         public function beginRun(label:int, triangle:int):void
         {
+            endRun(triangle);
             if (label != current)
             {
-                fill(triangle);
-                current = label;
+                firstTriangles.push(triangle);
+                labelsOfRuns.push(label);
             }
         }
 
-        /** Ends the labels. If no triangle has one, there are no names either. @param count the number of triangles */
+        /** Ends the last run. If then no triangle has a label, there are no names either. @param count the number of triangles */
         public function seal(count:int):void
         {
-            if (current >= 0 || labels.length > 0)
+            endRun(count);
+            firstTriangles.push(count);
+            names = labelsOfRuns.length == 1 ? null : names;
+        }
+
+        /** The label of each triangle, -1 for none, after <code>seal()</code>. Always the same list. Null if no triangle has a label. */
+        public function get labels():Vector.<int>
+        {
+            if (_labels == null && labelsOfRuns.length > 1)
             {
-                fill(count);
+                _labels = new Vector.<int>(firstTriangles[labelsOfRuns.length], true);
+                for (var run:int = 0; run < labelsOfRuns.length; run++)
+                {
+                    for (var i:int = firstTriangles[run]; i < firstTriangles[run + 1]; i++)
+                    {
+                        _labels[i] = labelsOfRuns[run];
+                    }
+                }
             }
-            if (!labels.some(isLabel))
-            {
-                labels = null;
-                names = null;
-            }
+            return _labels;
         }
 
         /** The label of a triangle, after <code>seal()</code>; -1 if it has none. */
         public function labelOf(triangle:int):int
         {
-            return labels == null ? -1 : labels[triangle];
+            return labelsOfRuns[lastAtMost(firstTriangles, triangle)];
         }
 
         /** The name of a label; null if it has none. */
@@ -81,18 +106,14 @@ package starlogo.models.building
             return names == null || label < 0 || label >= names.length ? null : names[label];
         }
 
-        // Gives the current label to the triangles up to one.
-        private function fill(end:int):void
+        // Ends the last run before a triangle. If it has no triangle, it is removed, unless it is the first.
+        private function endRun(end:int):void
         {
-            while (labels.length < end)
+            var last:int = labelsOfRuns.length - 1;
+            if (last > 0 && firstTriangles[last] == end)
             {
-                labels.push(current);
+                firstTriangles.length = labelsOfRuns.length = last;
             }
-        }
-
-        private static function isLabel(label:int, triangle:int, all:Vector.<int>):Boolean
-        {
-            return label >= 0;
         }
     }
 }

@@ -130,7 +130,7 @@ package starlogo.models.cooked
             }
         }
 
-        // The names, and where another label begins: the distance from there to the one before, and the label. The length of a missing name is -1.
+        // The names, and the runs after the first. The length of a missing name is -1.
         private static function writeLabels(labels:TriangleLabels, out:ByteArray):void
         {
             VarInt.write(labels.names == null ? -1 : labels.names.length, out);
@@ -141,20 +141,11 @@ package starlogo.models.cooked
                 VarInt.write(name == null ? -1 : bytes.length, out);
                 out.writeBytes(bytes);
             }
-            var runs:Vector.<int> = new Vector.<int>();
-            var start:int = 0;
-            for (var i:int = 0; labels.labels != null && i < labels.labels.length; i++)
+            VarInt.write(labels.labelsOfRuns.length - 1, out);
+            for (var run:int = 1; run < labels.labelsOfRuns.length; run++)
             {
-                if (labels.labels[i] != (i == 0 ? -1 : labels.labels[i - 1]))
-                {
-                    runs.push(i - start, labels.labels[i]);
-                    start = i;
-                }
-            }
-            VarInt.write(runs.length / 2, out);
-            for each (var number:int in runs)
-            {
-                VarInt.write(number, out);
+                VarInt.write(labels.firstTriangles[run] - labels.firstTriangles[run - 1], out);
+                VarInt.write(labels.labelsOfRuns[run], out);
             }
         }
     }

@@ -7,7 +7,6 @@ package starlogo.models.gltf
     import starlogo.models.files.ModelFile;
     import starlogo.models.files.refuseModelIf;
     import starlogo.models.files.shortened;
-    import starlogo.models.text.TextWords;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
@@ -180,7 +179,7 @@ package starlogo.models.gltf
                 if (text == null)
                 {
                     bytes.position = start;
-                    text = TextWords.withoutByteOrderMark(bytes.readUTFBytes(chunkLength));
+                    text = ModelFile.withoutByteOrderMark(bytes.readUTFBytes(chunkLength));
                 }
                 else if (type == BINARY_CHUNK && _chunk == null)
                 {

@@ -21,20 +21,19 @@ package starlogo.away3d
             var components:Vector.<Number> = ofComponents(object).rows;
             var columns:Vector.<Number> = object.transform.rawData;
             var drawn:Vector.<Number> = new Vector.<Number>(12);
-            var largest:Array = [0, 0, 0, 0];
-            var difference:Array = [0, 0, 0, 0];
+            // of the scale in the first three columns, and of the place in the fourth
+            var largest:Array = [0, 0];
+            var difference:Array = [0, 0];
             for (var i:int = 0; i < 12; i++)
             {
-                var column:int = i % 4;
-                drawn[i] = columns[4 * column + int(i / 4)];
-                largest[column] = Math.max(largest[column], Math.abs(components[i]));
-                difference[column] = Math.max(difference[column], Math.abs(components[i] - drawn[i]));
+                var part:int = i % 4 < 3 ? 0 : 1;
+                drawn[i] = columns[4 * (i % 4) + int(i / 4)];
+                largest[part] = Math.max(largest[part], Math.abs(components[i]));
+                difference[part] = Math.max(difference[part], Math.abs(components[i] - drawn[i]));
             }
-            // The comparison allows for single precision: of the scale in the first three columns, and in the fourth of the place or the scale, whichever
-            // is larger.
-            var scale:Number = Math.max(largest[0], largest[1], largest[2]);
-            var areSame:Boolean = Math.max(difference[0], difference[1], difference[2]) <= scale * Tolerances.SINGLE_PRECISION
-                && difference[3] <= Math.max(scale, largest[3]) * Tolerances.SINGLE_PRECISION;
+            // The comparison allows for single precision: of the scale, and for the place of the place or the scale, whichever is larger.
+            var areSame:Boolean = difference[0] <= largest[0] * Tolerances.SINGLE_PRECISION
+                && difference[1] <= Math.max(largest[0], largest[1]) * Tolerances.SINGLE_PRECISION;
             return new AffineTransform(areSame ? components : drawn);
         }
 

@@ -107,33 +107,29 @@ package starlogo.libraries
                 && (!_settings.preparesExact || _model.triangles == null || tree.surface != null);
         }
 
-        // Adds the work that takes data from a store, computes what it does not have, and stores all.
+        // Adds the work that takes data from a store, computes what it does not have, and stores all. @param fitting finds the structures
         private function addStoring(store:FitStore, fitting:Steps):void
         {
             var geometryKey:Fingerprint = new Fingerprint();
             var stored:CookedFile = null;
+            var storesAll:Boolean = false;
             add(geometryKey.addingLists(_model.vertices, _model.triangles)).begin(function():Steps
                 {
                     stored = store.load(geometryKey, _settings);
                     return stored;
                 }).begin(function():Steps
                 {
-                    return completing(stored, geometryKey, store, fitting);
-                });
-        }
-
-        // Takes what is in a file of a store. The work that it returns computes the rest, and stores all.
-        private function completing(stored:CookedFile, geometryKey:Fingerprint, store:FitStore, fitting:Steps):Steps
-        {
-            if (stored.hasKey(CookedFile.MODEL, geometryKey))
-            {
-                takeFrom(stored);
-            }
-            return isComplete || !store.hasRoomFor(_model, tree != null) ? computing(fitting) : computing(fitting).call(function():void
+                    if (stored.hasKey(CookedFile.MODEL, geometryKey))
+                    {
+                        takeFrom(stored);
+                    }
+                    storesAll = !isComplete && store.hasRoomFor(_model, tree != null);
+                    return computing(fitting);
+                }).call(function():void
                 {
-                    var bytes:ByteArray = bytesOf(geometryKey, null);
+                    var bytes:ByteArray = storesAll ? bytesOf(geometryKey, null) : null;
                     // data that cannot be stored is computed each time
-                    if (stored.isChangedBy(bytes))
+                    if (storesAll && stored.isChangedBy(bytes))
                     {
                         store.save(geometryKey, _settings, bytes);
                     }
@@ -141,7 +137,7 @@ package starlogo.libraries
         }
 
         // The work that computes what is missing. @param fitting finds the structures
-        private function computing(fitting:Steps):StepSequence
+        private function computing(fitting:Steps):Steps
         {
             var work:StepSequence = new StepSequence();
             if (!hasStructures)
@@ -187,13 +183,6 @@ package starlogo.libraries
             }
         }
 
-        // The section with structures; null if there are none, or reading would refuse them, because one is much larger than the model.
-        private function structuresSection(found:Vector.<BoundingStructure>, lastKind:int):ByteArray
-        {
-            var bytes:ByteArray = CookedStructures.write(found);
-            return CookedStructures.read(bytes, lastKind, _model.vertices) == null ? null : bytes;
-        }
-
         // The bytes of a file with the data. It has the surface if that is prepared. @param model the bytes of the model; null for none
         private function bytesOf(modelKey:Fingerprint, model:ByteArray):ByteArray
         {
@@ -201,8 +190,8 @@ package starlogo.libraries
             sections[CookedFile.MODEL] = model;
             if (structures != null)
             {
-                sections[CookedFile.STRUCTURES] = structuresSection(structures.smallest, BoundingStructure.BOX);
-                sections[CookedFile.HULL] = structuresSection(new <BoundingStructure>[structures.hullOrSphere], BoundingStructure.HULL);
+                sections[CookedFile.STRUCTURES] = CookedStructures.write(structures.smallest);
+                sections[CookedFile.HULL] = CookedStructures.write(new <BoundingStructure>[structures.hullOrSphere]);
             }
             if (tree != null)
             {

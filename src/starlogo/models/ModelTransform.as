@@ -4,8 +4,8 @@ package starlogo.models
     import starlogo.engine;
     import starlogo.geometry.AffineTransform;
     import starlogo.geometry.Placement;
+    import starlogo.models.files.ModelFile;
     import starlogo.models.text.Decimal;
-    import starlogo.models.text.TextWords;
 
     use namespace engine;
 
@@ -57,7 +57,7 @@ package starlogo.models
             var turn:Vector3D = null;
             var factors:Vector3D = null;
             var move:Vector3D = null;
-            for each (var line:String in TextWords.withoutByteOrderMark(text || "").split("\r").join("").split("\n"))
+            for each (var line:String in ModelFile.withoutByteOrderMark(text || "").split("\r").join("").split("\n"))
             {
                 var words:Array = line.split(" ");
                 var hasThree:Boolean = words.length >= 4;

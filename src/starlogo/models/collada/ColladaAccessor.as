@@ -26,10 +26,10 @@ package starlogo.models.collada
         public var array:ColladaElement;
 
         /** When all is read: the number of entries. */
-        public var count:int;
+        public var count:Number;
 
         /** When all is read: the number of words from each entry to the next one. */
-        public var stride:int;
+        public var stride:Number;
 
         /** When all is read: the words of all entries. */
         public var words:Array;
@@ -92,18 +92,16 @@ package starlogo.models.collada
         {
             array.checkCount(all.length, "values");
             // the attributes may be larger than an int
-            var wantedStride:Number = element.integer("stride", 1);
             var offset:Number = element.integer("offset", 0);
-            element.refuseIf(wantedStride == 0, "its stride is 0");
-            var columns:Vector.<int> = points == null ? null : columnsOf(wantedStride);
-            var wanted:Number = element.integer("count", Math.max(0, Math.floor((all.length - offset) / wantedStride)));
-            var end:Number = offset + wantedStride * (wanted - 1) + (points == null ? wantedStride : 1 + Math.max(columns[0], columns[1], columns[2]));
-            element.refuseIf(wanted > 0 && end > all.length, "its count of " + wanted + " with a stride of " + wantedStride + " reaches beyond the " +
+            stride = element.integer("stride", 1);
+            element.refuseIf(stride == 0, "its stride is 0");
+            count = element.integer("count", Math.max(0, Math.floor((all.length - offset) / stride)));
+            var columns:Vector.<int> = points == null ? null : columnsOf();
+            var end:Number = offset + stride * (count - 1) + (points == null ? stride : 1 + Math.max(columns[0], columns[1], columns[2]));
+            element.refuseIf(count > 0 && end > all.length, "its count of " + count + " with a stride of " + stride + " reaches beyond the " +
                     all.length + " values of its array");
-            count = wanted;
-            stride = wantedStride;
             _firstWord = offset;
-            words = all.slice(offset, offset + wantedStride * wanted);
+            words = all.slice(offset, offset + stride * count);
             return points == null ? null : addingPoints(points, columns);
         }
 
@@ -125,7 +123,7 @@ package starlogo.models.collada
         }
 
         // The indices of the accessor's parameters x, y and z: found by name, otherwise the first three.
-        private function columnsOf(wantedStride:Number):Vector.<int>
+        private function columnsOf():Vector.<int>
         {
             var names:Array = [];
             element.budget.spendElements(element.children.length, element);
@@ -138,8 +136,8 @@ package starlogo.models.collada
             {
                 found = new <int>[0, 1, 2];
             }
-            element.refuseIf(names.length < 3 && names.length > 0 || Math.max(found[0], found[1], found[2]) >= wantedStride,
-                    "expected the parameters X, Y and Z of points, within its stride of " + wantedStride);
+            element.refuseIf(names.length < 3 && names.length > 0 || Math.max(found[0], found[1], found[2]) >= stride,
+                    "expected the parameters X, Y and Z of points, within its stride of " + stride);
             return found;
         }
     }

@@ -35,9 +35,11 @@ package starlogo.models.collada
         // the values of the attributes, by keyOf() their names
         private var _attributes:Object;
 
-        // The first element of the document with each name and id, and with each sid; and of the elements of which a child was asked for, the first
-        // child with each name, and with each name and key of child(). All elements share it.
+        // The first element of the document with each name and id, and with each sid. All elements share it.
         private var _elements:Object;
+
+        // the first child with each name, and with each name and key of child(); null before a child was asked for
+        private var _children:Object = null;
 
         // for an element that is a transform: the transform, after it was first needed
         private var _transform:AffineTransform = null;
@@ -119,19 +121,17 @@ package starlogo.models.collada
          */
         public function child(name:String, key:String = null):ColladaElement
         {
-            // no name has a space
-            var prefix:String = keyOf(index + " ");
-            if (_elements[prefix] == null)
+            if (_children == null)
             {
-                _elements[prefix] = this;
+                _children = {};
                 for each (var element:ColladaElement in children)
                 {
                     var keyName:String = element.name == "input" ? "semantic" : (element.name == "instance_material" ? "symbol" : "id");
-                    _elements[prefix + element.name] ||= element;
-                    _elements[prefix + element.name + "#" + element.attribute(keyName)] ||= element;
+                    _children[keyOf(element.name)] ||= element;
+                    _children[keyOf(element.name + "#" + element.attribute(keyName))] ||= element;
                 }
             }
-            return _elements[prefix + (key == null ? name : name + "#" + key)];
+            return _children[keyOf(key == null ? name : name + "#" + key)];
         }
 
         /** The first child element with a name. @throws ModelError if there is none */

@@ -132,7 +132,9 @@ package starlogo.models.collada
             var base:Vector.<Number> = morph.attribute("method") == "RELATIVE" ? new Vector.<Number>(_points.length) : _points.slice();
             return new StepSequence().beginEach(targets.words.length, function(index:int):Steps
                 {
-                    var target:ColladaMesh = morphTargetMesh(morph, targets.words[index]);
+                    var geometry:ColladaElement = morph.elementAt("geometry", "#" + targets.words[index]);
+                    morph.refuseIf(geometry == null, "there is no <geometry> with the id \"" + shortened(targets.words[index]) + "\"");
+                    var target:ColladaMesh = _reader.document.meshOf(geometry);
                     return new StepSequence().add(target).call(function():void
                         {
                             morph.refuseIf(target.points.length != _points.length, "its target \"" + shortened(targets.words[index]) + "\" has another number of points");
@@ -143,13 +145,6 @@ package starlogo.models.collada
                             }
                         });
                 });
-        }
-
-        private function morphTargetMesh(morph:ColladaElement, id:String):ColladaMesh
-        {
-            var geometry:ColladaElement = morph.elementAt("geometry", "#" + id);
-            morph.refuseIf(geometry == null, "there is no <geometry> with the id \"" + shortened(id) + "\"");
-            return _reader.document.meshOf(geometry);
         }
 
         // The steps that transform points, and add these and the triangles. If the points are mirrored, the triangles' corner order is reversed.

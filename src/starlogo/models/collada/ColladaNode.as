@@ -1,5 +1,6 @@
 package starlogo.models.collada
 {
+    import starlogo.data.lastAtMost;
     import starlogo.geometry.AffineTransform;
 
     /**
@@ -22,20 +23,20 @@ package starlogo.models.collada
         // The index of the child element that is visited next.
         private var _nextChild:int = 0;
 
-        // Nodes are numbered in the order of the visit. This one has the number _preorder, and its descendants the next ones, up to _subtreeEnd.
-        private var _preorder:int;
+        // Nodes are numbered in the order of the visit. The descendants of this one have the numbers after its own, up to _subtreeEnd.
+        private var _number:int;
         private var _subtreeEnd:int;
 
         /**
          * @param element the node's element
          * @param parent the node around it; null for the scene
-         * @param first how many nodes were visited before this one
+         * @param number how many nodes were visited before this one
          */
-        public function ColladaNode(element:ColladaElement, parent:ColladaNode, first:int)
+        public function ColladaNode(element:ColladaElement, parent:ColladaNode, number:int)
         {
             _element = element;
             this.parent = parent;
-            _preorder = first;
+            _number = number;
             depth = parent == null ? 0 : parent.depth + 1;
             transform = parent == null ? new AffineTransform() : parent.transform;
         }
@@ -60,21 +61,23 @@ package starlogo.models.collada
 
         /**
          * Of the nodes of an element, the one that has the lowest ancestor in common with this node; the first of several. So each of several
-         * figures has joints of its own.
+         * figures has joints of its own. Returns its number.
          *
-         * @param nodes in the order of the visit, at least one
+         * @param numbers the numbers of the element's nodes, at least one, in ascending order
          */
-        public function withLowestCommonAncestor(nodes:Array):ColladaNode
+        public function withLowestCommonAncestor(numbers:Vector.<Number>):int
         {
-            for (var ancestor:ColladaNode = this; nodes.length > 1 && ancestor != null; ancestor = ancestor.parent)
+            for (var ancestor:ColladaNode = this; numbers.length > 1 && ancestor != null; ancestor = ancestor.parent)
             {
-                var next:int = indexFrom(nodes, ancestor._preorder);
-                if (next < nodes.length && nodes[next]._preorder < ancestor._subtreeEnd)
+                // the first node that is not before the ancestor
+                var next:int = lastAtMost(numbers, ancestor._number - 1);
+                next += numbers[next] < ancestor._number ? 1 : 0;
+                if (next < numbers.length && numbers[next] < ancestor._subtreeEnd)
                 {
-                    return nodes[next];
+                    return numbers[next];
                 }
             }
-            return nodes[0];
+            return numbers[0];
         }
 
         /** Whether this node, or one around it, is of an element. */
@@ -88,26 +91,6 @@ package starlogo.models.collada
                 }
             }
             return false;
-        }
-
-        // The index of the first node with at least this number.
-        private static function indexFrom(nodes:Array, first:int):int
-        {
-            var low:int = 0;
-            var high:int = nodes.length;
-            while (low < high)
-            {
-                var middle:int = (low + high) >> 1;
-                if (nodes[middle]._preorder < first)
-                {
-                    low = middle + 1;
-                }
-                else
-                {
-                    high = middle;
-                }
-            }
-            return low;
         }
     }
 }

@@ -42,11 +42,12 @@ package starlogo.models.collada
         private var _data:ModelData;
         private var _pose:Pose;
         private var _instances:Vector.<ColladaInstance> = new Vector.<ColladaInstance>(); // in the document's order
-        private var _nodes:Object = {}; // lists of the nodes of an element, in the order of the visit, by the element's index
 
-        // The node around the next element, null at the end; and how many nodes there were so far.
+        // The nodes so far, by their numbers, and lists of the numbers of an element's nodes, by the element's index. Then the node around the next
+        // element; null at the end.
+        private var _nodes:Vector.<ColladaNode> = new Vector.<ColladaNode>();
+        private var _numbers:Object = {};
         private var _node:ColladaNode = null;
-        private var _nodeCount:int = 0;
 
         /**
          * @param document the document; its steps may be done
@@ -98,9 +99,9 @@ package starlogo.models.collada
          */
         public function jointTransform(joint:ColladaElement, skinNode:ColladaNode, skin:ColladaElement):AffineTransform
         {
-            var nodes:Array = _nodes[joint.index];
-            skin.refuseIf(nodes == null, "its joint \"" + shortened(joint.attribute("sid") || joint.id) + "\" is not in the scene");
-            return skinNode.withLowestCommonAncestor(nodes).transform;
+            var numbers:Vector.<Number> = _numbers[joint.index];
+            skin.refuseIf(numbers == null, "its joint \"" + shortened(joint.attribute("sid") || joint.id) + "\" is not in the scene");
+            return _nodes[skinNode.withLowestCommonAncestor(numbers)].transform;
         }
 
         private function enterScene():void
@@ -125,7 +126,7 @@ package starlogo.models.collada
                 var element:ColladaElement = _node.nextElement();
                 if (element == null)
                 {
-                    _node.exit(_nodeCount);
+                    _node.exit(_nodes.length);
                     _node = _node.parent;
                 }
                 else
@@ -139,10 +140,11 @@ package starlogo.models.collada
         // The children of an element are visited next.
         private function enter(element:ColladaElement):void
         {
-            _node = new ColladaNode(element, _node, _nodeCount++);
+            (_numbers[element.index] ||= new Vector.<Number>()).push(_nodes.length);
+            _node = new ColladaNode(element, _node, _nodes.length);
+            _nodes.push(_node);
             element.refuseIf(_node.depth > MAX_DEPTH, "its nodes are nested more than " + MAX_DEPTH + " deep");
             element.budget.spendElements(ELEMENTS_PER_NODE * (1 + element.children.length), element);
-            (_nodes[element.index] ||= []).push(_node);
         }
 
         // Visits a child of the present node's element.

@@ -119,25 +119,21 @@ package starlogo.models.cooked
             return new StepSequence().slices(vertexCount, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
                     readNumbers(first, end, encoding);
-                }).slices(3 * triangleCount, CORNERS_PER_STEP, readCorners).begin(readingAllLabels);
-        }
-
-        // The steps that read the materials and the meshes. A model without them ends before them.
-        private function readingAllLabels():Steps
-        {
-            return new StepSequence().beginEach(_bytes.bytesAvailable > 0 ? 2 : 0, function(index:int):Steps
+                }).slices(3 * triangleCount, CORNERS_PER_STEP, readCorners).begin(function():Steps
                 {
-                    return readingLabels(index == 0 ? _data.materials : _data.meshes);
+                    // a model without labels ends before them
+                    return new StepSequence().beginEach(_bytes.bytesAvailable > 0 ? 2 : 0, readingLabels);
                 });
         }
 
-        private function readingLabels(labels:TriangleLabels):Steps
+        // The steps that read the labels of the materials, or of the meshes: their names, and then the runs.
+        private function readingLabels(index:int):Steps
         {
+            var labels:TriangleLabels = index == 0 ? _data.materials : _data.meshes;
             var nameCount:int = VarInt.read(_bytes);
-            if (nameCount < 0)
-            {
-                labels.names = null;
-            }
+            var mostLabel:int = nameCount < 0 ? int.MAX_VALUE : nameCount - 1;
+            var start:Number = 0;
+            labels.names = nameCount < 0 ? null : labels.names;
             return new StepSequence().slices(Math.max(0, nameCount), LABELS_PER_STEP, function(first:int, end:int):void
                 {
                     for (var i:int = first; i < end; i++)
@@ -147,22 +143,14 @@ package starlogo.models.cooked
                     }
                 }).begin(function():Steps
                 {
-                    return readingRuns(labels);
-                });
-        }
-
-        // The steps that read the runs of labels, whose names are read already.
-        private function readingRuns(labels:TriangleLabels):Steps
-        {
-            var mostLabel:int = labels.names == null ? int.MAX_VALUE : labels.names.length - 1;
-            var start:Number = 0;
-            return new StepSequence().slices(readInteger(0, int.MAX_VALUE), LABELS_PER_STEP, function(first:int, end:int):void
-                {
-                    for (var i:int = first; i < end; i++)
-                    {
-                        start = Math.min(start + readInteger(0, int.MAX_VALUE), _data.triangles.length / 3);
-                        labels.beginRun(readInteger(-1, mostLabel), start);
-                    }
+                    return new StepSequence().slices(readInteger(0, int.MAX_VALUE), LABELS_PER_STEP, function(first:int, end:int):void
+                        {
+                            for (var i:int = first; i < end; i++)
+                            {
+                                start = Math.min(start + readInteger(0, int.MAX_VALUE), _data.triangles.length / 3);
+                                labels.beginRun(readInteger(-1, mostLabel), start);
+                            }
+                        });
                 });
         }
 

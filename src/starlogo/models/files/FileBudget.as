@@ -27,7 +27,6 @@ package starlogo.models.files
         private static const FREE_ELEMENTS:int = 50000;
         private static const ELEMENTS_PER_BYTE:int = 1;
         private static const MAX_ELEMENTS:int = 500000;
-        private static const ZEROS_PER_BYTE:int = 1;
 
         // The most tests of corners while polygons are triangulated: FREE_CORNER_TESTS, and CORNER_TESTS_PER_BYTE more for each byte.
         private static const CORNER_TESTS_PER_BYTE:Number = 40;
@@ -44,7 +43,6 @@ package starlogo.models.files
 
         private var _bytes:Number;
         private var _numbers:Number;
-        private var _zeros:Number;
         private var _elements:Number;
 
         /**
@@ -61,7 +59,7 @@ package starlogo.models.files
         /** Begins anew, because what the file has is read once more. */
         public function reset():void
         {
-            _numbers = _zeros = _elements = 0;
+            _numbers = _elements = 0;
             cornerTestsLeft = FREE_CORNER_TESTS + CORNER_TESTS_PER_BYTE * _bytes;
         }
 
@@ -83,13 +81,6 @@ package starlogo.models.files
         {
             _numbers += more;
             refuseBeyond(_numbers, FREE_NUMBERS, NUMBERS_PER_BYTE, MAX_NUMBERS, "numbers, each counted as often as it is used", place);
-        }
-
-        /** Counts numbers that a file declares without data, so they are 0. @throws ModelError if these are too many */
-        public function spendZeros(more:Number, place:Object):void
-        {
-            _zeros += more;
-            refuseBeyond(_zeros, 0, ZEROS_PER_BYTE, Infinity, "numbers without data", place);
         }
 
         /** Counts elements, values, nodes, transforms and instances, as often as they are placed. @throws ModelError if these are too many */

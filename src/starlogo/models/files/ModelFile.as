@@ -2,7 +2,6 @@ package starlogo.models.files
 {
     import flash.utils.ByteArray;
     import starlogo.models.ModelError;
-    import starlogo.models.text.TextWords;
 
     /**
      * A model's file, given as bytes or as text. The bytes of a text file are decoded once. Their encoding is detected. Other encodings than
@@ -43,7 +42,7 @@ package starlogo.models.files
             this.name = name;
             this.bytes = bytes;
             this.url = url;
-            _text = text == null ? null : TextWords.withoutByteOrderMark(text);
+            _text = text == null ? null : withoutByteOrderMark(text);
         }
 
         /**
@@ -60,10 +59,16 @@ package starlogo.models.files
                 refuseModelIf(bytes.length == 0, name, "the file is empty");
                 checkSize();
                 refuseModelIf(isArchive(bytes), name, "this is a zip archive (.zae is one too): unpack it, and load the model file that is in it");
-                _text = TextWords.withoutByteOrderMark(decoded(expected));
+                _text = withoutByteOrderMark(decoded(expected));
             }
             refuseModelIf(WEB_PAGE.test(_text.substr(0, HEAD_LENGTH)), name, "this is a web page, not a model: is the address right?");
             return _text;
+        }
+
+        /** The text without a byte-order mark at its beginning. */
+        public static function withoutByteOrderMark(text:String):String
+        {
+            return text.charCodeAt(0) == 0xFEFF ? text.substr(1) : text;
         }
 
         /** Whether the text begins with a tag, as COLLADA does. */

@@ -54,15 +54,11 @@ package starlogo.models.gltf
             _divisor = isNormalised && MAX_VALUES[componentType] > 0 ? MAX_VALUES[componentType] : 0;
             var view:int = json.indexOrNone("bufferView", "bufferViews");
             var offset:int = json.integer("byteOffset", int.MAX_VALUE, 0);
-            if (view < 0)
-            {
-                file.budget.spendZeros(Number(count) * componentCount, json.place);
-            }
-            else
+            if (view >= 0)
             {
                 addRows(file, view, offset);
-                file.budget.spendNumbers(Number(count) * componentCount, json.place);
             }
+            file.budget.spendNumbers(Number(count) * componentCount, json.place);
             numbers = new Vector.<Number>(count * componentCount);
         }
 

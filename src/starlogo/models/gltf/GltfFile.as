@@ -2,13 +2,11 @@ package starlogo.models.gltf
 {
     import flash.utils.ByteArray;
     import flash.utils.Endian;
-    import starlogo.data.keyOf;
     import starlogo.models.files.FileUrl;
     import starlogo.models.files.FileBudget;
     import starlogo.models.files.ModelFile;
     import starlogo.models.files.refuseModelIf;
     import starlogo.models.files.shortened;
-    import starlogo.models.text.TextWords;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
@@ -50,9 +48,8 @@ package starlogo.models.gltf
         /** What the file may have and cost. It grows with the buffers in other files. */
         internal var budget:FileBudget;
 
-        // the addresses of the other files, and the indices of the buffers that each has, by keyOf() the address
+        // the addresses of the other files
         private var _uris:Vector.<String> = new Vector.<String>();
-        private var _buffersOf:Object = {};
 
         // the bytes of each buffer (null if it is missing), and the binary chunk of a .glb file
         private var _buffers:Vector.<ByteArray> = new Vector.<ByteArray>();
@@ -182,7 +179,7 @@ package starlogo.models.gltf
                 if (text == null)
                 {
                     bytes.position = start;
-                    text = TextWords.withoutByteOrderMark(bytes.readUTFBytes(chunkLength));
+                    text = ModelFile.withoutByteOrderMark(bytes.readUTFBytes(chunkLength));
                 }
                 else if (type == BINARY_CHUNK && _chunk == null)
                 {
@@ -232,15 +229,18 @@ package starlogo.models.gltf
             }
             return new StepSequence().call(function():void
                 {
-                    for (var i:int = 0; i < files.length; i++)
+                    for (var index:int = 0; index < _buffers.length; index++)
                     {
-                        var indices:Array = _buffersOf[keyOf(_uris[i])];
-                        json.refuseIf(files[i].bytes == null, files[i].problem, "buffers[" + indices[0] + "].uri");
-                        budget.addBytes(files[i].bytes.length);
-                        for each (var index:int in indices)
+                        var file:int = _uris.indexOf(json.rootEntry("buffers", index).raw.uri);
+                        if (file >= 0)
                         {
-                            keep(index, files[i].bytes);
+                            json.refuseIf(files[file].bytes == null, files[file].problem, "buffers[" + index + "].uri");
+                            keep(index, files[file].bytes);
                         }
+                    }
+                    for each (var fetched:Object in files)
+                    {
+                        budget.addBytes(fetched.bytes.length);
                     }
                 });
         }
@@ -280,13 +280,11 @@ package starlogo.models.gltf
             else
             {
                 buffer.refuseIf(!FileUrl.isWithin(uri), "expected data, or a path from the file's folder on, but found " + GltfJson.shown(uri), "uri");
-                if (!(keyOf(uri) in _buffersOf))
+                if (_uris.indexOf(uri) < 0)
                 {
                     buffer.refuseIf(_uris.length == MAX_FILES, "its buffers are in more than " + MAX_FILES + " other files", "uri");
                     _uris.push(uri);
-                    _buffersOf[keyOf(uri)] = [];
                 }
-                _buffersOf[keyOf(uri)].push(index);
             }
             return work;
         }

@@ -26,11 +26,10 @@ package starlogo.models.obj
         private var _lines:LineReader;
         private var _budget:FileBudget;
 
-        // The faces of more than three corners are kept until all vertices are known: the corners, and the labels of each one's material and mesh. Then
-        // the most triangles that they can have.
+        // The faces of more than three corners are kept until all vertices are known: the corners, and two labels of each face, of its material and of
+        // its mesh. Then the most triangles that they can have.
         private var _polygons:Vector.<Vector.<uint>> = new Vector.<Vector.<uint>>();
-        private var _polygonMaterials:Vector.<int> = new Vector.<int>();
-        private var _polygonMeshes:Vector.<int> = new Vector.<int>();
+        private var _polygonLabels:Vector.<int> = new Vector.<int>();
         private var _polygonTriangles:int = 0;
 
         // The highest index of a vertex in a face, and its line.
@@ -104,8 +103,7 @@ package starlogo.models.obj
             else if (corners.length > 3)
             {
                 _polygons.push(corners);
-                _polygonMaterials.push(_data.materials.current);
-                _polygonMeshes.push(_data.meshes.current);
+                _polygonLabels.push(_data.materials.current, _data.meshes.current);
                 _polygonTriangles += corners.length - 2;
             }
         }
@@ -148,8 +146,8 @@ package starlogo.models.obj
             var triangulator:Triangulator = new Triangulator(_budget, _data.vertices, _data.triangles);
             return triangulator.addingEach(_polygons.length, function(index:int):Steps
                 {
-                    _data.materials.beginRun(_polygonMaterials[index], _data.triangles.length / 3);
-                    _data.meshes.beginRun(_polygonMeshes[index], _data.triangles.length / 3);
+                    _data.materials.beginRun(_polygonLabels[2 * index], _data.triangles.length / 3);
+                    _data.meshes.beginRun(_polygonLabels[2 * index + 1], _data.triangles.length / 3);
                     return triangulator.addPolygon(_polygons[index]);
                 });
         }

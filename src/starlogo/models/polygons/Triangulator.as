@@ -101,7 +101,7 @@ package starlogo.models.polygons
                     rings.addHole(hole);
                 }
             }
-            var rest:StepSequence = hasHoles ? new StepSequence().add(new HoleWelder(rings)) : new StepSequence();
+            var rest:StepSequence = hasHoles ? new StepSequence().add(HoleWelder.welding(rings)) : new StepSequence();
             rest.repeat(function():Boolean
                 {
                     return rings.clipEars(triangles);

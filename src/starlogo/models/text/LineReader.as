@@ -33,12 +33,12 @@ package starlogo.models.text
 
         /**
          * @param name the model's name, for errors
-         * @param text the text; a byte-order mark is skipped
+         * @param text the text, without a byte-order mark
          */
         public function LineReader(name:String, text:String)
         {
             _name = name;
-            _text = TextWords.withoutByteOrderMark(text);
+            _text = text;
         }
 
         /** The place of a line, for errors. */

@@ -50,12 +50,6 @@ package starlogo.models.text
                 });
         }
 
-        /** The text without a byte-order mark at its beginning. */
-        public static function withoutByteOrderMark(text:String):String
-        {
-            return text.charCodeAt(0) == 0xFEFF ? text.substr(1) : text;
-        }
-
         /** The text without the spaces, tabs and ends of lines around it. */
         public static function trimmed(text:String):String
         {

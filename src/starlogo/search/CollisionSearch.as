@@ -160,9 +160,8 @@ package starlogo.search
             {
                 table.followPose(rowA);
                 table.followPose(rowB);
-                if (_motions.anySweeps)
+                if (_candidateTests.findContactOnMotions(rowA, rowB, motion, out))
                 {
-                    _candidateTests.findContact(rowA, rowB, motion, out);
                     return;
                 }
             }

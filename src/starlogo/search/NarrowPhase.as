@@ -75,13 +75,13 @@ package starlogo.search
          */
         public function findClosest(a:Body, b:Body, withPoints:Boolean, out:ClosestPoints):void
         {
-            var touch:Boolean = areTouching(a, b);
-            if (touch && !withPoints)
+            var isTouching:Boolean = areTouching(a, b);
+            if (isTouching && !withPoints)
             {
                 out.distance = 0;
                 return;
             }
-            pairTestsFor(a, b).findClosestInAnyOrder(a, b, touch, out);
+            pairTestsFor(a, b).findClosestInAnyOrder(a, b, isTouching, out);
         }
 
         /**

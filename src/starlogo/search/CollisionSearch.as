@@ -101,6 +101,8 @@ package starlogo.search
             readInput(input);
             // tests since the last search, as those of questions, do not count
             narrowPhase.counts.clear();
+            // A search keeps the cells only if it is like the one before, because the next is then probably like it too. So the third of three like
+            // searches is the first that begins with the pairs of the last one.
             var isLikeLast:Boolean = rememberConditions(input) && areFew(changeCount);
             if (isLikeLast && couldUpdatePairs && tryMoveChanged(input))
             {
@@ -108,7 +110,11 @@ package starlogo.search
             }
             else
             {
-                findOfAll(input, isLikeLast);
+                var members:IntList = findOfAll(input);
+                if (isLikeLast)
+                {
+                    _changedRows.begin(members);
+                }
             }
             _canUpdatePairs = isLikeLast;
             return _pairs;
@@ -216,10 +222,8 @@ package starlogo.search
             return ROWS_PER_CHANGE * changes <= table.listed.rows.count;
         }
 
-        // Finds the pairs of all members.
-        // @param keepsCells whether the next search may update these pairs. A search that is like the one before keeps the cells for that, because the
-        // next one is then probably like it too. So the third of three like searches is the first that begins with the pairs of the last one
-        private function findOfAll(input:SearchInput, keepsCells:Boolean):void
+        // Finds the pairs of all members. Returns the members.
+        private function findOfAll(input:SearchInput):IntList
         {
             var members:IntList = input.membersOf(table);
             _motions.findExtents(table.listed.rows);
@@ -229,10 +233,7 @@ package starlogo.search
             _candidateTests.testWithEnvironment(ListedAgents.EDGES_ROW, members, input);
             _pairOrder.putInOrder(_pairs, _candidateTests.times);
             narrowPhase.counts.members = members.count;
-            if (keepsCells)
-            {
-                _changedRows.begin(members);
-            }
+            return members;
         }
 
         // Finds the pairs of the changed rows, and puts them between those of the last search. The pairs and their order are the same as in a search of
